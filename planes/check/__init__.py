@@ -1,13 +1,12 @@
 """The outcome of a check: what was handed in, judged, as the object for programs and as words for people."""
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
 from planes.check.grading.grading import Grading, grade
-from planes.check.grading.handwork import Hand, Taken
-from planes.check.grading.paper import ReadPaper
+from planes.check.grading.handwork import Hand
+from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
 from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
@@ -40,61 +39,43 @@ class Outcome:
         """right, wrong or unreadable; right_as_seen where nobody has looked at some of its marks."""
         if self.unreadable:
             return "unreadable"
-        return "wrong" if self.first_wrong else "right_as_seen" if self.unseen else "right"
+        return "wrong" if self.wrong else "right_as_seen" if self.unseen else "right"
+
+    @property
+    def wrong(self) -> Grading | Account | None:
+        """What goes wrong: the drawing, else the lengths or the results."""
+        return next((one for one in (self.grading, self.segments, self.results) if one and one.fault), None)
 
     @property
     def chance(self) -> float | None:
         """How likely the verdict is true; None where there is none."""
         if self.unreadable:
             return None
-        drawn = self.grading.chance_wrong if self.grading else 0.0
-        numbers = self._table.first_wrong if self._table else None
-        wrong = max(drawn, numbers.chance_wrong if numbers else 0.0)
+        tables = (t.first.chance_wrong for t in (self.segments, self.results) if t and t.first)
+        wrong = max(self.grading.chance_wrong if self.grading else 0.0, next(tables, 0.0))
         return wrong if self.verdict == "wrong" else 1 - wrong
 
     @property
     def first_wrong(self) -> str | None:
         """The mark (or segment, or result) where the work goes wrong."""
-        if self.grading and (found := self.grading.strays):
-            return found
-        for table in (self.segments, self.results):
-            if table and table.first_wrong:
-                return table.named.blames if table.named and table is self.segments else table.first_wrong.figure.name
-        return None
+        return self.wrong.first_wrong if self.wrong else None
 
     @property
     def mistake(self) -> str | None:
         """The named mistake, None when none explains the work best."""
-        g, table = self.grading, self._table
-        if self.unreadable:
-            return None
-        if g and g.judgement.first_wrong:
-            return g.judgement.named.mistake if g.judgement.named else None
-        if g and (g.left_out or g.gap_wrong):
-            return g.left_out_mistake if g.left_out else "not_closed"
-        return (table.number_mistake or (table.named.mistake if table.named else None)) if table else None
-
-    @property
-    def _table(self) -> Account | None:
-        return next((t for t in (self.segments, self.results) if t and t.first_wrong), None)
+        kind, _, name = self.sentence.key.partition("_")
+        return name if kind == "mistake" else None
 
     @property
     def runner_up(self) -> str | None:
         """The mistake that explains the work next best."""
-        if self.verdict != "wrong":
-            return None
-        g = self.grading
-        if g and g.judgement.first_wrong:
-            return g.judgement.runner_up.mistake if g.judgement.runner_up else None
-        return self._table.runner_up if self._table else None
+        return self.wrong.runner_up if self.wrong and not self.unreadable else None
 
     @property
     def sentence(self) -> Phrase:
         """What is wrong and how to mend it."""
-        first = self.first_wrong
-        if self.unreadable or first is None:
-            return self.unreadable or self.right(", ".join(self.unseen))
-        return Phrase(f"mistake_{self.mistake}", **self._about(first)) if self.mistake else self._unclear(first)
+        wrong = self.wrong.fault if self.wrong else None
+        return self.unreadable or wrong or self.right(", ".join(self.unseen))
 
     @property
     def unseen(self) -> list[str]:
@@ -105,25 +86,6 @@ class Outcome:
         """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""
         plan = plan_phrase(self.bench.asked.plan)
         return Phrase("check_right_as_seen", plan=plan, names=unseen) if unseen else Phrase("check_right", plan=plan)
-
-    def _about(self, first: str) -> dict[str, object]:
-        """Names for the sentence of the mistake."""
-        g, table = self.grading, self._table
-        named = (g.judgement.named if g else None) or (table.named if table else None)
-        about: dict[str, object] = {"mark": first, **(named.about if named else {})}
-        if self.mistake == "not_closed" and g and g.gap_wrong:
-            about["gap"] = Written(f"{g.gap_wrong:.1f}")
-        return about
-
-    def _unclear(self, first: str) -> Phrase:
-        g, table = self.grading, self._table
-        if g and g.judgement.wrong:
-            off = abs(g.judgement.misses[g.judgement.wrong[0]].off)
-            unclear = Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
-            return unclear if math.isfinite(off) else Phrase("check_undrawable", mark=first)
-        s = table.first_wrong if table else None
-        given, true = (s.figure.given, s.true) if s else (0.0, 0.0)
-        return Phrase("check_number_unclear", mark=first, given=Written(f"{given:.4g}"), true=Written(f"{true:.4g}"))
 
 
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
@@ -167,26 +129,31 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     return [Phrase("check_mu", mu=found, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=found)]
 
 
-def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
+def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
     """The true plan with the errors of drafting carried through it, all its mistakes may read, and the wanted names."""
     program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
     return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
 
 
-def _segments(out: Outcome) -> None:
-    bench = out.bench
-    figures, unknown = segment_figures(bench, out.paper.segments)
+def _known(out: Outcome, figures: tuple[list[WrittenNumber], list[str]]) -> list[WrittenNumber]:
+    """The numbers of a table that mean something here; the others are noted."""
+    known, unknown = figures
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    return known
+
+
+def _segments(out: Outcome) -> None:
+    bench, figures = out.bench, _known(out, segment_figures(out.bench, out.paper.segments))
     if not figures:
         return
     tried: list[tuple[int, bool, Account]] = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = _free(bench, [], mu, {})
         found = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
-        wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first_wrong is not None and not found.named)
+        wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first is not None and not found.named)
         tried.append((wrong, k > 0, found))
     _, rescaled, out.segments = min(tried, key=lambda one: one[:2])
-    if out.segments.first_wrong is None and not out.grading:
+    if out.segments.first is None and not out.grading:
         out.unreadable = _shown_by(out.segments, rescaled)
 
 
@@ -213,10 +180,8 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
 
 
 def _results(out: Outcome) -> None:
-    bench = out.bench
-    known = catalogue(bench.plans)
-    figures, unknown = result_figures(known, out.paper.results)
-    out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    bench, known = out.bench, catalogue(out.bench.plans)
+    figures = _known(out, result_figures(known, out.paper.results))
     if not figures:
         return
     wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]

@@ -55,15 +55,15 @@ def within(z: complex, square: Square, rim: float = 0.0) -> bool:
     return max(abs(off.real), abs(off.imag)) < square[1] + rim
 
 
-def pole_place(ends: list[complex], size_mm: tuple[float, float] = SHEET_MM) -> complex:
+def pole_place(ends: list[complex]) -> complex:
     """Where a blank has its pole: in the middle, so that a plan has the same room whichever way it goes; moved only by
     as much as the right plan would run off the sheet, or under what is printed on it."""
-    (w, h), places = size_mm, [0j, *ends]
+    (w, h), places = SHEET_MM, [0j, *ends]
     across = _moved((LEFT_MM, w - OTHER_MM), [z.real for z in places])
     start = complex(across, _moved((OTHER_MM, h - OTHER_MM), [z.imag for z in places]))
     steps = range(-MOST_STEPS, MOST_STEPS + 1)
     around = [start + STEP_MM * complex(x, y) for x, y in sorted(product(steps, steps), key=lambda xy: math.hypot(*xy))]
-    printed, e = squares(size_mm), 1e-6
+    printed, e = squares(), 1e-6
 
     def free(z: complex) -> bool:
         inside = LEFT_MM - e <= z.real <= w - OTHER_MM + e and OTHER_MM - e <= z.imag <= h - OTHER_MM + e

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from planes.check.grading.paper import Known, ReadPaper, read_table, with_told
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.reading.opened import contents, hushed, too_many
+from planes.check.reading.opened import LARGEST, contents, hushed, too_many
 from planes.check.reading.strokes import ReadDrawing
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
@@ -27,7 +27,6 @@ MOST_SHOWN = 2000  # lines of a drawing shown in its report
 MOST_PAGES = 300
 NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
 """What lies beside drawings."""
-MOST_BYTES, MOST_PIXELS = 200_000_000, 64_000_000
 Box = tuple[float, float, float, float]
 OTHERS = {  # what cameras and telephones save that is not read: the suffixes, how such a file begins
     "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
@@ -73,11 +72,8 @@ def sheets_of(file: Path) -> list[HandedSheet]:
     """The sheets of a file: each page of a PDF or a TIFF is one; so is a file that does not open."""
     count = 1
     if (suffix := file.suffix.lower()) in (".pdf", ".tif", ".tiff") and file.is_file():
-        try:
-            with guarded("check_picture", file), hushed():
-                count = _pages(file, suffix)
-        except PlanesError:
-            count = 1
+        with suppress(PlanesError), guarded("check_picture", file), hushed():
+            count = _pages(file, suffix)
     if count > MOST_PAGES:
         return [HandedSheet(file, MOST_PAGES + 1)]  # refused when it is read
     return [HandedSheet(file)] if count < 2 else [HandedSheet(file, k + 1) for k in range(count)]
@@ -100,10 +96,8 @@ def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:
 
     Tables of corrected marks lie beside their pictures, a course's list of what it wrote (``but``) beside its blanks.
     """
-    whole = place.is_dir()
-    files = (
-        [f for f in sorted(place.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))] if whole else [place]
-    )
+    whole, unlike = place.is_dir(), (".", "~$")
+    files = [f for f in sorted(place.iterdir()) if f.is_file() and not f.name.startswith(unlike)] if whole else [place]
     files = [f for f in files if not whole or (f.suffix.lower() not in NO_DRAWINGS and f.name != but)]
     sheets = [s for f in files for s in ([HandedSheet(f)] if told else sheets_of(f))]
     beside = {s.marks for s in sheets if s.file.suffix.lower() not in TABLES} if whole else set()
@@ -169,7 +163,7 @@ def opened(file: str, page: int = 0) -> DecodedPicture | None:
 
 def _kind(file: str, suffix: str) -> PlanesError | None:
     """Why a file is refused, where how it begins, or that it does not end, tells more than that it cannot be read."""
-    data = contents(file, MOST_BYTES)
+    data = contents(file, LARGEST)
     if not data:
         return PlanesError(Phrase("check_empty", file=file))
     for key, (suffixes, begins) in OTHERS.items():
@@ -191,7 +185,7 @@ def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
 def _box_told(table: str, read: Box) -> Box:
     """Where the picture lies about the pole, which a person may have moved: as a report page has written it into the
     table of its marks, if that is a picture of this size."""
-    head = contents(table, MOST_BYTES)[:2000].decode("utf-8", "replace")
+    head = contents(table, LARGEST)[:2000].decode("utf-8", "replace")
     found = re.search(rf"^# box{4 * _NUMBER}$", head, re.MULTILINE)
     left, low, right, high = map(float, found.groups()) if found else read
     same = abs(right - left - read[2] + read[0]) < 0.1 and abs(high - low - read[3] + read[1]) < 0.1

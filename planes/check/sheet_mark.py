@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import re
 import unicodedata
-from collections.abc import Callable
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -109,26 +109,20 @@ def _decoded(grey: Greys) -> SheetMark | None:
 
     cv2 = cv()
     detector = cv2.QRCodeDetector()
-    for look in _looks():
+    for look in _looks(grey):
         with suppress(cv2.error, UnicodeDecodeError):  # a damaged code may hold anything
-            found = parsed(detector.detectAndDecode(look(grey))[0])
+            found = parsed(detector.detectAndDecode(look)[0])
             if found:
                 return found
     return None
 
 
-def _looks() -> list[Callable[[Greys], Greys]]:
+def _looks(grey: Greys) -> Iterator[Greys]:
     """The picture as it is, smaller, and sharper against what a hand's motion has smeared."""
     from planes.check.vision.picture import cv
 
     cv2 = cv()
-
-    def sharper(grey: Greys, by: float) -> Greys:
-        sharp: Greys = cv2.addWeighted(grey, 1 + by, cv2.GaussianBlur(grey, (0, 0), 3), -by, 0)
-        return sharp
-
-    def half(grey: Greys) -> Greys:
-        small: Greys = cv2.resize(grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
-        return small
-
-    return [lambda grey: grey, half, lambda grey: sharper(grey, 1.5), lambda grey: sharper(grey, 3.0)]
+    yield grey
+    yield cv2.resize(grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    for by in (1.5, 3.0):
+        yield cv2.addWeighted(grey, 1 + by, cv2.GaussianBlur(grey, (0, 0), 3), -by, 0)

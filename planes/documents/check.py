@@ -1,14 +1,14 @@
 """The roof over checking: blanks to draw on, reports of checked drawings, tracing paper."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 
 from planes.check import Outcome, report
 from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.report import as_json, mark_rows
-from planes.check.report.shown import leads, shown_plans, tracing_data
+from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
 from planes.check.vision.photograph import blank_pole
@@ -32,7 +32,8 @@ KINDS = (".svg", ".pdf", ".png")
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     """A sheet to draw a plan on, as PDF, SVG, PNG or DXF."""
-    _write(*blank_marks(asked, lang), output, lang, kinds=(*KINDS, ".dxf"))
+    marks, title = blank_marks(asked, lang)
+    _write(Page(tuple(marks), SHEET_MM, title, lang), output, (*KINDS, ".dxf"))
 
 
 def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
@@ -47,17 +48,10 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts, say("check_print_size", lang)), title
 
 
-def _write(
-    marks: Iterable[Mark],
-    title: str,
-    output: str,
-    lang: Lang,
-    under: Photo | None = None,
-    kinds: tuple[str, ...] = KINDS,
-) -> None:
+def _write(page: Page, output: str, kinds: tuple[str, ...] = KINDS) -> None:
     if Path(output).suffix.lower() not in kinds:
         raise PlanesError(Phrase("check_output", file=output))
-    Page(tuple(marks), SHEET_MM, title, lang, under=under).write(output)
+    page.write(output)
 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
@@ -74,7 +68,7 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
         keep(check_pages.report_page(report.page_data(found, lang), lang).encode(), output)
     else:
         marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
-        _write(marks, report.title(found, lang), output, lang, photo)
+        _write(Page(tuple(marks), SHEET_MM, report.title(found, lang), lang, under=photo), output)
 
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
@@ -93,7 +87,7 @@ def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
     return check_sheet.Overlay(
         own=shown.own,
         true=shown.true if laid else [],
-        next=leads(found, shown.marks),
+        next=shown.next,
         marks={name(n): (z, verdicts.get(n, "right")) for n, z in shown.marks.items()},
         along={name(n): v for n, v in shown.along.items()},
         pole=name(POLE),

@@ -10,7 +10,7 @@ import json
 from collections import Counter
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from os.path import relpath
 from pathlib import Path
 from urllib.parse import quote
@@ -68,7 +68,7 @@ class ClassWork:
         row = ClassRow.of(one, self.lang)
         self.rows.append(row)
         if self.ledger and task:
-            kept = {"scene": str(task.file), "sha256": digest(task.file.read_bytes()), "row": row.json()}
+            kept = {"scene": str(task.file), "sha256": digest(task.file.read_bytes()), "row": asdict(row)}
             data = json.dumps(kept, ensure_ascii=False, allow_nan=False).encode()
             self._keep(f"rows/{kept_as(one.file)}.json", source, data)
 

@@ -5,6 +5,8 @@ Places, vectors and directions are complex numbers, single or arrays. Each meeti
 Nothing is raised here: a sharpness of zero or less says there is no honest answer.
 """
 
+from collections.abc import Iterable
+
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 
 
@@ -23,6 +25,12 @@ def unit(v: Point, ar: Arithmetic) -> Point:
     length = abs(v)
     nothing = length == 0  # what failed before (NaN) must stay so
     return ar.where(nothing, 1 + 0j, v / ar.where(nothing, 1.0, length))
+
+
+def corners(places: Iterable[complex]) -> tuple[complex, complex]:
+    """The lower left and the upper right corner of the box about some places."""
+    xs, ys = zip(*((z.real, z.imag) for z in places), strict=True)
+    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
 
 
 def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:

@@ -7,15 +7,13 @@ the place a reader who makes that mistake would put it.
 import cmath
 import math
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 from planes.check.grading.handwork import Variant
-from planes.check.grading.mistakes import motion_variants
-from planes.check.grading.mistakes_force import force_variants
-from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.plan_steps import PlanSteps
+from planes.check.grading.prepared_plan import catalogue, known_plans
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.program import Program
 from planes.drafting.steps import Image, LayOff, Similar, Step
@@ -27,7 +25,7 @@ from planes.lesson.formulas import slots
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
-from planes.words.names import Meaning, at, kind_of, lettered, mu_of, plan_of
+from planes.words.names import Meaning, at, lettered, mu_of, plan_of
 from planes.words.records import Json
 
 Said = dict[Lang, str]
@@ -76,13 +74,13 @@ class Practice:
     def wrongs(self, progress: Callable[[int, int], None] | None) -> dict[str, list[Wrong]]:
         """The wrong places of every mark, by drawing every variant of the catalogue."""
         found: dict[str, list[Wrong]] = defaultdict(list)
-        plans = [p for p in self.plans.drawn if kind_of(p) not in ("lever", "motion")]
+        plans = known_plans(self.plans)
         for k, plan in enumerate(plans):
             if progress:
                 progress(k + 1, len(plans))
             wanted = [s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan]
             ways = PlanSteps(self.plans, self.plans.program.sliced(wanted), plan)
-            for variant in self.variants(ways):
+            for variant in catalogue(ways, {}, self.mu("position")):
                 if wrong := self.drawn(ways, variant):
                     found[at(plan, variant.blames)].append(wrong)
         return found
@@ -90,13 +88,6 @@ class Practice:
     def mu(self, plan: str) -> float:
         """The scale of a plan."""
         return complex(self.given[mu_of(plan)]).real
-
-    def variants(self, ways: PlanSteps) -> Iterator[Variant]:
-        """The mistakes of one plan."""
-        kind = kind_of(ways.plan)
-        if kind == "position":
-            return position_variants(ways, {}, self.mu("position"))
-        return force_variants(ways) if kind == "force" else motion_variants(ways)
 
     def drawn(self, ways: PlanSteps, variant: Variant) -> Wrong | None:
         """Where the mark a mistake is blamed at would be; None if nothing can be told apart there."""

@@ -519,3 +519,12 @@ def test_a_printed_blank_is_found_by_its_corners(tmp_path: Path, suffix: str) ->
         assert sorted(find_marks(picture(file).grey)) == [0, 1, 2, 3]
         flat = flatten(picture(file).grey)
         assert flat is not None and flat.grey.shape == (1680, 2376)
+
+
+@pytest.mark.parametrize("plan", ["position", "velocity"])
+def test_a_result_that_needs_no_step_of_the_plan_is_judged(plan: str) -> None:
+    """What is given, or nothing at a fixed point, may be written beside any plan."""
+    for name, true in (("epsilon_1", 80.0), ("a_A", 0.0), ("v_D", 0.0)):
+        for value, verdict in ((true, "right"), (true + 20.0, "wrong")):
+            found = check(asked(plan), ReadPaper("t", results=[(name, value, "")]))
+            assert found.verdict == verdict, (name, found)

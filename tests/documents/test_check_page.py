@@ -16,7 +16,7 @@ from planes.check.grading.grading import Grading, empty
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
 from planes.check.report import Checked
-from planes.check.report.regrading import SURELY_MM, exported, retrace
+from planes.check.report.regrading import SURELY_MM, retrace
 from planes.documents.check import write_report
 from planes.documents.class_work import ClassWork
 from planes.drafting.drawing import run
@@ -280,7 +280,7 @@ def test_the_page_reads_every_operation_of_a_tape() -> None:
         grading = graded(found) if found else empty(prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan)))
         bench = found.bench if found else prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
         traced = retrace(grading, variants_of(bench, grading.hand.taken, grading.mu))
-        names = set(exported(traced.tape, traced.sources)["names"]) - LEAVES
+        names = set(traced.tape["names"]) - LEAVES
         assert names and all(re.search(rf"\b{n}:", values) for n in names), names
         assert all(re.search(rf"\b{n}:", slopes) for n in names - TESTS)
 

@@ -4,14 +4,13 @@ is not judged right."""
 import math
 from collections.abc import Iterable, Mapping
 
-from planes.check.grading.handwork import Hand, Miss, Taken
+from planes.check.grading.handwork import Hand, Miss
+from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff, Same
 from planes.words.names import POLE, at, kind_of
 
-MOST_BY_CHANCE = (
-    0.02  # how likely marks put anywhere on the drawing may be to pass: one vector of 50 mm at a scale of its own
-)
+MOST_BY_CHANCE = 0.02  # how likely marks put anywhere may be to pass: one vector of 50 mm at a scale of its own
 SURE_LENGTHS = 0.05  # the same of lengths, each of which shows half of what a mark does
 SMALLEST = 10.0  # a drawing this many times the error of a mark shows nothing
 LEAST_MM = 5.0  # shorter vectors tell little about the scale
@@ -49,7 +48,7 @@ def lengths_by_chance(shares: Iterable[float], free: bool) -> float:
     return math.prod(found) / (min(found) if free else 1.0)
 
 
-def own_scales(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
+def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
     """Scales (mm per unit) worth trying with their relative errors, the stated one first.
 
     Then what most vectors agree on, taken from the one drawn most surely.
@@ -68,7 +67,7 @@ def own_scales(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[fl
     return found[:MOST]
 
 
-def _ratios(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
+def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
     """Drawn to true lengths, with what drafting and reading may have done to them: of the vectors of a force plan,
     of others from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})

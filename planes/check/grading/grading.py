@@ -2,21 +2,21 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from planes.check.grading.certainty import SURE, all_drawn, breadth, chance_wrong
 from planes.check.grading.evidence import by_chance, own_scales
-from planes.check.grading.handwork import Hand, Miss, Taken
+from planes.check.grading.handwork import Hand, Miss
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
-from planes.check.grading.paper import ReadPaper
+from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import Rebuilt, align
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.steps import LayOff, Same, Step
 from planes.plans import Plans
 from planes.plans.scales import extent
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
@@ -38,37 +38,38 @@ class Grading:
     judgement: Judgement
     free: Mapping[str, Miss]
     loose: Hand  # the plan without the person's own marks
-    said_mu: bool = True
-    rebuilt: Rebuilt | None = None
+    said_mu: bool
+    rebuilt: Rebuilt | None
     notes: list[Phrase] = field(default_factory=list)
 
     @property
-    def gap_wrong(self) -> float | None:
-        """By how many mm a force polygon fails to close, where that is more than a hand's error."""
-        gap, reach = self.rebuilt.gap if self.rebuilt else None, self.gap_reach
-        return abs(gap.place) if gap and reach is not None and abs(gap.place) > reach else None
+    def gap(self) -> complex:
+        """By how much a force polygon fails to close, mm."""
+        return self.rebuilt.gap.place if self.rebuilt and self.rebuilt.gap else 0j
 
     @property
-    def gap_reach(self) -> float | None:
-        """How far from closed a hand may leave a polygon, mm; None where nothing is there to close it."""
+    def gap_wrong(self) -> float | None:
+        """How far that is, where it is more than a hand's error."""
+        return abs(self.gap) if self.gap_sigma and abs(self.gap) > self.judgement.limit * self.gap_sigma else None
+
+    @property
+    def gap_sigma(self) -> float | None:
+        """The hand's error of closing a polygon, mm; None where nothing is there to close it."""
         gap = self.rebuilt.gap if self.rebuilt else None
-        point = self.hand.tool.skill.point_mm
-        return self.judgement.limit * math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None
+        return math.sqrt(2 * self.hand.tool.skill.point_mm**2 + 2 * gap.error_mm**2) if gap else None
 
     @property
     def chance_wrong(self) -> float:
         """How likely it is that something is wrong: a mark, a force left out, a polygon that does not close."""
-        found, gap = self.judgement, self.rebuilt.gap if self.rebuilt else None
         if self._confused():
             return 0.5
         if self.left_out:
             return 1.0
-        if not (gap and self.gap_wrong and self.gap_reach):
-            return found.chance_wrong
-        variance = (self.gap_reach / found.limit) ** 2
+        if not (self.gap_wrong and self.gap_sigma):
+            return self.judgement.chance_wrong
         broad = breadth(extent(self.truth, plan_of(self.marks[0])))
-        closed = all_drawn({"": Miss(gap.place, (variance, 0.0, variance))}, broad, {"": 0.0})
-        return max(found.chance_wrong, chance_wrong(closed, -math.inf, ()))
+        closed = all_drawn({"": Miss(self.gap, (self.gap_sigma**2, 0.0, self.gap_sigma**2))}, broad, {"": 0.0})
+        return max(self.judgement.chance_wrong, chance_wrong(closed, -math.inf, ()))
 
     def _confused(self) -> bool:
         """Whether what is wrong with a polygon may only be that its vectors were told wrongly."""
@@ -95,9 +96,24 @@ class Grading:
         return None
 
     @property
-    def left_out_mistake(self) -> str:
-        """What it is called to leave that force out."""
-        return "weight_missing" if letter_of(self.left_out or "") == "G" else "force_missing"
+    def otherwise(self) -> Phrase | None:
+        """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
+        if left := self.left_out:
+            return Phrase(f"mistake_{'weight' if letter_of(left) == 'G' else 'force'}_missing", mark=left)
+        gap, closing = self.gap_wrong, self.rebuilt.closing if self.rebuilt else ""
+        return Phrase("mistake_not_closed", mark=closing, gap=Written(f"{gap:.1f}")) if gap else None
+
+    @property
+    def fault(self) -> Phrase | None:
+        """What goes wrong first and how to mend it."""
+        named, wrong = self.judgement.named, self.judgement.wrong
+        if named:
+            return named.sentence
+        if not wrong:
+            return self.otherwise
+        mark, off = label_of(wrong[0]), abs(self.judgement.misses[wrong[0]].off)
+        unclear = Phrase("check_unclear", mark=mark, off=Written(f"{off:.1f}"))
+        return unclear if math.isfinite(off) else Phrase("check_undrawable", mark=mark)
 
     @property
     def unseen(self) -> list[str]:
@@ -121,16 +137,22 @@ class Grading:
         return found
 
     @property
-    def strays(self) -> str | None:
+    def first_wrong(self) -> str | None:
         """The mark where it goes wrong: drawn wrongly, left out, or where a polygon should close."""
-        gap = self.rebuilt.closing if self.gap_wrong and self.rebuilt else None
-        return self.judgement.first_wrong or self.left_out or gap
+        return str(self.fault.parts["mark"]) if self.fault else None
+
+    @property
+    def runner_up(self) -> str | None:
+        """The mistake that explains what is drawn wrongly next best."""
+        found = self.judgement
+        return found.runner_up.mistake if found.runner_up and found.first_wrong else None
 
     @property
     def chance(self) -> float:
         """How likely marks put anywhere on the drawing would be as right."""
         found = self.judgement
-        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, self.gap_reach)
+        gap = found.limit * self.gap_sigma if self.gap_sigma else None
+        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, gap)
 
     @property
     def sure_by_itself(self) -> bool:
@@ -139,7 +161,7 @@ class Grading:
         found, apart = self.judgement, [0j]
         for place in (self.hand.taken[m].place for m in found.misses):
             apart += [place] if all(abs(place - z) > FAR_MM for z in apart) else []
-        if len(apart) < 3 or not self.strays:
+        if len(apart) < 3 or not self.fault:
             return len(apart) > 2
         off = max((abs(found.misses[m].off) for m in found.wrong), default=0.0)
         fitting = found.explained if found.named else found.misses.keys() - found.wrong
@@ -158,26 +180,24 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
     plan = bench.asked.plan
     spots, rebuilt, unknown = align(bench, plan, paper)
-    taken = {at(plan, n): Taken(s.place, s.error_mm, s.doubt) for n, s in spots.items()}
+    taken = {at(plan, n): s for n, s in spots.items()}
     if not taken:
         return None
     taken |= _earlier(bench)
-    best: tuple[float, Grading] | None = None
+    best, most = None, -math.inf
     for mu, share in own_scales(bench, taken):
-        found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
-        said = mu == bench.said_mu
-        score = found.judgement.score + (0.0 if said else OWN_SCALE)
-        found.said_mu, found.rebuilt = said, rebuilt
-        if best is None or score > best[0] + 1e-9:
-            best = score, found
-        if said and not _rescaled(found):
+        found = _grade_at(bench, mu, share, taken, rebuilt)
+        score = found.judgement.score + (0.0 if found.said_mu else OWN_SCALE)
+        if best is None or score > most + 1e-9:
+            best, most = found, score
+        if found.said_mu and not _rescaled(found):
             break
-    notes = best[1].notes if best else []
-    if named := [name for name in unknown if not name.startswith(NAMELESS)]:
-        notes.append(Phrase("check_unknown", names=", ".join(named)))
-    if len(named) < len(unknown):
-        notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
-    return best[1] if best else None
+    named = [name for name in unknown if not name.startswith(NAMELESS)]
+    if best and named:
+        best.notes.append(Phrase("check_unknown", names=", ".join(named)))
+    if best and len(named) < len(unknown):
+        best.notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
+    return best
 
 
 def _rescaled(found: Grading) -> bool:
@@ -193,16 +213,15 @@ def _long(found: Grading, step: Step) -> bool:
     return isinstance(step, LayOff) and bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
 
 
-def _earlier(bench: PreparedPlan) -> dict[str, Taken]:
+def _earlier(bench: PreparedPlan) -> dict[str, ReadMark]:
     """Marks of earlier plans that were handed in too."""
-    found: dict[str, Taken] = {}
-    for plan, paper in bench.asked.others.items():
-        spots, _, _ = align(bench, plan, paper)
-        found |= {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
-    return found
+    aligned = ((plan, align(bench, plan, paper)[0]) for plan, paper in bench.asked.others.items())
+    return {at(plan, n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}
 
 
-def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
+def _grade_at(
+    bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, ReadMark], rebuilt: Rebuilt | None = None
+) -> Grading:
     """Grade at one scale."""
     skill, name = bench.asked.skill, mu_of(bench.asked.plan)
     given = {**bench.given, name: mu}
@@ -211,15 +230,17 @@ def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, 
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
     own = {m: taken[m] for m in bench.marks if m in taken}  # how far from where drafting alone may lead a person
     apart = {m: free.miss(free.things[m], t.place).blurred(t.error_mm) for m, t in own.items()}
+    absent = rebuilt.absent if rebuilt else ()
     judgement = judge(hand, bench.marks, variants_of(bench, hand.taken, mu), extent(truth, bench.asked.plan), absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
     doubtful = any(t.doubt for t in own.values()) and judgement.chance_wrong < 1 - SURE and at_home >= apart.keys()
     if doubtful and not judgement.named and all(apart[m].sigmas < 1 for m in judgement.wrong):
         judgement.wrong = []  # all are where they should be: what the first was drawn from was read a little off
-    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
+    said = mu == bench.said_mu
+    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free, said, rebuilt)
 
 
 def empty(bench: PreparedPlan) -> Grading:
     """The grading of a drawing of which no mark is read yet, at the stated scale."""
-    return _grade_at(bench, bench.said_mu, 0.0, _earlier(bench), set())
+    return _grade_at(bench, bench.said_mu, 0.0, _earlier(bench))

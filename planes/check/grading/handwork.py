@@ -13,26 +13,18 @@ from types import MappingProxyType
 
 import numpy
 
-from planes.check.grading.perturbing import Columns, Nudged, Skill
+from planes.check.grading.paper import ReadMark
+from planes.check.grading.perturbing import Nudged, Skill, columns_of
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point, Truth
-from planes.words import Told, Written
+from planes.words import Phrase, Told, Written
 from planes.words.names import POLE, label_of, plan_of
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
-
-
-@dataclass(frozen=True)
-class Taken:
-    """A mark of a person's drawing: where it is from the pole, and how surely it was read there, and read at all."""
-
-    place: complex
-    error_mm: float = 0.1
-    doubt: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -91,6 +83,11 @@ class Variant:
     givens: Mapping[str, Point] = field(default_factory=dict)
     weight: float = 1.0
     about: Mapping[str, Told | Written] = field(default_factory=dict)  # names for the sentence
+
+    @property
+    def sentence(self) -> Phrase:
+        """What the mistake is, and how to mend it."""
+        return Phrase(f"mistake_{self.mistake}", **{"mark": self.blames, **self.about})
 
     def drawn(self, program: Program, things: Env, tool: Tool, fixed: Container[str]) -> Env:
         """What the steps it touches make of things drawn without it; marks that are ``fixed`` stay where they are."""
@@ -156,13 +153,13 @@ class Hand:
         program: Program,
         given: Mapping[str, Point],
         skill: Skill,
-        taken: Mapping[str, Taken],
+        taken: Mapping[str, ReadMark],
         unsure: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self.program, self.taken = program, taken
-        self.given, self.unsure = {n: given[n] for n in program.givens}, unsure
-        columns = Columns.of(program.steps, [*taken, *self.unsure])
-        self.tool = _Marking(skill, columns)
+        self.given, self.unsure = given, unsure  # a result may be of a given, or need a scale no step asks
+        columns, width = columns_of(program.steps, [*taken, *self.unsure])
+        self.tool = _Marking(skill, columns, width)
         laid = {step.makes for step in program.steps if isinstance(step, Same)}
         errors = {n: max(t.error_mm, skill.point_mm) if n in laid else t.error_mm for n, t in taken.items()}
         self.tool.own = {n: self.tool.taken(n, t.place, errors[n]) for n, t in taken.items()}
@@ -170,7 +167,7 @@ class Hand:
         self.things: Env = dict(self.given)
         for name, share in self.unsure.items():  # a given that is itself only estimated: its relative error
             value = self.tool.spread(float(self.things[name]))
-            value[columns.start[f"read {name}"]] *= 1 + share
+            value[columns[f"read {name}"]] *= 1 + share
             self.things[name] = value
         self.made = draw_steps(program.steps, self.things, self.tool)
 

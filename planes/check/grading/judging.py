@@ -100,11 +100,12 @@ class _Weighing:
     def unknown(self, mark: str) -> float:
         """What the score of a mistake must be to explain a mark better than "some other cause", or a misreading."""
         miss = self.misses[mark]
-        slipped, taken = (
-            math.log(OTHER_CAUSE) + self.broad,
-            misread(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP),
-        )
-        return float(numpy.logaddexp(slipped, taken)) - self.mixed(mark, miss)
+        taken = misread(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP)
+        return float(numpy.logaddexp(math.log(OTHER_CAUSE) + self.broad, taken)) - self.mixed(mark, miss)
+
+    def gain(self, misses: Mapping[str, Miss]) -> float:
+        """By how much likelier misses are than those of the steps as they are, as a logarithm."""
+        return sum(self.mixed(m, miss) - self.mixed(m, self.misses[m]) for m, miss in misses.items())
 
     def right(self, suspect: str | None) -> float:
         """Logarithm of how likely it is that no mark slipped, and that a suspected one was rightly read."""
@@ -120,10 +121,9 @@ class _Weighing:
         left = {m: t for m, t in hand.taken.items() if m != mark}
         other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)
         plain = other.misses([m for m in self.plain if m != mark])
-        misses = given_before(plain, self.order, self.limit)
-        gain = sum(self.mixed(m, miss) - self.mixed(m, self.misses[m]) for m, miss in misses.items())
+        misses, own_miss = given_before(plain, self.order, self.limit), self.mixed(mark, self.misses[mark])
         off = misread(own.place - complex(other.number(mark)), self.broad, self.doubts[mark])
-        return gain + off - self.mixed(mark, self.misses[mark]) + all_drawn(misses, self.broad, self.doubts)
+        return self.gain(misses) + off - own_miss + all_drawn(misses, self.broad, self.doubts)
 
     def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[ScoredHypothesis]:
         """The mistakes that touch a suspected mark, the likeliest first."""
@@ -136,8 +136,8 @@ class _Weighing:
             under = given_before({**self.plain, **touched}, self.order, self.limit)
             if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
                 continue  # the mark it is made at is nearer to where it should be than to where the mistake puts it
-            gain = sum(self.mixed(m, miss) - self.mixed(m, self.misses[m]) for m, miss in under.items())
-            scored.append(ScoredHypothesis(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
+            score = self.gain(under) + math.log(variant.weight * _likely(variant, drawn))
+            scored.append(ScoredHypothesis(score, variant, under))
         return _by_mistake(scored)
 
     def _shows(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:

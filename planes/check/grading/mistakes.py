@@ -163,8 +163,8 @@ def _normal(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     yield w.variant("normal_missing", step, Same(step.makes, step.start))
     if step.start != w.pole:
         yield w.variant("normal_from_pole", step, replace(step, start=w.pole))
-    formula = w.steps.get(step.length)
-    if not isinstance(formula, Calculate) or not formula.terms:
+    formula = w.formula(step)
+    if not formula or not formula.terms:
         return
     squares = [n for n, power in formula.terms[0].factors if power == 2 and isinstance(w.steps.get(n), Measure)]
     for square in squares:
@@ -204,8 +204,8 @@ def _coriolis(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
         length, _ = w.reversed_length(step)
         back = replace(step, along=guide, length=length.makes)
         yield w.variant("coriolis_along_guide", step, length, back, weight=0.5)
-    formula = w.steps.get(step.length)
-    if not isinstance(formula, Calculate):
+    formula = w.formula(step)
+    if not formula:
         return
     used = [n for n, _ in formula.terms[0].factors if letter_of(n) == "omega"]
     spins = [n for n in (*w.program.givens, *w.steps) if letter_of(n) == "omega" and n not in used]

@@ -52,7 +52,8 @@ def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[St
     """The plan's moment equations with the terms of one force multiplied."""
     arms = {n for n, m in w.plans.means.items() if m.quantity == "arm" and step.means and m.of == step.means.of}
     found: dict[str, tuple[Step, ...]] = {}
-    for formula in _formulas(w):
+    laid = (s for s in w.own if isinstance(s, LayOff) and s.quantity == "tangential")
+    for formula in filter(None, map(w.formula, laid)):
         terms = tuple(
             replace(t, coefficient=t.coefficient * factor) if any(n in arms for n, _ in t.factors) else t
             for t in formula.terms
@@ -62,18 +63,10 @@ def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[St
     return found
 
 
-def _formulas(w: PlanSteps) -> Iterator[Calculate]:
-    """Moment equations whose result is laid off on this plan."""
-    for step in w.own:
-        formula = w.steps.get(step.length) if isinstance(step, LayOff) and step.quantity == "tangential" else None
-        if isinstance(formula, Calculate):
-            yield formula
-
-
 def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """Kilograms laid off for newtons."""
-    weight = w.steps.get(step.length)
-    factors = weight.terms[0].factors if isinstance(weight, Calculate) else ()
+    weight = w.formula(step)
+    factors = weight.terms[0].factors if weight else ()
     if mass := next((n for n, _ in factors if letter_of(n) == "m"), None):
         alone = w.variant("mass_for_weight", step, replace(step, length=mass), weight=0.5)
         yield alone
@@ -83,52 +76,52 @@ def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
 
 def _moments(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """Mistakes of the equation of moments behind a tangential reaction."""
-    formula = w.steps.get(step.length)
-    if not isinstance(formula, Calculate):
+    if not (formula := w.formula(step)):
         return
-    count = max(1, len(formula.terms))
-    for i, term in enumerate(formula.terms if count > 1 else ()):
+    terms = formula.terms
+    for term in terms if len(terms) > 1 else ():
         name = next((n for n, _ in term.factors), "")
         inertia = letter_of(name) == "MI"
         mistake = "inertia_moment_reversed" if inertia else "moment_sign"
-        turned = _replaced(formula, i, replace(term, coefficient=-term.coefficient))
-        yield _of_moments(w, step, mistake, (turned,), 1.0 if inertia else 1 / count, name)
-    for i, term in enumerate(formula.terms):
-        name = next((n for n, _ in term.factors), "")
-        arm = next((n for n, _ in term.factors if isinstance(w.steps.get(n), Drop)), None)
-        if arm:
-            yield from _arm(w, step, formula, i, arm, name)
-    scaled = replace(formula, terms=tuple(_longer(w, t) for t in formula.terms))
-    if scaled != formula:
-        yield _of_moments(w, step, "arm_wrong", (scaled,), 0.2, "mm")
+        turned = _replaced(formula, term, replace(term, coefficient=-term.coefficient))
+        yield _of_moments(step, mistake, (turned,), 1.0 if inertia else 1 / len(terms), name)
+    for term in terms:
+        yield from _arm(w, step, term)
+    scaled = tuple(_longer(w, t) for t in terms)
+    if scaled != terms:
+        yield _of_moments(step, "arm_wrong", (replace(formula, terms=scaled),), 0.2, "mm")
+
+
+def _drop(w: PlanSteps, term: Product) -> Drop | None:
+    """How the arm of a term is drawn, if it has one."""
+    return next((s for n, _ in term.factors if isinstance(s := w.steps.get(n), Drop)), None)
 
 
 def _longer(w: PlanSteps, term: Product) -> Product:
     """A term with its arm in millimetres of paper."""
-    drop = next((w.steps[n] for n, _ in term.factors if isinstance(w.steps.get(n), Drop)), None)
-    return replace(term, factors=(*term.factors, (drop.mu, 1))) if isinstance(drop, Drop) else term
+    drop = _drop(w, term)
+    return replace(term, factors=(*term.factors, (drop.mu, 1))) if drop else term
 
 
-def _arm(w: PlanSteps, step: LayOff, formula: Calculate, index: int, arm: str, force: str) -> Iterator[Variant]:
+def _arm(w: PlanSteps, step: LayOff, term: Product) -> Iterator[Variant]:
     """The distance between two points, or the wrong leg of the triangle, taken for the arm."""
-    drop, term = w.steps[arm], formula.terms[index]
-    assert isinstance(drop, Drop)
-    whole = Measure(f"{arm}~whole", drop.point, drop.about, None, drop.mu)
-    leg = Measure(f"{arm}~leg", drop.point, drop.about, drop.along, drop.mu)
+    formula, drop = w.formula(step), _drop(w, term)
+    if not formula or not drop:
+        return
+    whole = Measure(f"{drop.makes}~whole", drop.point, drop.about, None, drop.mu)
+    leg = Measure(f"{drop.makes}~leg", drop.point, drop.about, drop.along, drop.mu)
     for made in (whole, leg):
         for sign in (1.0, -1.0):
-            factors = tuple((made.makes if n == arm else n, p) for n, p in term.factors)
-            swapped = _replaced(formula, index, replace(term, coefficient=sign * term.coefficient, factors=factors))
-            yield _of_moments(w, step, "arm_wrong", (made, swapped), 0.25 / len(formula.terms), force)
+            factors = tuple((made.makes if n == drop.makes else n, p) for n, p in term.factors)
+            swapped = _replaced(formula, term, replace(term, coefficient=sign * term.coefficient, factors=factors))
+            yield _of_moments(step, "arm_wrong", (made, swapped), 0.25 / len(formula.terms), term.factors[0][0])
 
 
-def _replaced(formula: Calculate, index: int, term: Product) -> Calculate:
-    return replace(formula, terms=tuple(term if i == index else t for i, t in enumerate(formula.terms)))
+def _replaced(formula: Calculate, old: Product, new: Product) -> Calculate:
+    return replace(formula, terms=tuple(new if t is old else t for t in formula.terms))
 
 
-def _of_moments(
-    w: PlanSteps, step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str
-) -> Variant:
+def _of_moments(step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str) -> Variant:
     label, shown = label_of(step.makes), force.strip("|").replace("MI_", "M_Φ")
     return Variant(mistake, label, {step.length: steps}, {}, weight, {"mark": label, "force": shown})
 

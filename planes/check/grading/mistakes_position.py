@@ -4,7 +4,8 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from planes.check.grading.handwork import Taken, Variant
+from planes.check.grading.handwork import Variant
+from planes.check.grading.paper import ReadMark
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
@@ -15,7 +16,7 @@ LEAST_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
 LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
 
 
-def position_variants(w: PlanSteps, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
+def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
     """Mistakes of a position plan; the person's own marks say in which scale a link may have been drawn."""
     yield from _angle(w)
     for name, value in w.plans.given.items():
@@ -74,7 +75,7 @@ def _marked(
                 return
 
 
-def _scales(w: PlanSteps, step: Step, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
+def _scales(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
     """A length drawn in another scale, the one the person's own mark shows."""
     own, label, ends = taken.get(step.makes), label_of(step.makes), list[tuple[str, str]]()
     if isinstance(step, LayOff):

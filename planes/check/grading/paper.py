@@ -22,6 +22,7 @@ _COLUMNS = {
     "unit": ("unit", "единица"),
     "error_mm": ("error_mm", "±"),
 }
+_PARTS = {"rows": "mark", "marks": "mark", "segments": "segment", "results": "result"}  # of JSON
 _ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
 LARGEST = 2 * MB
 MOST = 2000  # rows
@@ -175,13 +176,11 @@ def _read_json(paper: ReadPaper, text: str) -> None:
         data = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise paper.refuse("check_json", why=str(error)[:80]) from None
-    if isinstance(data, list):
-        data = {"rows": data}
-    parts = [data.get(k) for k in ("rows", "marks", "segments", "results")] if isinstance(data, dict) else []
-    if not any(parts):
+    parts = {"marks": data} if isinstance(data, list) else data if isinstance(data, dict) else {}
+    if not any(map(parts.get, _PARTS)):
         raise paper.refuse("check_columns")
-    for key, part in zip(("mark", "mark", "segment", "result"), parts, strict=True):
-        for line, row in enumerate(_json_rows(part, key), 1):
+    for name, key in _PARTS.items():
+        for line, row in enumerate(_json_rows(parts.get(name), key), 1):
             _add(paper, row, line)
 
 

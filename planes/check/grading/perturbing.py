@@ -7,8 +7,8 @@ deviation. So the differences of a run's columns are its first-order derivatives
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy
 
@@ -36,39 +36,32 @@ def cad(extent_mm: float) -> Skill:
     return Skill(0.002 * extent_mm, 0.002 * extent_mm, math.degrees(0.002))
 
 
-@dataclass
-class Columns:
-    """Which columns belong to whom: every step that can err, and every name that was read with an error."""
-
-    start: dict[str, int] = field(default_factory=dict)
-    width: int = 1
-
-    @staticmethod
-    def of(steps: Iterable[Step], read: Iterable[str]) -> Columns:
-        """Columns for the errors of steps and of readings (two each)."""
-        columns, drawn = Columns(), ((s.makes, _COLUMNS[s.kind]) for s in steps if s.kind in _COLUMNS)
-        for name, count in (*drawn, *((f"read {n}", 2) for n in read)):
-            columns.start[name] = columns.width
-            columns.width += count
-        return columns
+def columns_of(steps: Iterable[Step], read: Iterable[str]) -> tuple[dict[str, int], int]:
+    """The first column of every step that can err, of every name read with an error; how many there are."""
+    columns, width = dict[str, int](), 1
+    drawn = ((s.makes, _COLUMNS[s.kind]) for s in steps if s.kind in _COLUMNS)
+    for name, count in (*drawn, *((f"read {n}", 2) for n in read)):
+        columns[name] = width
+        width += count
+    return columns, width
 
 
 class Nudged(Tool):
     """The tool: makes each error in its own column."""
 
-    def __init__(self, skill: Skill, columns: Columns) -> None:
+    def __init__(self, skill: Skill, columns: Mapping[str, int], width: int) -> None:
         super().__init__(Many(), True)
-        self.skill, self.columns, self.at, self.end = skill, columns, 0, 0
+        self.skill, self.columns, self.width, self.at, self.end = skill, columns, width, 0, 0
 
     def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         """The errors of every step of the way are those of the one it makes."""
-        self.at = self.columns.start.get(step.makes, 0)
+        self.at = self.columns.get(step.makes, 0)
         self.end = self.at + 8 if self.at else 0
         return super().make(step, way, things)
 
     def spread(self, value: Point) -> Point:
         """The value as an array of all columns, to be nudged."""
-        return numpy.array(numpy.broadcast_to(value, (self.columns.width,)))
+        return numpy.array(numpy.broadcast_to(value, (self.width,)))
 
     def _next(self) -> int:
         self.at += 1
@@ -100,7 +93,7 @@ class Nudged(Tool):
     def taken(self, name: str, place: complex, error_mm: float) -> Point:
         """A mark read from a person's drawing, with the error of the reading."""
         out = self.spread(complex(place))
-        column = self.columns.start[f"read {name}"]
+        column = self.columns[f"read {name}"]
         out[column] += error_mm
         out[column + 1] += 1j * error_mm
         return out

@@ -36,6 +36,11 @@ class PlanSteps:
         """Whether a thing is there when the step is drawn."""
         return name in self.order and self.order[name] < self.order[step.makes]
 
+    def formula(self, step: LayOff) -> Calculate | None:
+        """How the length a step lays off is reckoned, if it is."""
+        found = self.steps.get(step.length)
+        return found if isinstance(found, Calculate) else None
+
     def link_line(self, direction: str) -> str | None:
         """The direction a perpendicular was raised on, if the direction is one."""
         step = self.steps.get(direction)

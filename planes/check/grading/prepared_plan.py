@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from planes.check.grading.handwork import Taken, Variant
+from planes.check.grading.handwork import Variant
 from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.mistakes_position import position_variants
-from planes.check.grading.paper import ReadPaper
+from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.perturbing import HAND, Skill
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.drawing import draw_steps, run
@@ -129,13 +129,17 @@ def mark_names(plans: Plans, plan: str) -> Names:
     return Names(labels, spelt=lambda n: f"n_{turning[n].of}{turning[n].about}" if n in turning else n)
 
 
-def variants_of(bench: PreparedPlan, taken: Mapping[str, Taken], mu: float) -> list[Variant]:
-    """Every mistake of the catalogue that could be made in the plan."""
-    ways = PlanSteps(bench.plans, bench.program, bench.asked.plan)
-    kind = kind_of(bench.asked.plan)
+def catalogue(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
+    """Every mistake that could be made in a plan, drawn at a scale with some marks of a person's own."""
+    kind = kind_of(ways.plan)
     if kind == "position":
-        return list(position_variants(ways, taken, mu))
-    return list(force_variants(ways) if kind == "force" else motion_variants(ways))
+        return position_variants(ways, taken, mu)
+    return force_variants(ways) if kind == "force" else motion_variants(ways)
+
+
+def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float) -> list[Variant]:
+    """Every mistake that could be made in the plan that is checked."""
+    return list(catalogue(PlanSteps(bench.plans, bench.program, bench.asked.plan), taken, mu))
 
 
 @dataclass

@@ -31,7 +31,7 @@ def readable(grading: Grading) -> Phrase | None:
     size = Written(f"{reach:.1f}")
     if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the error of a pencil from the pole
         return Phrase("check_nothing_drawn", size=size)
-    if not grading.strays and grading.chance > MOST_BY_CHANCE:
+    if not grading.fault and grading.chance > MOST_BY_CHANCE:
         return Phrase("check_by_chance", size=size, count=count)
     wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
     if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
@@ -42,7 +42,7 @@ def readable(grading: Grading) -> Phrase | None:
 def _unsure_marks(grading: Grading) -> list[str]:
     """The marks to ask a person about, where what was read may be misread and is not sure enough to judge by."""
     found = grading.judgement
-    wrong = grading.chance_wrong if grading.strays else 1 - grading.chance_wrong
+    wrong = grading.chance_wrong if grading.fault else 1 - grading.chance_wrong
     doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
     if wrong > ASKED or not doubted:
         return []

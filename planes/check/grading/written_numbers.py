@@ -13,8 +13,11 @@ from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.geometry.arithmetic import Arithmetic, Real
 from planes.plans.quantities import Quantity
+from planes.words import Phrase, Written
 from planes.words.names import POLE, Names, at, label_of, letter_of, mu_of, plan_of
+from planes.words.units import unit_factor
 
+LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
 Things = Mapping[str, Real]
 
@@ -55,14 +58,31 @@ class Account:
     """All figures of a table judged."""
 
     scored: list[Scored] = field(default_factory=list)
+    lengths: bool = False  # of the drawing, not results
     named: Variant | None = None
-    number_mistake: str | None = None
     runner_up: str | None = None
 
     @property
-    def first_wrong(self) -> Scored | None:
+    def first(self) -> Scored | None:
         """The first figure that is not right."""
         return next((s for s in self.scored if s.verdict == "wrong"), None)
+
+    @property
+    def first_wrong(self) -> str | None:
+        """Its name, or the mark a mistake known by its lengths is made at."""
+        if self.named and self.lengths:
+            return self.named.blames
+        return self.first.figure.name if self.first else None
+
+    @property
+    def fault(self) -> Phrase | None:
+        """What goes wrong first and how to mend it."""
+        if self.named or not (s := self.first):
+            return self.named.sentence if self.named else None
+        if s.slip:
+            return Phrase(f"mistake_{s.slip}", mark=s.figure.name)
+        given, true = Written(f"{s.figure.given:.4g}"), Written(f"{s.true:.4g}")
+        return Phrase("check_number_unclear", mark=s.figure.name, given=given, true=true)
 
 
 Figures = tuple[list[WrittenNumber], list[str]]  # those of a table, and the names that mean nothing here
@@ -101,29 +121,18 @@ def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
     return lambda things: abs(things[at(plan, end)] - things[at(plan, start)])
 
 
-def unit_factor(unit: str) -> float:
-    """SI per unit as written: mm/s, kN, rpm."""
-    text = unit.strip().lower().replace(" ", "")
-    for starts, factor in ((("мм", "mm"), 1e-3), (("см", "cm"), 1e-2), (("кн", "kn"), 1e3)):
-        if text.startswith(starts) and text not in ("мм", "mm"):
-            return factor
-    return math.pi / 30 if text in ("об/мин", "rpm") else 1.0
-
-
 def account(
     figures: Sequence[WrittenNumber], free: Hand, own: Hand | None, variants: Iterable[Variant], ruler_mm: float = 0.0
 ) -> Account:
     """Judge figures against the true plan; name the mistake of the first wrong one."""
-    found = Account([_judged(f, free, own, ruler_mm) for f in figures])
+    found = Account([_judged(f, free, own, ruler_mm) for f in figures], ruler_mm > 0)
     for s in found.scored:
         if s.verdict == "wrong":
             s.slip = number_mistake(s, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
                 s.slip = number_mistake(replace(s, true=s.mine), own)
-    if first := found.first_wrong:
-        found.number_mistake = first.slip
-        if first.slip is None:
-            _name(found, free, variants)
+    if found.first and found.first.slip is None:
+        _name(found, free, variants)
     return found
 
 
@@ -153,37 +162,31 @@ def _off(f: WrittenNumber, true: float) -> float:
 
 
 def _name(found: Account, free: Hand, variants: Iterable[Variant]) -> None:
-    """The mistake in a plan that gives all the numbers as they are written."""
-    best: dict[str, tuple[float, Variant]] = {}
+    """The mistake in a plan that gives all the numbers as they are written; what it explains beyond the first wrong
+    figure follows from it."""
+    best: dict[str, tuple[float, Variant, list[float]]] = {}
     for variant in variants:
         things = {**free.things, **variant.givens, **free.under(variant)}
-        score = sum(_fit(s, first_of(s.figure.read(things))) for s in found.scored) + math.log(variant.weight)
-        if score > best.get(variant.mistake, (-math.inf, variant))[0]:
-            best[variant.mistake] = score, variant
+        fits = [_fit(s, first_of(s.figure.read(things))) for s in found.scored]
+        score = sum(fits) + math.log(variant.weight)
+        if score > best.get(variant.mistake, (-math.inf,))[0]:
+            best[variant.mistake] = score, variant, fits
     ranked = sorted(best.values(), key=lambda b: -b[0])
     if not ranked:
         return
+    (score, variant, fits), first = ranked[0], found.first
     second = ranked[1][0] if len(ranked) > 1 else -math.inf
-    if ranked[0][0] > -4.5 * len(found.scored) and ranked[0][0] - second >= MARGIN:
-        found.named = ranked[0][1]
-        _follow(found, free)
-    found.runner_up = ranked[1][1].mistake if len(ranked) > 1 and found.named else ranked[0][1].mistake
+    if score > LIKELY * len(found.scored) and score - second >= MARGIN:
+        found.named = variant
+        for s, fit in zip(found.scored, fits, strict=True):
+            if s.verdict == "wrong" and s is not first and fit > LIKELY:
+                s.verdict = "follows"
+    found.runner_up = ranked[1][1].mistake if len(ranked) > 1 and found.named else variant.mistake
 
 
 def _fit(s: Scored, value: float) -> float:
     sigma = max(s.sigma, SHARE / 2 * abs(value), 1e-12)
     return max(-0.5 * (_off(s.figure, value) / sigma) ** 2, -50.0) if math.isfinite(value) else -50.0
-
-
-def _follow(found: Account, free: Hand) -> None:
-    """What the named mistake explains beyond the first wrong figure follows from it."""
-    assert found.named
-    things = {**free.things, **found.named.givens, **free.under(found.named)}
-    first = found.first_wrong
-    for s in found.scored:
-        value = first_of(s.figure.read(things))
-        if s.verdict == "wrong" and s is not first and _fit(s, value) > -4.5:
-            s.verdict = "follows"
 
 
 def number_mistake(s: Scored, free: Hand) -> str | None:

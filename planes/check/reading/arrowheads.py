@@ -4,11 +4,10 @@ A head is a tip and the way it points. It tells which end of a stroke is the vec
 told from a tick, and is itself no part of the plan.
 """
 
-import cmath
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
+from itertools import islice, pairwise
 
-from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke
+from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke, goes_on
 
 LARGEST_MM = 8.0  # a closed figure no larger may be a head
 NEAR_MM = 0.7  # a tip is at the end of its stroke, or that end is within the head
@@ -18,12 +17,13 @@ BOTH = 2
 MOST_JOINED, SAME_MM = 500, 0.02
 EVEN = 0.03  # how unequal sides may be that meet in a tip, of their sum
 SLIM = 0.1  # how far from a head's middle line its shaft may end, in lengths of the head
+ASKEW = 0.02  # radians, by which a shaft drawn in pieces may turn
 STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the least
 
 
 def head_of(points: Sequence[complex]) -> Arrowhead | None:
     """The head a small closed figure is: its tip is the corner farthest from the middle, or between equal sides."""
-    corners = [a for a, b in pairwise([*points, points[0]]) if abs(b - a) > 0.02]
+    corners = [a for a, b in pairwise([*points, *points[:1]]) if abs(b - a) > 0.02]
     if not 3 <= len(corners) <= 12:
         return None
     middle = sum(corners) / len(corners)
@@ -78,12 +78,12 @@ def _join(sketch: ReadDrawing) -> None:
             if len(near) != 1 or sketch.ways[near[0]]:
                 break
             before = max(sketch.strokes[near[0]], key=lambda z: abs(z - a))
-            if not _on(before, a, b):
+            if not (before == a or goes_on(before, a, b, ASKEW)):
                 break
             gone.add(near[0])
             sketch.strokes[k] = (before, b) if way > 0 else (b, before)
-    kept = [k for k in range(len(sketch.strokes)) if k not in gone]
-    sketch.strokes, sketch.ways = [sketch.strokes[k] for k in kept], [sketch.ways[k] for k in kept]
+    kept = sketch.only(k for k in range(len(sketch.strokes)) if k not in gone)
+    sketch.strokes, sketch.ways = kept.strokes, kept.ways
 
 
 def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[int], dict[int, complex]]:
@@ -130,18 +130,10 @@ def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int])
 def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrowhead, tuple[Stroke, Stroke]]]:
     """Pairs of short strokes, of those ``free``, that spread alike from the end of a longer one."""
     short = [s for s in free if abs(s[1] - s[0]) <= LARGEST_MM]
+    pairs = [(one, two) for i, one in enumerate(short) for two in short[:i]] if len(short) <= 400 else []
+    spread = [(head, wings, far) for wings in pairs for head, far in _spread(*wings)]
     found = []
-    if len(short) > 400:
-        return []
-    spread = [
-        (head, wings, far)
-        for i, one in enumerate(short)
-        for wings in ((one, two) for two in short[:i])
-        for head, far in _spread(*wings)
-    ]
-    if len(strokes) * len(spread) > MOST_PAIRS:
-        return []
-    for head, wings, far in spread:
+    for head, wings, far in spread if len(strokes) * len(spread) <= MOST_PAIRS else ():
         longer = [s for s in strokes if s not in wings and abs(s[1] - s[0]) > 1.3 * far]
         if _candidates(longer, head, range(len(longer))):
             found.append((head, wings))
@@ -150,21 +142,11 @@ def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrow
 
 def _spread(one: Stroke, two: Stroke) -> Iterator[tuple[Arrowhead, float]]:
     """The open head two strokes make, and how long it is, if they spread alike from where they meet."""
-    tip, ends = _corner(one, two)
-    if tip is None or abs(abs(ends[0] - tip) - abs(ends[1] - tip)) > 0.15 * abs(ends[0] - tip):
-        return
-    middle = tip - (ends[0] + ends[1]) / 2
-    if 0.12 < abs(ends[0] - ends[1]) / max(abs(ends[0] - tip), 1e-9) < 1.3:
-        yield Arrowhead(tip, middle / abs(middle)), abs(ends[0] - tip)
-
-
-def _corner(one: Stroke, two: Stroke) -> tuple[complex | None, tuple[complex, complex]]:
-    """Where two strokes begin together, and their other ends."""
-    for a, b in (one, one[::-1]):
-        for c, d in (two, two[::-1]):
-            if abs(a - c) < 0.15 and abs(b - d) > 0.15:
-                return a, (b, d)
-    return None, (0j, 0j)
+    ways = ((a, b, d) for a, b in (one, one[::-1]) for c, d in (two, two[::-1]) if abs(a - c) < 0.15 < abs(b - d))
+    for tip, b, d in islice(ways, 1):
+        far, middle = abs(b - tip), tip - (b + d) / 2
+        if abs(far - abs(d - tip)) <= 0.15 * far and 0.12 < abs(b - d) / max(far, 1e-9) < 1.3:
+            yield Arrowhead(tip, middle / abs(middle)), far
 
 
 def tapered(points: Sequence[complex], widths: Sequence[tuple[float, float]]) -> tuple[list[complex], list[Arrowhead]]:
@@ -177,12 +159,7 @@ def tapered(points: Sequence[complex], widths: Sequence[tuple[float, float]]) ->
             continue  # the shaft goes on from the tip
         if small and narrow == 0 < wide:
             heads.append(Arrowhead(b, (b - a) / abs(b - a)))
-            if len(kept) > 1 and _on(kept[-2], kept[-1], b):
+            if len(kept) > 1 and (kept[-2] == kept[-1] or goes_on(kept[-2], kept[-1], b, ASKEW)):
                 kept.pop()  # the shaft reaches the tip
         kept.append(b)
     return (kept if len(kept) > 1 else list(points)), heads
-
-
-def _on(a: complex, b: complex, c: complex) -> bool:
-    """Whether the way from a to b goes on to c."""
-    return a == b or b == c or abs(cmath.phase((c - b) / (b - a))) < 0.02

@@ -39,7 +39,7 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     tips = [z for z, _ in sketch.rounds] if scheme else [z for arrow in arrows for z in arrow]
     names = bench.names
     words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
-    plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways or not sketch.ways[k] for way in (s, s[::-1])]
+    plain = [way for k, s in enumerate(sketch.strokes) if not sketch.way(k) for way in (s, s[::-1])]
     plain = [(a, b) for a, b in plain if all(abs(a - z) > SHORT_MM for z in tips)]  # no leader begins at a mark
     words += [
         (n, replace(w, place=b, height=0.1, width=0.1)) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM
@@ -91,7 +91,7 @@ def vectors_named(
     words = [(spelt.find(w.text), w) for w in sketch.words]
 
     def word(name: str, stroke: Stroke) -> float:
-        far = min((_beside(w, stroke) for n, w in words if n == name), default=0.0)
+        far = min((w.beside(stroke) for n, w in words if n == name), default=0.0)
         return far if far <= FARTHEST_MM else math.inf
 
     bare = [way for s in (*sketch.strokes, *sketch.short) for way in (s, s[::-1]) if abs(s[1] - s[0]) < 2 * REACH_MM]
@@ -162,7 +162,7 @@ def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
         found = grade(bench, paper)
     except PlanesError:
         return False
-    return found is not None and not found.strays and readable(found) is None
+    return found is not None and not found.fault and readable(found) is None
 
 
 def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
@@ -172,7 +172,7 @@ def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> Re
     strokes = {k: (one.place, two.place) for k, (one, two) in enumerate(pairwise(paper.spots), 1) if two.name != POLE}
 
     def word(name: str, k: int) -> float:
-        return min((_beside(w, strokes[k]) for n, w in words if n == name), default=FARTHEST_MM)
+        return min((w.beside(strokes[k]) for n, w in words if n == name), default=FARTHEST_MM)
 
     for i, j in combinations(strokes, 2):
         one, two = paper.spots[i].name, paper.spots[j].name
@@ -184,12 +184,6 @@ def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> Re
             if not is_right(bench, other) and worth(bench, other) > worth(bench, paper):
                 paper = other
     return paper
-
-
-def _beside(word: Words, stroke: Stroke) -> float:
-    """How far a word is from the middle part of a vector."""
-    a, b = stroke
-    return min(word.distance(a + (b - a) * t / 8) for t in range(1, 8))
 
 
 def worth(bench: PreparedPlan, paper: ReadPaper) -> float:

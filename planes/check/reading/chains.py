@@ -78,8 +78,7 @@ def _edges(sketch: ReadDrawing, nodes: Nodes, split: bool) -> list[Edge]:
     for k in vectors_of(sketch, True) or range(len(sketch.strokes)):
         a, b = sketch.strokes[k]
         i, j = nodes.ends[k, 0], nodes.ends[k, 1]
-        way = sketch.ways[k] if sketch.ways else 0
-        if way < 0:
+        if (way := sketch.way(k)) < 0:
             (a, b), (i, j) = (b, a), (j, i)
         u = (b - a) / abs(b - a)
         inside = list[tuple[float, int]]()

@@ -7,6 +7,7 @@ from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, Rea
 
 UPON_MM = 0.1  # a vector is drawn upon its line
 MEETING = 0.5  # of the ends of lines that are drawn from end to end, how many meet others
+ALONG_MM = 0.9  # a stroke no farther off runs along a way
 CONFUSED = 0.0005  # for which share of the marks of such lines, without heads, another place is taken
 
 
@@ -53,3 +54,24 @@ def _upon(one: Stroke, line: Stroke) -> bool:
 def _met(strokes: Sequence[Stroke], z: complex, but: Sequence[int], near: float = SNAPPED_MM) -> bool:
     """Whether another stroke begins or ends at a place."""
     return any(abs(z - w) < near for i, stroke in enumerate(strokes) if i not in but for w in stroke)
+
+
+def covered(strokes: Sequence[Stroke], a: complex, b: complex) -> float:
+    """The share of the way from ``a`` to ``b`` that some stroke runs along."""
+    length, spans, reach = abs(b - a), [], ALONG_MM
+    if length < 2 * reach:
+        return 1.0
+    u = (b - a) / length
+    for c, d in strokes:
+        p, q = (c - a) * u.conjugate(), (d - a) * u.conjugate()
+        if abs(p.imag) > reach and abs(q.imag) > reach and p.imag * q.imag > 0:
+            continue
+        if abs((q - p).imag) > 0.06 * abs(q - p) + reach or max(abs(p.imag), abs(q.imag)) > 4 * reach:
+            continue
+        low, high = sorted((p.real, q.real))
+        spans.append((max(low, 0.0), min(high, length)))
+    total, reached = 0.0, 0.0
+    for low, high in sorted(spans):
+        total += max(high - max(low, reached), 0.0)
+        reached = max(reached, high)
+    return total / length

@@ -11,13 +11,11 @@ from planes.check.reading.arrowheads import head_of, settle, tapered
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, joined, without_letters
 from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
-from planes.words import Phrase
-from planes.words.errors import PlanesError, guarded
+from planes.words.errors import guarded
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}
 LARGEST = 12 * MB
 MOST = 60_000  # entities, blocks among them
-LONGEST = 200  # letters of a text
 DEEPEST = 30  # blocks within blocks
 MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
 
@@ -27,10 +25,8 @@ def read_dxf(path: str | Path) -> ReadDrawing:
 
     :class:`PlanesError` where it is not a DXF.
     """
-    try:
-        from ezdxf import recover
-    except ImportError:
-        raise PlanesError(Phrase("check_needs", what="ezdxf")) from None
+    from ezdxf import recover
+
     data = contents(path, LARGEST)
     with guarded("check_dxf", path):
         document, _ = recover.read(io.BytesIO(data))
@@ -98,18 +94,18 @@ def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
             if entity.dxf.get("has_arrowhead", 1) and before and tip != before[0]:
                 found.heads.append(Arrowhead(tip, (tip - before[0]) / abs(tip - before[0])))
         case "SOLID" | "TRACE":
-            _head(found, [_z(p, scale) for p in entity.wcs_vertices()])
+            found.heads += filter(None, [head_of([_z(p, scale) for p in entity.wcs_vertices()])])
         case "HATCH":
-            for path in entity.paths.polygon_paths() if hasattr(entity.paths, "polygon_paths") else entity.paths:
-                _head(found, _boundary(entity, path, scale))
+            found.heads += filter(None, [head_of(_boundary(entity, path, scale)) for path in entity.paths])
         case "TEXT" | "ATTRIB":
             _text(found, entity, scale)
         case "MTEXT":
             along = cmath.rect(1, math.radians(entity.get_rotation()))
             below, across = divmod(entity.dxf.get("attachment_point", 1) - 1, 3)
             height, text = entity.dxf.char_height * scale, entity.plain_text()
-            corner = _width(text, height) * across / 2 + 1j * height * (1 - below / 2)
-            _words(found, text, _z(entity.dxf.insert, scale) - along * corner, height, along)
+            width = height * breadth(text)
+            corner = complex(width * across, height * (2 - below)) / 2
+            found.write(Words(text, _z(entity.dxf.insert, scale) - along * corner, height, width, along))
 
 
 def _polyline(found: ReadDrawing, entity: Any, scale: float) -> None:
@@ -135,11 +131,6 @@ def _polyline(found: ReadDrawing, entity: Any, scale: float) -> None:
     found.add(points, closed)
 
 
-def _head(found: ReadDrawing, places: list[complex]) -> None:
-    if len(places) > 2 and (head := head_of(places)):
-        found.heads.append(head)
-
-
 def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
     """Corners of a hatched figure."""
     if hasattr(path, "vertices"):
@@ -157,24 +148,13 @@ def _text(found: ReadDrawing, entity: Any, scale: float) -> None:
     placed = entity.dxf.get("align_point") if (across or up) and across not in (3, 5) else None
     at = entity.ocs().to_wcs(placed if placed is not None else entity.dxf.insert)
     height, text = entity.dxf.height * scale, entity.plain_text()
-    width = _width(text, height)
+    width = height * breadth(text)
     if fitted is not None:  # between two places
         span = _z(fitted, scale) - _z(entity.dxf.insert, scale)
         width, along = abs(span) or width, span / abs(span) if span else along
     back = {1: 0.5, 2: 1.0, 4: 0.5}.get(across, 0.0) if placed is not None else 0.0
     down = {2: 0.5, 3: 1.0}.get(up, 0.5 if across == 4 else 0.0) if placed is not None else 0.0
-    _words(found, text, _z(at, scale) - along * (width * back + 1j * height * down), height, along, width)
-
-
-def _words(
-    found: ReadDrawing, text: str, place: complex, height: float, along: complex, width: float | None = None
-) -> None:
-    if text.strip() and len(text) <= LONGEST:
-        found.words.append(Words(text.strip(), place, height, width or _width(text, height), along))
-
-
-def _width(text: str, height: float) -> float:
-    return height * breadth(text)
+    found.write(Words(text, _z(at, scale) - along * complex(width * back, height * down), height, width, along))
 
 
 def _z(p: Any, scale: float) -> complex:

@@ -80,7 +80,7 @@ def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, k
     for a, b in arrows:
         near = {n: NO_WORD if n not in written else FAR_WORD for n in known}
         for name, word in words:
-            far = min(word.distance(a + (b - a) * t / 8) for t in range(1, 8))
+            far = word.beside((a, b))
             if name in near and far <= NEAR_MM:
                 near[name] = min(near[name], far)
         fits = (n for n, t in known.items() if abs(b - a) >= HEADLESS_MM or abs(t) < HEADLESS_MM)  # or has no head

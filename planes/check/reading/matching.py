@@ -7,19 +7,18 @@ mistake of the catalogue; what is nowhere stays unread.
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.handwork import Hand, Taken
+from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
-from planes.check.reading.construction_lines import vectors_of
+from planes.check.reading.construction_lines import covered, vectors_of
 from planes.check.reading.lone_vectors import lone_vectors
-from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
+from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
 
-POLE_MM = 2.7  # ends nearer than this to a printed pole are at it
 APART_MM = 0.7  # two marks nearer than this are one place
 WORDED = 0.6  # the share of marks with words from which on one without was not drawn
 USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
@@ -28,20 +27,18 @@ LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
 
 
-def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = None) -> ReadPaper:
-    """The marks of a plan found on a sketch; its pole may be known beforehand."""
+def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
+    """The marks of a plan found on a sketch."""
     paper = ReadPaper(sketch.file, whole=False)
-    if pole is not None:
-        sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
     sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
-    vectors = list[int]()
-    if kind_of(bench.asked.plan) == "position":
+    kind, vectors = kind_of(bench.asked.plan), list[int]()
+    if kind == "position":
         sketch = hinged(sketch)
         middles = [z for z, _ in sketch.rounds]
         nodes = Nodes(sketch.strokes, LOOSE_MM if middles else 0.0, points=middles)
     else:
         sketch.rounds = []
-        vectors = vectors_of(sketch, kind_of(bench.asked.plan) == "force")
+        vectors = vectors_of(sketch, kind == "force")
         nodes = Nodes(sketch.strokes, vectors=vectors, passed=sketch.passed)
     sketch.error_mm = max(sketch.error_mm, LOOSE * nodes.near)
     if not nodes.places:
@@ -53,14 +50,14 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
     if first is not None:  # where marks are told from where lines merely cross or end
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
-    if kind_of(bench.asked.plan) == "force":
+    if kind == "force":
         sketch.words += led_to_vectors(sketch) if headed(sketch) else ()
         found = vectors_as_planned(sketch, bench)
         return found if found.spots else _polygon(sketch, nodes, bench, paper)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
-    origin = pole if pole is not None else start_of(sketch, nodes, bench, near)
+    origin = start_of(sketch, nodes, bench, near)
     if origin is None:
         return paper
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
@@ -89,11 +86,6 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
     return told_apart(sketch, bench, paper)
 
 
-def _at(pole: complex, z: complex) -> complex:
-    """An end so near the pole that it must be there."""
-    return pole if abs(z - pole) < POLE_MM else z
-
-
 def _marks(
     bench: PreparedPlan, sketch: ReadDrawing, nodes: Nodes, origin: complex, near: Candidates
 ) -> dict[str, complex]:
@@ -103,7 +95,8 @@ def _marks(
     for _ in range(len(bench.marks)):
         desk = _MarkSearch(bench, sketch, nodes, origin, _tips(sketch, nodes), worded)
         for mark in bench.marks:
-            desk.look(mark, near.get(label_of(mark)))
+            if (place := desk.place(mark, near.get(label_of(mark)))) is not None:
+                desk.found[label_of(mark)] = place
         better = desk.exchange()
         if better is None:
             break
@@ -115,8 +108,7 @@ def _tips(sketch: ReadDrawing, nodes: Nodes) -> set[int] | None:
     """Nodes with an arrowhead, or with the circle of a point; None where too few have one for that to tell anything."""
     if sketch.rounds:
         return {i for z, _ in sketch.rounds if (i := nodes.nearest(z, nodes.near)) is not None}
-    vectors = headed(sketch)
-    return {nodes.ends[k, 1 if sketch.ways[k] > 0 else 0] for k in vectors} if vectors else None
+    return {nodes.ends[k, sketch.ways[k] > 0] for k in headed(sketch)} or None
 
 
 @dataclass
@@ -139,12 +131,6 @@ class _MarkSearch:
         beside = {self.bench.names.find(w.text) for w in self.sketch.words if w.place in row}
         return [self.origin, *(z for n, z in self.found.items() if n not in beside)]
 
-    def look(self, mark: str, near: Mapping[int, float] | None) -> None:
-        """Find one mark by its word, else by where it should be, or by where a mistake would put it."""
-        place = self._place(mark, label_of(mark), near)
-        if place is not None:
-            self.found[label_of(mark)] = place
-
     def exchange(self) -> tuple[str, int] | None:
         """Of two marks at one node (it fits only one), the one that has another place nearly as good, and the node."""
         taken: dict[int, str] = {}
@@ -162,9 +148,10 @@ class _MarkSearch:
         costs = self.costs[name]
         return min((c for i, c in costs.items() if i != node), default=1e9) - costs[node]
 
-    def _place(self, mark: str, name: str, near: Mapping[int, float] | None) -> complex | None:
-        plan, error = self.bench.asked.plan, self.sketch.error_mm
-        taken = {at(plan, n): Taken(z - self.origin, error) for n, z in self.found.items()}
+    def place(self, mark: str, near: Mapping[int, float] | None) -> complex | None:
+        """Where a mark is: by its word, else where it should be, or where a mistake would put it."""
+        name, plan, error = label_of(mark), self.bench.asked.plan, self.sketch.error_mm
+        taken = {at(plan, n): ReadMark(n, z - self.origin, error) for n, z in self.found.items()}
         hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, taken)
         miss = hand.miss(hand.things[mark], hand.number(mark))
         reach = min(max(miss.reach(3.0), 1.2), 8.0)

@@ -1,6 +1,7 @@
 """What stands on a page: lettering put aside, the rest as parts that hang together, each with the words near it."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy
@@ -8,6 +9,7 @@ from shapely import STRtree, distance, linestrings, multilinestrings, points
 
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.geometry.arrays import Booleans, Complexes
+from planes.geometry.plane import corners
 
 TOGETHER_MM = 2.3  # strokes no farther apart belong together: a force is drawn this far beside another one
 NEAR_WORD_MM = 12.0  # a word farther off names something else
@@ -117,19 +119,17 @@ def _lines(strokes: Sequence[Stroke]) -> Sequence[object]:
 
 def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
     """Some of the strokes, each once, with the words and circles near them."""
-    held = list({(sketch.strokes[k], sketch.ways[k] if sketch.ways else 0): k for k in held}.values())
-    strokes = [sketch.strokes[k] for k in held]
-    xs, ys = [z.real for s in strokes for z in s], [z.imag for s in strokes for z in s]
-    if max(max(xs) - min(xs), max(ys) - min(ys)) < LEAST_MM:
+    part = sketch.only({(sketch.strokes[k], sketch.way(k)): k for k in held}.values())
+    strokes, (low, high) = part.strokes, corners(z for s in part.strokes for z in s)
+    if max((high - low).real, (high - low).imag) < LEAST_MM:
         return None
     far = _distances(strokes, [w.middle for w in sketch.words])
     words = [w for w, d in zip(sketch.words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
     far = _distances(strokes, [z for z, _ in sketch.rounds])
     rounds = [r for r, d in zip(sketch.rounds, far, strict=True) if d < NEAR_ROUND_MM]
-    ways = [sketch.ways[k] for k in held] if sketch.ways else []
     far = _distances(strokes, sketch.passed)
     passed = [z for z, d in zip(sketch.passed, far, strict=True) if d < TOUCH_MM]
-    return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, ways, rounds=rounds, passed=passed)
+    return replace(part, words=words, rounds=rounds, passed=passed)
 
 
 def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> Sequence[float]:

@@ -46,7 +46,7 @@ def _tree(page: Any) -> ElementTree.Element | None:
         elif thing.type == pdf.FPDF_PAGEOBJ_TEXT:
             _text(turned, thing, words)
         elif thing.type == pdf.FPDF_PAGEOBJ_IMAGE:
-            left, low, right, high = _bounds(thing)
+            left, low, right, high = thing.get_bounds()
             if (right - left) * (high - low) > PICTURE * width * height:
                 return None
     return root if count >= FEWEST else None
@@ -83,20 +83,13 @@ def _pieces(thing: Any) -> Iterator[str]:
 def _text(root: ElementTree.Element, thing: Any, words: Any) -> None:
     """A piece of text where it begins, upright in its own axes."""
     length = pdf.FPDFTextObj_GetText(thing, words, None, 0)
-    held, size = ctypes.create_string_buffer(max(length, 2)), ctypes.c_float()
+    held = ctypes.create_string_buffer(max(length, 2))
     pdf.FPDFTextObj_GetText(thing, words, ctypes.cast(held, ctypes.POINTER(ctypes.c_ushort)), length)
-    pdf.FPDFTextObj_GetFontSize(thing, size)
     text = held.raw.decode("utf-16-le", "replace").rstrip("\0")
     matrix = thing.get_matrix()
     local = "matrix({}) scale(1 -1)".format(" ".join(map(str, matrix.get())))
-    looks = {"font-size": str(size.value), "transform": local}
-    left, _, right, _ = _bounds(thing)
+    looks = {"font-size": str(thing.get_font_size()), "transform": local}
+    left, _, right, _ = thing.get_bounds()
     if abs(matrix.b) < 1e-6 < abs(matrix.a):
         looks["textLength"] = str((right - left) / abs(matrix.a))
     ElementTree.SubElement(root, "text", looks).text = text
-
-
-def _bounds(thing: Any) -> tuple[float, float, float, float]:
-    """Left, bottom, right and top of an object, whatever the library's version calls them."""
-    found: tuple[float, float, float, float] = (thing.get_bounds if hasattr(thing, "get_bounds") else thing.get_pos)()
-    return found

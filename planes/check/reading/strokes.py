@@ -12,10 +12,11 @@ from itertools import pairwise, product
 from typing import NamedTuple
 
 from planes.check.reading.opened import too_many
+from planes.geometry.plane import corners
 
 Stroke = tuple[complex, complex]
 Round = tuple[complex, float]  # the middle of a small circle, a hinge or a point, and its radius
-LONGEST_LIST = 40  # letters of names in a row
+LONGEST_LIST, LONGEST = 40, 200  # letters of names in a row, and of any text
 ROUND_MM = 3.0  # a larger circle is no sign of a point
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
 SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
@@ -60,6 +61,11 @@ class Words:
         width = self.width or 0.7 * self.height * max(len(self.text), 1)
         return math.hypot(max(-local.real, 0.0, local.real - width), max(-local.imag, 0.0, local.imag - self.height))
 
+    def beside(self, stroke: Stroke) -> float:
+        """How far it is from the middle part of a vector."""
+        a, b = stroke
+        return min(self.distance(a + (b - a) * t / 8) for t in range(1, 8))
+
 
 @dataclass
 class ReadDrawing:
@@ -76,10 +82,25 @@ class ReadDrawing:
     rounds: list[Round] = field(default_factory=list)
     passed: list[complex] = field(default_factory=list)  # vertices that polylines go straight on through
 
+    def way(self, k: int) -> int:
+        """Which end of a stroke has a head."""
+        return self.ways[k] if self.ways else 0
+
+    def only(self, held: Iterable[int]) -> ReadDrawing:
+        """The drawing with some of its strokes."""
+        kept = list(held)
+        ways = [self.ways[k] for k in kept] if self.ways else []
+        return replace(self, strokes=[self.strokes[k] for k in kept], ways=ways)
+
+    def write(self, words: Words) -> None:
+        """A text, unless it is empty or a story."""
+        if 0 < len(text := words.text.strip()) <= LONGEST:
+            self.words.append(replace(words, text=text))
+
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
         """A polyline's strokes; where it goes straight on, it is one."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
-        on = {k for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1) if _straight(a, b, c)}
+        on = {k for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1) if goes_on(a, b, c)}
         self.passed += [line[k] for k in on]
         line = [z for k, z in enumerate(line) if k not in on]
         for a, b in pairwise(line):
@@ -90,9 +111,9 @@ class ReadDrawing:
                 raise too_many(self.file, "strokes", most)
 
 
-def _straight(a: complex, b: complex, c: complex) -> bool:
-    """Whether the way from a to b goes on to c."""
-    return a != b != c and abs(cmath.phase((c - b) / (b - a))) < STRAIGHT
+def goes_on(a: complex, b: complex, c: complex, within: float = STRAIGHT) -> bool:
+    """Whether the way from a to b goes on to c, turned by no more than ``within``, radians."""
+    return a != b != c and abs(cmath.phase((c - b) / (b - a))) < within
 
 
 def headed(sketch: ReadDrawing) -> list[int]:
@@ -108,9 +129,7 @@ def hinged(sketch: ReadDrawing) -> ReadDrawing:
         return next((c for c, r in sketch.rounds if abs(z - c) < r + LOOSE_MM / 2), z)
 
     lines = [(on(a), on(b)) for a, b in sketch.strokes]
-    kept = [k for k, (a, b) in enumerate(lines) if a != b]
-    ways = [sketch.ways[k] for k in kept] if sketch.ways else []
-    return replace(sketch, strokes=[lines[k] for k in kept], ways=ways)
+    return replace(sketch, strokes=lines).only(k for k, (a, b) in enumerate(lines) if a != b)
 
 
 def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
@@ -172,9 +191,8 @@ class Nodes:
     def _met(self, strokes: Sequence[Stroke], k: int, j: int) -> bool:
         """Whether an end of a stroke meets an end of another one."""
         z = strokes[k][j]
-        return bool(self.within(z, self.near)) or any(
-            abs(z - w) <= self.near for i, other in enumerate(strokes) if i != k for w in other
-        )
+        others = (w for i, other in enumerate(strokes) if i != k for w in other)
+        return bool(self.within(z, self.near)) or any(abs(z - w) <= self.near for w in others)
 
     def _add(self, z: complex, but: int = -1, fixed: bool = False) -> int:
         found = next((i for i in self.within(z, self.near) if i != but), None)
@@ -211,8 +229,8 @@ class Nodes:
         """Whether there are so many that anything would match."""
         if len(self.places) < 60:
             return False
-        xs, ys = [z.real for z in self.places], [z.imag for z in self.places]
-        return len(self.places) > min(CROWD * max((max(xs) - min(xs)) * (max(ys) - min(ys)), 1.0), 3000)
+        low, high = corners(self.places)
+        return len(self.places) > min(CROWD * max((high - low).real * (high - low).imag, 1.0), 3000)
 
 
 def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:
@@ -227,24 +245,3 @@ def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:
             s, t = ((c - a).conjugate() * w).imag / turn, ((c - a).conjugate() * u).imag / turn
             if -0.01 <= s <= 1.01 and -0.01 <= t <= 1.01:
                 yield a + s * u
-
-
-def covered(strokes: Sequence[Stroke], a: complex, b: complex, reach: float = 0.9) -> float:
-    """The share of the way from ``a`` to ``b`` that some stroke runs along."""
-    length, spans = abs(b - a), []
-    if length < 2 * reach:
-        return 1.0
-    u = (b - a) / length
-    for c, d in strokes:
-        p, q = (c - a) * u.conjugate(), (d - a) * u.conjugate()
-        if abs(p.imag) > reach and abs(q.imag) > reach and p.imag * q.imag > 0:
-            continue
-        if abs((q - p).imag) > 0.06 * abs(q - p) + reach or max(abs(p.imag), abs(q.imag)) > 4 * reach:
-            continue
-        low, high = sorted((p.real, q.real))
-        spans.append((max(low, 0.0), min(high, length)))
-    total, reached = 0.0, 0.0
-    for low, high in sorted(spans):
-        total += max(high - max(low, reached), 0.0)
-        reached = max(reached, high)
-    return total / length

@@ -18,7 +18,6 @@ from planes.words.errors import PlanesError
 
 LARGEST = 12 * MB
 LETTERS = 50  # of a shape's own description that take as long to read as one element
-LONGEST = 200  # letters of a text
 _MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
 DEEPEST = 60  # groups within groups
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
@@ -154,8 +153,6 @@ class _Reader:
 
     def _text(self, e: ElementTree.Element, m: Transform) -> None:
         text = "".join(e.itertext()).strip()
-        if not text or len(text) > LONGEST:
-            return
         first = next((c for c in e.iter() if c.get("x")), e)
         m = m.transform(_transform(first.get("transform"))) if first is not e else m
         pieces = [c for c in e.iter() if c.get("x") and (c.text or "").strip()] or [first]
@@ -166,15 +163,13 @@ class _Reader:
         right, down = complex(m.xx, m.xy), complex(m.yx, m.yy)
         height, along = boxes[0][2] * abs(down), right / abs(right) if abs(right) else 1 + 0j
         width = max(z.real + w - boxes[0][0].real for z, w, _ in boxes) * abs(right)
-        anchor = e.get("text-anchor") or ("middle" if "text-anchor:middle" in (e.get("style") or "") else "start")
-        back = {"middle": 0.5, "end": 1.0}.get(anchor, 0.0) * width
-        self.sketch.words.append(Words(text, _at(m, boxes[0][0]) - along * back, height, width, along))
+        back = {"middle": 0.5, "end": 1.0}.get(looks_of(e, {}).get("text-anchor", ""), 0.0) * width
+        self.sketch.write(Words(text, _at(m, boxes[0][0]) - along * back, height, width, along))
 
 
 def _size(*said: ElementTree.Element) -> float:
     """The size of letters, said by the first that says it."""
-    sizes = [c.get("font-size") or (re.search(r"font-size:([^;]+)", c.get("style") or "") or ["", ""])[1] for c in said]
-    return next((n[0] for s in sizes if (n := numbers(s))), 12.0)
+    return next((n[0] for c in said if (n := numbers(looks_of(c, {}).get("font-size")))), 12.0)
 
 
 def _box(e: ElementTree.Element, text: str, size: float) -> tuple[complex, float, float]:

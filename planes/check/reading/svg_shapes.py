@@ -20,7 +20,7 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 ROUND = 0.05  # how unequal the radii of a circle may be, and how far its ends apart, for its size
 STRAIGHT = 0.01  # a curve that leaves its chord by less is a line
 Looks = dict[str, str]
-LOOKS = ("stroke", "fill", "display", "visibility", "marker", "marker-start", "marker-end")
+LOOKS = ("stroke", "fill", "display", "visibility", "marker", "marker-start", "marker-end", "font-size", "text-anchor")
 
 
 def tree(data: bytes, file: str) -> ElementTree.Element:

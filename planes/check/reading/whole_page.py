@@ -14,6 +14,7 @@ from planes.check.reading.chains import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
 from planes.check.reading.strokes import ReadDrawing, Words
+from planes.geometry.plane import corners
 from planes.words.names import kind_of
 from planes.words.units import UnitError, read_mu
 
@@ -40,13 +41,13 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     likely = [p for p in found if mu_over(sketch.words, p, bench.asked.plan, plans)[1]]  # under the plan's own title
     likely = sorted(likely or found, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
-    papers = [(_paper_of(replace(part), bench, sketch), named(part)) for part in likely or [sketch]]
+    papers = [(_paper_of(replace(part), bench, sketch.words), named(part)) for part in likely or [sketch]]
     return max(papers, key=lambda p: worth(bench, p[0]) + NAMED * p[1])[0] if len(papers) > 1 else papers[0][0]
 
 
-def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> ReadPaper:
+def _paper_of(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -> ReadPaper:
     """The marks of a plan on a part of a page, at the scale its title says."""
-    mu = None if bench.asked.mu else mu_over(page.words, part, bench.asked.plan, known_plans(bench.plans))[0]
+    mu = None if bench.asked.mu else mu_over(words, part, bench.asked.plan, known_plans(bench.plans))[0]
     paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
     paper.mu = mu
     return paper
@@ -54,16 +55,14 @@ def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> Read
 
 def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequence[str]) -> tuple[float | None, bool]:
     """μ in the nearest title over a part of a page of those of this plan of ``plans``, and whether none is nearer."""
-    ends = [z for stroke in part.strokes for z in stroke]
-    if not ends:
+    if not part.strokes:
         return None, False
-    left, right = min(z.real for z in ends), max(z.real for z in ends)
-    low, high = min(z.imag for z in ends), max(z.imag for z in ends)
+    low, high = corners(z for stroke in part.strokes for z in stroke)
     found = []
     for title in _titles(words):
-        aside = max(left - title.place.real - title.width, title.place.real - right, 0.0)
-        up = title.place.imag - high
-        if title.middle.imag > (low + high) / 2 and max(aside, up) < FAR_MM:
+        aside = max(low.real - title.place.real - title.width, title.place.real - high.real, 0.0)
+        up = title.place.imag - high.imag
+        if title.middle.imag > (low + high).imag / 2 and max(aside, up) < FAR_MM:
             found.append((abs(complex(BESIDE * aside, max(up, 0.0))), _read(title.text, plan, plans) or 0.0))
     own = min((one for one in found if one[1]), default=None)
     return (own[1], own == min(found)) if own else (None, False)

@@ -47,7 +47,7 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
     for k, stroke in enumerate(sketch.strokes if len(sketch.strokes) <= CROSSINGS else ()):
         for j in (0, 1):
             z, at_node = stroke[j], next((i for i in nodes.within(stroke[1 - j], SHY_MM) if i < nodes.corners), None)
-            if nodes.weights[nodes.ends[k, j]] > 1 or at_node is None or (sketch.ways and sketch.ways[k]):
+            if nodes.weights[nodes.ends[k, j]] > 1 or at_node is None or sketch.way(k):
                 continue
             through = abs(stroke[1 - j] - places[at_node]) < ON_MM  # a line drawn on; one that stops short points there
             if through and any(_on(w, *stroke, LEADER_MM / 2) for i, w in enumerate(places) if i != at_node):

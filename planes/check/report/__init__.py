@@ -118,10 +118,6 @@ class Checked:
         """Where it goes wrong."""
         return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
 
-    def shown(self, lang: Lang) -> str:
-        """What is said of it in a table, where the file has a column of its own."""
-        return self.said(lang).removeprefix(f"{self.read_from}: ").removeprefix(f"{self.file}: ")
-
     def said(self, lang: Lang) -> str:
         """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
         if self.found is None:
@@ -131,10 +127,6 @@ class Checked:
             first = () if notes and sentence.key == "check_nothing_read" else (sentence,)
             return " ".join(phrase.told(lang) for phrase in (*first, *notes))
         return "" if self.verdict == "right" else self.found.sentence.told(lang)
-
-    def plan(self, lang: Lang) -> str:
-        """Which plan it was taken for."""
-        return say_plan(self.found.bench.asked.plan, lang) if self.found else ""
 
     def as_json(self, lang: Lang) -> Json:
         """The object of the drawing, with its file and whose it is."""

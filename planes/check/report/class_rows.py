@@ -9,12 +9,14 @@ from __future__ import annotations
 import base64
 import io
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field, fields
 from itertools import islice
 
 from planes.check import STATUS
 from planes.check.report import Checked
-from planes.check.report.shown import Shown, Vector, leads, shown_plans, true_marks
+from planes.check.report.shown import Vector, shown_plans, true_marks
+from planes.geometry.plane import corners
+from planes.plans.measuring import say_plan
 from planes.words import Lang, say
 from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Json
@@ -47,7 +49,8 @@ class ClassRow:
     @classmethod
     def of(cls, one: Checked, lang: Lang) -> ClassRow:
         """The row of what was found."""
-        found, said = one.found, one.shown(lang)
+        found, said = one.found, one.said(lang)
+        said = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a column of its own
         unmarked = said.removeprefix(f"{one.first}: ") if one.first else said
         return cls(
             file=one.file,
@@ -56,7 +59,7 @@ class ClassRow:
             first=one.first,
             said=said,
             whose=one.whose,
-            plan=one.plan(lang),
+            plan=say_plan(found.bench.asked.plan, lang) if found else "",
             link=one.report,
             mistake=unmarked if found and found.mistake else "",
             picture=address(thumb(one)),
@@ -70,10 +73,6 @@ class ClassRow:
         if set(data) != {f.name for f in fields(cls)} or data["verdict"] not in STATUS:
             raise ValueError("no row of a class")
         return cls(**data)
-
-    def json(self) -> Json:
-        """As it is kept."""
-        return asdict(self)
 
 
 def rank(one: Checked) -> int:
@@ -122,12 +121,11 @@ def wrong_places(one: Checked) -> Iterable[Json]:
             "at": _pair(places[0]),
             "picture": address(cropped(paper.picture, paper.box, box)),
             "strokes": _vectors(_near(paper.strokes, box)),
-            **_plans(shown, leads(found, shown.marks), kind_of(found.bench.asked.plan) == "position"),
+            "own": _vectors(shown.own),
+            "true": _vectors(shown.true),
+            "next": _vectors(shown.next),
+            "lines": kind_of(found.bench.asked.plan) == "position",
         }
-
-
-def _plans(shown: Shown, next_: Sequence[Vector], lines: bool) -> Json:
-    return {"own": _vectors(shown.own), "true": _vectors(shown.true), "next": _vectors(next_), "lines": lines}
 
 
 def _vectors(all_: Iterable[Vector]) -> list[list[float]]:
@@ -162,9 +160,9 @@ def thumb(one: Checked) -> bytes:
     ends = [z for v in shown_plans(one.found).own for z in v] if one.found else []
     if len(ends) < 2:
         return _jpeg(paper.picture, None, THUMB_PX)
-    low = complex(min(z.real for z in ends), min(z.imag for z in ends)) - RIM_MM * (1 + 1j)
-    high = complex(max(z.real for z in ends), max(z.imag for z in ends)) + RIM_MM * (1 + 1j)
-    return cropped(paper.picture, paper.box, (low.real, low.imag, high.real, high.imag), THUMB_PX)
+    low, high = corners(ends)
+    box = low.real - RIM_MM, low.imag - RIM_MM, high.real + RIM_MM, high.imag + RIM_MM
+    return cropped(paper.picture, paper.box, box, THUMB_PX)
 
 
 def cropped(picture: bytes, lies: Box | None, box: Box, longest: int = PLACE_PX) -> bytes:

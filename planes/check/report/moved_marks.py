@@ -1,7 +1,6 @@
 """What a page judges moved marks by, as plain data: the tape, the right plan, the rule, what may have to be said."""
 
 import base64
-import math
 from collections.abc import Mapping
 from dataclasses import astuple
 
@@ -10,17 +9,19 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading import certainty, judging
 from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST
 from planes.check.grading.grading import Grading
-from planes.check.grading.handwork import LEAST_MM, Taken, Variant
+from planes.check.grading.handwork import LEAST_MM, Variant
+from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
 from planes.check.grading.readable import READABLE, key_marks
-from planes.check.report.regrading import SURELY_MM, exported, retrace
+from planes.check.report.regrading import SURELY_MM, retrace
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.vision.photograph import blank_pole
 from planes.drafting.steps import Same
+from planes.geometry.plane import corners
 from planes.plans.measuring import lettering
 from planes.plans.scales import extent
-from planes.words import Lang, Phrase, Written, say
+from planes.words import Lang, Phrase, say
 from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.records import Json
 
@@ -47,11 +48,11 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
         "chained": force,
         "earlier": {f"{m}.{axis}": pair[k] for m, pair in earlier.items() for k, axis in enumerate("xy")},
         "order": [astuple(s) for s in own_order(found)],
-        "tape": exported(traced.tape, traced.sources),
+        "tape": traced.tape,
         "variants": [_variant(v, under, lang) for v, under in zip(variants, traced.under, strict=True) if under],
         "rule": _rule(grading),
         "said": _said(found, lang),
-        "otherwise": _otherwise(found, grading, lang),
+        "otherwise": _otherwise(grading, lang),
         "words": {**{k: say(f"verdict_{k}", lang) for k in VERDICTS}, "close": say("check_close", lang)},
         "strokes": [[*_pair(a), *_pair(b)] for a, b in found.paper.strokes],
         **_shown(found, truth),
@@ -61,7 +62,7 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
 def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
     """A mark: where it is, if it was read, and what it is judged by."""
     taken, true = grading.hand.taken.get(mark), grading.truth[mark]
-    own = taken or Taken(true, SURELY_MM)
+    own = taken or ReadMark(mark, true, SURELY_MM)
     return {
         "name": label_of(mark),
         "key": mark,
@@ -76,20 +77,18 @@ def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
 
 
 def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> Json:
-    said = Phrase(f"mistake_{v.mistake}", **{"mark": v.blames, **v.about}).told(lang)
     return {
         "mistake": v.mistake,
         "blames": v.blames,
         "weight": v.weight,
-        "said": said,
+        "said": v.sentence.told(lang),
         "under": {label_of(m): places for m, places in under.items()},
     }
 
 
 def _rule(grading: Grading) -> Json:
     """The numbers judging goes by."""
-    absent, gap = (grading.rebuilt.absent, grading.rebuilt.gap) if grading.rebuilt else (set[str](), None)
-    plan, point = plan_of(grading.marks[0]), grading.hand.tool.skill.point_mm
+    absent, point = grading.rebuilt.absent if grading.rebuilt else (), grading.hand.tool.skill.point_mm
     same = (s.makes for s in grading.hand.program.steps if isinstance(s, Same))
     return {
         "false_alarm": judging.FALSE_ALARM,
@@ -101,7 +100,7 @@ def _rule(grading: Grading) -> Json:
         "margin": judging.MARGIN,
         "too_well": judging.TOO_WELL,
         "warn": judging.WARN,
-        "broad": certainty.breadth(extent(grading.truth, plan)),
+        "broad": certainty.breadth(extent(grading.truth, plan_of(grading.marks[0]))),
         "readable": READABLE,
         "key": [label_of(m) for m in key_marks(grading)],
         "absent": sorted(absent),
@@ -110,7 +109,7 @@ def _rule(grading: Grading) -> Json:
         "smallest": SMALLEST * point,
         "sure": MOST_BY_CHANCE,
         "free": not grading.said_mu,
-        "gap": math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None,
+        "gap": grading.gap_sigma,
         "order": [label_of(m) for m in judging.order_of_reckoning(grading.hand.program.steps, grading.marks)],
     }
 
@@ -130,15 +129,10 @@ def _said(found: Outcome, lang: Lang) -> dict[str, str]:
     return {k: p.told(lang) for k, p in phrases.items()}
 
 
-def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> Json | None:
-    """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
-    if left := grading.left_out:
-        said = Phrase(f"mistake_{grading.left_out_mistake}", mark=left)
-        return {"first": left, "mark": left, "said": said.told(lang)}
-    if grading.gap_wrong and grading.rebuilt:
-        said = Phrase("mistake_not_closed", gap=Written(f"{grading.gap_wrong:.1f}"), mark=grading.rebuilt.closing)
-        return {"first": grading.rebuilt.closing, "mark": None, "said": said.told(lang)}
-    return None
+def _otherwise(grading: Grading, lang: Lang) -> Json | None:
+    """What is wrong though no mark is."""
+    said = grading.otherwise
+    return {"first": said.parts["mark"], "mark": grading.left_out, "said": said.told(lang)} if said else None
 
 
 def _shown(found: Outcome, truth: Mapping[str, complex]) -> Json:
@@ -158,9 +152,8 @@ def _about(found: Outcome, truth: Mapping[str, complex]) -> Pair:
     shown, margin = shown_plans(found), complex(MARGIN_MM, MARGIN_MM)
     vectors_shown = [*shown.own, *shown.true, *found.paper.strokes]
     places = [0j, *truth.values(), *own_marks(found).values(), *(z for v in vectors_shown for z in v)]
-    places = [z for z in places if abs(z) < 2000]  # nor what is no place at all
-    xs, ys = [z.real for z in places], [z.imag for z in places]
-    return [*_pair(complex(min(xs), min(ys)) - margin), *_pair(complex(max(xs), max(ys)) + margin)]
+    low, high = corners(z for z in places if abs(z) < 2000)  # nor what is no place at all
+    return [*_pair(low - margin), *_pair(high + margin)]
 
 
 def _pair(z: complex) -> Pair:

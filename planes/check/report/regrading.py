@@ -6,7 +6,7 @@ mechanics: values give the misses, slopes with respect to the sources their tole
 """
 
 import math
-from collections.abc import Container, Iterable
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass
 
 from planes.batch.symbols import Num, Vec, place_of
@@ -27,10 +27,9 @@ SURELY_MM = 0.2  # how surely a person places a mark on the screen
 
 @dataclass
 class Retraced:
-    """The tape of a grading: places by mark, and by mark for every mistake supposed."""
+    """The tape of a grading as plain data, and places on it by mark, and by mark for every mistake supposed."""
 
-    tape: Tape
-    sources: list[Source]
+    tape: Json
     misses: Places
     under: list[Places]
 
@@ -97,36 +96,25 @@ class _Desk:
 
 
 def retrace(grading: Grading, variants: Iterable[Variant]) -> Retraced:
-    """The grading as a tape, every mistake as another way to the marks it touches."""
+    """The grading as a tape, every mistake as another way to the marks it touches; what nothing depends on goes, and
+    places are counted anew."""
     desk = _Desk(grading)
-    misses, *under = (desk.misses(grading.marks, way) for way in (None, *variants))
-    return _short(Retraced(desk.tape, desk.tool.sources, misses, under))
-
-
-def _short(found: Retraced) -> Retraced:
-    """Without what nothing depends on, the places counted anew."""
-    pairs = [pair for one in (found.misses, *found.under) for pair in one.values()]
-    order = found.tape.needed([p for pair in pairs for p in pair])
+    found = [desk.misses(grading.marks, way) for way in (None, *variants)]
+    order = desk.tape.needed([place for one in found for pair in one.values() for place in pair])
     new = {place: k for k, place in enumerate(order)}
-    tape = Tape(
-        [(op, tuple(new[a] for a in args)) for op, args in (found.tape.ops[p] for p in order)],
-        {new[p]: v for p, v in found.tape.values.items() if p in new},
-    )
-
-    def moved(one: Places) -> Places:
-        return {m: (new[x], new[y]) for m, (x, y) in one.items()}
-
-    sources = [Source(new[s.place], s.size) for s in found.sources if s.place in new]
-    return Retraced(tape, sources, moved(found.misses), [moved(one) for one in found.under])
+    misses, *under = ({m: (new[x], new[y]) for m, (x, y) in one.items()} for one in found)
+    return Retraced(_exported(desk.tape, new, desk.tool.sources), misses, under)
 
 
-def exported(tape: Tape, sources: Iterable[Source]) -> Json:
-    """A tape as plain data: names of operations, [operation, arguments…] in order, constants, givens, sources."""
-    names, values = sorted({op for op, _ in tape.ops}), tape.values.items()
+def _exported(tape: Tape, new: Mapping[int, int], sources: Iterable[Source]) -> Json:
+    """Names of operations, [operation, arguments…] in order, constants, givens, sources; by the ``new`` places."""
+    ops, values = [tape.ops[place] for place in new], [(p, v) for p, v in tape.values.items() if p in new]
+    names = sorted({op for op, _ in ops})
+    consts = [(p, v) for p, v in values if tape.ops[p][0] == "const"]
     return {
         "names": names,
-        "ops": [[names.index(op), *args] for op, args in tape.ops],
-        "consts": {p: float(v) if math.isfinite(v) else None for p, v in values if tape.ops[p][0] == "const"},
-        "givens": {v: p for p, v in values if tape.ops[p][0] == "given"},
-        "sources": [[s.place, s.size] for s in sources],
+        "ops": [[names.index(op), *(new[a] for a in args)] for op, args in ops],
+        "consts": {new[p]: float(v) if math.isfinite(v) else None for p, v in consts},
+        "givens": {v: new[p] for p, v in values if tape.ops[p][0] == "given"},
+        "sources": [[new[s.place], s.size] for s in sources if s.place in new],
     }

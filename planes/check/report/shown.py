@@ -3,7 +3,7 @@
 import shlex
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 from planes.check import Outcome
 from planes.check.grading.judging import WARN
@@ -64,6 +64,7 @@ class Shown:
     true: list[Vector]
     marks: dict[str, complex]
     along: dict[str, Vector]
+    next: list[Vector]  # to where the construction leads from each mark that is off
 
 
 def shown_plans(found: Outcome) -> Shown:
@@ -73,16 +74,17 @@ def shown_plans(found: Outcome) -> Shown:
     if kind_of(bench.asked.plan) != "force":
         pairs = vectors(bench)
         drawn = [(at_own[a], at_own[b]) for a, b in pairs if a in at_own and b in at_own]
-        return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {})
+        return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {}, _leads(found, own))
     sides, order = sides_of(bench.plans, bench.asked.plan), own_order(found)
     laid = own_sides(sides, found.paper.spots) if order else between(sides, at_own)
     right = chained(order, at_true) if order else between(sides, at_true)
     ends = {s.end: end for s, (_, end) in reversed(laid)}  # each at the end of the first side that leads to it
     marks = {s.end: ends[s.end] for s, _ in laid if s.end in own}
-    return Shown([v for _, v in laid], [v for _, v in right], marks, {s.name: v for s, v in laid})
+    along = {s.name: v for s, v in laid}
+    return Shown([v for _, v in laid], [v for _, v in right], marks, along, _leads(found, marks))
 
 
-def leads(found: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
+def _leads(found: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
     """From each mark that is off, where it is shown, to where the construction from the person's own marks leads."""
     if found.grading is None:
         return []
@@ -94,16 +96,15 @@ def leads(found: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
 
 def own_order(found: Outcome) -> list[Side]:
     """A force polygon's sides as the person laid them, what is missing last; none where the pen was lifted."""
-    spots, grading = found.paper.spots, found.grading
-    if kind_of(found.bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
+    bench, spots, grading = found.bench, found.paper.spots, found.grading
+    if kind_of(bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
         return []
-    sides = {s.name: s for s in sides_of(found.bench.plans, found.bench.asked.plan)}
-    names = Names(sides)
-    read = [names.find(spot.name) for spot in spots]
-    if POLE in read[1:] or read[0] != POLE:
+    sides = {s.name: s for s in sides_of(bench.plans, bench.asked.plan)}
+    first, *read = map(Names(sides).find, (spot.name for spot in spots))
+    if POLE in read or first != POLE:
         return []
     missing = (s.name for s in sides.values() if s.end in grading.rebuilt.absent)
-    return [sides[n] for n in dict.fromkeys([*read[1:], *missing]) if n in sides]
+    return [sides[n] for n in dict.fromkeys([*read, *missing]) if n in sides]
 
 
 LaidSides = list[tuple[Side, Vector]]  # where they lie, mm from the pole
@@ -119,11 +120,9 @@ def own_sides(sides: Sequence[Side], spots: Sequence[ReadMark]) -> LaidSides:
 
 def chained(order: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
     """The sides of another drawing of the polygon, by its marks, laid in that order."""
-    out, z = [], 0j
-    for side, (a, b) in between(order, places):
-        out.append((side, (z, z + b - a)))
-        z += b - a
-    return out
+    laid = between(order, places)
+    ends = accumulate((b - a for _, (a, b) in laid), initial=0j)
+    return [(side, way) for (side, _), way in zip(laid, pairwise(ends), strict=True)]
 
 
 def between(sides: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:

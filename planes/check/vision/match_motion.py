@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Self
 
-from planes.check.grading.handwork import Hand, Miss, Taken, Variant
+from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
@@ -71,7 +71,7 @@ class Search:
         """A search from a pole on a sheet printed at a share of its size, with the errors of a hand at every mark."""
         bench = bench.printed_at(share)
         true = {at(bench.asked.plan, n): z for n, z in bench.true_marks.items()}
-        hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
+        hand = Hand(bench.program, bench.given, bench.asked.skill, {m: ReadMark(m, z) for m, z in true.items()})
         return cls(bench, ink.seen, pole, hand.misses(bench.marks), true, vectors, ink, share)
 
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
