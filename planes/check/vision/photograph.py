@@ -139,9 +139,8 @@ def _on_part(bench: PreparedPlan, flat: Flat, seen: Seen | None, words: Sequence
         sheet = PrintedSheet(bench, seen, words)
         spots = sheet.right()
         look = looked(bench, flat, None, seen) if not spots and kind != "force" else Look(flat, 0j, explained=0.0)
-        if look.spots and is_right(bench, ReadPaper("", look.spots, whole=False)):
-            return look
-        if not spots and not words:
+        every = {label_of(m) for m in bench.marks} <= {spot.name for spot in look.spots}
+        if (every and is_right(bench, ReadPaper("", look.spots, whole=False))) or not (spots or words):
             return look
         spots = spots or sheet.wrong()  # a hand's errors are not a print's
     return Look(flat, spots[0].place, spots, True, 1.0, told=bool(words)) if spots else Look(flat, 0j, explained=0.0)
