@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from planes.drafting.drawing import Drawing
-from planes.lesson.formulas import number, unit
+from planes.lesson.formulas import unit
 from planes.lesson.note import Note
 from planes.plans import Plans
 from planes.plans.measuring import say_plan
@@ -18,7 +18,7 @@ from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, He
 from planes.words import Lang, decimal, say
 from planes.words.errors import PlanFailure
 from planes.words.names import kind_of, mu_of, parts_of
-from planes.words.units import mu_text
+from planes.words.units import mu_text, number
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing

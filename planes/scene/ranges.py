@@ -19,6 +19,11 @@ class Span:
     step: float
     count: int
 
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The first value and the last."""
+        return self.start, self.start + self.step * (self.count - 1)
+
     def __len__(self) -> int:
         return self.count
 

@@ -42,6 +42,18 @@ ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 _SWEEPS = 8
 
 
+class Placed(NamedTuple):
+    """The labels as texts, in the order they were given, and the leader lines some of them need."""
+
+    texts: tuple[Text, ...]
+    leaders: tuple[Line, ...]
+
+    @property
+    def marks(self) -> tuple[Text | Line, ...]:
+        """Leaders and texts."""
+        return (*self.leaders, *self.texts)
+
+
 class Effect(NamedTuple):
     """What a chosen place does to the candidates of other labels: which it clashes with and how often, and which it
     stands close to."""
@@ -229,7 +241,7 @@ class Board:
         self._list()
         return True
 
-    def placed(self) -> tuple[tuple[Text, ...], tuple[Line, ...]]:
+    def placed(self) -> Placed:
         """The chosen places as texts and leader lines."""
         texts, leaders, now = [], [], self.every.some(self.places())
         for label, size, box, leader in zip(self.labels, self.extents, now.boxes, now.leaders, strict=True):
@@ -237,7 +249,7 @@ class Board:
             texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
             if not math.isnan(leader[0].real):
                 leaders.append(Line(tuple(map(complex, leader)), "thin", label.layer, name="leader"))
-        return tuple(texts), tuple(leaders)
+        return Placed(tuple(texts), tuple(leaders))
 
 
 def _bounded(counts: Array | Indices) -> Array:

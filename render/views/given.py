@@ -9,7 +9,8 @@ from planes.scene.mechanism import Guide, Link
 from planes.solving import Position
 from planes.words.lettering import Naming, greek
 from planes.words.names import index_of, letter_of
-from render.paper.letters import number, unit
+from planes.words.units import number
+from render.paper.letters import unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
