@@ -12,7 +12,7 @@ from pathlib import Path
 
 from planes.course import Course
 from planes.course.handed_out import SCENE
-from planes.course.ledger import Ledger, digest, fingerprint
+from planes.course.ledger import Entry, Ledger, digest, fingerprint
 from planes.course.numbers import Question, Settled, question, settle, used_names
 from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
@@ -65,9 +65,9 @@ class Conductor:
         self.documents(orders)
         wanted = [self.place(s, n) for s in orders for n in (SCENE, KEY, *self.names)]
         self.ledger.close([*wanted, *self.summary(settled)])
-        said = ((s.place, n, text) for s in orders for n in self.names for text in self.ledger.said(self.place(s, n)))
+        kept = {(s.place, n): self.ledger.entries.get(self.place(s, n), Entry()) for s in orders for n in self.names}
         self.report.faults.sort()
-        self.report.said = sorted(said)
+        self.report.said = sorted((*where, text) for where, entry in kept.items() for text in entry.said)
         return self.report
 
     def place(self, share: Share, name: str) -> str:
