@@ -12,6 +12,7 @@ from typing import Literal
 
 from planes.words import Lang, Phrase, decimal
 from planes.words.errors import PlanesError
+from planes.words.names import letter_of
 
 Convention = Literal["mm_per_unit", "unit_per_mm"]
 
@@ -197,6 +198,17 @@ def _limit(largest: float, fit_mm: float) -> float | None:
 def number(value: float | None, lang: Lang, digits: int = 4) -> str:
     """A number as a language writes it, with a true minus; a dash for none."""
     return "—" if value is None else decimal(quantity(value, digits).replace("-", "−"), lang)
+
+
+_OF_LETTERS = {"m": "kg", "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}
+_OF_LETTERS |= dict.fromkeys(("angle", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta"), "°")
+_OF_LETTERS |= dict.fromkeys("JI", "kgm2") | dict.fromkeys("FPQG", "N") | dict.fromkeys("MT", "N·m")
+_OF_LETTERS |= dict.fromkeys("lxyrRabcdehHsLDzS", "m")
+
+
+def unit_of_parameter(name: str) -> str:
+    """The key of the unit in which a parameter of that name is given, "" where the name does not tell."""
+    return _OF_LETTERS.get(letter_of(name), "")
 
 
 def quantity(value: float, digits: int = 4) -> str:

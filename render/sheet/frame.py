@@ -131,9 +131,7 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     letters, revisions = given.get("letter"), given.get("revisions")
     for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):
         found[f"letter_{k}"] = _said_text(letter, lang)  # graph 4, filled from its left cell on
-    for k, row in enumerate(
-        revisions if isinstance(revisions, list) else (), 1
-    ):  # graphs 14–18, the lowest first
+    for k, row in enumerate(revisions if isinstance(revisions, list) else (), 1):  # graphs 14–18, the lowest first
         found |= {f"revision_{k}_{column}": _said_text(text, lang) for column, text in row.items()}
     return found
 
