@@ -129,8 +129,8 @@ class Desk:
     def blank(self) -> bytes:
         """A page for each plan."""
         plans = [p for p in self.drawn.plans.drawn if kind_of(p) in self.order.plans]
-        lang, whose = self.order.lang, self.order.whose
-        asked = [(Asked(self.scene, plan), SheetMark(*whose, plan)) for plan in plans]
+        lang, (scene, variant, student) = self.order.lang, self.order.whose
+        asked = [(Asked(self.scene, plan), SheetMark(scene, variant, student, plan)) for plan in plans]
         pages = [blank_marks(one, lang, self.order.heads[-1], mark=mark) for one, mark in asked]
         title = pages[0][1] if pages else ""
         return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, lang)

@@ -40,9 +40,9 @@ def draw_cycle(
     loops = [*(hodographs or ()), *(f"r_{index_of(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
     turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)
     naming, title = Naming(lang, **lettering(scene, plans)), scene.title.get(lang, "")
-    drawn = [turned.panel(names) for names in panels], [turned.loop(n) for n in loops], turned.drawn()
+    curves, circles = [turned.panel(names) for names in panels], [turned.loop(n) for n in loops]
     with sayable(output):
-        draw(Path(output), title, *drawn, naming)
+        draw(Path(output), title, curves, circles, turned.drawn(), naming)
 
 
 def default_curves(plans: Plans, hodographs: object = None, paths: object = None) -> tuple[str, ...]:
