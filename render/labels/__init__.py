@@ -6,8 +6,8 @@ places.  A label that finds no room beside what it names goes farther away, with
 
 from collections.abc import Iterable, Sequence
 
-from render.labels.board import Board, Placed
-from render.labels.candidates import Label
+from render.labels.board import Board
+from render.labels.candidates import Label, Placed
 from render.labels.footprints import Bounds, ink
 from render.paper.marks import Mark
 

@@ -16,6 +16,7 @@ from render.labels.candidates import (
     NEAR,
     Candidates,
     Label,
+    Placed,
     beside,
     close,
     distances,
@@ -40,18 +41,6 @@ PATIENCE = 1000  # how often labels are asked to make room for others, on one bo
 FAR_PLACES = 96  # of a label that needs a leader line: the nearest free ones
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 _SWEEPS = 8
-
-
-class Placed(NamedTuple):
-    """The labels as texts, in the order they were given, and the leader lines some of them need."""
-
-    texts: tuple[Text, ...]
-    leaders: tuple[Line, ...]
-
-    @property
-    def marks(self) -> tuple[Text | Line, ...]:
-        """Leaders and texts."""
-        return (*self.leaders, *self.texts)
 
 
 class Effect(NamedTuple):
