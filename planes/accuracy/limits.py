@@ -74,9 +74,8 @@ class MovedGiven:
         """From 1 down to 0 where nothing can be drawn."""
         drawing = self.draw(np.asarray(values, float))
         with np.errstate(all="ignore"):
-            found, failed = self._open(drawing), drawing.failed()
-        found = np.where(np.isfinite(found), found, 0.0) + np.zeros(len(values))
-        return found if failed is None else np.where(failed, 0.0, found)
+            found = self._open(drawing)
+        return np.where(np.isfinite(found) & ~np.asarray(drawing.failed()), found, 0.0) + np.zeros(len(values))
 
     def fine(self, value: Real) -> Real:
         """The same of one value, at 50 digits."""

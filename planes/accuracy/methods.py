@@ -5,6 +5,7 @@ import os
 import platform
 import time
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
@@ -115,10 +116,8 @@ def _pencils(bench: Comparison, values: Array, truth: Array) -> list[Method]:
 
 
 def _try(bench: Comparison, given: Mapping[str, Point], pencil: Pencil) -> None:
-    try:
+    with suppress(PlanFailure):
         run(bench.cycle.program, given, pencil)
-    except PlanFailure:
-        return
 
 
 def _ruled(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float) -> Array:

@@ -121,8 +121,8 @@ def _measured(limit: Limit, bench: Comparison, values: Array, distances: Array) 
     def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
         return np.array([by(row[k][works[k]]) for k in crowds])  # refused once is refused
 
-    near = worst(distances, np.min), worst(sharp, np.min)
-    return Approach(limit, *near, worst(claims), {key: worst(row) for key, row in errors.items()})
+    told_errors = {key: worst(row) for key, row in errors.items()}
+    return Approach(limit, worst(distances, np.min), worst(sharp, np.min), worst(claims), told_errors)
 
 
 def _sizes(bench: Comparison, truth: Array) -> Array:

@@ -127,12 +127,8 @@ def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.plans import mechanism_plans
 
     plans = mechanism_plans(scene)
-    if span is not None:
-        ends = span.start, span.start + span.step * (span.count - 1)
-    elif plans.mechanism.drive.kind == "phi":
-        ends = 0.0, FULL
-    else:
-        ends = reach(plans)
+    turning = plans.mechanism.drive.kind == "phi"
+    ends = span.ends if span else (0.0, FULL) if turning else reach(plans)
     found = summary(scene, plans, *ends, _names(args))
     if not found.grid.works.any():
         raise PlanesError(Phrase("cycle_never", first=f"{ends[0]:g}", last=f"{ends[1]:g}"))

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from planes.scene import Scene
-from planes.scene.ranges import read_range
+from planes.scene.ranges import asked_of_drive, read_range
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -153,13 +153,7 @@ def values_of(args: Namespace, scene: Scene) -> list[float] | None:
 
 def range_of(args: Namespace, scene: Scene) -> tuple[str, str | None]:
     """The kind of the drive, and its values as they were written."""
-    kind = scene.mechanism.drive.kind if scene.mechanism else ""
-    asked = {"phi": args.phi, "s": args.s}
-    for option, text in asked.items():
-        if text is not None and option != kind:
-            why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
-            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
-    return kind, asked.get(kind)
+    return scene.mechanism.drive.kind if scene.mechanism else "", asked_of_drive(scene, args.phi, args.s)
 
 
 def value_of(args: Namespace, scene: Scene) -> float | None:

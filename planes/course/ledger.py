@@ -118,10 +118,6 @@ class Ledger:
         path = self.folder / name
         return entry.source == source and path.is_file() and digest(path.read_bytes()) == entry.sha256
 
-    def said(self, name: str) -> tuple[str, ...]:
-        """What must be said of a file that is there."""
-        return self.entries.get(name, Entry()).said
-
     def keep(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
         """Write a file whole, then its line."""
         path = self.path(name)

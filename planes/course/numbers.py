@@ -6,7 +6,7 @@ import math
 import re
 import traceback
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from planes.course import Course, ParameterChoice
@@ -23,6 +23,7 @@ from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.records import Json
+from planes.words.units import RATE_UNITS
 
 _PLAIN = re.compile(r"[\w+−*/()^. -]*[\w)]|[+-]?[\d.]+")
 WIDTH = 110  # a table that fits stands on one line
@@ -111,10 +112,17 @@ def question(course: Course, share: Share, lang: Lang) -> Question:
     """What is asked of a worker for one share."""
     s = share.student
     said = {"student": s.name, "group": s.group}
-    sheet = {**course.sheet, **{k: SourceScalar(v, 0, False) for k, v in said.items() if v}}
-    draw = None if course.draw is None else dict(course.draw)
-    given = share.assignment.text, str(share.assignment.file), share.variant
-    return Question(*given, draw, course.sharpness_deg, course.seed, (s.name, s.group), sheet, lang)
+    return Question(
+        text=share.assignment.text,
+        file=str(share.assignment.file),
+        variant=share.variant,
+        draw=None if course.draw is None else dict(course.draw),
+        sharpness_deg=course.sharpness_deg,
+        seed=course.seed,
+        student=(s.name, s.group),
+        sheet={**course.sheet, **{k: SourceScalar(v, 0, False) for k, v in said.items() if v}},
+        lang=lang,
+    )
 
 
 def settle(q: Question) -> Settled:
@@ -156,33 +164,20 @@ def drawn(q: Question) -> dict[str, str]:
     return draw_numbers(choices_of(q.text, q.file, q.draw), make, q.sharpness_deg, chance)
 
 
-@dataclass(frozen=True)
-class Answer:
-    """One number of the summary: name, value, unit's key."""
-
-    name: str
-    value: float
-    unit: str = field(default="")
-
-
-def main_answers(scene: Scene, key: Json) -> list[Answer]:
-    """What a teacher compares first: links' ω and ε, sliders' v and a, the balancing load."""
+def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
+    """What a teacher compares first, by name and unit: links' ω and ε, sliders' v and a, the balancing load."""
+    found: dict[tuple[str, str], float] = {}
     if not key["positions"] or scene.mechanism is None:
-        return []
+        return found
     at, m = key["positions"][0], scene.mechanism
-    found = []
     for name, link in m.links.items():
         rates, slide = at.get("links", {}).get(name, {}), at.get("slides", {}).get(name)
         if link.slides and slide and m.owner(link.slides.guide) == FRAME:
             point = at.get("points", {}).get(link.first_point, {})
-            found += [Answer(f"{k}_{link.first_point}", math.hypot(*point[k]), u) for k, u in _RATES if k in point]
+            found |= {(f"{k}_{link.first_point}", RATE_UNITS[k]): math.hypot(*point[k]) for k in "va" if k in point}
         elif name != m.drive.link and not link.slides:
-            found += [Answer(f"{k}_{name}", rates[k], u) for k, u in _SPINS if k in rates]
+            found |= {(f"{k}_{name}", RATE_UNITS[k]): rates[k] for k in ("omega", "epsilon") if k in rates}
     for kind, unit, letter in (("moment", "N·m", "M"), ("force", "N", "F")):
         if (value := at.get(f"balancing_{kind}")) is not None:
-            found.append(Answer(f"{letter}_{m.drive.link}", value, unit))
+            found[f"{letter}_{m.drive.link}", unit] = value
     return found
-
-
-_RATES = (("v", "m/s"), ("a", "m/s²"))
-_SPINS = (("omega", "rad/s"), ("epsilon", "rad/s²"))

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from planes.drafting.drawing import Drawing
-from planes.lesson.formulas import number, unit
+from planes.lesson.formulas import unit
 from planes.lesson.note import Note
 from planes.plans import Plans
 from planes.plans.measuring import say_plan
@@ -18,7 +18,7 @@ from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, He
 from planes.words import Lang, decimal, say
 from planes.words.errors import PlanFailure
 from planes.words.names import kind_of, mu_of, parts_of
-from planes.words.units import mu_text
+from planes.words.units import mu_text, number, unit_of_parameter
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -61,11 +61,9 @@ def parameter_sign(name: str) -> str:
 
 
 def unit_of(name: str, lang: Lang) -> str:
-    """The unit of a parameter by the letter it begins with."""
-    letter = parts_of(name)[0]
-    if letter in ("phi", "angle", *_ANGLES):
-        return "°"
-    return say("m", lang) if letter in ("x", "y") else unit(name, lang)
+    """The unit of a parameter, as far as its name tells."""
+    key = unit_of_parameter(name)
+    return say(key, lang) if key else ""
 
 
 def conditions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:

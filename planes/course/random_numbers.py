@@ -33,10 +33,10 @@ _SHARES = (("l_", 10.0), ("x_", 10.0), ("y_", 10.0), ("omega_", 20.0), ("F_", 20
 def around_turn(plans: Plans) -> list[float | None]:
     """The least sharpness at which lines meet at each angle of the driver, None where it cannot be drawn."""
     drawing = drawn_in_si(plans, numpy.array(ROUND))
-    failed, least = drawing.failed(), numpy.ones(len(ROUND))
+    least = numpy.ones(len(ROUND))
     for found in drawing.sharpness.values():
         least = numpy.fmin(least, numpy.broadcast_to(found, least.shape))
-    bad = numpy.broadcast_to(False if failed is None else failed, least.shape)
+    bad = numpy.broadcast_to(drawing.failed(), least.shape)
     return [None if b else float(sharpness) for b, sharpness in zip(bad, least, strict=True)]
 
 

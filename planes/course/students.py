@@ -48,8 +48,8 @@ def _table(text: str, file: str) -> tuple[Student, ...]:
         said = dict(zip(columns, cells, strict=False))
         if not said.get("name"):
             raise SceneError(Phrase("course_no_name"), file, rows.line_num)
-        wanted = said.get("assignment") or None, said.get("variant") or None
-        found.append(Student(said["name"], said.get("group", ""), *wanted, line=rows.line_num))
+        assignment, variant = (said.get(key) or None for key in ("assignment", "variant"))
+        found.append(Student(said["name"], said.get("group", ""), assignment, variant, rows.line_num))
     return tuple(found)
 
 

@@ -6,27 +6,27 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from planes.course.numbers import Answer, main_answers
+from planes.course.numbers import main_answers
 from planes.course.papers import parameter_sign, unit_of
 from planes.course.students import Share
-from planes.lesson.formulas import number
 from planes.scene import loads
 from planes.solving.document import Block, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
 from planes.words.records import as_csv as csv_of
+from planes.words.units import number
 
 NOISE = 1e-9
 
 
 @dataclass(frozen=True)
 class StudentRow:
-    """One line: whose, the numbers, the answers, or why there are none."""
+    """One line: whose, the numbers, the answers by name and unit, or why there are none."""
 
     share: Share
     group: str
     title: Mapping[str, str]
     numbers: Mapping[str, float]
-    answers: tuple[Answer, ...]
+    found: Mapping[tuple[str, str], float]
     fault: str
 
     @classmethod
@@ -34,14 +34,9 @@ class StudentRow:
         """The line of a share, from its scene and its key."""
         scene = loads(text or share.assignment.text, "scene.yaml")
         if fault:
-            return cls(share, share.student.group, scene.title, {}, (), fault)
-        answers = tuple(main_answers(scene, json.loads(key)))
-        return cls(share, str(scene.sheet.get("group", "")), scene.title, scene.parameters, answers, "")
-
-    @property
-    def found(self) -> dict[tuple[str, str], float]:
-        """The answers by name and unit."""
-        return {(a.name, a.unit): a.value for a in self.answers}
+            return cls(share, share.student.group, scene.title, {}, {}, fault)
+        found = main_answers(scene, json.loads(key))
+        return cls(share, str(scene.sheet.get("group", "")), scene.title, scene.parameters, found, "")
 
 
 def varied(rows: Sequence[StudentRow]) -> list[str]:

@@ -84,8 +84,8 @@ def _line(scene: Scene, name: str, variant: str, lang: Lang) -> SurveyRow:
     if not solved.positions:
         return SurveyRow(name, variant, at, False, remarks=(*missing, solved.failed[0]["error"]))
     remarks = (*missing, *_no_turn(scene, solved.plans, lang))
-    loads = _loads(solved.positions[0], solved.plans)
-    row = SurveyRow(name, variant, at, True, *loads, remarks=remarks)
+    balancing, lever = _loads(solved.positions[0], solved.plans)
+    row = SurveyRow(name, variant, at, True, balancing, lever, remarks)
     apart = Phrase("survey_apart", balancing=row.balancing, lever=row.lever, most=AGREE)
     return row if row.right else replace(row, remarks=(*remarks, apart.told(lang)))
 

@@ -8,7 +8,16 @@ import numpy as np
 
 from planes.crank_slider.forces import CycleForces, Replacement, Work, balance, classical, replaced, work
 from planes.crank_slider.given import Given
-from planes.crank_slider.kinematics import EngineCycle, Found, RodMotion, apart, as_plane_motion, as_points, follow
+from planes.crank_slider.kinematics import (
+    EngineCycle,
+    Found,
+    RodMotion,
+    apart,
+    as_plane_motion,
+    as_points,
+    follow,
+    swing,
+)
 from planes.crank_slider.reading import read
 from planes.crank_slider.rod import PinStrength, RodStrength, pin_strength, rod_strength
 from planes.crank_slider.shaft import Balance, Fatigue, Section, Supports, balanced, checked, sections, supports
@@ -75,8 +84,7 @@ def motion_of(given: Given) -> tuple[EngineCycle, Array]:
     turned = np.linspace(0.0, d.cycle_deg, round(d.cycle_deg / given.step_deg) + 1)
     phi_deg = d.start_deg + turned
     phi = np.radians(phi_deg)
-    beta = np.arcsin(shape.r * np.sin(phi) / shape.l)
-    path = (shape.r + shape.l - shape.r * np.cos(phi) - shape.l * np.cos(beta)) / (2 * shape.r)
+    path = (shape.r + shape.l - shape.r * np.cos(phi) - shape.l * np.cos(swing(shape, phi))) / (2 * shape.r)
     pressure = d.pressure(turned, np.clip(path, 0.0, 1.0))
     speed = given.speed
     wave = speed.waves * (phi - math.radians(speed.phase_deg))
@@ -99,23 +107,35 @@ def calculate(scene: Scene) -> Calculation:
     level = balanced(shape, given.shaft, weights, motion, found) if given.shaft and weights else None
     held = supports(shape, given.shaft, weights, level, forces) if given.shaft else None
     cut = sections(shape, given.shaft, held) if given.shaft and held else {}
-    agreement = _agreement(given, points, plane, found, forces, done)
     rod, pin, steels = given.rod, given.pin, given.materials
-    parts = (
-        rod_strength(shape, motion, plane, forces, rod, steels["rod"]) if rod else None,
-        pin_strength(motion, forces, pin, steels["piston_pin"]) if pin else None,
+    result = Calculation(
+        scene,
+        given,
+        motion,
+        pressure,
+        points,
+        plane,
+        found,
+        forces,
+        simple=classical(shape, motion, plane),
+        parts=replaced(shape),
+        work=done,
+        agreement=_agreement(given, points, plane, found, forces, done),
+        balance=level,
+        supports=held,
+        sections=cut,
+        fatigue=_fatigue(given, cut),
+        rod=rod_strength(shape, motion, plane, forces, rod, steels["rod"]) if rod else None,
+        pin=pin_strength(motion, forces, pin, steels["piston_pin"]) if pin else None,
     )
-    loads = forces, classical(shape, motion, plane), replaced(shape), done
-    cranks = level, held, cut, _fatigue(given, cut)
-    result = Calculation(scene, given, motion, pressure, points, plane, found, *loads, agreement, *cranks, *parts)
     _check_thin(result)
     return result
 
 
 def _check_friction(scene: Scene, given: Given, motion: EngineCycle) -> None:
-    tangent = given.shape.f * np.tan(np.arcsin(given.shape.r * np.abs(np.sin(motion.phi)) / given.shape.l))
-    if (tangent >= 1.0).any():
-        phi = float(motion.phi_deg[int(np.argmax(tangent >= 1.0))])
+    locked = given.shape.f * np.abs(np.tan(swing(given.shape, motion.phi))) >= 1.0
+    if locked.any():
+        phi = float(motion.phi_deg[int(np.argmax(locked))])
         raise SceneError(Phrase("cs_locked", phi=phi, f=given.shape.f), scene.file)
 
 

@@ -139,18 +139,28 @@ def work(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces
     cycle = float(m.phi[-1] - m.phi[0])
     drop = np.where(m.omega > 0, way.v["B"].real / m.omega, 0.0)  # dx_B/dφ
     gas = float(np.trapezoid(-m.gas * drop, m.phi))
-    friction = float(np.trapezoid(f.rubbing * drop, m.phi))
     total = float(np.trapezoid(f.torque, m.phi))
     mean = total / cycle
     steps = np.diff(m.phi) * ((f.torque - mean)[1:] + (f.torque - mean)[:-1]) / 2
     curve = np.concatenate([[0.0], np.cumsum(steps)])
     excess = float(curve.max() - curve.min())
     high, low = float(f.torque.max()), float(f.torque.min())
-    unevenness, flywheel = (high - low) / abs(mean) if mean else math.inf, excess / (allowed * shape.omega**2)
     seconds = cycle / shape.omega
-    pressure = gas / (math.pi / 4 * bore**2 * 2 * shape.r)
-    powers = total / seconds, gas / seconds
-    return Work(mean, high, low, unevenness, gas, friction, total, excess, flywheel, *powers, pressure, curve)
+    return Work(
+        mean=mean,
+        largest=high,
+        smallest=low,
+        unevenness=(high - low) / abs(mean) if mean else math.inf,
+        gas=gas,
+        friction=float(np.trapezoid(f.rubbing * drop, m.phi)),
+        torque=total,
+        excess=excess,
+        flywheel=excess / (allowed * shape.omega**2),
+        power=total / seconds,
+        indicated=gas / seconds,
+        mean_pressure=gas / (math.pi / 4 * bore**2 * 2 * shape.r),
+        curve=curve,
+    )
 
 
 @dataclass(frozen=True)

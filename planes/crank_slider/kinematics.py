@@ -56,15 +56,10 @@ class Found(RodMotion):
 
     on_rod_from_crank: Complexes
     on_slider_from_rod: Complexes
-    on_slider: Complexes
+    push: Array
     on_crank_from_frame: Complexes
     torque: Array
     lever: Array
-
-    @property
-    def push(self) -> Array:
-        """The guide's normal push on the slider."""
-        return self.on_slider.imag
 
 
 def loaded(mechanism: Mechanism, shape: CrankSliderShape, gas: float = 0.0) -> Mechanism:
@@ -103,13 +98,19 @@ def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[i
 
     points = {"A": shape.pin, "B": shape.hinge, "C": shape.centre, "S": plans.mechanism.links[shape.crank].mass_centre}
     pivot = mark(at("position", shape.pivot))
-    place = {k: mark(plans.points[p].position) - pivot for k, p in points.items()}
-    v = {k: mark(plans.points[p].velocity) for k, p in points.items()}
-    a = {k: mark(plans.points[p].acceleration) for k, p in points.items()}
-    spin, joint = plans.links[shape.rod], force(shape.rod, shape.crank)
-    omega, epsilon, torque, lever = map(value, (spin.omega, spin.epsilon, plans.balancing, plans.zhukovsky))
-    from_rod, from_guide, from_frame = force(shape.slider, shape.rod), force(shape.slider, "0"), force(shape.crank, "0")
-    return Found(place, v, a, omega, epsilon, joint, from_rod, from_guide, from_frame, -torque, -lever)
+    return Found(
+        r={k: mark(plans.points[p].position) - pivot for k, p in points.items()},
+        v={k: mark(plans.points[p].velocity) for k, p in points.items()},
+        a={k: mark(plans.points[p].acceleration) for k, p in points.items()},
+        omega=value(plans.links[shape.rod].omega),
+        epsilon=value(plans.links[shape.rod].epsilon),
+        on_rod_from_crank=force(shape.rod, shape.crank),
+        on_slider_from_rod=force(shape.slider, shape.rod),
+        push=force(shape.slider, "0").imag,
+        on_crank_from_frame=force(shape.crank, "0"),
+        torque=-value(plans.balancing),
+        lever=-value(plans.zhukovsky),
+    )
 
 
 def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, found: Found) -> None:

@@ -28,8 +28,8 @@ from planes.solving.document import (
     PlottedLine,
     ShaftSketch,
 )
-from planes.words import Lang, decimal, say
-from planes.words.units import quantity
+from planes.words import Lang, say
+from planes.words.units import number, quantity
 
 KN = 1e-3
 UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "J", "m", "kW")
@@ -53,12 +53,11 @@ class ChapterWriter:
 
     def number(self, value: float, digits: int = 4, near: float = 0.0) -> str:
         """A number as it stands in a text; rounding noise of numbers ``near`` that large is zero."""
-        value = 0.0 if abs(value) < 1e-12 * near else value
-        return decimal(quantity(float(value), digits=digits, true_minus=True), self.lang)
+        return number(0.0 if abs(value) < 1e-12 * near else float(value), self.lang, digits)
 
     def tex(self, value: float) -> str:
         """A number as it stands in a formula."""
-        text = quantity(float(value), digits=4)
+        text = quantity(float(value))
         mantissa, times, power = text.partition("·10")
         if times:
             plain = power.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))

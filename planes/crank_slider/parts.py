@@ -117,7 +117,6 @@ class Material:
     psi: float
     psi_torsion: float
     elasticity: float = ELASTICITY_MPA
-    estimated: bool = True  # whether the fatigue limits are estimates
 
 
 def made(
@@ -132,8 +131,7 @@ def made(
     """A material; the fatigue limits not given are estimated from the strength."""
     bending = fatigue or (0.35 * strength + 120.0 if alloyed else 0.43 * strength)
     psi = 0.02 + 2e-4 * strength
-    estimated = fatigue is None or torsion is None
-    return Material(name, strength, yields, bending, torsion or 0.58 * bending, psi, psi / 2, elasticity, estimated)
+    return Material(name, strength, yields, bending, torsion or 0.58 * bending, psi, psi / 2, elasticity)
 
 
 def steel(name: str) -> Material | None:

@@ -100,11 +100,13 @@ def _limits(table: Values) -> Limits:
     low, high = fatigue = table.pair("fatigue") or usual.fatigue
     if not 1.0 <= low < high:
         raise table.error(Phrase("cs_range", what=table.named("fatigue"), low=1.0, high=high, value=low), "fatigue")
-    static, buckling = (
-        table.between(key, 1.0, most, getattr(usual, key)) for key, most in (("static", 20.0), ("buckling", 50.0))
+    return Limits(
+        static=table.between("static", 1.0, 20.0, usual.static),
+        fatigue=fatigue,
+        buckling=table.between("buckling", 1.0, 50.0, usual.buckling),
+        bush_mpa=table.above("bush_MPa", usual.bush_mpa),
+        boss_mpa=table.above("boss_MPa", usual.boss_mpa),
     )
-    pressures = table.above("bush_MPa", usual.bush_mpa), table.above("boss_MPa", usual.boss_mpa)
-    return Limits(static, fatigue, buckling, *pressures)
 
 
 def _shaft(table: Values) -> Shaft:
@@ -113,10 +115,17 @@ def _shaft(table: Values) -> Shaft:
         raise table.error(Phrase("cs_span", webs=m, left=span - n, right=n), "webs")
     web = table.needed("web", ("width", "thickness"))
     masses = table.needed("masses", ("pin", "webs", "webs_radius"))
-    journal, crankpin = (_bored(table.needed(key, ("diameter", "bore"))) for key in ("journal", "crankpin"))
-    section = Web(web.above("width"), web.above("thickness"))
-    rotating = masses.not_negative("pin"), masses.not_negative("webs"), masses.number("webs_radius")
-    return Shaft(span, n, m, journal, crankpin, section, *rotating)
+    return Shaft(
+        span,
+        pin_from_b=n,
+        webs=m,
+        journal=_bored(table.needed("journal", ("diameter", "bore"))),
+        crankpin=_bored(table.needed("crankpin", ("diameter", "bore"))),
+        web=Web(web.above("width"), web.above("thickness")),
+        pin_mass=masses.not_negative("pin"),
+        web_mass=masses.not_negative("webs"),
+        web_radius=masses.number("webs_radius"),
+    )
 
 
 def _bored(table: Values) -> Round:
@@ -168,6 +177,10 @@ def _concentration(table: Values) -> dict[str, Concentration]:
     found = {}
     for key in table.table.entries:
         inner = table.needed(key, ("k_sigma", "k_tau", "size_sigma", "size_tau"))
-        raised = inner.between("k_sigma", 1.0, 20.0), inner.between("k_tau", 1.0, 20.0)
-        found[key] = Concentration(*raised, inner.between("size_sigma", 0.1, 1.0), inner.between("size_tau", 0.1, 1.0))
+        found[key] = Concentration(
+            k_sigma=inner.between("k_sigma", 1.0, 20.0),
+            k_tau=inner.between("k_tau", 1.0, 20.0),
+            size_sigma=inner.between("size_sigma", 0.1, 1.0),
+            size_tau=inner.between("size_tau", 0.1, 1.0),
+        )
     return found

@@ -73,13 +73,26 @@ def rod_strength(
     push, pull, bend, worst = (int(np.argmax(x)) for x in (large, -large, moment, both))
     squeezed, pulled = max(float(large[push]), 0.0), max(float(-large[pull]), 0.0)
     stress, limit = squeezed / of.area * MPA, math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
-    squeezed_deg, pulled_deg, bending_deg, sigma_deg = (float(m.phi_deg[k]) for k in (push, pull, bend, worst))
-    sigma = float(both[worst])
     freely, held = (math.sqrt(j / of.area) for j in (of.inertia, of.inertia_across))
-    planes = [_buckling(mu, shape.l, i, limit, stress, steel) for mu, i in ((1.0, freely), (0.5, held))]
-    axials = squeezed, squeezed_deg, pulled, pulled_deg, stress, pulled / of.area * MPA
-    bent = float(moment[bend]), bending_deg, float(sigma_b[bend])
-    return RodStrength(*axials, *bent, sigma, sigma_deg, factor(steel.yields, sigma), limit, (planes[0], planes[1]))
+    return RodStrength(
+        squeezed=squeezed,
+        squeezed_deg=float(m.phi_deg[push]),
+        pulled=pulled,
+        pulled_deg=float(m.phi_deg[pull]),
+        sigma_c=stress,
+        sigma_p=pulled / of.area * MPA,
+        bending=float(moment[bend]),
+        bending_deg=float(m.phi_deg[bend]),
+        sigma_b=float(sigma_b[bend]),
+        sigma=float(both[worst]),
+        sigma_deg=float(m.phi_deg[worst]),
+        n=factor(steel.yields, float(both[worst])),
+        limit=limit,
+        planes=(
+            _buckling(1.0, shape.l, freely, limit, stress, steel),
+            _buckling(0.5, shape.l, held, limit, stress, steel),
+        ),
+    )
 
 
 def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:

@@ -44,9 +44,7 @@ def shape_of(scene: Scene) -> CrankSliderShape:
     """The crank-slider of a scene, or a sentence saying why it is none."""
     if scene.mechanism is None or scene.crank_slider is None:
         raise SceneError(Phrase("cs_missing"), scene.file, 1)
-    mechanism = scene.mechanism
-    found = analyse(mechanism, scene.file)
-    return _Recogniser(scene, mechanism, found).shape()
+    return _Recogniser(scene, scene.mechanism, analyse(scene.mechanism, scene.file)).shape()
 
 
 class _Recogniser:
@@ -75,12 +73,27 @@ class _Recogniser:
         length = abs(rod.points[self.hinge] - rod.points[self.pin])
         if length <= r:
             raise self.error(Phrase("cs_short_rod", rod=length, crank=r), "links", rod.name, "points")
-        s = (crank.points[crank.mass_centre] - crank.points[self.pivot]).real
-        names = crank.name, rod.name, slider.name, self.pivot, self.pin, self.hinge, rod.mass_centre
-        masses = crank.mass or 0.0, self.number(rod, "mass"), self.number(slider, "mass")
-        inertias = crank.inertia or 0.0, self.number(rod, "inertia")
-        loads = self.m.gravity or 0.0, self.m.friction.get(self.guide, 0.0)
-        return CrankSliderShape(*names, r, length, c, s, *masses, *inertias, *loads, self.m.drive.velocity)
+        return CrankSliderShape(
+            crank=crank.name,
+            rod=rod.name,
+            slider=slider.name,
+            pivot=self.pivot,
+            pin=self.pin,
+            hinge=self.hinge,
+            centre=rod.mass_centre,
+            r=r,
+            l=length,
+            c=c,
+            s=(crank.points[crank.mass_centre] - crank.points[self.pivot]).real,
+            m1=crank.mass or 0.0,
+            m2=self.number(rod, "mass"),
+            m3=self.number(slider, "mass"),
+            j1=crank.inertia or 0.0,
+            j2=self.number(rod, "inertia"),
+            g=self.m.gravity or 0.0,
+            f=self.m.friction.get(self.guide, 0.0),
+            omega=self.m.drive.velocity,
+        )
 
     def number(self, link: Link, key: str) -> float:
         """A mass or inertia that must be given and above zero."""

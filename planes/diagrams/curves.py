@@ -20,13 +20,13 @@ from planes.plans import Plans
 from planes.plans.loads import force_name
 from planes.plans.quantities import MOTION, results_of
 from planes.scene.mechanism import FRAME
+from planes.words.units import RATE_UNITS
 
 Sample = Mapping[str, Array]
 """Columns of many positions by name: "v_C_x", and "q:v_C_x" of the unit drive."""
 
 Group = Literal["place", "analogue", "rate", "force"]
 UNIT = "q:"
-RATE_UNITS = {"v": "m/s", "a": "m/s²", "omega": "rad/s", "epsilon": "rad/s²"}
 
 
 @dataclass(frozen=True)

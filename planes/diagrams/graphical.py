@@ -69,12 +69,9 @@ class Construction:
 
     def exact(self, stage: Stage) -> list[float]:
         """The true values at the points of a diagram, SI."""
-        m = self.motion
-        found = []
-        for half, _ in stage.points:
-            row, k = (m.middles, half // 2) if half % 2 else (m.ends, half // 2)
-            found.append(row[stage.rank][k % m.sections if row is m.middles else k])
-        return found
+        m, ends = self.motion, self.motion.ends[stage.rank]
+        halves = (half for half, _ in stage.points)
+        return [m.middles[stage.rank][half // 2 % m.sections] if half % 2 else ends[half // 2] for half in halves]
 
     def measured(self, drawing: Drawing, stage: Stage) -> list[Real]:
         """What is measured on a drawing at the points of a diagram, SI."""

@@ -120,7 +120,7 @@ def _reading(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:
     for half, label, found, exact, spread in r.rows:
         cells = (quantity(0.0 if abs(x) < 1e-12 * size else x) for x in (found, exact))
         shares = (f"{100 * x / size:.2f}" for x in (found - exact, spread))
-        rows.append([label, quantity(_angle(c, half), "", 5), *cells, *shares])
+        rows.append([label, quantity(_angle(c, half), 5), *cells, *shares])
     title = f"{LETTERS[slides][rank]}{c.motion.link}, {unit}"
     lines = table(title, [point, "φ1, °", found_head, exact_head, "Δ, %", pencil], rows)
     return [*lines, "  " + say("graphical_worst", lang, error=f"{100 * r.worst:.2f}")]

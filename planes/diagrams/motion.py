@@ -67,13 +67,9 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
     dense = start + span * np.arange(DENSE * sections + 1) / (DENSE * sections)
     half, fine = (_values(turn, at, slides, drive.velocity) for at in (angles, dense))
     ends, middles = (tuple(tuple(row[k::2]) for row in half) for k in (0, 1))
-    times, all_times = (_time(at, drive.velocity) for at in (angles[::2], dense))
-    places, curves = tuple(map(float, angles[::2])), tuple(map(tuple, fine))
+    times, all_times = (tuple((np.radians(at - at[0]) / drive.velocity).tolist()) for at in (angles[::2], dense))
+    places, curves = tuple(angles[::2].tolist()), tuple(map(tuple, fine))
     return Motion(link, slides, places, times, closed, ends, middles, all_times, curves)
-
-
-def _time(angles: Array, rate: float) -> tuple[float, ...]:
-    return tuple(float(t) for t in np.radians(angles - angles[0]) / rate)
 
 
 def _values(turn: WholeTurn, angles: Array, slides: bool, rate: float) -> list[list[float]]:
@@ -82,7 +78,7 @@ def _values(turn: WholeTurn, angles: Array, slides: bool, rate: float) -> list[l
     place, v, a = (c.read(sample) + np.zeros(len(angles)) for c in turn.curves)
     if not slides:
         place = np.radians(unwound(place))
-    return [[float(x) for x in row] for row in (place - place[0], v * rate, a * rate * rate)]
+    return [row.tolist() for row in (place - place[0], v * rate, a * rate * rate)]
 
 
 def ends_of(plans: Plans) -> tuple[float, float, bool]:
@@ -125,11 +121,6 @@ class Runs:
         self.plans, self.start, self.end = plans, start, end
         places = driven_grid(plans, start, end)
         self.dead, self.closed = dead_points(places), places.closed
-
-    @classmethod
-    def whole(cls, plans: Plans) -> Runs:
-        """Over the working range: a whole turn from the first extreme position, if there is one."""
-        return cls(plans, *ends_of(plans)[:2])
 
     def pieces(self) -> list[Array]:
         """Places in runs between dead points, each run up to the very point."""

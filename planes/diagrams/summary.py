@@ -27,14 +27,9 @@ class CurveSummary:
     group: str
     least: Extreme
     greatest: Extreme
-    all: tuple[Extreme, ...]
     size: float  # the largest finite size at the places of the grid: what is nothing beside it is zero
-    rounds: bool = False  # an angle of a link that turns all the way round
-
-    @property
-    def constant(self) -> bool:
-        """Whether the curve never changes."""
-        return not self.all and not self.rounds
+    rounds: bool  # an angle of a link that turns all the way round
+    constant: bool
 
 
 @dataclass(frozen=True)
@@ -72,7 +67,6 @@ class Path:
     length: float
     x: tuple[float, float]
     y: tuple[float, float]
-    closed: bool
 
 
 @dataclass(frozen=True)
@@ -136,7 +130,8 @@ class Summary:
         k = int(np.flatnonzero(np.isfinite(y))[0])
         of = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # a constant's only one
         low, high = min(of, key=lambda e: e.value), max(of, key=lambda e: e.value)
-        return CurveSummary((curve.name,), curve.unit, curve.group, low, high, tuple(some), size, rounds)
+        still = not some and not rounds
+        return CurveSummary((curve.name,), curve.unit, curve.group, low, high, size, rounds, still)
 
     def _shown(self, curve: Curve) -> bool:
         if self.names:
@@ -159,7 +154,7 @@ class Summary:
                 both = (*self.extremes[f"r_{p}_x"], *self.extremes[f"r_{p}_y"])
                 length = np.inf if any(np.isinf(e.value) for e in both) else length
                 x, y = ((self._most(f"r_{p}_{axis}", -1), self._most(f"r_{p}_{axis}", 1)) for axis in "xy")
-                found.append(Path(p, length, x, y, self.grid.closed))
+                found.append(Path(p, length, x, y))
         return tuple(found)
 
     def _most(self, name: str, sense: int) -> float:

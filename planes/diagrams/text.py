@@ -79,17 +79,17 @@ def _stroke(s: Summary, lang: Lang) -> list[str]:
     if math.isinf(stroke.swing):
         return [say("stroke_unbounded", lang, link=stroke.link, dead=dead)]
     key = "stroke_slides" if stroke.slides else "stroke_turns"
-    lines = [say(key, lang, link=stroke.link, swing=quantity(stroke.swing, "", 5), dead=dead)]
+    lines = [say(key, lang, link=stroke.link, swing=quantity(stroke.swing, 5), dead=dead)]
     if stroke.others:
         lines.append(say("stroke_more", lang, count=stroke.others))
     if stroke.K is not None and stroke.forth and stroke.back:
-        forth, back = (quantity(x, "", 6) for x in (stroke.forth, stroke.back))
-        lines.append(say("time_ratio", lang, ratio=quantity(stroke.K, "", 5), forth=forth, back=back))
+        forth, back = (quantity(x, 6) for x in (stroke.forth, stroke.back))
+        lines.append(say("time_ratio", lang, ratio=quantity(stroke.K, 5), forth=forth, back=back))
     return lines
 
 
 def _dead(s: Summary, stroke: DrivenStroke, e: Extreme, lang: Lang) -> str:
-    value = quantity(e.value, "", 5) + (f" {say('m', lang)}" if stroke.slides else "°")
+    value = quantity(e.value, 5) + (f" {say('m', lang)}" if stroke.slides else "°")
     place = _place(s, e.place, lang)
     return say(f"stroke_{e.at or 'place'}", lang, name=drive_name(s), place=place, curve=stroke.curve, value=value)
 

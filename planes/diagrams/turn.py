@@ -240,4 +240,5 @@ def span_of(plans: Plans) -> WorkingRange:
     turn = WholeTurn(plans, [c for c in curves_of(plans).values() if c.group == "place"])
     g, here = in_one_piece(grid(turn, *reach(plans))), plans.mechanism.drive.position
     away = lambda ends: max(ends[0] - here, here - ends[1])  # noqa: E731
-    return WorkingRange(*min(g.ranges, key=away, default=(here, here)), g.closed)
+    start, end = min(g.ranges, key=away, default=(here, here))
+    return WorkingRange(start, end, g.closed)

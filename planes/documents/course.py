@@ -73,8 +73,7 @@ def make(order: Order) -> Made:
     with _ONE:
         for name in order.files:
             try:
-                made.files[name] = desk.file(name)
-                made.said[name] = desk.said(name)
+                made.files[name], made.said[name] = desk.file(name)
             except Exception as error:
                 made.faults[name] = why(error, order.lang)
     return made
@@ -97,24 +96,17 @@ class Desk:
         """The position the student works with."""
         return placed(self.scene, None, self.order.lang)
 
-    def file(self, name: str) -> bytes:
-        """The contents of one file."""
-        if sheet := self.sheet(name):
-            return sheet.rendered(f".{name.rpartition('.')[2]}")
+    def file(self, name: str) -> tuple[bytes, tuple[str, ...]]:
+        """The contents of one file, and what must be said of it."""
+        kind, _, suffix = name.partition(".")
+        if kind.startswith("sheet-"):
+            sheet = self.sheet(int(kind[-1]))
+            return sheet.rendered(f".{suffix}"), sheet.warnings
         makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson, "note": self.note}
-        return makers[name.partition(".")[0]]()
+        return makers[kind](), ()
 
-    def said(self, name: str) -> tuple[str, ...]:
-        """What must be said of a file."""
-        sheet = self.sheet(name)
-        return sheet.warnings if sheet else ()
-
-    def sheet(self, name: str) -> Sheet | None:
-        """The sheet that a file shows, if it is one."""
-        stem = name.rpartition(".")[0]
-        if not stem.startswith("sheet-"):
-            return None
-        number = int(stem[-1])
+    def sheet(self, number: int) -> Sheet:
+        """A sheet of the project, composed once for all its formats."""
         if number not in self.sheets:
             self.sheets[number] = sheet_of(self.scene, None, self.order.lang, number)
         return self.sheets[number]
@@ -137,8 +129,8 @@ class Desk:
     def blank(self) -> bytes:
         """A page for each plan."""
         plans = [p for p in self.drawn.plans.drawn if kind_of(p) in self.order.plans]
-        lang, whose = self.order.lang, self.order.whose
-        asked = [(Asked(self.scene, plan), SheetMark(*whose, plan)) for plan in plans]
+        lang, (scene, variant, student) = self.order.lang, self.order.whose
+        asked = [(Asked(self.scene, plan), SheetMark(scene, variant, student, plan)) for plan in plans]
         pages = [blank_marks(one, lang, self.order.heads[-1], mark=mark) for one, mark in asked]
         title = pages[0][1] if pages else ""
         return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, lang)

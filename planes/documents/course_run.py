@@ -12,7 +12,7 @@ from pathlib import Path
 
 from planes.course import Course
 from planes.course.handed_out import SCENE
-from planes.course.ledger import Ledger, digest, fingerprint
+from planes.course.ledger import Entry, Ledger, digest, fingerprint
 from planes.course.numbers import Question, Settled, question, settle, used_names
 from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
@@ -21,6 +21,7 @@ from planes.documents.course import Made, Order, make, names_of
 from planes.scene import loads
 from planes.words import Lang, Phrase
 from planes.words.lettering import Naming
+from render.report import rendered
 
 COPIES = 100  # how often numbers may fall together with somebody else's before it is said that there are too few
 KEY = "key.json"
@@ -64,9 +65,9 @@ class Conductor:
         self.documents(orders)
         wanted = [self.place(s, n) for s in orders for n in (SCENE, KEY, *self.names)]
         self.ledger.close([*wanted, *self.summary(settled)])
-        said = ((s.place, n, text) for s in orders for n in self.names for text in self.ledger.said(self.place(s, n)))
+        kept = {(s.place, n): self.ledger.entries.get(self.place(s, n), Entry()) for s in orders for n in self.names}
         self.report.faults.sort()
-        self.report.said = sorted(said)
+        self.report.said = sorted((*where, text) for where, entry in kept.items() for text in entry.said)
         return self.report
 
     def place(self, share: Share, name: str) -> str:
@@ -93,18 +94,19 @@ class Conductor:
 
     def answered(self, asked: dict[Share, Question]) -> dict[Share, Settled]:
         """Answers read from the folder where they are there, worked out where not."""
-        found = {s: Settled(*read) for s, q in asked.items() if (read := self.read(s, q))}
+        found = {s: known for s, q in asked.items() if (known := self.read(s, q))}
         todo = [s for s in asked if s not in found]
         for k, answer in self.each(settle, [replace(asked[s], program=self.program) for s in todo]):
             found[todo[k]] = answer
         return found
 
-    def read(self, share: Share, q: Question) -> tuple[str, str] | None:
+    def read(self, share: Share, q: Question) -> Settled | None:
         """Scene and key of an earlier run."""
         scene, key = (self.place(share, name) for name in (SCENE, KEY))
         if not all(self.ledger.fresh(name, made_of(q, "")) for name in (scene, key)):
             return None
-        return (self.ledger.folder / scene).read_text("utf-8"), (self.ledger.folder / key).read_text("utf-8")
+        folder = self.ledger.folder
+        return Settled((folder / scene).read_text("utf-8"), (folder / key).read_text("utf-8"))
 
     def kept_or_written(self, share: Share, q: Question, answer: Settled) -> None:
         """The scene and the key in the folder; or the fault."""
@@ -170,8 +172,6 @@ class Conductor:
 
     def summary(self, settled: dict[Share, Settled]) -> list[str]:
         """The teacher's table, as CSV and as a page."""
-        from render.report import rendered
-
         rows = [StudentRow.of(s, settled[s].scene, settled[s].key, settled[s].fault) for s in self.given]
         title = self.course.title.get(self.lang, "")
         html = rendered(list(as_blocks(rows, title, self.lang)), ".html", Naming(self.lang))

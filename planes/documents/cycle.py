@@ -8,7 +8,7 @@ import numpy as np
 from planes.diagrams.curves import Curve, curves_of, output_curves
 from planes.diagrams.driven import FULL
 from planes.diagrams.extremes import Extreme, extremes
-from planes.diagrams.motion import Runs
+from planes.diagrams.motion import Runs, ends_of
 from planes.diagrams.turn import Grid, WholeTurn, grid, turn_of
 from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans
@@ -40,9 +40,9 @@ def draw_cycle(
     loops = [*(hodographs or ()), *(f"r_{index_of(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
     turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)
     naming, title = Naming(lang, **lettering(scene, plans)), scene.title.get(lang, "")
-    drawn = [turned.panel(names) for names in panels], [turned.loop(n) for n in loops], turned.drawn()
+    curves, circles = [turned.panel(names) for names in panels], [turned.loop(n) for n in loops]
     with sayable(output):
-        draw(Path(output), title, *drawn, naming)
+        draw(Path(output), title, curves, circles, turned.drawn(), naming)
 
 
 def default_curves(plans: Plans, hodographs: object = None, paths: object = None) -> tuple[str, ...]:
@@ -61,7 +61,7 @@ class Turned:
     ) -> None:
         self.plans = plans
         self.turn: WholeTurn = turn_of(plans, names, loops, scene.file)
-        self.runs = Runs.whole(plans) if span is None else Runs(plans, *ends(span))
+        self.runs = Runs(plans, *(ends_of(plans)[:2] if span is None else sorted(span.ends)))
         self.pieces = [(places, self.turn.sample(places)) for places in self.runs.pieces()]
         self.grid: Grid = grid(self.turn, self.runs.start, self.runs.end)
         self.extremes = {c.name: e for c, e in zip(self.turn.curves, extremes(self.grid), strict=True)}
@@ -99,9 +99,3 @@ class Turned:
         """What the axes say."""
         drive = self.plans.mechanism.drive
         return DriveAxis(drive.kind == "phi", drive.link, self.runs.start, self.runs.end, self.runs.stations())
-
-
-def ends(span: Span) -> tuple[float, float]:
-    """The ends of the places asked for, the lesser first."""
-    a, b = span.start, span.start + span.step * (span.count - 1)
-    return min(a, b), max(a, b)

@@ -20,10 +20,10 @@ from planes.documents.sheets import sheet_of
 from planes.drafting.instruments import Instrument
 from planes.plans import mechanism_plans
 from planes.scene import Scene
+from planes.scene.ranges import asked_of_drive
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
-from planes.words import Lang, Phrase, home_lang
-from planes.words.errors import PlanesError
+from planes.words import Lang, home_lang
 from planes.words.names import kind_of
 from planes.words.units import read_mu
 from render.files import Page
@@ -57,23 +57,12 @@ def solve(scene: Scene, phi: Any = None, *, s: Any = None, instrument: Instrumen
     >>> [round(p.value("omega_2"), 3) for p in planes.solve(scene, range(0, 90, 30)).positions]  # rad/s
     [-0.902, 0.684, 2.553]
     """
-    at = _drive(scene, phi, s)
+    at = asked_of_drive(scene, phi, s)
     if isinstance(at, Iterable):
         return solve_each(scene, [float(x) for x in at], instrument, home_lang())
     plans, wanted = plans_of(scene)
     value = plans.mechanism.drive.position if at is None else float(at)
     return position(scene, plans, wanted, value, instrument, home_lang())
-
-
-def _drive(scene: Scene, phi: Any, s: Any) -> Any:
-    """The values of the drive asked for, of the kind the drive has."""
-    kind = mechanism_plans(scene).mechanism.drive.kind
-    asked = {"phi": phi, "s": s}
-    for option, value in asked.items():
-        if value is not None and option != kind:
-            why = Phrase("driver_by", kind=kind)
-            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
-    return asked[kind]
 
 
 def cycle(
@@ -95,7 +84,7 @@ def cycle(
     (8,)
     """
     asked = list(names) if names is not None else None
-    values = _drive(scene, phi, s)
+    values = asked_of_drive(scene, phi, s)
     swept = {name: np.atleast_1d(np.asarray(v, float)) for name, v in parameters.items()}
     tables = []
     for numbers in product(*swept.values()):
@@ -139,7 +128,7 @@ def check(
     ``first_wrong``, ``mistake``, ``sentence``.
     Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
-    at, known_mu = _drive(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
+    at, known_mu = asked_of_drive(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
     asked = Asked(scene, plan, None if at is None else float(at), known_mu)
     known = Known(pole, marks or {}, page=None if page is None else page - 1)
     return judge(asked, read_paper(str(drawing), asked, known))
@@ -160,7 +149,7 @@ def sheet(
     ``number`` 1 or 2 is that sheet of a course project, ``view`` one view alone; else everything stands on one sheet.
     A notebook shows what is returned. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
-    lang, at = lang or home_lang(), _drive(scene, phi, s) if scene.mechanism else None
+    lang, at = lang or home_lang(), asked_of_drive(scene, phi, s) if scene.mechanism else None
     values = None if at is None else [float(at)]
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     if output is not None:

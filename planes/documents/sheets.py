@@ -187,11 +187,7 @@ class TurningMechanism:
         self.plans = plans
         known = results_of(plans)
         self.quantities = [q for q in known if q.group in ("links", "slides") or (q.group, q.key) == ("points", "r")]
-
-    @cached_property
-    def cycle(self) -> Cycle:
-        """The program cut down to that."""
-        return Cycle(self.plans, columns=columns_of(self.plans, self.quantities))
+        self.cycle = Cycle(plans, columns=columns_of(plans, self.quantities))
 
     def rows(self, values: Sequence[float]) -> Rows:
         """Every column at each value of the drive, NaN where the mechanism does not work."""
@@ -205,7 +201,7 @@ class TurningMechanism:
         angles = {q.of: rows[q.name].tolist() for q in self.quantities if q.key == "angle_deg"}
         works = np.isfinite(sum(rows.values())).tolist()
         at = ([{name: row[k] for name, row in x.items()} for x in (points, angles)] for k in range(len(works)))
-        return [PlacedMechanism(*one) if ok else None for one, ok in zip(at, works, strict=True)]
+        return [PlacedMechanism(where, how) if ok else None for (where, how), ok in zip(at, works, strict=True)]
 
     def curves(self, rows: Rows) -> tuple[DiagramCurve, ...]:
         """Place, from its least, and rates of the driven link."""

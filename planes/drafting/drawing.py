@@ -45,11 +45,11 @@ class Drawing(Pictured):
         """How sharply lines met at each crossed mark: the sine of the angle."""
         return self.tool.sharpness
 
-    def failed(self) -> Truth | None:
-        """Of many drawings, which failed: a mask (None when every one came out)."""
-        mask = None
+    def failed(self) -> Truth:
+        """Of many drawings, which failed: a mask (False when every one came out)."""
+        mask: Truth = False
         for _, _, ok, _ in self.tool.failures:
-            mask = ~ok if mask is None else mask | ~ok
+            mask = mask | ~ok
         return mask
 
 

@@ -16,12 +16,12 @@ from planes.drafting.equations import Equation
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import formula, number, slot, slots, unit
+from planes.lesson.formulas import formula, slot, slots, unit
 from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
 from planes.plans import Plans
 from planes.words import Lang, decimal, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of
-from planes.words.units import mu_text
+from planes.words.units import mu_text, number
 
 NOTHING: Names = {}
 One = TypeVar("One")

@@ -204,7 +204,7 @@ def zones(plans: Plans, cycle: Drawing, count: int) -> list[Json]:
     rows = [numpy.broadcast_to(cycle.sharpness[n], (count,)) for n in names]
     table: Array = numpy.nan_to_num(numpy.array(rows), nan=1.0) if rows else numpy.ones((1, count))
     least, worst = table.min(axis=0), table.argmin(axis=0)
-    bad = _bad(cycle, count)
+    bad: Booleans = numpy.broadcast_to(cycle.failed(), (count,))
     marks = ["" if b else names[w] if s < BLUNT else None for b, w, s in zip(bad, worst, least, strict=True)]
     found, start = [], 0
     for mark, same in groupby(marks):
@@ -226,17 +226,11 @@ def _blunt(mark: str, least: float, lang: Lang) -> str:
     return say("lesson_zone_blunt", lang, **named, angle=decimal(f"{math.degrees(math.asin(least)):.2g}", lang))
 
 
-def _bad(cycle: Drawing, count: int) -> Booleans:
-    """Which of the positions cannot be drawn."""
-    bad = cycle.failed()
-    return numpy.broadcast_to(False if bad is None else bad, (count,))
-
-
 def reasons(
     plans: Plans, given: Json, values: list[float], cycle: Drawing, progress: Progress | None = None
 ) -> dict[str, dict[Lang, str]]:
     """Why each failed position fails, in both languages."""
-    indices = numpy.flatnonzero(_bad(cycle, len(values))).tolist()
+    indices = numpy.flatnonzero(numpy.broadcast_to(cycle.failed(), (len(values),))).tolist()
     found = {}
     for k, index in enumerate(indices):
         if progress:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.words import Lang, decimal, say
 from planes.words.names import parts_of
-from planes.words.units import quantity
+from planes.words.units import number
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
 _LETTERS = {
@@ -36,11 +36,6 @@ def unit(name: str, lang: Lang) -> str:
 def slot(name: str, how: str = "v", mu: str = "") -> str:
     """A slot for a value; of a length in millimetres of paper, with the μ it is drawn at."""
     return f"⟦{how}¦{name}{mu and f'¦{mu}'}⟧"
-
-
-def number(size: float, lang: Lang, digits: int = 4) -> str:
-    """A number as the language writes it."""
-    return decimal(quantity(size + 0.0, digits=digits, true_minus=True), lang)
 
 
 def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import count, groupby
 
 from planes.lesson import Frame, Teller, mu_said, value_of
-from planes.lesson.formulas import fill, number, unit
+from planes.lesson.formulas import fill, unit
 from planes.plans.measuring import say_plan
 from planes.plans.quantities import Measured
 from planes.scene import Scene
@@ -17,6 +17,7 @@ from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, He
 from planes.solving.tables import difference
 from planes.words import Lang, decimal, say
 from planes.words.names import kind_of, links_of, mu_of, parts_of
+from planes.words.units import number
 
 NOISE = 1e-12
 LETTERS = ("l", "e", "m", "J", "g", "omega", "epsilon", "f")  # of what is given, beside loads

@@ -11,10 +11,11 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure, Product
-from planes.lesson.formulas import formula, number, sides, slot, unit
+from planes.lesson.formulas import formula, sides, slot, unit
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
+from planes.words.units import number
 
 Said = str | Callable[[Lang], str]  # a text, or what is told in each language
 Names = Mapping[str, Said]  # what a sentence says

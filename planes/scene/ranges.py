@@ -2,11 +2,14 @@
 
 import math
 from dataclasses import dataclass
+from typing import TypeVar
 
 from planes.geometry.arrays import Array
+from planes.scene import Scene
 from planes.words import Phrase
-from planes.words.errors import SceneError
+from planes.words.errors import PlanesError, SceneError
 
+T = TypeVar("T")
 MOST = 10_000_000  # positions that may be held at once
 MOST_ROWS = 1_000_000_000  # of a table, which is written piece by piece
 
@@ -19,6 +22,11 @@ class Span:
     step: float
     count: int
 
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The first value and the last."""
+        return self.start, self.start + self.step * (self.count - 1)
+
     def __len__(self) -> int:
         return self.count
 
@@ -30,6 +38,17 @@ class Span:
         values *= self.step
         values += self.start
         return values
+
+
+def asked_of_drive(scene: Scene, phi: T | None, s: T | None) -> T | None:
+    """Of an angle and a place the one the drive is moved by; the other may not be asked for."""
+    kind = scene.mechanism.drive.kind if scene.mechanism else ""
+    asked = {"phi": phi, "s": s}
+    for option, value in asked.items():
+        if value is not None and option != kind:
+            why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
+            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
+    return asked.get(kind)
 
 
 def read_range(text: str, option: str = "--phi") -> list[float]:

@@ -10,8 +10,9 @@ from collections import Counter
 from decimal import Decimal
 from typing import Literal
 
-from planes.words import Phrase
+from planes.words import Lang, Phrase, decimal
 from planes.words.errors import PlanesError
+from planes.words.names import letter_of
 
 Convention = Literal["mm_per_unit", "unit_per_mm"]
 
@@ -23,6 +24,7 @@ SERIES = (1.0, 2.0, 2.5, 4.0, 5.0)
 UNIT = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N", "vectors": "units"}
 RATES = {False: ("rad", "rad/s", "rad/s²"), True: ("m", "m/s", "m/s²")}
 """Units of a link's place and its rates: of one that turns, and of one that slides."""
+RATE_UNITS = {"v": "m/s", "a": "m/s²", "omega": "rad/s", "epsilon": "rad/s²"}
 _SIZES = {"m": 1.0, "mm": 0.001, "cm": 0.01, "km": 1000.0, "N": 1.0, "kN": 1000.0, "MN": 1e6}
 _LENGTHS = ("m", "mm", "cm", "km")
 _PER_MM = {
@@ -193,17 +195,26 @@ def _limit(largest: float, fit_mm: float) -> float | None:
     return limit if 1e-300 < limit < 1e300 else None
 
 
-def quantity(value: float, unit: str = "", digits: int = 4, true_minus: bool = False) -> str:
-    """A number for people: ``digits`` significant ones, no exponent for ordinary sizes, then the unit."""
+def number(value: float | None, lang: Lang, digits: int = 4) -> str:
+    """A number as a language writes it, with a true minus; a dash for none."""
+    return "—" if value is None else decimal(quantity(value, digits).replace("-", "−"), lang)
+
+
+_OF_LETTERS = {"m": "kg", "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}
+_OF_LETTERS |= dict.fromkeys(("angle", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta"), "°")
+_OF_LETTERS |= dict.fromkeys("JI", "kgm2") | dict.fromkeys("FPQG", "N") | dict.fromkeys("MT", "N·m")
+_OF_LETTERS |= dict.fromkeys("lxyrRabcdehHsLDzS", "m")
+
+
+def unit_of_parameter(name: str) -> str:
+    """The key of the unit in which a parameter of that name is given, "" where the name does not tell."""
+    return _OF_LETTERS.get(letter_of(name), "")
+
+
+def quantity(value: float, digits: int = 4) -> str:
+    """A number for people: ``digits`` significant ones, no exponent for ordinary sizes."""
     if not math.isfinite(value):
-        text = "—" if math.isnan(value) else ("∞" if value > 0 else "-∞")
-    else:
-        text = _rounded(value, digits)
-    text = text.replace("-", "−") if true_minus else text
-    return f"{text}{'' if unit in ('', '°') else ' '}{unit}"
-
-
-def _rounded(value: float, digits: int) -> str:
+        return "—" if math.isnan(value) else ("∞" if value > 0 else "-∞")
     mantissa, exponent = f"{value:.{max(digits, 1) - 1}e}".split("e")
     power = int(exponent)
     if value == 0.0:

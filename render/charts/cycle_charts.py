@@ -24,8 +24,9 @@ from planes.geometry.arrays import Array, Complexes
 from planes.words import Lang, say
 from planes.words.lettering import Naming, lettered_curve
 from planes.words.names import index_of, letter_of
+from planes.words.units import number
 from render.charts import LOOKS, OF_FILES, beside, leader, save
-from render.paper.letters import number, with_unit
+from render.paper.letters import with_unit
 
 WIDE = 7.2  # inches
 TALL = 1.9  # of one pair of axes

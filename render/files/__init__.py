@@ -34,17 +34,16 @@ class Page:
 
     def rendered(self, suffix: str, text: dxf.Lettered = "text") -> bytes:
         """The contents of its file in the format of a suffix; the same page gives the same bytes."""
-        drawn = self.marks, self.size, self.title
         match suffix:
             case ".svg":
-                return svg.write(*drawn, lang=self.lang, under=self.under)
+                return svg.write(self.marks, self.size, self.title, lang=self.lang, under=self.under)
             case ".pdf":
-                return pdf.write(*drawn, lang=self.lang, under=self.under)
+                return pdf.write(self.marks, self.size, self.title, lang=self.lang, under=self.under)
             case ".dxf" if find_spec("ezdxf") is None:
                 raise PlanesError(Phrase("needs_ezdxf"))
             case ".dxf":
-                return dxf.write(*drawn, lang=self.lang, text=text)
-        return pdf.write_png(*drawn, under=self.under)
+                return dxf.write(self.marks, self.size, self.title, lang=self.lang, text=text)
+        return pdf.write_png(self.marks, self.size, self.title, under=self.under)
 
     def write(self, path: str | Path, text: dxf.Lettered = "text") -> None:
         """Its file, whole or not at all."""

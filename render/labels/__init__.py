@@ -5,27 +5,13 @@ places.  A label that finds no room beside what it names goes farther away, with
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from render.labels.board import Board
-from render.labels.candidates import Label
+from render.labels.candidates import Label, Placed
 from render.labels.footprints import Bounds, ink
-from render.paper.marks import Line, Mark, Text
+from render.paper.marks import Mark
 
 __all__ = ["Label", "Placed", "place"]
-
-
-@dataclass(frozen=True)
-class Placed:
-    """The labels as texts, in the order they were given, and the leader lines some of them need."""
-
-    texts: tuple[Text, ...]
-    leaders: tuple[Line, ...]
-
-    @property
-    def marks(self) -> tuple[Mark, ...]:
-        """Leaders and texts."""
-        return (*self.leaders, *self.texts)
 
 
 def place(
@@ -42,4 +28,4 @@ def place(
     board.repair()
     while board.widen():
         board.repair()
-    return Placed(*board.placed())
+    return board.placed()

@@ -16,6 +16,7 @@ from render.labels.candidates import (
     NEAR,
     Candidates,
     Label,
+    Placed,
     beside,
     close,
     distances,
@@ -229,7 +230,7 @@ class Board:
         self._list()
         return True
 
-    def placed(self) -> tuple[tuple[Text, ...], tuple[Line, ...]]:
+    def placed(self) -> Placed:
         """The chosen places as texts and leader lines."""
         texts, leaders, now = [], [], self.every.some(self.places())
         for label, size, box, leader in zip(self.labels, self.extents, now.boxes, now.leaders, strict=True):
@@ -237,7 +238,7 @@ class Board:
             texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
             if not math.isnan(leader[0].real):
                 leaders.append(Line(tuple(map(complex, leader)), "thin", label.layer, name="leader"))
-        return tuple(texts), tuple(leaders)
+        return Placed(tuple(texts), tuple(leaders))
 
 
 def _bounded(counts: Array | Indices) -> Array:

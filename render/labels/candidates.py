@@ -9,11 +9,12 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
-from render.paper.marks import Layer
+from render.paper.marks import Layer, Line, Text
 
 Ends = tuple[complex, complex]
 
@@ -49,6 +50,18 @@ class Label:
     priority: int = 0
     layer: Layer = "text"
     name: str = ""
+
+
+class Placed(NamedTuple):
+    """The labels as texts, in the order they were given, and the leader lines some of them need."""
+
+    texts: tuple[Text, ...]
+    leaders: tuple[Line, ...]
+
+    @property
+    def marks(self) -> tuple[Text | Line, ...]:
+        """Leaders and texts."""
+        return (*self.leaders, *self.texts)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from planes import words
 from planes.words import Lang, say
 from planes.words.lettering import Naming
 from planes.words.records import Json
-from planes.words.units import quantity
+from planes.words.units import number
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 _INDEX = re.compile(r"([_^])\{([^{}]*)\}")
@@ -66,11 +66,6 @@ def split(text: str, name: bool = False) -> Iterator[Piece]:
 def decimal(text: str, lang: Lang) -> str:
     """A printed number with a true minus and the decimal sign of the language."""
     return words.decimal(text.replace("-", "−"), lang)
-
-
-def number(value: float | None, lang: Lang, digits: int = 4) -> str:
-    """A number for people, a dash for none."""
-    return "—" if value is None else decimal(quantity(0.0 if value == 0 else value, "", digits), lang)
 
 
 def unit(key: str, lang: Lang) -> str:

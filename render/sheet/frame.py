@@ -128,22 +128,13 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     found["scale"] = said.get("scale_note", "")
     found["sheet"] = said.get("sheet", str(number or ""))
     found["sheets"] = said.get("sheets", "2" if number else "1")
-    return {**found, **_letters(given.get("letter"), lang), **_revisions(given.get("revisions"), lang)}
+    letters, revisions = given.get("letter"), given.get("revisions")
+    for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):
+        found[f"letter_{k}"] = _said_text(letter, lang)  # graph 4, filled from its left cell on
+    for k, row in enumerate(revisions if isinstance(revisions, list) else (), 1):  # graphs 14–18, the lowest first
+        found |= {f"revision_{k}_{column}": _said_text(text, lang) for column, text in row.items()}
+    return found
 
 
 def _said_text(value: object, lang: Lang) -> str:
     return decimal(f"{value:g}", lang) if isinstance(value, float) else str(value)
-
-
-def _letters(given: object, lang: Lang) -> dict[str, str]:
-    """Graph 4, filled from its left cell on."""
-    letters = given if isinstance(given, list) else str(given or "").split()
-    return {f"letter_{k + 1}": _said_text(letter, lang) for k, letter in enumerate(letters)}
-
-
-def _revisions(given: object, lang: Lang) -> dict[str, str]:
-    """Graphs 14–18, from the lowest row up."""
-    found: dict[str, str] = {}
-    for k, row in enumerate(given if isinstance(given, list) else ()):
-        found |= {f"revision_{k + 1}_{column}": _said_text(text, lang) for column, text in row.items()}
-    return found

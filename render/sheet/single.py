@@ -114,12 +114,13 @@ def traced(drawing: Drawing, lang: Lang = "ru") -> Page | None:
 def _plan(drawing: Drawing, plan: str, lang: Lang) -> View | None:
     """One plan: a dot and a letter at every mark, a line from the marks it was drawn from."""
     places = dict(_places(drawing, plan))
-    lines = [Line((places[a], places[b]), "thin", "plan") for a, b in _ways(drawing, places)]
+    found = [s for s in drawing.program.steps if s.makes in places]
+    ways = ((name, s.makes) for s in found for name, _ in s.reads() if name in places and name != s.makes)
+    lines = [Line((places[a], places[b]), "thin", "plan") for a, b in ways]
     if not lines:
         return None
     dots: list[Mark] = [d for z in dict.fromkeys(places.values()) for d in symbols.dot(z, 0.7, "plan")]
-    shown = [s.makes for s in drawing.program.steps if s.makes in places and not s.helper]
-    labels = [Label(Naming(lang).mark(label_of(m), plan), places[m], 3.5) for m in shown]
+    labels = [Label(Naming(lang).mark(label_of(s.makes), plan), places[s.makes], 3.5) for s in found if not s.helper]
     marks = (*lines, *dots)
     return view(f"traces {plan}", say_plan(plan, lang), (*marks, *place(labels, marks).marks))
 
@@ -131,10 +132,3 @@ def _places(drawing: Drawing, plan: str) -> Iterator[tuple[str, complex]]:
             z = drawing.things.get(step.makes)
             if isinstance(z, complex) and cmath.isfinite(z):
                 yield step.makes, z
-
-
-def _ways(drawing: Drawing, places: dict[str, complex]) -> Iterator[tuple[str, str]]:
-    """From which marks of the plan each mark was found."""
-    for step in drawing.program.steps:
-        if step.makes in places:
-            yield from ((name, step.makes) for name, _ in step.reads() if name in places and name != step.makes)

@@ -9,9 +9,9 @@ from planes.plans import Plans
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import letter_of
-from planes.words.units import standard_mu
+from planes.words.units import number, standard_mu
 from render import labels
-from render.paper.letters import number, scale, unit
+from render.paper.letters import scale, unit
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.symbols import dot
 from render.views import View, beside, view

@@ -9,8 +9,7 @@ from planes.drafting.equations import Equation, Term
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import lines, parallel_to, written
-from planes.words.units import UNIT
-from render.paper.letters import number
+from planes.words.units import UNIT, number
 from render.paper.marks import Line, Mark, Text
 from render.paper.typeset import extent, ink_width, over
 from render.views.plotted import Plotted

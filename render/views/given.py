@@ -9,14 +9,11 @@ from planes.scene.mechanism import Guide, Link
 from planes.solving import Position
 from planes.words.lettering import Naming, greek
 from planes.words.names import index_of, letter_of
-from render.paper.letters import number, unit
+from planes.words.units import number, unit_of_parameter
+from render.paper.letters import unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
-UNITS = {"m": "kg", "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}
-UNITS |= dict.fromkeys("JI", "kgm2") | dict.fromkeys("FPQG", "N") | dict.fromkeys("MT", "N·m")
-ANGLES = ("angle", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
-LENGTHS = "lxyrRabcdehHsLDzS"
 SAME = 1e-9
 
 
@@ -58,7 +55,7 @@ class GivenTable:
         shown = {r.name for r in self.drive()}
         drive = self.position.plans.mechanism.drive
         for name, value in self.parameters.items():
-            row = GivenRow(greek(name), value, unit_of(name))
+            row = GivenRow(greek(name), value, unit_of_parameter(name))
             moved = letter_of(name) == drive.kind and value == drive.position
             if row.name not in shown and not moved:
                 alike = (r for r in self.loads() if r.unit == row.unit and _equal(r.value, value))
@@ -67,7 +64,7 @@ class GivenTable:
 
     def known(self, row: GivenRow) -> bool:
         """Whether a parameter, or the sum or difference of two, has the value of a row."""
-        alike = [abs(v) for name, v in self.parameters.items() if unit_of(name) in (row.unit, "")]
+        alike = [abs(v) for name, v in self.parameters.items() if unit_of_parameter(name) in (row.unit, "")]
         sums = [abs(a + sign * b) for k, a in enumerate(alike) for b in alike[:k] for sign in (1, -1)]
         return any(_equal(abs(row.value), v) for v in (*alike, *sums))
 
@@ -125,14 +122,6 @@ class GivenTable:
             if name in plans.given and m.quantity in ("load", "couple"):
                 unit = "N" if m.quantity == "load" else "N·m"
                 yield GivenRow(self.naming.vector(m.of), float(plans.given[name]), unit)
-
-
-def unit_of(name: str) -> str:
-    """The key of the unit in which a parameter of that name is given, as far as the name tells."""
-    letter = letter_of(name)
-    if letter in ANGLES:
-        return "°"
-    return UNITS.get(letter) or ("m" if letter in LENGTHS else "")
 
 
 def _equal(a: float, b: float) -> bool:

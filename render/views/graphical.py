@@ -10,8 +10,8 @@ from planes.drafting.drawing import Drawing
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import at
-from planes.words.units import RATES
-from render.paper.letters import number, scale
+from planes.words.units import RATES, number
+from render.paper.letters import scale
 from render.paper.marks import Arc, Arrow, Line, Mark, Text
 from render.paper.style import DOT_MM
 from render.paper.symbols import dot

@@ -12,9 +12,9 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import at, mu_of
+from planes.words.units import number
 from render import labels
 from render.paper import symbols
-from render.paper.letters import number
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.style import BLOCK_MM
 from render.views.plotted import Places

@@ -14,8 +14,8 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat
 from planes.words.names import POLE
+from planes.words.units import number
 from render import labels
-from render.paper.letters import number
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import dot
 from render.views.formulas import Setter, Word

@@ -8,8 +8,8 @@ from planes.drafting.steps import Image, Similar
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
+from planes.words.units import number
 from render import labels
-from render.paper.letters import number
 from render.paper.marks import Arrow, Layer, Line, Mark
 from render.paper.symbols import dot
 from render.paper.typeset import plain

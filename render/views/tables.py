@@ -11,10 +11,9 @@ from planes.solving.vectors import VectorResults
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import kind_of
-from planes.words.units import UNIT
+from planes.words.units import UNIT, number
 from render.paper import symbols
 from render.paper.ink import head as ink_head
-from render.paper.letters import number
 from render.paper.marks import Arc, Line, Mark, Shape, Text
 from render.paper.typeset import extent, ink_width
 from render.views import View, remark, view

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from planes.cli import main
-from planes.documents.cycle import Turned, ends
+from planes.documents.cycle import Turned
 from planes.documents.graphs import over_cycle
 from planes.plans import plans_of
 from planes.scene import load, loads
@@ -218,7 +218,7 @@ def test_a_mechanism_that_never_assembles_says_so(tmp_path: Path, capsys: Any) -
 def test_the_ends_of_a_range_run_backwards_are_the_same() -> None:
     from planes.scene.ranges import read_span
 
-    assert ends(read_span("90:0:-10")) == ends(read_span("0:90:10")) == (0.0, 90.0)
+    assert sorted(read_span("90:0:-10").ends) == sorted(read_span("0:90:10").ends) == [0.0, 90.0]
     assert math.isclose(load(TWELVE).mechanism.drive.velocity, 12)  # type: ignore[union-attr]
 
 

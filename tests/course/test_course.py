@@ -280,7 +280,7 @@ def test_what_is_drawn_when_nothing_is_said() -> None:
 def test_main_answers_are_those_of_the_solution() -> None:
     scene = load(TWELVE, "Б")
     key = solve(scene).json()
-    found = {a.name: a.value for a in main_answers(scene, key)}
+    found = {name: value for (name, _), value in main_answers(scene, key).items()}
     at = key["positions"][0]
     assert list(found) == ["omega_3", "epsilon_3", "v_E", "a_E", "M_1"]
     assert found["omega_3"] == at["links"]["3"]["omega"] and found["M_1"] == at["balancing_moment"]

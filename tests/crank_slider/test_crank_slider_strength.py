@@ -194,5 +194,5 @@ def test_steels():
     assert steel("40X").name == "40Х"  # Latin letters that look the same
     assert steel("99") is None
     own = made("x", 800, 600, True, fatigue=390, torsion=220)
-    assert (own.fatigue, own.fatigue_torsion, own.estimated) == (390, 220, False)
+    assert (own.fatigue, own.fatigue_torsion) == (390, 220)
     assert steel("40Х").fatigue == pytest.approx(0.35 * 980 + 120)
