@@ -207,7 +207,7 @@ def trained(x: Any, y: Any, rng: Any) -> list[Any]:
 
 def calibration(x: Any, y: Any) -> str:
     """Shares told rightly by how sure they were."""
-    p = handwritten.odds(x)
+    p = np.exp(handwritten.odds(x))
     best, sure = p.argmax(1), p.max(1)
     lines = [f"{(best == y).mean():.3f} of {len(y)} rightly told"]
     for low, high in ((0, 0.5), (0.5, 0.7), (0.7, 0.85), (0.85, 0.95), (0.95, 1.01)):

@@ -1,14 +1,14 @@
 """Names written by hand beside vectors: letters told by their shapes, words by the names a plan has.
 
-A small net tells the shapes (`handwritten.npz`, trained by `python -m tests.physical.handwriting`). A word is read as
-one of the plan's names or as none; that it stands far from the vector of its name speaks against that vector, no more.
+A net tells the shapes (`handwritten.npz`, trained by `python -m tests.physical.handwriting`). A name that stands far
+from the vector laid for it speaks against that, no more.
 """
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 
 import numpy
 
@@ -16,8 +16,7 @@ from planes.check.vision.picture import cv
 from planes.check.vision.places import Seen
 from planes.geometry.arrays import Array, Greys
 
-SHAPES = "0123456789FRGPNФABDEHKTMabdefghknqrtπ_|*"
-"""What is told apart; * is no letter. Cyrillic and Latin letters of one shape are one."""
+SHAPES = "0123456789FRGPNФABDEHKTMabdefghknqrtπ_|*"  # Cyrillic and Latin letters of one shape are one; * is none
 SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
 """By letter, the shapes it may have where that is not its own."""
 SIDE_PX, RIM_PX, CELLS = 24, 2, 6  # of a letter's picture as the net sees it, and of what it takes means of
@@ -28,13 +27,10 @@ WIDE_MM, WIDEST_MM = 2.2, 5.0  # a wider piece may be two letters; no letter is 
 BESIDE_MM, HIGH_MM = 2.0, 6.5  # how far apart letters of a word may be; how high a word is
 AROUND_MM, ERASED_MM = 15.0, 0.35  # how far from lines names are looked for; what is a line's own beside it
 IN_LETTER, IN_WORD, MOST = 3, 16, 400  # pieces at the most: of a letter, of a word, of all that is read
-STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)
-"""A piece that is no letter of a name; a letter that is not there; one more piece of a letter."""
-OTHER = 0.7  # the logarithm of how much likelier it is that a word is none of the names than just one of them
+STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a letter not there, one more piece
+NEVER, OTHER = math.log(1e-3), 0.7  # of a shape, the least; how much likelier a word is none of the names than one
 WARMTH = 1.2  # by which logarithms are divided: what is told with 90 % is right in 90 %
-NEAR_MM, SOFT_MM = 3.5, 2.0  # how far from its vector a name stands, and how surely no farther
-AWAY = 0.08  # how likely it is that a name stands elsewhere
-UNLIKELY, SURE = 0.05, 0.7  # what is less likely tells nothing; what is likelier is told
+NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # how far off its vector a name is, how surely; how likely it is elsewhere
 
 
 @dataclass(frozen=True)
@@ -58,21 +54,24 @@ class HandWords:
     """The words on a sheet, as they tell vectors apart; what was asked of them is remembered."""
 
     words: Sequence[HandWord] = ()
-    known: dict[tuple[str, complex, complex], float] = field(default_factory=dict)
+    known: dict[tuple[str, complex, complex], tuple[float, float]] = field(default_factory=dict)
 
     def price(self, name: str, a: complex, b: complex) -> float:
         """What it costs to believe that the vector of a name leads from a to b, for where that name stands."""
-        if (key := (name, a, b)) not in self.known:
-            told = [(p, w.off(a, b)) for w in self.words if (p := w.likely.get(name, 0.0)) > UNLIKELY]
-            near = sum(p * max(math.exp(-0.5 * max((off - NEAR_MM) / SOFT_MM, 0.0) ** 2), AWAY) for p, off in told)
-            whole = sum(p for p, _ in told)
-            self.known[key] = -math.log(near / whole if whole > 1 else 1 - whole + near)
-        return self.known[key]
+        return self._weighed(name, a, b)[0]
 
-    def named(self, name: str, a: complex, b: complex) -> bool:
-        """Whether a name that was surely read stands by the vector from a to b."""
-        told = max((w.likely.get(name, 0.0) for w in self.words), default=0.0)
-        return told > SURE and self.price(name, a, b) < -math.log(SURE)
+    def told(self, name: str, a: complex, b: complex) -> float:
+        """How surely a name was read by the vector from a to b."""
+        return self._weighed(name, a, b)[1]
+
+    def _weighed(self, name: str, a: complex, b: complex) -> tuple[float, float]:
+        if (key := (name, a, b)) not in self.known:
+            read = [(w.likely.get(name, 0.0), w.off(a, b)) for w in self.words]
+            near = sum(p * max(math.exp(-0.5 * max((off - NEAR_MM) / SOFT_MM, 0.0) ** 2), AWAY) for p, off in read)
+            whole = sum(p for p, _ in read)
+            told = near / max(whole, 1.0)
+            self.known[key] = -math.log(max(1 - whole, 0.0) + told), told
+        return self.known[key]
 
 
 @dataclass(frozen=True)
@@ -81,34 +80,24 @@ class LetterPiece:
 
     left: int
     top: int
+    right: int
+    bottom: int
     mask: Greys
-
-    @property
-    def right(self) -> int:
-        """Where its box ends."""
-        return self.left + int(self.mask.shape[1])
-
-    @property
-    def bottom(self) -> int:
-        """And below."""
-        return self.top + int(self.mask.shape[0])
 
 
 @cache
 def _net() -> tuple[Array, ...]:
     """The net's weights."""
-    place = files("planes.check.vision").joinpath("handwritten.npz")
-    with place.open("rb") as stored, numpy.load(stored) as held:
+    with numpy.load(Path(__file__).with_suffix(".npz")) as held:
         return tuple(held[k].astype(numpy.float32) for k in ("w1", "b1", "w2", "b2"))
 
 
 def odds(seen: Array) -> Array:
-    """How likely what the net sees is each of the shapes: a row each."""
+    """The logarithms of how likely what the net sees is each of the shapes: a row each."""
     w1, b1, w2, b2 = _net()
     z = numpy.maximum(seen @ w1 + b1, 0) @ w2 + b2
-    likely = numpy.exp(z - z.max(axis=1, keepdims=True))
-    found: Array = likely / likely.sum(axis=1, keepdims=True)
-    return found
+    z -= z.max(axis=1, keepdims=True)
+    return z - numpy.log(numpy.exp(z).sum(axis=1, keepdims=True))
 
 
 def features(picture: Greys) -> Array:
@@ -146,7 +135,8 @@ def _pieces(seen: Seen) -> list[LetterPiece]:
     found: list[LetterPiece] = []
     for k, (x, y, w, h, area) in enumerate(stats.tolist()):
         if k and LEAST_MM * scale < min(max(w, h), area) and max(w, h) < MOST_MM * scale:
-            found += _cut(LetterPiece(x, y, (labels[y : y + h, x : x + w] == k).astype(numpy.uint8)), WIDE_MM * scale)
+            mask = (labels[y : y + h, x : x + w] == k).astype(numpy.uint8)
+            found += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
     return found if len(found) < MOST else []
 
 
@@ -173,7 +163,8 @@ def _cut(piece: LetterPiece, wide: float) -> list[LetterPiece]:
     if w < wide or h < w / 4:
         return [piece]
     k = round(w / 4) + int(piece.mask[:, round(w / 4) : round(3 * w / 4)].sum(axis=0).argmin())
-    halves = replace(piece, mask=piece.mask[:, :k]), replace(piece, left=piece.left + k, mask=piece.mask[:, k:])
+    at = piece.left + k
+    halves = replace(piece, right=at, mask=piece.mask[:, :k]), replace(piece, left=at, mask=piece.mask[:, k:])
     return [part for half in halves for part in _cut(half, wide)]
 
 
@@ -195,7 +186,7 @@ def _shapes(dark: Greys, row: Sequence[LetterPiece], widest: float) -> dict[tupl
     spans = [(i, j) for i in range(len(row)) for j in range(i + 1, min(i + IN_LETTER, len(row)) + 1)]
     spans = [(i, j) for i, j in spans if j == i + 1 or max(p.right for p in row[i:j]) - row[i].left < widest]
     seen = odds(numpy.array([features(_joined(dark, row[i:j])) for i, j in spans]))
-    return dict(zip(spans, numpy.log(seen.clip(1e-3)), strict=True))
+    return dict(zip(spans, seen.clip(NEVER), strict=True))
 
 
 def _joined(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:

@@ -204,8 +204,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     """
     sides, pole = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan), pole_on(seen, near)
     shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
-    words = words_on(seen, [s.name for s in sides])
-    ink = InkCover(seen, pole.z, [*bench.true_marks.values()], words=words)
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()], words=words_on(seen, [s.name for s in sides]))
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=lambda one: one.cost)
     for one in tried:
         one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
@@ -215,7 +214,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     best = one.best
     if best is None:
         return [], False, 0.0, ()
-    if best.cost > _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(words, pole.z):
+    if best.cost > _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z):
         return [], False, 1.0, ()
     explained = one.polygon.ink.explained(best.routes(pole.z))
     rows = [ReadMark(POLE, pole.z, pole.sigma)]

@@ -43,9 +43,9 @@ class LaidChain:
         """Where its vectors run, from a pole."""
         return list(pairwise([pole, *(z for _, z, _ in self.rows)]))
 
-    def named(self, words: HandWords, pole: complex) -> int:
-        """By how many of its vectors their names stand."""
-        return sum(words.named(n, a, b) for (n, _, _), (a, b) in zip(self.rows, self.routes(pole), strict=True))
+    def named(self, words: HandWords, pole: complex) -> float:
+        """By how many of its vectors their names stand, as surely as they were read."""
+        return sum(words.told(n, a, b) for (n, _, _), (a, b) in zip(self.rows, self.routes(pole), strict=True))
 
     def left_out(self, name: str, right: Guess, pole: complex) -> bool:
         """Whether a known vector of some length is laid with none: nobody drew it."""
