@@ -96,8 +96,8 @@ def odds(seen: Array) -> Array:
     """The logarithms of how likely what the net sees is each of the shapes: a row each."""
     w1, b1, w2, b2 = _net()
     z = numpy.maximum(seen @ w1 + b1, 0) @ w2 + b2
-    z -= z.max(axis=1, keepdims=True)
-    return z - numpy.log(numpy.exp(z).sum(axis=1, keepdims=True))
+    found: Array = z - numpy.log(numpy.exp(z).sum(axis=1, keepdims=True))
+    return found
 
 
 def features(picture: Greys) -> Array:
