@@ -84,6 +84,7 @@ FACTORS: dict[str, Spread] = {
     "rubbed out": {"rubbed": 4},
     "smudges": {"smudges": 6},
     "wild letters": {"letters": "wild"},
+    "names with indices": {"letters": "indices"},
     "printed at 98.5 %": {"print_scale": 0.985},
     "printed at 97 %": {"print_scale": 0.97},
     "table, names": {"table": True, "name": True},

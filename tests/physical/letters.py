@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import random
+from collections.abc import Iterator
 
 import cv2
 import numpy as np
@@ -12,7 +13,7 @@ from render.paper.lettering import strokes as pen_paths
 from tests.physical.paper import PX_PER_MM
 from tests.physical.strokes import Hand
 
-WILD = {"neat": 0.35, "wild": 1.0, "script": 0.5}  # how far letters stray
+WILD = {"neat": 0.35, "wild": 1.0, "script": 0.5, "indices": 0.7}  # how far letters stray
 PIECE = 10  # steps of a letter's line laid at once: a letter is bent
 
 
@@ -29,14 +30,23 @@ class Writer:
         if self.style == "none":
             return
         tilt, x = cmath.rect(1, self.rng.gauss(0, 0.03 * self.wild)), 0.0
-        for char in text:
-            start = corner + x * tilt + 1j * self.rng.gauss(0, 0.25 * self.wild)
+        for char, size, up in self.placed(text):
+            start = corner + (x + 1j * up * height) * tilt + 1j * self.rng.gauss(0, 0.25 * self.wild)
             if char.isspace():
                 x += 0.6 * height
             elif self.style == "script" and char.isascii():
                 x += self.script(char, start, height)
             else:
-                x += self.letter(char, start, height) + height * self.rng.uniform(0.1, 0.22)
+                x += self.letter(char, start, size * height) + size * height * self.rng.uniform(0.1, 0.22)
+
+    def placed(self, text: str) -> Iterator[tuple[str, float, float]]:
+        """Characters, how large and how high beside the first: as they stand, or with indices lowered, parts raised."""
+        name, low, index = text.partition("_")
+        if self.style != "indices" or not low:
+            yield from ((char, 1.0, 0.0) for char in text)
+            return
+        yield from ((char, 1.0, 0.0) for char in name)
+        yield from ((char, 0.65, 0.45 if char in "tn" else -0.3) for char in index)
 
     def letter(self, char: str, start: complex, height: float) -> float:
         """A letter of single strokes; its width."""

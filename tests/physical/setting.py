@@ -38,7 +38,7 @@ class Setting:
     rubbed: int = 0  # lines rubbed out
     smudges: int = 0
     dots: bool = False  # ends of vectors marked by a dot
-    letters: str = "neat"  # "neat", "wild", "font", "none"
+    letters: str = "neat"  # "neat", "wild", "indices" (small and lowered), "script", "none"
     # what else is on the sheet
     title_block: bool = False
     table: bool = False

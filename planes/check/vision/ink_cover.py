@@ -15,6 +15,7 @@ from operator import or_
 import numpy
 
 from planes.check.grading.handwork import Miss
+from planes.check.vision.handwritten import HandWords
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import cv
 from planes.check.vision.places import HEADED_MM, Seen
@@ -25,11 +26,7 @@ ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
 JOINED_MM = 6.0  # lines no farther apart hang together
 TORN_MM, CELLS = 12.0, 2  # a line may be so far torn; cells of a millimetre by which it is seen what hangs together
 PER_MM, OVERSHOT = 0.5, 0.1  # what a millimetre of ink costs that no vector runs along, and of a line drawn too far
-OVER_MM, FAINT, TORN_OFF_MM = (
-    30.0,
-    0.8,
-    3.0,
-)  # how far a construction line runs on, how dark to its vector; a gap in it
+OVER_MM, FAINT, TORN_OFF_MM = 30.0, 0.8, 3.0  # how far a construction line runs on, how dark to its vector; a gap in it
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
@@ -71,6 +68,7 @@ class InkCover:
     pole: complex
     room: Sequence[complex]  # the marks of the right plan, mm from the pole
     arrows: bool = True  # whether its lines are vectors
+    words: HandWords = field(default_factory=HandWords)  # by them
     steps: Complexes = field(init=False)
     dark: Array = field(init=False)  # how dark the picture is at every step
     parts: list[InkPart] = field(default_factory=list)  # what hangs together, the pole's own first

@@ -16,6 +16,7 @@ from planes.check.grading.handwork import Miss
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.vision.handwritten import words_on
 from planes.check.vision.ink_cover import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
 from planes.check.vision.places import WOBBLE_MM, Place, Seen, pole_on
 from planes.check.vision.polygon_cover import Guess, LaidChain, guesses, polygon_of, seen_like, spread_of
@@ -31,6 +32,7 @@ HIDDEN = 1.5  # what it costs to believe in an end that is not seen, for a vecto
 NO_INK = 5.0  # what it costs if no ink is on its way
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
+NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 4000
 
@@ -95,7 +97,7 @@ class SoughtPolygon:
     ) -> LaidChain:
         """The chain with one more vector, from z."""
         steps, heads = self.ink.along(z, row[1])
-        cost = chain.cost + price + self.ink.bare(z, row[1])
+        cost = chain.cost + price + self.ink.bare(z, row[1]) + self.ink.words.price(row[0], z, row[1])
         return LaidChain(cost, [*chain.rows, row], hidden or chain.hidden, chain.steps | steps, chain.heads | heads)
 
     def _ends(
@@ -202,7 +204,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     """
     sides, pole = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan), pole_on(seen, near)
     shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
-    ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()], words=words_on(seen, [s.name for s in sides]))
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=lambda one: one.cost)
     for one in tried:
         one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
@@ -212,7 +214,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     best = one.best
     if best is None:
         return [], False, 0.0, ()
-    if best.cost > _most(best, one.plain, len(sides), pole.z):
+    if best.cost > _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z):
         return [], False, 1.0, ()
     explained = one.polygon.ink.explained(best.routes(pole.z))
     rows = [ReadMark(POLE, pole.z, pole.sigma)]

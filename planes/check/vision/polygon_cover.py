@@ -8,6 +8,7 @@ from itertools import pairwise
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.polygons import Side
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.vision.handwritten import HandWords
 from planes.check.vision.ink_cover import COVERED, slip
 from planes.check.vision.places import Seen
 from planes.check.vision.print_scale import seen_from
@@ -41,6 +42,10 @@ class LaidChain:
     def routes(self, pole: complex) -> list[tuple[complex, complex]]:
         """Where its vectors run, from a pole."""
         return list(pairwise([pole, *(z for _, z, _ in self.rows)]))
+
+    def named(self, words: HandWords, pole: complex) -> float:
+        """By how many of its vectors their names stand, as surely as they were read."""
+        return sum(words.told(n, a, b) for (n, _, _), (a, b) in zip(self.rows, self.routes(pole), strict=True))
 
     def left_out(self, name: str, right: Guess, pole: complex) -> bool:
         """Whether a known vector of some length is laid with none: nobody drew it."""

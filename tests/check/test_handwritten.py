@@ -1,0 +1,53 @@
+"""Names written by hand: read among a plan's names, and what they say of vectors."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+pytest.importorskip("cv2")
+import cv2
+
+from planes.check.vision.handwritten import HandWord, HandWords, words_on
+from planes.check.vision.picture import by_scale
+from planes.check.vision.places import sheet_of
+from tests.physical.letters import Writer
+from tests.physical.paper import PX_PER_MM, Paper
+from tests.physical.setting import Setting
+from tests.physical.strokes import Hand
+
+NAMES = ("F_21t", "F_30", "G_2", "I_2", "I_3", "P_3")
+
+
+def written(style: str, seed: int, *names: str) -> list[HandWord]:
+    """Names in a column beside a vector, as they are read."""
+    rng = random.Random(seed)
+    paper = Paper((60.0, 15.0 * len(names) + 10), Setting(letters=style), rng)
+    hand = Hand(paper, rng)
+    hand.vector(12 + 5j, 12 + 1j * (paper.size[1] - 5))
+    for k, name in enumerate(names):
+        Writer(hand, rng).word(name, 20 + 1j * (8 + 15 * k))
+    seen = sheet_of(by_scale(cv2.cvtColor(paper.colour, cv2.COLOR_BGR2GRAY), PX_PER_MM))
+    assert seen is not None
+    return sorted(words_on(seen, NAMES).words, key=lambda w: w.low.imag)
+
+
+@pytest.mark.parametrize("style", ["neat", "wild", "indices"])
+def test_names_are_read_among_those_of_a_plan(style: str) -> None:
+    """Of names in an even and in a wild hand, and with small indices, half are told at least, and none for another."""
+    read = [max(w.likely.items(), key=lambda one: one[1]) for w in written(style, 1, *NAMES) if len(w.likely)]
+    sure = [name for name, likely in read if likely > 0.7]
+    assert len(sure) >= 3 and sure == [name for name in NAMES if name in sure]
+
+
+def test_what_is_no_name_of_the_plan_is_read_as_none() -> None:
+    assert all(max(w.likely.values()) < 0.7 for w in written("neat", 2, "M_48", "N_77", "K_95"))
+
+
+def test_a_name_speaks_for_the_vector_it_stands_by_and_never_loudly() -> None:
+    """What was read costs hardly anything by its vector, something elsewhere; what was not read, nothing."""
+    words = HandWords([HandWord(0j, 8 + 4j, {"G_2": 0.9, "G_3": 0.1})])
+    assert words.price("G_2", -2j, 10 - 2j) < 0.05 and words.price("F_30", 50j, 90j) == 0
+    assert 1 < words.price("G_2", 50j, 90j) < 2.6 and words.price("G_3", 50j, 90j) < 0.2
+    assert words.told("G_2", -2j, 10 - 2j) > 0.8 and words.told("G_2", 50j, 90j) < 0.1 > words.told("F_30", 0j, 9 + 0j)
