@@ -101,6 +101,7 @@ CROWDED = (
     ("assignments/35", "velocity"),  # a short vector whose head is half hidden
     ("assignments/29", "velocity"),  # a head hidden between two others
     ("assignments/62", "acceleration"),  # a head hidden upon thick lines
+    ("assignments/15", "force:4-5"),  # what looks like a head past the end of a vector
     ("assignments/27", "force:2-3"),  # two short forces there and back
     ("assignments/51", "force:4-5"),  # what looks like a head, upon another vector that leads the other way
 )
@@ -128,6 +129,8 @@ OTHERWISE = (
     ("assignments/61", "position", "other_assembly", "S4"),  # where a mass centre should be stands another point
     ("assignments/12", "velocity", "relative_from_pole", "d5"),  # vectors that begin together look like a head
     ("assignments/13", "acceleration", "tangential_along_link", "b'"),  # a head hidden by other ink
+    ("kind-5-rpp", "force:2-3", "force_doubled", "P_2"),  # all its ends beside others' ink
+    ("assignments/03", "force:2-3", "force_doubled", "P_3"),  # a line crossed where the right vector would end
 )
 
 

@@ -51,6 +51,11 @@ class Rebuilt:
         return missing is None or any(z.real > AS_LONG and abs(z.imag) < IN_LINE * z.real for z in over)
 
 
+def between(bench: PreparedPlan) -> list[Side]:
+    """The vectors between marks of a plan."""
+    return [Side(f"{a} {b}", a, b) for a, b in bench.vectors]
+
+
 def sides_of(plans: Plans, plan: str) -> list[Side]:
     """All vectors of a force plan as the program draws them, the closing ones last."""
     found: dict[str, Side] = {}

@@ -6,7 +6,7 @@ side by side. No clear head may be left over, and no name may stand beside anoth
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -14,7 +14,7 @@ import numpy
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.paper import ReadMark, ReadPaper
-from planes.check.grading.polygons import Side, sides_of
+from planes.check.grading.polygons import Side, between, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
 from planes.check.reading.as_planned import is_right, named, nearest_of, vectors_named
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
@@ -22,12 +22,22 @@ from planes.check.reading.words_near import led_to_vectors, put
 from planes.check.vision.ink import PENCIL, WHITE, Ink
 from planes.check.vision.picture import cv
 from planes.check.vision.places import Seen, rounded
-from planes.check.vision.printed_apart import ALONG_MM, APART_MM, PLAIN_MM, along, apart, hides, of_lines, untold
-from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, THICK, TURNED, PrintedHead, heads_along, heads_on
+from planes.check.vision.printed_apart import (
+    ALONG_MM,
+    APART_MM,
+    ASIDE_MM,
+    along,
+    apart,
+    hides,
+    of_lines,
+    past_end,
+    poles_of,
+    untold,
+)
+from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, PRESUMED, THICK, PrintedHead, heads_along, heads_on
 from planes.geometry.arrays import Greys
 from planes.words.names import POLE, at, kind_of, label_of
 
-ASIDE_MM = 7.0  # how far aside a force may be drawn
 ACROSS_MM = 0.1  # in which a head is looked for aside
 NEAR_MM = 0.3  # aside, of what is not drawn aside
 SURE_MM = 4.0  # a shorter vector may be there unseen: it is put where it should be
@@ -35,8 +45,6 @@ TOLD_MM = 3.0  # a plan none of whose marks is farther from the right one's is n
 LED_MM, AWAY_MM = 1.6, 3.0  # how near to what it names a name's line ends; how far from all marks it begins
 DRAWN_MM = 0.3  # a shorter one is not drawn
 COVERED, SLIM_MM = 0.9, 0.25
-TRIED = 4  # poles
-MET = 0.7  # the least share of the long vectors of a wrong plan that must meet a head
 ERROR_MM = 0.15
 FAINT, MAINLY = 100, 0.7  # of 255: paler is no print's ink, but its rims; the share of ink that is no darker
 WILDEST_MM = 400.0
@@ -88,14 +96,17 @@ class PrintedSheet:
         vectors, wrong = self._vectors(variant), variant is not None
         if any(s.name not in vectors for s in self.needed) or (wrong and not self._told(vectors)):
             return []
-        read = (self._read(pole, vectors, wrong, hidden) for pole in self._poles(vectors.values(), wrong))
+        read = (
+            self._read(pole, vectors, wrong, hidden)
+            for pole in poles_of(self.heads, vectors.values(), self.aside, wrong)
+        )
         return next((spots for spots in read if spots), [])
 
     @cached_property
     def needed(self) -> list[Side]:
         """The vectors the plan is made of."""
         plan = self.bench.asked.plan
-        return sides_of(self.bench.plans, plan) if self.force else _between(self.bench)
+        return sides_of(self.bench.plans, plan) if self.force else between(self.bench)
 
     def _vectors(self, variant: Variant | None) -> dict[str, Stroke]:
         """Every vector that may be drawn, from the pole."""
@@ -104,7 +115,7 @@ class PrintedSheet:
         def end(name: str) -> complex:
             return 0j if name == POLE else complex(things.get(at(plan, name), math.nan))
 
-        found = {s.name: (end(s.start), end(s.end)) for s in [*_between(self.bench), *self.needed]}
+        found = {s.name: (end(s.start), end(s.end)) for s in [*between(self.bench), *self.needed]}
         return {n: (a, b) for n, (a, b) in found.items() if abs(a) + abs(b) < WILDEST_MM}
 
     def _told(self, wrong: Mapping[str, Stroke]) -> bool:
@@ -115,26 +126,6 @@ class PrintedSheet:
         sizes = {n: abs(b - a) for n, (a, b) in wrong.items() if n in lettered}
         drawn = {n for n, (a, b) in right.items() if abs(b - a) > DRAWN_MM}
         return moved > TOLD_MM and all(long > DRAWN_MM for n, long in sizes.items() if n in drawn)
-
-    def _poles(self, vectors: Iterable[Stroke], wrong: bool) -> list[complex]:
-        """Places from which most of the vectors would meet heads, the likeliest first; of a wrong plan, nearly all."""
-        long = [(b, (b - a) / abs(b - a)) for a, b in vectors if abs(b - a) > PLAIN_MM]
-        tips, ways = (numpy.array([getattr(h, k) for h in self.heads], complex) for k in ("tip", "way"))
-        points = [(ways / way).real > TURNED for _, way in long]
-        poles = numpy.array([z for (b, _), on in zip(long, points, strict=True) for z in tips[on] - b], complex)
-        worth, met = numpy.zeros(len(poles)), numpy.zeros(len(poles))
-        for (b, way), on in zip(long, points, strict=True):
-            local = (tips[on][None, :] - poles[:, None] - b) / way
-            near = (abs(local.real) < ALONG_MM) & (abs(local.imag) < self.aside)
-            met += near.any(axis=1)
-            off = abs(local.real) / (2 * ALONG_MM) + abs(local.imag) / (4 * ASIDE_MM)
-            worth += numpy.where(near, 1 - off, 0.0).max(axis=1, initial=0.0)
-        found: list[complex] = []
-        for k in numpy.argsort(-worth, kind="stable"):
-            few = wrong and met[k] < MET * len(long)
-            if not few and len(found) < TRIED and all(abs(poles[k] - f) > APART_MM for f in found):
-                found.append(complex(poles[k]))
-        return found
 
     def _read(self, pole: complex, vectors: Mapping[str, Stroke], wrong: bool, hidden: bool) -> list[ReadMark]:
         """The marks of a plan with its vectors at a pole; none where one has no head, or, if it is not the right plan,
@@ -151,12 +142,26 @@ class PrintedSheet:
                 if not self._hidden(pole + a, pole + b, drawn, self.aside):
                     return []
                 found[name] = [] if self.force else [pole + b]
+        if any(
+            self._longer(pole + a, pole + b, found[s.name], tips) for s in self.needed for a, b in [vectors[s.name]]
+        ):
+            return []
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
         knots = [pole, *(z for stroke in drawn for z in stroke)] if hidden else [pole]
         clear = [z for z in clear if all(abs(z - k) > KNOT_MM for k in knots)]
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
         return (self._rows if self.force else self._marks)(pole, vectors, found)
+
+    def _longer(self, a: complex, b: complex, own: Sequence[complex], tips: Sequence[complex]) -> bool:
+        """Whether the line of a vector goes on past where it ends, to a head that is no other's."""
+        if abs(b - a) < SURE_MM:
+            return False
+        way = (b - a) / abs(b - a)
+        ends = own or [b + 1j * t * way for t in self._inked(a, b, self.aside)]
+        clear = [h for h in self.heads if h.clear > (BOTH_SIDES if own else PRESUMED)]
+        past = ((end, z) for end in ends for z in past_end(end, way, clear, tips))
+        return any(self.ink.covered(end + NEAR_MM * way, z, SLIM_MM) > COVERED for end, z in past)
 
     def _heads(self, a: complex, b: complex) -> list[complex]:
         """Tips of the heads a vector may have that should lead from a to b (remembered)."""
@@ -207,7 +212,7 @@ class PrintedSheet:
         true = {s.name: b - a for s in self.needed for a, b in [vectors[s.name]]}
         spots = vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
         ends = {(s.start, s.end) for s in self.needed}
-        sums = [b - a for s in _between(self.bench) if (s.start, s.end) not in ends for a, b in [vectors[s.name]]]
+        sums = [b - a for s in between(self.bench) if (s.start, s.end) not in ends for a, b in [vectors[s.name]]]
         told = [(a.place, b.place) for a, b in zip(spots[::2], spots[1::2], strict=True)]
         rest = untold(strokes, told, self.heads)
         return [] if any(all(abs(b - a - v) > 2 * ALONG_MM for v in sums) for a, b in rest) else spots
@@ -241,8 +246,3 @@ def _as_printed(dark: Greys) -> Greys:
     black = float(numpy.quantile(inked, MAINLY)) if len(inked) else float(WHITE)
     shares: Greys = cv().divide(dark, numpy.full_like(dark, black), scale=255 - PENCIL)
     return 255 - shares
-
-
-def _between(bench: PreparedPlan) -> list[Side]:
-    """The vectors between marks of a plan."""
-    return [Side(f"{a} {b}", a, b) for a, b in bench.vectors]
