@@ -11,7 +11,7 @@ from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, var
 from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
 from planes.plans.quantities import catalogue
-from planes.words import Phrase, Written
+from planes.words import Phrase, Written, under
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, label_of, mu_of
@@ -63,8 +63,8 @@ class Outcome:
     @property
     def mistake(self) -> str | None:
         """The named mistake, None when none explains the work best."""
-        kind, _, name = self.sentence.key.partition("_")
-        return name if kind == "mistake" else None
+        said = self.sentence.key
+        return next((name for name in under("mistake_", "en") if said == f"mistake_{name}"), None)
 
     @property
     def runner_up(self) -> str | None:
