@@ -193,13 +193,18 @@ def _box_told(table: str, read: Box) -> Box:
 
 
 def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
-    """The lines of a drawing of lines; of a PDF with pixels told, or that shows a picture, none."""
+    """The lines of a drawing of lines, or those a picture carries; of a PDF that shows a picture, or where pixels are
+    told, none."""
     from planes.check.reading.dxf import read_dxf
     from planes.check.reading.pdf import read_pdf
-    from planes.check.reading.svg import read_svg
+    from planes.check.reading.svg import read_carried, read_svg
 
-    if suffix == ".pdf":
-        return None if known.pole is not None or known.format else read_pdf(file, known.page or 0)
+    pixels = known.pole is not None or known.marks or known.format
+    match suffix:
+        case ".pdf":
+            return None if known.pole is not None or known.format else read_pdf(file, known.page or 0)
+        case ".png":
+            return None if pixels else read_carried(file)
     return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in LINES else None
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import errno
 import stat
-import time
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -24,7 +23,7 @@ from planes.words.errors import SceneError, shown
 MAX_BYTES = 1_000_000
 MAX_BYTES_SLOW = 100_000  # when only the slow YAML reader is there
 MAX_DEPTH = 50
-MAX_SECONDS = 3.0
+MAX_PARTS = 200_000  # words, numbers, beginnings and ends of tables and lists
 _NOTHING = ("", "~", "null", "Null", "NULL")
 _REASONS = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", None: "bad_file_name"}
 
@@ -147,7 +146,7 @@ class _Builder:
     def __init__(self, file: str, events: Iterator[yaml.Event]) -> None:
         self.file, self.events = file, events
         self.line, self.end = 1, -2  # where the last event begins, where the last scalar ends
-        self.deadline = time.monotonic() + MAX_SECONDS
+        self.left = MAX_PARTS
 
     def error(self, phrase: Phrase, line: int) -> SceneError:
         """A refusal at a line."""
@@ -168,8 +167,9 @@ class _Builder:
     def _next(self) -> yaml.Event:
         event = next(self.events)
         self.line = event.start_mark.line + 1 if event.start_mark else self.line
-        if time.monotonic() > self.deadline:
-            raise self.error(Phrase("slow_file"), self.line)
+        self.left -= 1
+        if self.left < 0:
+            raise self.error(Phrase("full_file", most=MAX_PARTS), self.line)
         if isinstance(event, yaml.NodeEvent):
             self._refuse_marks(event)
         return event

@@ -13,7 +13,6 @@ from planes.words import Lang, Phrase, Told, say
 from planes.words.names import kind_of, label_of, links_of, parted, written
 
 PRIME = "′"
-LETTERING = "Lettering"  # the part of a PNG file that says what is lettered on the picture, and where
 _SPELT = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
 _GREEK = dict(zip(_SPELT, "ωεφαβγδψθ", strict=True))
 _INDEXED = re.compile(r"([^\W\d_]+)(\d+)")

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
+from planes.scene.carried import carrying
 from planes.scene.files import keep
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
@@ -33,7 +34,8 @@ class Page:
         return self.rendered(".svg").decode().partition("?>\n")[2]
 
     def rendered(self, suffix: str, text: dxf.Lettered = "text") -> bytes:
-        """The contents of its file in the format of a suffix; the same page gives the same bytes."""
+        """The contents of its file in the format of a suffix; the same page gives the same bytes. A PNG carries the
+        page as SVG."""
         match suffix:
             case ".svg":
                 return svg.write(self.marks, self.size, self.title, lang=self.lang, under=self.under)
@@ -43,7 +45,8 @@ class Page:
                 raise PlanesError(Phrase("needs_ezdxf"))
             case ".dxf":
                 return dxf.write(self.marks, self.size, self.title, lang=self.lang, text=text)
-        return pdf.write_png(self.marks, self.size, self.title, under=self.under)
+        picture = pdf.write_png(self.marks, self.size, self.title, under=self.under)
+        return picture if self.under else carrying(picture, self.rendered(".svg"))
 
     def write(self, path: str | Path, text: dxf.Lettered = "text") -> None:
         """Its file, whole or not at all."""

@@ -7,13 +7,11 @@ from __future__ import annotations
 
 import cmath
 import io
-import json
 import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planes.words.lettering import LETTERING
 from render.files.writer import Lines, Writer, dashes_of
 from render.paper.ink import arc_dashes, by_layer, checked, is_circle
 from render.paper.marks import Arc, Mark, Text
@@ -151,37 +149,19 @@ class _Page(Writer):
 def write_png(
     marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, dpi: float = 200, under: Photo | None = None
 ) -> bytes:
-    """The sheet as a PNG file at ``dpi`` pixels per inch, ``under`` it a picture.
-
-    What is lettered on it, and where, goes with the picture as texts go with a PDF.
-    """
-    marks = tuple(marks)
-    return png_of(write(marks, size_mm, title, under=under), dpi, lettering=_lettering(marks, size_mm[1]))
+    """The sheet as a PNG file at ``dpi`` pixels per inch, ``under`` it a picture."""
+    return png_of(write(marks, size_mm, title, under=under), dpi)
 
 
-def _lettering(marks: Iterable[Mark], height_mm: float) -> str:
-    """Every text: the left end of its base line in mm from the upper left corner, height, width, turn in degrees."""
-    found = []
-    for laid in (layout(m) for m in marks if isinstance(m, Text)):
-        if laid.runs:
-            x, y = laid.origin.real, height_mm - laid.origin.imag
-            numbers = x, y, laid.runs[0].height, laid.width, laid.turn_deg
-            found.append([laid.plain, *(round(n, 2) for n in numbers)])
-    return json.dumps(found, ensure_ascii=False)
-
-
-def png_of(data: bytes, dpi: float, page: int = 0, lettering: str = "") -> bytes:
+def png_of(data: bytes, dpi: float, page: int = 0) -> bytes:
     """One page of a PDF file (counted from 0) as a PNG file."""
     import pypdfium2
-    from PIL.PngImagePlugin import PngInfo
 
     document = pypdfium2.PdfDocument(data)
     try:
         picture = document[page].render(scale=dpi / 72).to_pil().convert("RGB")
     finally:
         document.close()
-    out, beside = io.BytesIO(), PngInfo()
-    if lettering:
-        beside.add_itxt(LETTERING, lettering, zip=True)
-    picture.save(out, format="PNG", dpi=(dpi, dpi), optimize=False, pnginfo=beside)
+    out = io.BytesIO()
+    picture.save(out, format="PNG", dpi=(dpi, dpi), optimize=False)
     return out.getvalue()

@@ -20,7 +20,7 @@ from planes.check.reading.dxf import read_dxf
 from planes.check.reading.parts import joined, parts, without_letters
 from planes.check.reading.pdf import read_pdf
 from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing, Words
-from planes.check.reading.svg import read_svg
+from planes.check.reading.svg import read_carried, read_svg
 from planes.check.reading.whole_page import paper_on
 from planes.documents import _mechanism_views
 from planes.documents.sheets import DrawnPosition
@@ -35,7 +35,7 @@ from render.sheet.sizes import Sizes
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
-READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf}
+READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf, ".png": read_carried}
 SCENES = sorted(p.stem for p in SAMPLES.glob("*.yaml") if p.stem != "vectors")
 ASSIGNMENTS = sorted(f"assignments/{p.stem}" for p in (SAMPLES / "assignments").glob("*.yaml"))
 FAR_MM = 5.0  # a mistake that moves its mark by less is no mistake worth drawing
@@ -105,10 +105,13 @@ VIEWS = (
     ("six-link", "force:2-3", ".dxf"),
     ("kind-5-rpp", "force:2-3", ".pdf"),
     ("kind-4-prp", "force:2-3", ".svg"),
+    ("sliding-driver", "velocity", ".png"),
+    ("kind-1-rrr", "position", ".png"),
+    ("bntu-3", "force:2-3", ".png"),
 )
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(5)
 @pytest.mark.parametrize(("sample", "plan", "suffix"), VIEWS)
 def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
     sample: str, plan: str, suffix: str, tmp_path: Path

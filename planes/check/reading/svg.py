@@ -9,10 +9,12 @@ from xml.etree import ElementTree
 from fontTools.misc.transform import Transform
 
 from planes.check.reading.arrowheads import head_of, settle
+from planes.check.reading.opened import LARGEST as LARGEST_PICTURE
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, without_letters
 from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
 from planes.check.reading.svg_shapes import MOST, NUMBER, Looks, looks_of, number, numbers, outlines, style_rules, tree
+from planes.scene.carried import carried
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -30,6 +32,12 @@ def read_svg(path: str | Path) -> ReadDrawing:
     if root.tag != "svg":
         raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{root.tag}>"))
     return sketch_of(root, str(path))
+
+
+def read_carried(path: str | Path) -> ReadDrawing | None:
+    """The strokes of the drawing that a PNG written by this program carries, if it does."""
+    svg = carried(contents(path, LARGEST_PICTURE), LARGEST)
+    return sketch_of(tree(svg, str(path)), str(path)) if svg else None
 
 
 def sketch_of(root: ElementTree.Element, file: str) -> ReadDrawing:

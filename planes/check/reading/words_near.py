@@ -61,22 +61,22 @@ def put(words: Sequence[Words], begin: complex, end: complex) -> list[Words]:
     return [replace(w, place=end, height=0.1, width=0.1) for w in words if w.distance(begin) <= far < LEADER_MM]
 
 
-def led_to_vectors(sketch: ReadDrawing, near: float = ON_MM) -> Iterator[Words]:
-    """Words with a line from them to the vector they name (or ``near`` it, mm), as if they stood on it."""
+def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
+    """Words with a line from them to the vector they name, as if they stood on it."""
     vectors = [s for k, s in enumerate(sketch.strokes) if sketch.ways[k]]
     ends = [z for s in vectors for z in s]
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
     vectors += [s for s in plain if abs(s[1] - s[0]) < LEADER_MM]  # too short for a head
     for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
         clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
-        if clear and any(_on(b, *s, -ON_MM, near) for s in vectors):
+        if clear and any(_on(b, *s, -ON_MM) for s in vectors):
             yield from put(sketch.words, a, b)
 
 
-def _on(z: complex, a: complex, b: complex, within: float, near: float = ON_MM) -> bool:
+def _on(z: complex, a: complex, b: complex, within: float) -> bool:
     """Whether a place is on the line from a to b, ``within`` mm from its ends at the least."""
     local = (z - a) / (b - a) * abs(b - a)
-    return abs(local.imag) < near and within < local.real < abs(b - a) - within
+    return abs(local.imag) < ON_MM and within < local.real < abs(b - a) - within
 
 
 def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:

@@ -5,10 +5,7 @@ A picture comes in one shade: of paper with a coloured grid, in the colour in wh
 
 from __future__ import annotations
 
-import cmath
 import io
-import json
-import math
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -17,12 +14,10 @@ from typing import TYPE_CHECKING
 import numpy
 
 from planes.check.reading.opened import LARGEST, MB, contents, hushed
-from planes.check.reading.strokes import Words
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
-from planes.words.lettering import LETTERING
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -45,12 +40,10 @@ EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture in which a 
 
 @dataclass(frozen=True)
 class DecodedPicture:
-    """A picture in one shade; its pixels to a mm and its lettering (mm, y up from its lower edge), where the file tells
-    them."""
+    """A picture in one shade; its pixels to a mm, where the file tells them."""
 
     grey: Greys
     scale: float | None = None
-    words: tuple[Words, ...] = ()
 
 
 def load(path: str | Path, page: int = 0) -> DecodedPicture:
@@ -91,10 +84,7 @@ def _decoded(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
         grey = in_one_shade(cv2, bits) if whole is None or solid else _on_paper(cv2, whole)
     finally:
         cv2.utils.logging.setLogLevel(told)
-    if grey is None:
-        return None
-    scale = _scale_of(head)
-    return DecodedPicture(grey, scale, _words(head.info.get(LETTERING, "[]"), grey.shape[0] / scale) if scale else ())
+    return None if grey is None else DecodedPicture(grey, _scale_of(head))
 
 
 def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
@@ -119,19 +109,6 @@ def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
     if pixels * each + len(data) > MOST_BYTES:
         raise PlanesError(Phrase("check_large_picture", file=file, size=f"{head.width} × {head.height}"))
     return bool(see_through), head
-
-
-def _words(said: str, height_mm: float) -> tuple[Words, ...]:
-    """The lettering a PNG of this program tells of; none where that cannot be read."""
-    try:
-        found = []
-        for text, *numbers in json.loads(said):
-            x, y, high, wide, turn = map(float, numbers)
-            along = cmath.rect(1, math.radians(turn))
-            found.append(Words(str(text), complex(x, height_mm - y), high, wide, along))
-    except (TypeError, ValueError, OverflowError, RecursionError):
-        return ()
-    return tuple(w for w in found if cmath.isfinite(w.place * w.along) and 0 < w.height + w.width < math.inf)
 
 
 def _scale_of(head: Image.Image) -> float | None:

@@ -6,14 +6,12 @@ guides lines through a slider. What is drawn about supports and sliders says not
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import combinations
 
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.reading.matching import paper_of
-from planes.check.reading.strokes import ReadDrawing, Words
 from planes.check.vision.ink_cover import ANYWHERE, COVERED, NO_MARK, InkCover, slip
 from planes.check.vision.match_motion import LaidPlan, Search
 from planes.check.vision.match_symbols import signs
@@ -27,7 +25,6 @@ SUPPORT_MM, HINGE_MM = 9.5, 3.0  # ink nearer than this to a support or slider, 
 BEYOND_MM = 30.0  # guides are drawn that far past a slider
 HIDDEN_MM = 2.6  # of a line, within the signs at its ends
 ORIGIN_MM = 1.5
-PRINTED_MM = 0.3  # how surely a printed sign is where it is seen
 AT_SIGNS = 0.7  # the share of points that must stand at signs for these to tell where the origin is
 NO_POINT = 16.0  # what it costs that a point of a link is nowhere; a mass centre need not be drawn
 
@@ -180,13 +177,6 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
     spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items()]
     explained = 1.0 if search.at_signs(way) else search.explained(way)
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained
-
-
-def points_lettered(bench: PreparedPlan, seen: Seen, words: Sequence[Words]) -> list[ReadMark]:
-    """The points of a printed scheme: where its clearest signs stand, each by the name beside it."""
-    clearest = [(z, HINGE_MM / 2) for z, _ in signs(seen.ink)[: len(bench.true_marks)]]
-    lines = [line.ends for line in seen.lines]
-    return paper_of(ReadDrawing("", lines, list(words), PRINTED_MM, rounds=clearest), bench).spots
 
 
 def origin_found(bench: PreparedPlan, seen: Seen) -> complex | None:

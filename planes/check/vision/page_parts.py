@@ -1,16 +1,13 @@
 """What stands on a page of known scale: its ink in parts that hang together, each as a picture of its own."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy
 
-from planes.check.grading.prepared_plan import PreparedPlan, known_plans
-from planes.check.reading.chains import true_vectors
-from planes.check.reading.parts import NEAR_WORD_MM, TOGETHER_MM
-from planes.check.reading.strokes import ReadDrawing, Words
-from planes.check.reading.whole_page import mu_over
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.reading.parts import TOGETHER_MM
 from planes.check.vision.ink import ink_of, light_of
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Greys, Indices
@@ -54,40 +51,6 @@ class PageParts:
                 unlike = (abs(math.log((a + SOFT_MM) / (b * mu / bench.said_mu + SOFT_MM))) for a, b in pairs)
                 found.append((sum(unlike), k, mu))
         return [(k, mu if mu != bench.said_mu else None) for _, k, mu in sorted(found)[:MOST]]
-
-    def lettered(self, bench: PreparedPlan, words: Sequence[Words]) -> list[tuple[int, float | None]]:
-        """Parts with names of the plan beside them, at the scales of the titles over them, if any has such a title;
-        those with most names first."""
-        kind = kind_of(bench.asked.plan)
-        known = bench.written(true_vectors(bench)) if kind == "force" else bench.names
-        found = []
-        for k in self.lookable:
-            near = [one for w in self.beside(k, words) for one in w.listed()]
-            names = {known.exactly(w.text) for w in near} - {None}
-            box = ReadDrawing(strokes=[self._corners(k)])
-            mu = None if bench.asked.mu else mu_over(words, box, bench.asked.plan, known_plans(bench.plans))[0]
-            found.append((mu is not None and bool(names), len(names), k, mu))
-        titled = any(one[0] for one in found)
-        found = [one for one in found if one[0] == titled]
-        most = max((count for _, count, *_ in found), default=0)
-        found = [one for one in found if most and 2 * one[1] >= most]
-        return [(k, mu) for *_, k, mu in sorted(found, key=lambda one: one[:3], reverse=True)[:MOST]]
-
-    def beside(self, k: int, words: Sequence[Words]) -> list[Words]:
-        """The words near a part."""
-        low, high = self._corners(k)
-
-        def near(word: Words) -> bool:
-            z = word.middle
-            x, y = max(low.real - z.real, z.real - high.real, 0.0), max(low.imag - z.imag, z.imag - high.imag, 0.0)
-            return math.hypot(x, y) < NEAR_WORD_MM + word.width / 2
-
-        return [w for w in words if near(w)]
-
-    def _corners(self, k: int) -> tuple[complex, complex]:
-        """The lower left and the upper right corner of a part, mm."""
-        up, (x, y, w, h) = self.flat.scale / PX_PER_MM, self.boxes[k]
-        return self.flat.mm(x * up, (y + h) * up), self.flat.mm((x + w) * up, y * up)
 
     def cut(self, k: int) -> Flat:
         """A part cut out with paper around it, the others' ink painted over."""

@@ -1,20 +1,19 @@
 """From a picture of a plan to the marks of a person: made flat, its lines found, matched to the plan."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.grading.paper import MISREAD, Known, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.as_planned import is_right, worth
-from planes.check.reading.strokes import Words
+from planes.check.reading.as_planned import worth
 from planes.check.vision.decoding import DecodedPicture, load
 from planes.check.vision.frame import by_frame
 from planes.check.vision.match_force import vectors_on
 from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_printed import PrintedSheet
-from planes.check.vision.match_scheme import origin_found, points_lettered, points_on
+from planes.check.vision.match_scheme import origin_found, points_on
 from planes.check.vision.page_parts import A2_MM2, parts_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
 from planes.check.vision.places import Seen, pole_found, pole_on, sheet_of
@@ -39,8 +38,7 @@ class Look:
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
     bare: bool = False  # whether there are no lines at all
     crowd: bool = False  # whether there are too many to look at
-    mu: float | None = None  # the scale its title says, or it was found at, where that is not the stated one
-    told: bool = False  # whether its lettering tells what is what
+    mu: float | None = None  # the scale it was found at, where that is not the stated one
 
     def box(self, bench: PreparedPlan) -> tuple[float, float, float, float]:
         """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
@@ -60,15 +58,15 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     picture = load(file, known.page or 0)
     paper, best, pole = ReadPaper(file, whole=False), None, known.pole
     for flat, named in _flats(bench, picture, known):
-        look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole), picture.words)
+        look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
         if best is None or look.explained > best.explained:
             best, paper.scale_mark = look, named
         if best.flat.by in ("scale", "part") and best.explained >= EXPLAINED:
             break
     told = best and (best.flat.by not in ("scale", "part") or pole is not None)
     if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
-        raise PlanesError(Phrase("check_no_print_seen" if picture.words else "check_no_marks"))
-    paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks" or best.told
+        raise PlanesError(Phrase("check_no_marks"))
+    paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.crowd:
         paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
@@ -88,10 +86,10 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
 
 
 def _with_told(bench: PreparedPlan, look: Look, known: Known) -> list[ReadMark]:
-    """The marks that were read, in doubt unless lettering tells them, and those that were pointed to, which are not."""
+    """The marks that were read, each in doubt, and those that were pointed to, which are not."""
     told = {n: look.flat.place(z) for k, z in known.marks.items() if (n := bench.names.find(k))} if look.spots else {}
     force = kind_of(bench.asked.plan) == "force"  # its marks stand where its vectors end, in any order
-    return with_told(look.spots, {} if force else told, 0.0 if look.told else MISREAD)
+    return with_told(look.spots, {} if force else told, MISREAD)
 
 
 def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:
@@ -107,43 +105,31 @@ def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterat
         yield from ((flat, None) for flat in by_frame(grey, known.format))
 
 
-def _best(bench: PreparedPlan, flat: Flat, pole: complex | None, words: Sequence[Words]) -> Look:
+def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
     """What a flat picture shows best: all of it, or of a page of known scale one of its parts."""
     if flat.by != "scale" or pole is not None:
         return looked(bench, flat, pole, sheet_of(flat, _printed(bench, flat)))
     page, looks = parts_of(flat), [(-math.inf, Look(flat, 0j, explained=0.0))]
     seen: dict[int, tuple[Flat, Seen | None]] = {}
-    for k, mu in page.lettered(bench, words) or page.likely(bench):
+    for k, mu in page.likely(bench):
         part, sheet = seen[k] = seen.get(k) or (one := page.cut(k), sheet_of(one))
         there = bench.at(mu, told=True) if mu else bench
-        look = _on_part(there, part, sheet, page.beside(k, words))
+        look = _on_part(there, part, sheet)
         look.mu = mu
         good = worth(there, ReadPaper("", look.spots, whole=look.whole)) if look.explained >= EXPLAINED else -math.inf
         looks.append((good, look))
         if good >= len(bench.marks):
             break
-    printed = words and kind_of(bench.asked.plan) != "position"  # with names, and none of the parts is so named
-    if not printed and math.prod(flat.size_mm) <= A2_MM2 and all(good == -math.inf for good, _ in looks):
+    if math.prod(flat.size_mm) <= A2_MM2 and all(good == -math.inf for good, _ in looks):
         looks.append((0.0, looked(bench, flat, None, sheet_of(flat))))
     return max(looks, key=lambda found: (found[0], found[1].explained))[1]
 
 
-def _on_part(bench: PreparedPlan, flat: Flat, seen: Seen | None, words: Sequence[Words]) -> Look:
-    """What a part of a page shows, with the words beside it: by its arrowheads, or by the signs of a scheme."""
-    kind = kind_of(bench.asked.plan)
-    if seen is None or len(seen.lines) > MOST_LINES or (kind == "position" and not words):
-        return looked(bench, flat, None, seen)
-    if kind == "position":
-        spots = points_lettered(bench, seen, words)
-    else:
-        sheet = PrintedSheet(bench, seen, words)
-        spots = sheet.right()
-        look = looked(bench, flat, None, seen) if not spots and kind != "force" else Look(flat, 0j, explained=0.0)
-        every = {label_of(m) for m in bench.marks} <= {spot.name for spot in look.spots}
-        if (every and is_right(bench, ReadPaper("", look.spots, whole=False))) or not (spots or words):
-            return look
-        spots = spots or sheet.wrong()  # a hand's errors are not a print's
-    return Look(flat, spots[0].place, spots, True, 1.0, told=bool(words)) if spots else Look(flat, 0j, explained=0.0)
+def _on_part(bench: PreparedPlan, flat: Flat, seen: Seen | None) -> Look:
+    """What a part of a page shows: a plan printed rightly, told by its arrowheads, or one drawn by hand."""
+    vectors = kind_of(bench.asked.plan) != "position" and seen is not None and len(seen.lines) <= MOST_LINES
+    spots = PrintedSheet(bench, seen).right() if vectors and seen else []
+    return Look(flat, spots[0].place, spots, True, 1.0) if spots else looked(bench, flat, None, seen)
 
 
 def _printed(bench: PreparedPlan, flat: Flat) -> complex | None:

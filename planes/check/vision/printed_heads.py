@@ -17,7 +17,6 @@ FULL, BARE = 0.93, 0.8  # the least shares of a head's places that are ink, of t
 HEAD, BOTH_SIDES = 0.79, 1.8  # how clear a head is of which one side is seen, or both are
 HIDDEN = 0.1  # how clear a head is within other ink
 DOUBTFUL = 1.5  # how clear a head is at the most whose tip and shaft are not seen to be narrow
-PRESUMED = 1.49  # how clear a head is that is taken for one where there must be one
 SHAFT_MM = 1.0  # of a shaft, that tells its pen: another line that crosses a thick one looks like a thin head's base
 SAME_MM, ALONG = 0.7, 0.98  # heads whose tips, or bases, are nearer than this and that point one way are one
 CLEARER = 0.1  # by which another one may be there

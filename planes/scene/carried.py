@@ -1,0 +1,44 @@
+"""A drawing carried by its own picture: a PNG written here holds the same page as SVG, in a chunk of its own.
+
+The chunk is private and must not be copied when a picture is changed (PNG, W3C, 5.4); it says of which pixels it is the
+drawing, so that where a program copies it all the same it is no longer believed.
+"""
+
+import hashlib
+import struct
+import zlib
+
+PNG = b"\x89PNG\r\n\x1a\n"
+_CHUNK, _PIXELS = b"plAN", b"IDAT"
+_DIGEST = hashlib.sha256().digest_size
+
+
+def carrying(png: bytes, svg: bytes) -> bytes:
+    """A PNG file with its drawing."""
+    at = png.index(_PIXELS) - 4  # a chunk begins with its length
+    held = hashlib.sha256(png[at:]).digest() + zlib.compress(svg, 9)
+    checksum = struct.pack(">I", zlib.crc32(_CHUNK + held))
+    return png[:at] + struct.pack(">I", len(held)) + _CHUNK + held + checksum + png[at:]
+
+
+def carried(png: bytes, most: int) -> bytes | None:
+    """The drawing of a PNG file, if it carries that of these very pixels and it is of no more than ``most`` bytes."""
+    place = len(PNG)
+    while png.startswith(PNG) and place + 12 <= len(png):
+        long, kind = struct.unpack_from(">I4s", png, place)
+        if kind == _PIXELS:
+            break
+        end = place + 12 + long
+        if kind == _CHUNK and hashlib.sha256(png[end:]).digest() == png[place + 8 : place + 8 + _DIGEST]:
+            return _opened(png[place + 8 + _DIGEST : end - 4], most)
+        place = end
+    return None
+
+
+def _opened(held: bytes, most: int) -> bytes | None:
+    reader = zlib.decompressobj()
+    try:
+        found = reader.decompress(held, most)
+    except zlib.error:
+        return None
+    return found if reader.eof else None
