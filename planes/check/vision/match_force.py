@@ -10,6 +10,7 @@ should be, with the error of drawing it.
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import InitVar, dataclass, field
+from functools import cached_property
 from itertools import permutations
 
 from planes.check.grading.handwork import Miss
@@ -34,7 +35,9 @@ OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
-MOST_STEPS = 4000
+MOST_STEPS = 1500
+
+End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
 
 
 @dataclass
@@ -49,17 +52,18 @@ class SoughtPolygon:
     most: float = 0.0
     known: dict[tuple[frozenset[str], complex], list[LaidChain]] = field(default_factory=dict)
     ways: dict[tuple[complex, complex], float] = field(default_factory=dict)
+    ends: dict[tuple[str, complex, complex, float], list[End]] = field(default_factory=dict)
 
-    @property
-    def seen(self) -> Seen:
-        """What is seen on the sheet."""
-        return self.ink.seen
+    @cached_property
+    def ended(self) -> list[Place]:
+        """Where something ends."""
+        return [p for p in self.ink.seen.places if p.ended]
 
     def covered(self, a: complex, b: complex) -> float:
         """The share of the way that is ink (remembered)."""
         key = (a, b)
         if key not in self.ways:
-            self.ways[key] = self.seen.ink.covered(a, b)
+            self.ways[key] = self.ink.seen.ink.covered(a, b)
         return self.ways[key]
 
     def lay(self, guess: Guess, most: float) -> LaidChain | None:
@@ -80,6 +84,8 @@ class SoughtPolygon:
         for name, v in left.items():
             rest = {n: w for n, w in left.items() if n != name}
             for price, place, sigma, hidden in self._ends(guess, name, v, z, loose):
+                if chain.cost + price >= self.most:
+                    continue
                 now = math.hypot(loose, sigma) if hidden else 0.0
                 unseen = (*chain.hidden, name) if hidden and abs(v) > NOTHING_MM else chain.hidden
                 self._lay_known(guess, rest, self._longer(chain, z, price, (name, place, sigma), unseen), place, now)
@@ -100,20 +106,22 @@ class SoughtPolygon:
         cost = chain.cost + price + self.ink.bare(z, row[1]) + self.ink.words.price(row[0], z, row[1])
         return LaidChain(cost, [*chain.rows, row], hidden or chain.hidden, chain.steps | steps, chain.heads | heads)
 
-    def _ends(
-        self, guess: Guess, name: str, v: complex, z: complex, loose: float
-    ) -> list[tuple[float, complex, float, bool]]:
-        """Where a vector from z may end: its price, the place, its σ, and whether it is hidden; the likeliest first."""
+    def _ends(self, guess: Guess, name: str, v: complex, z: complex, loose: float) -> list[End]:
+        """Where a vector from z may end, the likeliest first (remembered)."""
         if name == guess.free:
-            free = [p for p in self._ended() if not p.doubtful and abs(p.z - z) > 2]
+            free = [p for p in self.ended if not p.doubtful and abs(p.z - z) > 2]
             free = [p for p in free if self.covered(z, p.z) > COVERED]
             return [(VAGUE * p.sigma, p.z, p.sigma, False) for p in sorted(free, key=lambda p: p.sigma)]
         if abs(v) < NOTHING_MM:
             return [(0.0, z + v, NOTHING_MM, True)]
-        goal = z + v
-        found: list[tuple[float, complex, float, bool]] = []
-        closer = self.seen.closer(z, goal)
-        for p in [*self.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, *([closer] if closer else [])]:
+        if (key := (name, v, z, loose)) not in self.ends:
+            self.ends[key] = self._ends_near(*key)
+        return self.ends[key]
+
+    def _ends_near(self, name: str, v: complex, z: complex, loose: float) -> list[End]:
+        goal, found = z + v, list[End]()
+        near = [*self.ink.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, self.ink.seen.closer(z, goal)]
+        for p in filter(None, near):
             sigmas = sigmas_of(p.z - goal, self.spread[name], math.hypot(p.sigma, loose))
             if sigmas < GATE and (abs(v) < 2 or self.covered(z, p.z) > COVERED):
                 price = sigmas**2 / 2 + VAGUE * p.sigma + DOUBTFUL * p.doubtful
@@ -126,9 +134,6 @@ class SoughtPolygon:
             found.append((price, goal, self.spread[name].worst, True))
         return found
 
-    def _ended(self) -> list[Place]:
-        return [p for p in self.seen.places if p.ended]
-
     def _lay_closing(self, guess: Guess, order: tuple[str, ...], chain: LaidChain, z: complex) -> None:
         """The closing vectors after the known ones, the last to the pole (or not, which is a mistake)."""
         if not order:
@@ -138,7 +143,7 @@ class SoughtPolygon:
             return
         name, last = order[0], len(order) == 1
         u = None if len(guess.closing) == 1 and guess.known else guess.closing[name]
-        for p in [self.pole, *self._ended()]:
+        for p in [self.pole, *self.ended]:
             way, closed = p.z - z, p is self.pole or not last
             price = self._aside(way, u) + (0.0 if closed else OPEN)
             if p is not self.pole:
@@ -157,13 +162,11 @@ class SoughtPolygon:
     def _goes_on(self, z: complex, chain: LaidChain) -> bool:
         """Whether the line from z to the pole ends beyond it, where no other vector does."""
         way = self.pole.z - z
-        for p in self._ended():
-            w = p.z - z
-            if abs(w) < abs(way) + 2.4 or (w * way.conjugate()).real < 0:
-                continue
-            if any(abs(p.z - end) < GAP_MM for _, end, _ in chain.rows) or self.seen.ink.lettered(p.z)[0]:
-                continue
-            if abs((way * w.conjugate()).imag) < 1.2 * abs(w) and self.covered(z, p.z) > 0.9:
+        for end in (p.z for p in self.ended if abs(p.z - z) >= abs(way) + 2.4):
+            turned = (end - z) * way.conjugate()
+            on = turned.real >= 0 and abs(turned.imag) < 1.2 * abs(end - z)
+            apart = on and all(abs(end - other) >= GAP_MM for _, other, _ in chain.rows)
+            if apart and not self.ink.seen.ink.lettered(end)[0] and self.covered(z, end) > 0.9:
                 return True
         return False
 
@@ -211,8 +214,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
         if one.best and one.best is one.plain and one.share == 1:
             break  # it fits well
     one = min(tried, key=lambda one: one.cost)
-    best = one.best
-    if best is None:
+    if (best := one.best) is None:
         return [], False, 0.0, ()
     if best.cost > _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z):
         return [], False, 1.0, ()
@@ -235,8 +237,7 @@ def _likelier(
         for guess in wrong:
             best = polygon.lay(guess, best.cost if best else MOST_COST) or best
     if best is None or best.cost > ANYWHERE + 4.0 + count:
-        for name in right.known:
-            free = Guess(right.known, right.closing, ANYWHERE, name)
+        for free in (Guess(right.known, right.closing, ANYWHERE, name) for name in right.known):
             best = polygon.lay(free, best.cost if best else MOST_COST) or best
     return best
 

@@ -98,11 +98,9 @@ class PrintedSheet:
             found[name] = self._heads(pole + a, pole + b) if abs(b - a) > DRAWN_MM else []
         tips = [z for held in found.values() for z in held]
         drawn = [(pole, pole), *((pole + vectors[n][0], z) for n, held in found.items() for z in held)]
-        for name, (a, b) in ((s.name, vectors[s.name]) for s in self.needed if not found[s.name]):
-            if abs(b - a) > SURE_MM:
-                if not self._hidden(pole + a, pole + b, drawn, self.aside):
-                    return []
-                found[name] = [] if self.force else [pole + b]
+        for a, b in (vectors[s.name] for s in self.needed if not found[s.name]):
+            if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, drawn, self.aside):
+                return []
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES]  # each is a vector's
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
