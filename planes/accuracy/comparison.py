@@ -2,13 +2,13 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from planes.accuracy.baselines import Loops, differences
 from planes.accuracy.digits import Digits
-from planes.accuracy.other_programs import Triple, kinepy_at, pylinkage_at
 from planes.batch import CHUNK, Cycle
 from planes.batch.tape import read
 from planes.batch.tracing import given_values
@@ -21,6 +21,7 @@ from planes.words.errors import PlanFailure
 
 FEW, STEP = 48, 1e-3
 Work = Callable[[Array], Array]
+Triple = tuple[complex, complex, complex]  # place, velocity, acceleration
 
 
 class Comparison:
@@ -145,21 +146,14 @@ class Comparison:
                 rows.append(self._row({}))
         return np.array(rows).T
 
-    def pylinkage(self, values: Array) -> Array:
-        """By pylinkage, told where every point is about."""
-        return self._rows(pylinkage_at(self.at, values, self.near(values)))
-
-    def kinepy(self, values: Array) -> Array:
-        """By kinepy; of its two assemblies of each group the one that is meant."""
-        return self._rows(kinepy_at(self.at, values, self.near(values)))
-
     def near(self, values: Array) -> Callable[[int], dict[str, complex]]:
         """Where every point is, by the number of the position."""
         table = self.many(values, False)
         rows = {c.name: row for c, row in zip(self.cycle.columns, table, strict=True)}
         return lambda k: {p: complex(rows[f"r_{p}_x"][k], rows[f"r_{p}_y"][k]) for p in self.points}
 
-    def _rows(self, found: list[dict[str, Triple]]) -> Array:
+    def rows(self, found: Sequence[Mapping[str, Triple]]) -> Array:
+        """Columns of positions out of what is known of their points."""
         return np.array([self._row(triples) for triples in found]).T
 
     def _row(self, triples: Mapping[str, Triple]) -> list[float]:
@@ -170,3 +164,15 @@ class Comparison:
             z = triples[point]["rva".index(letter)] if point in triples else complex("nan+nanj")
             row.append(z.real if part == "x" else z.imag)
         return row
+
+
+@dataclass(frozen=True)
+class OtherProgram:
+    """A program by others, for contrast: what it is called, whether it has a mechanism's groups, its columns at values
+    of the drive, and its quickest way over as many as ``most`` values, to be timed."""
+
+    name: str
+    can: Callable[[Plans], bool]
+    work: Callable[[Comparison, Array], Array]
+    quickest: Callable[[Comparison, Array], Callable[[Array], object]]
+    most: int

@@ -4,18 +4,16 @@ import math
 import os
 import platform
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
-from planes.accuracy.comparison import Comparison, Work
+from planes.accuracy.comparison import Comparison, OtherProgram, Work
 from planes.accuracy.digits import Digits
-from planes.accuracy.other_programs import Pylinkage, installed, kinepy_run, pylinkage_run
 from planes.batch import compiled
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Pencil
@@ -24,22 +22,33 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.quantities import Column
 from planes.plans.scales import FIT_MM, scales
+from planes.words import Lang, say, table
 from planes.words.errors import PlanFailure
 from planes.words.names import plan_of
 
-MANY, FEWER = 100_000, 10_000
+MANY = 100_000
 SHEETS = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
 RULERS = (0.5, 0.1)
 
 
 @dataclass(frozen=True)
 class Method:
-    """One mark of the chart: a word of the table with its number, seconds per position, largest relative error."""
+    """One mark of the chart: a word of the table with its number, or a name; seconds per position, largest relative
+    error."""
 
     key: str
     number: str
     seconds: float
     error: float
+
+    def name(self, lang: Lang) -> str:
+        """What it is called."""
+        return method_name(self.key, self.number, lang)
+
+
+def method_name(key: str, number: str, lang: Lang) -> str:
+    """A method in words; programs by others have their own names."""
+    return say(key, lang, number=number) if key in table(lang) else key
 
 
 def machine() -> tuple[str, int]:
@@ -64,8 +73,9 @@ def clock(work: Callable[[], object], times: int = 3) -> float:
     return best
 
 
-def measure(plans: Plans) -> list[Method]:
-    """Every method on one mechanism. :class:`PlanFailure` where no position of it can be drawn."""
+def measure(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[Method]:
+    """Every method on one mechanism, programs by ``others`` beside ours. :class:`PlanFailure` where no position of it
+    can be drawn."""
     bench = Comparison(plans)
     values = bench.working
     if not len(values):
@@ -88,11 +98,8 @@ def measure(plans: Plans) -> list[Method]:
         add("method_digits", str(digits), partial(bench.scalar, instrument=Digits(digits)), values[:12])
     add("method_differences", "", bench.differences, long)
     add("method_newton", "", bench.newton, values)
-    near = bench.near(values)(0)
-    if "pylinkage" in installed() and Pylinkage.can(plans):
-        add("method_pylinkage", version("pylinkage"), bench.pylinkage, long, pylinkage_run(plans, values[0], near))
-    if "kinepy" in installed():
-        add("method_kinepy", version("kinepy"), bench.kinepy, long[:FEWER], kinepy_run(plans))
+    for o in (o for o in others if o.can(plans)):
+        add(o.name, "", partial(o.work, bench), long[: o.most], o.quickest(bench, values))
     return found + _pencils(bench, values, truth)
 
 

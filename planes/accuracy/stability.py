@@ -1,16 +1,16 @@
 """How every method behaves on the way to a limit: errors, sharpness and claims against the distance."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from planes.accuracy.comparison import Comparison, Work
+from planes.accuracy.comparison import Comparison, OtherProgram, Work
 from planes.accuracy.digits import Digits
 from planes.accuracy.limits import Limit, MovedGiven, find, like
-from planes.accuracy.other_programs import Pylinkage, installed
 from planes.accuracy.variation import alterable, altered, changed
 from planes.batch import compiled
 from planes.batch.error_bounds import Claims
@@ -39,10 +39,11 @@ class Approach:
     errors: dict[str, Array]
 
 
-def approach(plans: Plans) -> Approach | None:
-    """The way to the limit nearest to the scene; None where neither the drive nor any length or guide comes to one."""
+def approach(plans: Plans, others: Sequence[OtherProgram] = ()) -> Approach | None:
+    """The way to the limit nearest to the scene, programs by ``others`` beside ours; None where neither the drive nor
+    any length or guide comes to one."""
     limit = find(Comparison(plans))
-    return None if limit is None else _measured(limit, *_path(limit))
+    return None if limit is None else _measured(limit, others, *_path(limit))
 
 
 def _path(limit: Limit) -> tuple[Comparison, Array, Array]:
@@ -86,7 +87,7 @@ def _beside(way: MovedGiven) -> Iterator[Iterator[MovedGiven]]:
         yield (MovedGiven(Comparison(altered(plans, name, length)), way.name) for length in longer)
 
 
-def ways(bench: Comparison) -> dict[str, Work]:
+def ways(bench: Comparison, others: Sequence[OtherProgram]) -> dict[str, Work]:
     """Every method that can be tried, ours before others'."""
     found: dict[str, Work] = {"method_scalar": bench.scalar, "method_batch": lambda v: bench.many(v, False)}
     if compiled.available():
@@ -95,18 +96,16 @@ def ways(bench: Comparison) -> dict[str, Work]:
     found["method_single"] = bench.single
     found["method_newton"] = bench.newton
     found["method_differences"] = bench.differences
-    if "pylinkage" in installed() and Pylinkage.can(bench.plans):
-        found["method_pylinkage"] = bench.pylinkage
-    if "kinepy" in installed():
-        found["method_kinepy"] = bench.kinepy
-    return found
+    return found | {o.name: partial(o.work, bench) for o in others if o.can(bench.plans)}
 
 
-def _measured(limit: Limit, bench: Comparison, values: Array, distances: Array) -> Approach:
+def _measured(
+    limit: Limit, others: Sequence[OtherProgram], bench: Comparison, values: Array, distances: Array
+) -> Approach:
     truth = bench.truth(values)
     works = np.isfinite(truth).all(axis=0) & (distances > 0)
     with np.errstate(all="ignore"):
-        found = {key: work(values) for key, work in ways(bench).items()}
+        found = {key: work(values) for key, work in ways(bench, others).items()}
         told = np.all([~np.isnan(table).all(axis=1) for table in found.values()], axis=0)
         size = _sizes(bench, np.where(works, truth, 0.0))[told]
         claims = np.max(Claims(bench.cycle).bounds(values)[told] / size, axis=0)

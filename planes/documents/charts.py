@@ -1,13 +1,13 @@
 """The command ``planes chart``: measures the methods on a scene and has the charts drawn, with their table."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
-from importlib.metadata import version
 from pathlib import Path
 
+from planes.accuracy.comparison import OtherProgram
 from planes.accuracy.limits import Limit
-from planes.accuracy.methods import Method, front, machine, measure
-from planes.accuracy.other_programs import installed
+from planes.accuracy.methods import Method, front, machine, measure, method_name
 from planes.accuracy.stability import Approach, approach
 from planes.plans import plans_of
 from planes.scene import Scene
@@ -19,17 +19,21 @@ from planes.words.errors import PlanesError
 from render.charts import METADATA
 from render.charts.method_charts import draw
 
+DIGITS = "30"  # of the numbers on the way to a limit
 
-def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None:
-    """Draw speed against accuracy, and stability, into a file."""
+
+def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang, others: Sequence[OtherProgram] = ()) -> None:
+    """Draw speed against accuracy, and stability, into a file, programs by ``others`` beside ours."""
     path = Path(output)
     if path.suffix.lower() not in METADATA:
         raise PlanesError(Phrase("chart_suffix", file=output, suffixes=", ".join(METADATA)))
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     plans = plans_of(moving(scene.mechanism), scene.file)
-    methods, way = measure(plans), approach(plans)
-    beneath, names = (axis(way.limit, lang), {key: name_of(key, lang) for key in way.errors}) if way else ("", {})
+    methods, way = measure(plans, others), approach(plans, others)
+    beneath, names = (
+        (axis(way.limit, lang), {key: method_name(key, DIGITS, lang) for key in way.errors}) if way else ("", {})
+    )
     name, cores = machine()
     seconds = f"{say('chart_seconds', lang)}\n{say('chart_machine', lang, name=name, cores=cores)}"
     with sayable(output):
@@ -42,12 +46,6 @@ def moving(mechanism: Mechanism) -> Mechanism:
     """The mechanism, a driver at rest moving by 1 rad/s or 1 m/s: nothing is to be seen of velocities that are 0."""
     drive = mechanism.drive
     return mechanism if drive.velocity else replace(mechanism, drive=replace(drive, velocity=1.0))
-
-
-def name_of(key: str, lang: Lang) -> str:
-    """A method in words."""
-    versions = {f"method_{tool}": version(tool) for tool in installed()}
-    return say(key, lang, number=versions.get(key, "30"))
 
 
 def axis(limit: Limit, lang: Lang) -> str:
@@ -67,10 +65,9 @@ def text(methods: list[Method], way: Approach | None, lang: Lang) -> str:
     best = front(methods)
     lines = [f"{say('chart_method', lang)},s,{say('chart_error_short', lang)},{say('chart_front', lang)}"]
     for m in methods:
-        name = say(m.key, lang, number=m.number)
-        lines.append(f'"{name}",{m.seconds:.4g},{m.error:.4g},{int(m in best)}')
+        lines.append(f'"{m.name(lang)}",{m.seconds:.4g},{m.error:.4g},{int(m in best)}')
     if way is not None:
-        names = [name_of(key, lang) for key in way.errors]
+        names = [method_name(key, DIGITS, lang) for key in way.errors]
         heads = [axis(way.limit, lang), say("chart_sharpness", lang), say("chart_claim", lang), *names]
         lines += ["", ",".join(f'"{h}"' for h in heads)]
         for k, distance in enumerate(way.distances):

@@ -1,6 +1,7 @@
 """Two charts of methods: speed against accuracy with its front, and errors on the way to a limit of assembly."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,8 @@ from planes.words import Lang, say
 from render.charts import OF_FILES, beside, leader, save
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
-LOOK = {  # of a method: colour, marker, dashes
+Look = tuple[int, str, Any]
+LOOK: dict[str, Look] = {  # of a method: colour, marker, dashes
     "method_scalar": (0, "o", "-"),
     "method_batch": (1, "s", (0, (4, 2))),
     "method_compiled": (2, "D", (0, (1, 1.5))),
@@ -23,9 +25,8 @@ LOOK = {  # of a method: colour, marker, dashes
     "method_differences": (5, "P", "-"),
     "method_digits": (6, "X", "-"),
     "method_pencil": (6, "_", "-"),
-    "method_pylinkage": (7, "<", "--"),
-    "method_kinepy": (8, ">", "--"),
 }
+OTHERS = (7, "<", "--"), (8, ">", "--")  # of programs by others, in turn
 FLOOR = 1e-17  # errors below the last place of a double are drawn here
 NONSENSE = 1e6  # errors so many times the truth are not drawn: the method is lost
 
@@ -54,14 +55,21 @@ def draw(
         save(figure, path)
 
 
+def looks_of(keys: Iterable[str]) -> dict[str, Look]:
+    """Colour, marker and dashes of each method."""
+    others = cycle(OTHERS)
+    return {key: LOOK.get(key) or next(others) for key in dict.fromkeys(keys)}
+
+
 def _speed(plot: Axes, spots: list[Method], seconds: str, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
     steps = [(m.seconds, m.error) for m in front(spots)]
     looks: dict[str, Any] = {"color": "#bbbbbb", "linewidth": 5, "solid_capstyle": "round", "zorder": 1}
     plot.plot(*zip(*steps, strict=True), label=say("chart_front", lang), **looks)
+    looked = looks_of(m.key for m in spots)
     for m in spots:
-        colour, marker, _ = LOOK[m.key]
+        colour, marker, _ = looked[m.key]
         plot.plot([m.seconds], [m.error], marker, color=INK[colour], markersize=7 if marker != "_" else 9, zorder=3)
     low, high = min(m.seconds for m in spots), max(m.seconds for m in spots)
     plot.set_xlim(low / 3, high * 60)
@@ -76,7 +84,7 @@ def _label(plot: Axes, spots: Sequence[Method], lang: Lang) -> None:
     marks = [plot.transData.transform((m.seconds, m.error)) * 72 / plot.figure.dpi for m in spots]
     taken = [(x - 6, y, x + 6) for x, y in marks]
     for (x, y), m in sorted(zip(marks, spots, strict=True), key=lambda pair: (pair[1].error, pair[1].seconds)):
-        words = say(m.key, lang, number=m.number)
+        words = m.name(lang)
         shift = next(d for d in OFFSETS if _free((x + 9, y + d, x + 12 + 5.2 * len(words)), taken))
         taken.append((x + 9, y + shift, x + 12 + 5.2 * len(words)))
         line = leader(shift, 6, 0.6)
@@ -108,8 +116,9 @@ def _stability(plot: Axes, way: Approach, axis: str, names: Mapping[str, str], l
     plot.plot(d, way.sharpness, color="#777777", linestyle="-.", linewidth=1.0, label=say("chart_sharpness", lang))
     plot.fill_between(d, FLOOR, [min(c, 1e6) for c in way.claim], color="#e8e8e8", zorder=0)
     plot.plot(d, way.claim, color="#999999", linewidth=2.0, label=say("chart_claim", lang), zorder=1)
+    looked = looks_of(way.errors)
     for key, errors in way.errors.items():
-        colour, marker, dashes = LOOK[key]
+        colour, marker, dashes = looked[key]
         shown = [max(e, FLOOR) if e < NONSENSE else float("nan") for e in errors]
         wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_compiled": 1.6}.get(key, 1.0)
         looks: dict[str, Any] = {"color": INK[colour], "marker": marker, "linestyle": dashes, "linewidth": wide}

@@ -12,8 +12,8 @@ import numpy as np
 from conftest import angles, plans
 
 from planes.accuracy.comparison import Comparison
-from planes.accuracy.other_programs import Pylinkage, kinepy_run, pylinkage_run
 from planes.batch import Cycle
+from tests.helpers.other_programs import Pylinkage, kinepy_run, pylinkage_run
 
 COLUMNS = {
     "four-bar": kernels.FOUR_BAR_NAMES,

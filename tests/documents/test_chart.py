@@ -24,7 +24,6 @@ SAMPLES = ROOT / "samples"
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Few positions to time and to follow."""
     monkeypatch.setattr(methods, "MANY", 500)
-    monkeypatch.setattr(methods, "FEWER", 50)
     monkeypatch.setattr(stability, "CROWD", 1)
     monkeypatch.setattr(stability, "BINS", range(2, 29, 6))
     monkeypatch.setattr(stability, "BEGINS", frozenset({0}))

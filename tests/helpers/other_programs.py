@@ -1,4 +1,4 @@
-"""Other tools on the same mechanism, for contrast only, where they are installed (the extra ``planes[bench]``).
+"""Other programs on the same mechanism, for contrast, where they are installed (the extra ``planes[bench]``).
 
 pylinkage computes places, velocities and accelerations of cranks and of RRR and RRP groups on frame guides by its
 compiled path; kinepy computes places of any group, velocities and accelerations being left to differences.
@@ -10,24 +10,43 @@ import io
 import itertools
 import math
 from collections.abc import Callable, Iterator
+from importlib.metadata import version
 from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 
 from planes.accuracy.baselines import differences
+from planes.accuracy.comparison import Comparison, OtherProgram, Triple
 from planes.plans import Plans
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME, Mechanism
 
-Triple = tuple[complex, complex, complex]  # place, velocity, acceleration
 Near = Callable[[int], dict[str, complex]]
 PER_STEP = 1e-3  # rad of the crank, of a table in time
 
 
-def installed() -> list[str]:
-    """The tools that are there."""
-    return [name for name in ("pylinkage", "kinepy") if find_spec(name)]
+def installed() -> list[OtherProgram]:
+    """The programs that are there."""
+    made = {"pylinkage": _pylinkage, "kinepy": _kinepy}
+    return [make(version(name)) for name, make in made.items() if find_spec(name)]
+
+
+def _pylinkage(number: str) -> OtherProgram:
+    def work(bench: Comparison, values: Any) -> Any:
+        return bench.rows(pylinkage_at(bench.at, values, bench.near(values)))
+
+    def quickest(bench: Comparison, values: Any) -> Callable[[Any], Any]:
+        return pylinkage_run(bench.plans, values[0], bench.near(values)(0))
+
+    return OtherProgram(f"pylinkage {number}", Pylinkage.can, work, quickest, 100_000)
+
+
+def _kinepy(number: str) -> OtherProgram:
+    def work(bench: Comparison, values: Any) -> Any:
+        return bench.rows(kinepy_at(bench.at, values, bench.near(values)))
+
+    return OtherProgram(f"kinepy {number}", lambda _: True, work, lambda bench, _: kinepy_run(bench.plans), 10_000)
 
 
 class Pylinkage:
