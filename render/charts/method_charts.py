@@ -76,7 +76,7 @@ def _speed(plot: Axes, spots: list[Method], seconds: str, lang: Lang) -> None:
     plot.set_ylim(min(m.error for m in spots) / 20, 30)
     _label(plot, [m for m in spots if m.key != "method_pencil"], lang)
     _label_pencils(plot, [m for m in spots if m.key == "method_pencil"], lang)
-    plot.legend(loc="lower left")
+    plot.legend(loc="upper left")
 
 
 def _label(plot: Axes, spots: Sequence[Method], lang: Lang) -> None:
