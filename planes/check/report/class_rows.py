@@ -14,7 +14,7 @@ from itertools import islice
 
 from planes.check import STATUS
 from planes.check.report import Checked
-from planes.check.report.shown import Vector, shown_plans, true_marks
+from planes.check.report.shown import Vector, pair, shown_plans, true_marks
 from planes.geometry.plane import corners
 from planes.plans.measuring import say_plan
 from planes.words import Lang, say
@@ -118,7 +118,7 @@ def wrong_places(one: Checked) -> Iterable[Json]:
         yield {
             "name": name,
             "box": [round(v, 2) for v in box],
-            "at": _pair(places[0]),
+            "at": pair(places[0], 2),
             "picture": address(cropped(paper.picture, paper.box, box)),
             "strokes": _vectors(_near(paper.strokes, box)),
             "own": _vectors(shown.own),
@@ -129,11 +129,7 @@ def wrong_places(one: Checked) -> Iterable[Json]:
 
 
 def _vectors(all_: Iterable[Vector]) -> list[list[float]]:
-    return [[*_pair(a), *_pair(b)] for a, b in all_]
-
-
-def _pair(z: complex) -> list[float]:
-    return [round(z.real, 2), round(z.imag, 2)]
+    return [[*pair(a, 2), *pair(b, 2)] for a, b in all_]
 
 
 def _near(strokes: Iterable[Vector], box: Box) -> list[Vector]:

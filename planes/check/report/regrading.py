@@ -25,15 +25,6 @@ Places = dict[str, tuple[int, int]]  # on a tape, x and y of what each mark miss
 SURELY_MM = 0.2  # how surely a person places a mark on the screen
 
 
-@dataclass
-class Retraced:
-    """The tape of a grading as plain data, and places on it by mark, and by mark for every mistake supposed."""
-
-    tape: Json
-    misses: Places
-    under: list[Places]
-
-
 class _Plain(Recording):
     """The arithmetic of a page: what is only there for the last digits is done without."""
 
@@ -95,15 +86,15 @@ class _Desk:
         return {m: (place_of(self.tape, z.real), place_of(self.tape, z.imag)) for m, z in off.items()}
 
 
-def retrace(grading: Grading, variants: Iterable[Variant]) -> Retraced:
-    """The grading as a tape, every mistake as another way to the marks it touches; what nothing depends on goes, and
-    places are counted anew."""
+def retrace(grading: Grading, variants: Iterable[Variant]) -> tuple[Json, list[Places]]:
+    """The grading as a tape (plain data), every mistake as another way to the marks it touches; and places on it: of
+    the plan as it is, then under each mistake. What nothing depends on goes, and places are counted anew."""
     desk = _Desk(grading)
     found = [desk.misses(grading.marks, way) for way in (None, *variants)]
     order = desk.tape.needed([place for one in found for pair in one.values() for place in pair])
     new = {place: k for k, place in enumerate(order)}
-    misses, *under = ({m: (new[x], new[y]) for m, (x, y) in one.items()} for one in found)
-    return Retraced(_exported(desk.tape, new, desk.tool.sources), misses, under)
+    places = [{m: (new[x], new[y]) for m, (x, y) in one.items()} for one in found]
+    return _exported(desk.tape, new, desk.tool.sources), places
 
 
 def _exported(tape: Tape, new: Mapping[int, int], sources: Iterable[Source]) -> Json:
