@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, fields
 from itertools import islice
 
 from planes.check import STATUS
+from planes.check.grading.paper import Box
 from planes.check.report import Checked
 from planes.check.report.shown import Vector, pair, shown_plans, true_marks
 from planes.geometry.plane import corners
@@ -21,7 +22,6 @@ from planes.words import Lang, say
 from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Json
 
-Box = tuple[float, float, float, float]
 UNREADABLE, UNSURE, WRONG, RIGHT = range(4)
 MOST_PLACES = 3  # wrong places shown of a drawing
 WINDOW_MM = (18.0, 90.0)  # about a wrong place: at least and at most that to each side

@@ -14,7 +14,6 @@ from planes.batch.tape import Tape
 from planes.batch.tracing import Recording, Source, TracingTool
 from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import Person, Variant
-from planes.check.grading.perturbing import Skill
 from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Same
 from planes.drafting.tools import Env
@@ -58,7 +57,7 @@ class _Desk:
 
     def __init__(self, grading: Grading) -> None:
         hand = grading.hand
-        skill: Skill = hand.tool.skill
+        skill = hand.tool.skill
         errors = (skill.point_mm, math.radians(skill.ray_deg), skill.ruler_mm)
         late = [m for m in grading.marks if m not in hand.taken]
         self.program, self.taken = hand.program, hand.taken
