@@ -9,13 +9,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planes.check.grading.paper import Known, ReadPaper, read_table, with_told
+from planes.check.grading.paper import Box, Known, ReadPaper, read_table, with_told
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.reading.opened import LARGEST, contents, hushed, too_many
 from planes.check.reading.strokes import ReadDrawing
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
-from planes.words.names import kind_of
 
 if TYPE_CHECKING:
     from planes.check.vision.decoding import DecodedPicture
@@ -27,7 +26,6 @@ MOST_SHOWN = 2000  # lines of a drawing shown in its report
 MOST_PAGES = 300
 NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
 """What lies beside drawings."""
-Box = tuple[float, float, float, float]
 OTHERS = {  # what cameras and telephones save that is not read: the suffixes, how such a file begins
     "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
     "check_gif": ((".gif",), rb"GIF8"),
@@ -218,10 +216,9 @@ def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     pole = None if known.pole is None else sketch.mm(known.pole)
     sketch, by = scaled(sketch, bench, pole, {n: sketch.mm(z) for n, z in known.marks.items()})
     paper = paper_on(sketch, bench)
-    told = {n: sketch.mm(z) for k, z in known.marks.items() if (n := bench.names.find(k))} if pole is None else {}
     if paper.spots:
-        told = {} if kind_of(asked.plan) == "force" else told
-        paper.spots = with_told(paper.spots, told, doubt_of(sketch))
+        pointed = bench.pointed(known.marks, sketch.mm) if pole is None else {}
+        paper.spots = with_told(paper.spots, pointed, doubt_of(sketch))
     paper.scale_mark = by
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
     paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []

@@ -279,8 +279,8 @@ def test_the_page_reads_every_operation_of_a_tape() -> None:
         found = handed_in(sample, plan, mistake) if plan != "position" else None
         grading = graded(found) if found else empty(prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan)))
         bench = found.bench if found else prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
-        traced = retrace(grading, variants_of(bench, grading.hand.taken, grading.mu))
-        names = set(traced.tape["names"]) - LEAVES
+        tape, _ = retrace(grading, variants_of(bench, grading.hand.taken, grading.mu))
+        names = set(tape["names"]) - LEAVES
         assert names and all(re.search(rf"\b{n}:", values) for n in names), names
         assert all(re.search(rf"\b{n}:", slopes) for n in names - TESTS)
 

@@ -29,6 +29,7 @@ MOST = 2000  # rows
 LARGEST_MM = 10_000.0  # no sheet is larger
 MISREAD = 0.05  # for which share of a picture's marks another place is taken
 TOLD_MM = 0.3  # how surely a person points to a mark
+Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the pole
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ class ReadPaper:
     whole: bool = True
     pole_told: bool = True  # whether it was named, printed or drawn as such, not guessed from what a picture shows
     picture: bytes = b""  # the flat picture, for the report
-    box: tuple[float, float, float, float] | None = None  # where it lies: left, bottom, right, top, mm from the pole
+    box: Box | None = None  # where it lies
     strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
     notes: list[Phrase] = field(default_factory=list)
 

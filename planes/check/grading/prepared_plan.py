@@ -79,6 +79,12 @@ class PreparedPlan:
         """A scale of the plan as a sentence has it."""
         return Written(*(mu_text(mu, kind_of(self.asked.plan), lang) for lang in ("en", "ru")))
 
+    def pointed(self, marks: Mapping[str, complex], place: Callable[[complex], complex]) -> dict[str, complex]:
+        """The places of marks that a person pointed to, by label; none of a force plan, whose marks stand where its
+        vectors end, in any order."""
+        force = kind_of(self.asked.plan) == "force"
+        return {} if force else {n: place(z) for k, z in marks.items() if (n := self.names.find(k))}
+
     def written(self, vectors: Iterable[str]) -> Names:
         """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
         return Names(vectors, spelt=lambda name: self.asked.spelt(parted(name)))

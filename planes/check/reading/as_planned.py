@@ -15,9 +15,9 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.readable import readable
 from planes.check.reading.chains import SURELY_MM, WIDE, alongside, back_and_forth, true_vectors
-from planes.check.reading.lone_vectors import arrows_of, others
+from planes.check.reading.lone_vectors import arrows_of
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke, Words
+from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
 from planes.check.reading.words_near import LEADER_MM, Candidates
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of
@@ -44,6 +44,11 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     words += [
         (n, replace(w, place=b, height=0.1, width=0.1)) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM
     ]
+
+    def far_from(name: str, z: complex) -> float:
+        far = min(w.distance(z) for n, w in words if n == name)
+        return far if far <= FARTHEST_MM else math.inf
+
     starts = [z for z, _ in arrows]
     most = sorted(starts, key=lambda z: -sum(abs(z - w) < SHORT_MM for w in starts))[:1]  # most vectors begin there
     for pole in (*poles, *most) if tips else ():
@@ -53,29 +58,13 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
         if there and all(abs(_nearest(z, ends) - z) <= REACH_MM for arrow in arrows for z in arrow):
             spots = [ReadMark(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
             paper = ReadPaper(sketch.file, spots, whole=False)
-            if named(found, near.keys() & truth, nearest_of(words)) and is_right(bench, paper):
+            if named(found, near.keys() & truth, far_from) and is_right(bench, paper):
                 return paper
     return ReadPaper(sketch.file, whole=False)
 
 
-def nearest_of(words: Sequence[tuple[str | None, Words]]) -> Callable[[str, complex], float]:
-    """How far the nearest word of a name is from a place; without end where none is near."""
-
-    def far_from(name: str, z: complex) -> float:
-        far = min(w.distance(z) for n, w in words if n == name)
-        return far if far <= FARTHEST_MM else math.inf
-
-    return far_from
-
-
 def _nearest(z: complex, places: Sequence[complex]) -> complex:
     return min(places, key=lambda w: abs(w - z))
-
-
-def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
-    """The vectors of a force plan, each a row of its own; none where one is not drawn, or an arrow is over."""
-    paper = vectors_named(sketch, bench, true_vectors(bench), others(bench).values())
-    return paper if is_right(bench, paper) else ReadPaper(sketch.file, whole=False)
 
 
 def vectors_named(
@@ -85,8 +74,8 @@ def vectors_named(
     beside: Iterable[complex],
     least_mm: float = 0.0,
 ) -> ReadPaper:
-    """Given vectors of a force plan by their likeness and names, with others ``beside`` them; where the names of those
-    shorter than ``least_mm`` stand tells nothing."""
+    """Given vectors of a force plan by their likeness and names, with others ``beside`` them; none where one is not
+    drawn, or an arrow is over. Where the names of those shorter than ``least_mm`` stand tells nothing."""
     nothing, arrows, spelt = ReadPaper(sketch.file, whole=False), arrows_of(sketch), bench.written(sides)
     words = [(spelt.find(w.text), w) for w in sketch.words]
 

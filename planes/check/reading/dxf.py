@@ -4,6 +4,7 @@ import cmath
 import io
 import math
 from collections.abc import Iterable, Iterator
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -40,7 +41,7 @@ def read_dxf(path: str | Path) -> ReadDrawing:
 
 def _sketch(document: Any, space: Any, scale: float, file: str) -> ReadDrawing:
     found = ReadDrawing(file)
-    for entity in _Entities(document, file).seen(space):
+    for entity in _seen(document, space, file):
         try:
             _entity(found, entity, scale)
         except (ValueError, AttributeError, TypeError, IndexError, ZeroDivisionError):
@@ -51,32 +52,29 @@ def _sketch(document: Any, space: Any, scale: float, file: str) -> ReadDrawing:
     return found
 
 
-class _Entities:
-    """The entities of a file, counted as they pass, whether or not anything is to be seen of them."""
+def _seen(document: Any, space: Any, file: str) -> Iterator[Any]:
+    """The entities that can be seen, blocks as what they hold; all are counted as they pass, seen or not."""
+    unseen, passed = {x.dxf.name.casefold() for x in document.layers if x.is_off() or x.is_frozen()}, count(1)
 
-    def __init__(self, document: Any, file: str) -> None:
-        self.unseen = {x.dxf.name.casefold() for x in document.layers if x.is_off() or x.is_frozen()}
-        self.file, self.count = file, 0
-
-    def _counted(self, entities: Iterable[Any]) -> Iterator[Any]:
+    def counted(entities: Iterable[Any]) -> Iterator[Any]:
         for entity in entities:
-            self.count += 1
-            if self.count > MOST:
-                raise too_many(self.file, "elements", MOST)
+            if next(passed) > MOST:
+                raise too_many(file, "elements", MOST)
             yield entity
 
-    def seen(self, entities: Iterable[Any], depth: int = 0) -> Iterator[Any]:
-        """Those that can be seen, blocks as what they hold."""
-        for entity in self._counted(entities):
+    def held(entities: Iterable[Any], depth: int) -> Iterator[Any]:
+        for entity in counted(entities):
             kind, layer = entity.dxftype(), entity.dxf.get("layer", "0").casefold()
-            if kind in MEASURES or layer in self.unseen or entity.dxf.get("invisible", 0):
+            if kind in MEASURES or layer in unseen or entity.dxf.get("invisible", 0):
                 continue
             if kind != "INSERT":
                 yield entity
             elif depth < DEEPEST:
-                for one in self._counted(entity.multi_insert() if entity.mcount > 1 else (entity,)):
-                    yield from self.seen(one.virtual_entities(), depth + 1)
+                for one in counted(entity.multi_insert() if entity.mcount > 1 else (entity,)):
+                    yield from held(one.virtual_entities(), depth + 1)
                     yield from one.attribs
+
+    return held(space, 0)
 
 
 def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:

@@ -10,10 +10,10 @@ from dataclasses import dataclass, field, replace
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned, worth
+from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_named, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.construction_lines import covered, vectors_of
-from planes.check.reading.lone_vectors import lone_vectors
+from planes.check.reading.lone_vectors import lone_vectors, others
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
 from planes.words import Phrase
@@ -52,8 +52,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     bench = sized(bench, sketch, nodes, near)
     if kind == "force":
         sketch.words += led_to_vectors(sketch) if headed(sketch) else ()
-        found = vectors_as_planned(sketch, bench)
-        return found if found.spots else _polygon(sketch, nodes, bench, paper)
+        found = vectors_named(sketch, bench, true_vectors(bench), others(bench).values())
+        return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper

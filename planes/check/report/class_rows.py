@@ -13,15 +13,15 @@ from dataclasses import dataclass, field, fields
 from itertools import islice
 
 from planes.check import STATUS
+from planes.check.grading.paper import Box
 from planes.check.report import Checked
-from planes.check.report.shown import Vector, shown_plans, true_marks
+from planes.check.report.shown import Vector, pair, shown_plans, true_marks
 from planes.geometry.plane import corners
 from planes.plans.measuring import say_plan
 from planes.words import Lang, say
 from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Json
 
-Box = tuple[float, float, float, float]
 UNREADABLE, UNSURE, WRONG, RIGHT = range(4)
 MOST_PLACES = 3  # wrong places shown of a drawing
 WINDOW_MM = (18.0, 90.0)  # about a wrong place: at least and at most that to each side
@@ -118,7 +118,7 @@ def wrong_places(one: Checked) -> Iterable[Json]:
         yield {
             "name": name,
             "box": [round(v, 2) for v in box],
-            "at": _pair(places[0]),
+            "at": pair(places[0], 2),
             "picture": address(cropped(paper.picture, paper.box, box)),
             "strokes": _vectors(_near(paper.strokes, box)),
             "own": _vectors(shown.own),
@@ -129,11 +129,7 @@ def wrong_places(one: Checked) -> Iterable[Json]:
 
 
 def _vectors(all_: Iterable[Vector]) -> list[list[float]]:
-    return [[*_pair(a), *_pair(b)] for a, b in all_]
-
-
-def _pair(z: complex) -> list[float]:
-    return [round(z.real, 2), round(z.imag, 2)]
+    return [[*pair(a, 2), *pair(b, 2)] for a, b in all_]
 
 
 def _near(strokes: Iterable[Vector], box: Box) -> list[Vector]:

@@ -15,7 +15,7 @@ from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
 from planes.check.grading.readable import READABLE, key_marks
 from planes.check.report.regrading import SURELY_MM, retrace
-from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
+from planes.check.report.shown import own_marks, own_order, pair, shown_plans, vectors
 from planes.check.vision.photograph import blank_pole
 from planes.drafting.steps import Same
 from planes.geometry.plane import corners
@@ -25,7 +25,6 @@ from planes.words import Lang, Phrase, say
 from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.records import Json
 
-Pair = list[float]
 VERDICTS = ("right", "wrong", "follows", "unread")
 MARGIN_MM = 12.0  # about a drawing on a page
 
@@ -34,27 +33,27 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
     """What a page needs to judge marks that are moved."""
     bench, plan, taken = found.bench, found.bench.asked.plan, grading.hand.taken
     variants = variants_of(bench, grading.hand.taken, grading.mu)
-    traced = retrace(grading, variants)
+    tape, (misses, *supposed) = retrace(grading, variants)
     truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
-    earlier = {m: _pair(t.place) for m, t in taken.items() if plan_of(m) != plan}
+    earlier = {m: pair(t.place) for m, t in taken.items() if plan_of(m) != plan}
     force = kind_of(plan) == "force"
     return {
         "lettering": lettering(bench.asked.scene, bench.plans),
         "kind": kind_of(plan),
-        "marks": [_mark(grading, m, traced.misses[m]) for m in grading.marks],
+        "marks": [_mark(grading, m, misses[m]) for m in grading.marks],
         "vectors": vectors(bench),
-        "truth": {POLE: [0.0, 0.0], **{n: _pair(z) for n, z in truth.items()}},
+        "truth": {POLE: [0.0, 0.0], **{n: pair(z) for n, z in truth.items()}},
         "rows": [astuple(s) for s in sides_of(bench.plans, plan)] if force else [(n, POLE, n) for n in truth],
         "chained": force,
-        "earlier": {f"{m}.{axis}": pair[k] for m, pair in earlier.items() for k, axis in enumerate("xy")},
+        "earlier": {f"{m}.{axis}": z[k] for m, z in earlier.items() for k, axis in enumerate("xy")},
         "order": [astuple(s) for s in own_order(found)],
-        "tape": traced.tape,
-        "variants": [_variant(v, under, lang) for v, under in zip(variants, traced.under, strict=True) if under],
+        "tape": tape,
+        "variants": [_variant(v, under, lang) for v, under in zip(variants, supposed, strict=True) if under],
         "rule": _rule(grading),
         "said": _said(found, lang),
         "otherwise": _otherwise(grading, lang),
         "words": {**{k: say(f"verdict_{k}", lang) for k in VERDICTS}, "close": say("check_close", lang)},
-        "strokes": [[*_pair(a), *_pair(b)] for a, b in found.paper.strokes],
+        "strokes": [[*pair(a), *pair(b)] for a, b in found.paper.strokes],
         **_shown(found, truth),
     }
 
@@ -147,14 +146,10 @@ def _shown(found: Outcome, truth: Mapping[str, complex]) -> Json:
     return {"picture": None, "box": _about(found, truth)}
 
 
-def _about(found: Outcome, truth: Mapping[str, complex]) -> Pair:
+def _about(found: Outcome, truth: Mapping[str, complex]) -> list[float]:
     """A box about both plans: left, bottom, right, top."""
     shown, margin = shown_plans(found), complex(MARGIN_MM, MARGIN_MM)
     vectors_shown = [*shown.own, *shown.true, *found.paper.strokes]
     places = [0j, *truth.values(), *own_marks(found).values(), *(z for v in vectors_shown for z in v)]
     low, high = corners(z for z in places if abs(z) < 2000)  # nor what is no place at all
-    return [*_pair(low - margin), *_pair(high + margin)]
-
-
-def _pair(z: complex) -> Pair:
-    return [round(z.real, 4), round(z.imag, 4)]
+    return [*pair(low - margin), *pair(high + margin)]

@@ -14,7 +14,6 @@ from planes.batch.tape import Tape
 from planes.batch.tracing import Recording, Source, TracingTool
 from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import Person, Variant
-from planes.check.grading.perturbing import Skill
 from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Same
 from planes.drafting.tools import Env
@@ -23,15 +22,6 @@ from planes.words.records import Json
 
 Places = dict[str, tuple[int, int]]  # on a tape, x and y of what each mark misses by
 SURELY_MM = 0.2  # how surely a person places a mark on the screen
-
-
-@dataclass
-class Retraced:
-    """The tape of a grading as plain data, and places on it by mark, and by mark for every mistake supposed."""
-
-    tape: Json
-    misses: Places
-    under: list[Places]
 
 
 class _Plain(Recording):
@@ -67,7 +57,7 @@ class _Desk:
 
     def __init__(self, grading: Grading) -> None:
         hand = grading.hand
-        skill: Skill = hand.tool.skill
+        skill = hand.tool.skill
         errors = (skill.point_mm, math.radians(skill.ray_deg), skill.ruler_mm)
         late = [m for m in grading.marks if m not in hand.taken]
         self.program, self.taken = hand.program, hand.taken
@@ -95,15 +85,15 @@ class _Desk:
         return {m: (place_of(self.tape, z.real), place_of(self.tape, z.imag)) for m, z in off.items()}
 
 
-def retrace(grading: Grading, variants: Iterable[Variant]) -> Retraced:
-    """The grading as a tape, every mistake as another way to the marks it touches; what nothing depends on goes, and
-    places are counted anew."""
+def retrace(grading: Grading, variants: Iterable[Variant]) -> tuple[Json, list[Places]]:
+    """The grading as a tape (plain data), every mistake as another way to the marks it touches; and places on it: of
+    the plan as it is, then under each mistake. What nothing depends on goes, and places are counted anew."""
     desk = _Desk(grading)
     found = [desk.misses(grading.marks, way) for way in (None, *variants)]
     order = desk.tape.needed([place for one in found for pair in one.values() for place in pair])
     new = {place: k for k, place in enumerate(order)}
-    misses, *under = ({m: (new[x], new[y]) for m, (x, y) in one.items()} for one in found)
-    return Retraced(_exported(desk.tape, new, desk.tool.sources), misses, under)
+    places = [{m: (new[x], new[y]) for m, (x, y) in one.items()} for one in found]
+    return _exported(desk.tape, new, desk.tool.sources), places
 
 
 def _exported(tape: Tape, new: Mapping[int, int], sources: Iterable[Source]) -> Json:

@@ -19,6 +19,11 @@ from planes.words.units import mu_text
 Vector = tuple[complex, complex]
 
 
+def pair(z: complex, digits: int = 4) -> list[float]:
+    """A place as plain data."""
+    return [round(z.real, digits), round(z.imag, digits)]
+
+
 def vectors(bench: PreparedPlan) -> list[tuple[str, str]]:
     """Vectors of the plan by the labels of their ends; of a scheme, its links."""
     plan = bench.asked.plan
@@ -153,7 +158,7 @@ def _plan(bench: PreparedPlan, lang: Lang) -> Json:
         "key": plan,
         "kind": kind,
         "title": f"{said[:1].upper()}{said[1:]}, μ = {mu_text(bench.said_mu, kind, lang)}",
-        "marks": {POLE: [0.0, 0.0], **{n: [round(z.real, 4), round(z.imag, 4)] for n, z in marks.items()}},
+        "marks": {POLE: [0.0, 0.0], **{n: pair(z) for n, z in marks.items()}},
         "far": max(marks, key=lambda n: abs(marks[n])),
         "vectors": vectors(bench),
         "names": names,

@@ -10,6 +10,7 @@ from typing import TypeVar
 
 import numpy
 
+from planes.check.fiducials import SHEET_MM
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 LEFT_MM, OTHER_MM = 20.0, 5.0  # of the frame from the sheet's edges
@@ -77,47 +78,47 @@ def through(view: Array, z: Place) -> Place:
     return place
 
 
-def bend_of(grey: Greys, view: Array, scale: float, size_mm: tuple[float, float]) -> Bend | None:
+def bend_of(grey: Greys, view: Array, scale: float) -> Bend | None:
     """The bend of a picture seen by ``view`` (its pixels to ``scale`` a mm); None where there is none to speak of."""
     height, width = grey.shape
-    size = size_mm[0] * scale, size_mm[1] * scale
+    size = SHEET_MM[0] * scale, SHEET_MM[1] * scale
     bend = Bend(complex(width, height) / 2, abs(complex(width, height)) / 2, (0.0, 0.0), view, size)
-    seen = _sides(grey, bend, scale, size_mm)
+    seen = _sides(grey, bend, scale)
     if seen:
         bend.lens = _lens(bend, [z for z, _ in seen])
     return bend if seen else None
 
 
-def add_paper(bend: Bend, grey: Greys, scale: float, size_mm: tuple[float, float]) -> None:
+def add_paper(bend: Bend, grey: Greys, scale: float) -> None:
     """Put to a bend what its lens leaves for the paper."""
-    seen = _sides(grey, bend, scale, size_mm)
+    seen = _sides(grey, bend, scale)
     steps, rows = numpy.linspace(0, 1, 41), []
-    for (_, off), (a, b) in zip(seen, _ends(size_mm), strict=True) if seen else ():
+    for (_, off), (a, b) in zip(seen, _ends(), strict=True) if seen else ():
         upright = abs((b - a).real) < 1
         share = numpy.linspace(a.imag if upright else a.real, b.imag if upright else b.real, len(off))
-        share = 1 - share / size_mm[1] if upright else share / size_mm[0]
+        share = 1 - share / SHEET_MM[1] if upright else share / SHEET_MM[0]
         smooth = numpy.polynomial.Polynomial.fit(share, off, 4)
         rows.append(smooth(numpy.clip(steps, share.min(), share.max())) * scale)
     bend.sides = numpy.array(rows) if rows else None
 
 
-def _ends(size_mm: tuple[float, float]) -> list[tuple[complex, complex]]:
+def _ends() -> list[tuple[complex, complex]]:
     """The frame's sides, mm, y up: left, right, upper, lower."""
-    w, h = size_mm
+    w, h = SHEET_MM
     low, high = complex(LEFT_MM, OTHER_MM), complex(w - OTHER_MM, h - OTHER_MM)
     upper, lower = complex(low.real, high.imag), complex(high.real, low.imag)
     return [(low, upper), (lower, high), (upper, high), (low, lower)]
 
 
-def _sides(grey: Greys, bend: Bend, scale: float, size_mm: tuple[float, float]) -> list[tuple[Complexes, Array]]:
+def _sides(grey: Greys, bend: Bend, scale: float) -> list[tuple[Complexes, Array]]:
     """The frame's sides as they are seen: pixels, and how far they are off (mm, in x or down); none if not all are, or
     if they are straight."""
 
     def px(z: Complexes) -> Complexes:
-        return bend.source((z.conjugate() + 1j * size_mm[1]) * scale)
+        return bend.source((z.conjugate() + 1j * SHEET_MM[1]) * scale)
 
     out = []
-    for a, b in _ends(size_mm):
+    for a, b in _ends():
         places = a + (b - a) * numpy.linspace(0.03, 0.97, int(abs(b - a) / ALONG_MM))
         across = 1.0 if abs((b - a).real) < 1 else -1j
         t = numpy.arange(-REACH_MM, REACH_MM + 1e-9, ACROSS_MM)

@@ -12,7 +12,6 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache
-from typing import NamedTuple
 
 import numpy
 
@@ -40,21 +39,15 @@ HELD = 0.4  # of its line's darkness: ink that surely is a followed line's
 Place = tuple[slice, slice]
 
 
-class LineInk(NamedTuple):
-    """Darkness by that of the line it is of (``whole``: in the middle of a line), and where lines are followed."""
-
-    shares: Greys
-    followed: Booleans
-
-
-def inked(dark: Greys, scale: float, whole: int) -> LineInk:
-    """What the darkness of a picture's pixels is by that of their lines."""
+def inked(dark: Greys, scale: float, whole: int) -> tuple[Greys, Booleans]:
+    """The darkness of a picture's pixels by that of the line each is of (``whole``: in the middle of a line), and where
+    lines are followed."""
     cv2, size = cv(), dark.shape[::-1]
     even, against, lines = _evened_along(dark, scale)
     against = cv2.resize(against, size, interpolation=cv2.INTER_LINEAR)
     shares = numpy.minimum(cv2.divide(even, against, scale=whole), whole)
     near = cv2.resize(lines.view(numpy.uint8), size, interpolation=cv2.INTER_NEAREST).view(bool)
-    return LineInk(shares, near & (shares > HELD * whole))
+    return shares, near & (shares > HELD * whole)
 
 
 def _evened_along(dark: Greys, scale: float) -> tuple[Greys, Greys, Booleans]:

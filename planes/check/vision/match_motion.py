@@ -173,10 +173,6 @@ class Search:
         ends = {POLE: self.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
         return [(ends[a], ends[b]) for a, b in self.vectors if a in ends and b in ends and ends[a] != ends[b]]
 
-    def explained(self, way: LaidPlan) -> float:
-        """The share of the ink that vectors run along."""
-        return self.ink.explained(self.routes(way))
-
     def _ended(self) -> list[Place]:
         """Places where lines surely end."""
         ended = (p for p in self.seen.places if p.ended and p.sigma < 0.6 and not p.doubtful)
@@ -210,9 +206,10 @@ def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
     best, count = min(ways, key=_cost, default=None), len(variants_of(bench, {}, bench.said_mu))
     if best is None or len(best[1].found) < len(bench.marks) or best[1].cost > slip(count):
         for search in searches:
-            most = min((w.cost for _, w in ways), default=math.inf)
             variants = variants_of(search.bench, {}, search.bench.said_mu)
-            ways += [(search, w) for w in _wrong_ways(search, variants, most)]
+            for variant in variants:
+                most = min((w.cost for _, w in ways), default=math.inf)
+                ways += [(search, w) for w in (search.settled(variant, slip(len(variants)), most),) if w]
         best = min(ways, key=_cost, default=None)
         if best and best[1].cost > ANYWHERE + 4.0 + len(bench.marks):
             ways += [(best[0], w) for w in best[0].free_ways(best[1]) if w]
@@ -221,15 +218,6 @@ def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
 
 def _cost(found: tuple[Search, LaidPlan]) -> float:
     return found[1].cost
-
-
-def _wrong_ways(search: Search, variants: Sequence[Variant], most: float) -> Iterator[LaidPlan]:
-    """The plan drawn with every mistake."""
-    for variant in variants:
-        way = search.settled(variant, slip(len(variants)), most)
-        if way:
-            most = min(most, way.cost)
-            yield way
 
 
 def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float]:
@@ -244,7 +232,8 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
     read = {label_of(m): way.found[m] for m in bench.marks if m in way.found and not search.blind(m, way)}
     spots += [ReadMark(n, p.z, p.error_mm) for n, p in read.items() if n != left_out]
-    explained, strange = search.explained(way), ink.strangers(search.routes(way))
+    routes = search.routes(way)
+    explained, strange = ink.explained(routes), ink.strangers(routes)
     if strange and len(way.found) == len(bench.marks):
         seen.ink.flat.notes.append(Phrase("check_strangers", count=len(strange)))
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained

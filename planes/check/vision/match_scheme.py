@@ -175,7 +175,7 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
         return [], 0.0
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items()]
-    explained = 1.0 if search.at_signs(way) else search.explained(way)
+    explained = 1.0 if search.at_signs(way) else ink.explained(search.routes(way))
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained
 
 

@@ -33,20 +33,15 @@ class PageParts:
     labels: Indices
     boxes: list[list[int]]
 
-    @property
-    def lookable(self) -> list[int]:
-        """The numbers of the parts that are no larger than a plan may be."""
-        return [k for k, (_, _, w, h) in enumerate(self.boxes) if k and w * h <= A2_MM2 * PX_PER_MM**2]
-
     def likely(self, bench: PreparedPlan) -> list[tuple[int, float | None]]:
         """Parts that may be the plan, at a standard scale if none is stated; the likeliest first."""
         plan = [0j, *bench.true_marks.values()]
         xs, ys = [z.real for z in plan], [z.imag for z in plan]
         size = max(xs) - min(xs), max(ys) - min(ys)
         found = []
-        for k in self.lookable:
-            seen = self.boxes[k][2] / PX_PER_MM, self.boxes[k][3] / PX_PER_MM
-            for mu in _scales(bench, max(size), max(seen)) if max(seen) > LEAST_MM else ():
+        for k, seen in enumerate((w / PX_PER_MM, h / PX_PER_MM) for _, _, w, h in self.boxes):
+            fits = k and max(seen) > LEAST_MM and math.prod(seen) <= A2_MM2
+            for mu in _scales(bench, max(size), max(seen)) if fits else ():
                 pairs = zip(seen, size, strict=True)
                 unlike = (abs(math.log((a + SOFT_MM) / (b * mu / bench.said_mu + SOFT_MM))) for a, b in pairs)
                 found.append((sum(unlike), k, mu))

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from planes.check.fiducials import SHEET_MM, pole_place
-from planes.check.grading.paper import MISREAD, Known, ReadMark, ReadPaper, with_told
+from planes.check.grading.paper import MISREAD, Box, Known, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.as_planned import worth
 from planes.check.vision.decoding import DecodedPicture, load
@@ -40,8 +40,8 @@ class Look:
     crowd: bool = False  # whether there are too many to look at
     mu: float | None = None  # the scale it was found at, where that is not the stated one
 
-    def box(self, bench: PreparedPlan) -> tuple[float, float, float, float]:
-        """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
+    def box(self, bench: PreparedPlan) -> Box:
+        """Where the flat picture lies."""
         printed = not self.spots and self.flat.by == "marks"
         low = self.flat.corner - (blank_pole(bench) if printed else self.pole)
         h, w = self.flat.grey.shape[:2]
@@ -75,7 +75,8 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     elif best.explained < EXPLAINED:
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
     else:
-        paper.spots, paper.whole, paper.mu = _with_told(bench, best, known), best.whole, best.mu
+        pointed = bench.pointed(known.marks, best.flat.place) if best.spots else {}
+        paper.spots, paper.whole, paper.mu = with_told(best.spots, pointed, MISREAD), best.whole, best.mu
         if best.mu and best.mu != bench.said_mu:
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
@@ -83,13 +84,6 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
-
-
-def _with_told(bench: PreparedPlan, look: Look, known: Known) -> list[ReadMark]:
-    """The marks that were read, each in doubt, and those that were pointed to, which are not."""
-    told = {n: look.flat.place(z) for k, z in known.marks.items() if (n := bench.names.find(k))} if look.spots else {}
-    force = kind_of(bench.asked.plan) == "force"  # its marks stand where its vectors end, in any order
-    return with_told(look.spots, {} if force else told, MISREAD)
 
 
 def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:

@@ -115,7 +115,7 @@ def _sharpened(grey: Greys, quad: Array) -> Array:
     return sharp
 
 
-def flatten(grey: Greys, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
+def flatten(grey: Greys) -> Flat | None:
     """The sheet seen straight from above, if its corner marks (three at least) are found."""
     cv2 = cv()
     small, factor = smaller(grey, LARGEST_PX)
@@ -123,32 +123,30 @@ def flatten(grey: Greys, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None
     if len(marks) < 3:
         return None
     turns = [SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
-    places = [centres(size_mm)[number] + turn for number in marks for turn in turns]
+    places = [centres(SHEET_MM)[number] + turn for number in marks for turn in turns]
     seen = [corner for quad in marks.values() for corner in quad]
-    true = [(z.real * PX_PER_MM, (size_mm[1] - z.imag) * PX_PER_MM) for z in places]
+    true = [(z.real * PX_PER_MM, (SHEET_MM[1] - z.imag) * PX_PER_MM) for z in places]
     warp, _ = cv2.findHomography(numpy.array(seen), numpy.array(true), cv2.RANSAC, 0.6 * PX_PER_MM)
     if warp is None:
         return None
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
-    bend = bend_of(small, warp, PX_PER_MM, size_mm)
+    bend = bend_of(small, warp, PX_PER_MM)
     if bend is not None:
-        unbent = _unbent(small, bend, seen, true, size_mm)
+        unbent = _unbent(small, bend, seen, true)
         return Flat(unbent, PX_PER_MM, 0j, "marks", None, notes, replace(bend, shrink=factor))
-    width, height = (round(s * PX_PER_MM) for s in size_mm)
+    width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
     flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
     whole = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
     return Flat(flat, PX_PER_MM, 0j, "marks", whole, notes)
 
 
-def _unbent(
-    grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, float]], size_mm: tuple[float, float]
-) -> Greys:
+def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, float]]) -> Greys:
     """The flat picture of a bent one, by its corner marks as they would be seen without the lens's bend."""
     cv2 = cv()
     straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
     bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
-    add_paper(bend, grey, PX_PER_MM, size_mm)
-    width, height = (round(s * PX_PER_MM) for s in size_mm)
+    add_paper(bend, grey, PX_PER_MM)
+    width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
     cell = 16  # a map that is so smooth need not be told for every pixel
     across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in (width, height))
     source = bend.source(across[None, :] + 1j * down[:, None])
