@@ -3,7 +3,6 @@ parameters, as a file anew), the mechanism solved. A task for any worker."""
 
 import json
 import math
-import re
 import traceback
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,16 +16,14 @@ from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
 from planes.scene.parameters import names_of, reached
 from planes.scene.reader import entries_of, texts
-from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.scene.source import parse as parse_text
+from planes.scene.writing import written
 from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.records import Json
 from planes.words.units import RATE_UNITS
-
-_PLAIN = re.compile(r"[\w+−*/()^. -]*[\w)]|[+-]?[\d.]+")
-WIDTH = 110  # a table that fits stands on one line
 
 
 def own_scene(text: str, file: str, variant: str | None, numbers: Mapping[str, str], sheet: Mapping[str, Node]) -> str:
@@ -40,32 +37,7 @@ def own_scene(text: str, file: str, variant: str | None, numbers: Mapping[str, s
         entries["parameters"] = SourceTable({**parameters.entries, **more, **drawn}, 0)
     if sheet:
         entries["sheet"] = SourceTable({**entries_of(entries.get("sheet")), **sheet}, 0)
-    return "".join(f"{key}:{_block(value, 0, len(key))}\n" for key, value in entries.items())
-
-
-def _block(node: Node, depth: int, used: int) -> str:
-    """A node after its key: on the same line if it fits, else a line for each entry."""
-    flow = _flow(node)
-    if not isinstance(node, SourceTable) or not node.entries or used + len(flow) + 2 * depth <= WIDTH or depth > 2:
-        return f" {flow}"
-    pad = "\n" + "  " * (depth + 1)
-    return "".join(f"{pad}{_word(k)}:{_block(v, depth + 1, len(k))}" for k, v in node.entries.items())
-
-
-def _flow(node: Node) -> str:
-    if isinstance(node, SourceTable):
-        return "{" + ", ".join(f"{_word(k)}: {_flow(v)}" for k, v in node.entries.items()) + "}"
-    if isinstance(node, Items):
-        return "[" + ", ".join(map(_flow, node.items)) + "]"
-    return ("~" if node.absent else _word(node.text)) if node.plain else _quoted(node.text)
-
-
-def _word(text: str) -> str:
-    return text if _PLAIN.fullmatch(text) else _quoted(text)
-
-
-def _quoted(text: str) -> str:
-    return json.dumps(text, ensure_ascii=False)
+    return written(entries)
 
 
 def used_names(text: str, file: str) -> tuple[str, ...]:

@@ -14,7 +14,6 @@ class _Lines(yaml.SafeDumper):
     """Tables of tables on lines of their own, everything below them in one line."""
 
 
-_Lines.add_representer(float, lambda dumper, x: dumper.represent_scalar("tag:yaml.org,2002:float", repr(x)))
 _Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag:yaml.org,2002:seq", [z.real, z.imag]))
 
 
@@ -28,7 +27,12 @@ def as_yaml(
     parts: Json = {"planes": 1, **words, **dict(_mechanism(mechanism)), **asked}
     if frame_number != "0":
         parts["frame"]["number"] = frame_number
-    return "".join(_dumped(key, _as_written(value)) for key, value in parts.items() if _said(value))
+    return written({key: value for key, value in parts.items() if _said(value)})
+
+
+def written(parts: Mapping[str, object]) -> str:
+    """The text of a file with these parts, each as it was written if it was kept so."""
+    return "".join(_dumped(key, _as_written(value)) for key, value in parts.items())
 
 
 def _dumped(key: str, value: object) -> str:
@@ -59,8 +63,8 @@ def _as_written(node: object) -> object:
         return {key: _as_written(one) for key, one in node.entries.items()}
     if isinstance(node, Items):
         return [_as_written(one) for one in node.items]
-    if not isinstance(node, SourceScalar):
-        return node
+    if not isinstance(node, SourceScalar) or node.absent:
+        return None if isinstance(node, SourceScalar) else node
     for kind in (int, float) if node.plain else ():
         with suppress(ValueError):
             return kind(node.text)
