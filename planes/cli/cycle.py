@@ -13,7 +13,7 @@ from planes.scene.ranges import Span, read_span
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-PICTURES = (".png", ".svg", ".pdf")
+PICTURES = (".png", ".svg", ".pdf", ".dxf")
 LISTED = 24  # positions a listing may have
 
 
@@ -80,10 +80,10 @@ def _names(args: Namespace) -> list[str] | None:
 
 
 def _picture(args: Namespace, scene: Scene, span: Span | None) -> int:
-    from planes.documents.cycle import draw_cycle
+    from planes.documents.cycle import cycle_page
 
     show, loops, paths = (asked(getattr(args, option), f"--{option}") for option in ("show", "hodograph", "path"))
-    draw_cycle(scene, span, args.output, show, loops, paths, args.lang)
+    cycle_page(scene, span, show, loops, paths, args.lang).write(args.output)
     return 0
 
 

@@ -1,101 +1,170 @@
-"""Pictures of a whole cycle: diagrams of chosen curves, hodographs and paths, read off the one program and drawn."""
+"""A whole cycle drawn: diagrams of chosen curves, hodographs and paths, read off the one program; those a sheet shows,
+and a page of their own."""
 
-from collections.abc import Sequence
-from pathlib import Path
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from math import isfinite
 
-import numpy as np
+import numpy
 
-from planes.diagrams.curves import Curve, curves_of, output_curves
+from planes.diagrams.curves import Curve, CycleVector, arrows_of, curves_of, output_curves
 from planes.diagrams.driven import FULL
 from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.motion import Runs, ends_of
-from planes.diagrams.turn import Grid, WholeTurn, grid, turn_of
+from planes.diagrams.turn import WholeTurn, grid, turn_of, unwound
+from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans
-from planes.plans.measuring import lettering
 from planes.scene import Scene
-from planes.scene.files import sayable
 from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
-from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
+from planes.words.errors import PlanesError, SceneError, choices
+from planes.words.lettering import Naming, letter_of_scale, lettered_curve
 from planes.words.names import index_of, letter_of
-from render.charts.cycle_charts import DriveAxis, Loop, Panel, draw
+from render.files import Page
+from render.paper.marks import Text, lettered
+from render.paper.outlines import face_of
+from render.paper.typeset import wrapped
+from render.sheet.composer import Composer
+from render.sheet.single import cut_to
+from render.views import TITLE_MM, View, stacked, view
+from render.views.diagrams import SECTIONS, DiagramCurve, Diagrams
+from render.views.hodographs import Hodograph, hodograph_view
+
+SECTION_MM = 15.0
+GAP_MM = 10.0
+IN_A_ROW = 2  # hodographs
+SHOWN = ("diagrams", "hodographs")
 
 
-def draw_cycle(
+class Turned:
+    """A turn read at the driver's places of its runs, and at the numbered positions, as it is drawn."""
+
+    def __init__(self, turn: WholeTurn, runs: Runs, naming: Naming) -> None:
+        self.turn, self.runs, self.naming = turn, runs, naming
+        self.pieces = [(places, turn.sample(places)) for places in runs.pieces()]
+        self.stations = turn.sample(runs.read_stations())
+
+    def curve(self, curve: Curve, ends: Sequence[Extreme] = ()) -> DiagramCurve:
+        """A curve, with the values that are marked; an angle is unwound, and so are these."""
+        places, values = self.joined(curve)
+        at, told = [e.place for e in ends], numpy.array([e.value for e in ends])
+        if curve.angular:
+            values = unwound(values)
+            there = numpy.isfinite(values)
+            told = told + FULL * numpy.round((numpy.interp(at, places[there], values[there]) - told) / FULL)
+        name, marked = lettered_curve(curve.name, self.naming), tuple(zip(at, told.tolist(), strict=True))
+        place = curve.group == "place"
+        return DiagramCurve(letter_of_scale(name), curve.unit, known(values), name, known(places), marked, place)
+
+    def loop(self, arrow: CycleVector) -> Hodograph:
+        """A hodograph, or a path."""
+        name, at = lettered_curve(arrow.name, self.naming), known(arrow.read(self.stations))
+        point = self.naming.point(index_of(arrow.name)) if letter_of(arrow.name) == "r" else ""
+        return Hodograph(name, arrow.unit, known(self.joined(arrow)[1]), at, point)
+
+    def joined(self, curve: Curve | CycleVector) -> tuple[Array, Array]:
+        """A curve's runs as one row of places and one of values, with nothing between them."""
+        x = numpy.concatenate([part for places, _ in self.pieces for part in (places, places[-1:])][:-1])
+        rows = [curve.read(sample) + numpy.zeros(len(places)) for places, sample in self.pieces]
+        return x, numpy.concatenate([part for row in rows for part in (row, [numpy.nan])][:-1])
+
+
+def known(values: Array) -> tuple[Real, ...]:
+    """Plain numbers, None where there are none."""
+    return tuple(None if v != v else v for v in values.tolist())
+
+
+def over_cycle(
+    scene: Scene, plans: Plans, angles: Sequence[float], naming: Naming
+) -> tuple[tuple[DiagramCurve, ...], tuple[Hodograph, ...]]:
+    """The diagrams and hodographs that ``sheet:`` of a scene asks for, over the angles of a turn."""
+    names, loops = (asked(scene.sheet, key) for key in SHOWN)
+    if not names and not loops:
+        return (), ()
+    turn = turn_of(plans, names, loops, scene.file)
+    turned = Turned(turn, Runs(plans, min(angles), max(angles)), naming)
+    return tuple(map(turned.curve, turn.curves)), tuple(map(turned.loop, turn.arrows))
+
+
+def check_names(scene: Scene, plans: Plans | None) -> None:
+    """Whether there is every diagram and hodograph that ``sheet:`` names, on whichever sheet they are drawn."""
+    for key, names in ((key, asked(scene.sheet, key)) for key in SHOWN):
+        line = scene.where.get(("sheet", key))
+        if names and plans is None:
+            raise SceneError(Phrase("cycle_no_mechanism", file=f"sheet.{key}"), scene.file, line)
+        if names and plans:
+            there: Mapping[str, object] = curves_of(plans) if key == "diagrams" else arrows_of(plans)
+            for n, name in enumerate(names):
+                if name not in there:
+                    why = Phrase("no_curve", name=name, file=f"sheet.{key}", valid=choices(name, there))
+                    raise SceneError(why, scene.file, scene.where.get(("sheet", key, str(n)), line))
+
+
+def asked(sheet: Mapping[str, object], key: str) -> list[str]:
+    """Names under a key of ``sheet:``, as a list or with commas between them."""
+    said = sheet.get(key)
+    names = said if isinstance(said, list) else str(said or "").split(",")
+    return [str(n).strip() for n in names if str(n).strip()]
+
+
+def cycle_page(
     scene: Scene,
     span: Span | None,
-    output: str,
     show: Sequence[str] | None,
     hodographs: Sequence[str] | None,
     paths: Sequence[str] | None,
     lang: Lang,
-) -> None:
-    """Draw the diagrams into a file by its suffix; what is asked for is found before the file is touched."""
+) -> Page:
+    """A page with diagrams of the curves, those joined by a plus on the same axes, hodographs and paths."""
     if span is not None and span.count < 2:
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = mechanism_plans(scene)
-    panels = [name.split("+") for name in (show if show is not None else default_curves(plans, hodographs, paths))]
+    if show is None:  # the driven link's motion, and what balances the driver
+        drive = plans.mechanism.drive
+        balancing = f"{'M' if drive.kind == 'phi' else 'Fb'}_{drive.link}"
+        show = () if hodographs or paths else (*output_curves(plans), balancing)
+    panels = [name.split("+") for name in show]
     loops = [*(hodographs or ()), *(f"r_{index_of(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
-    turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)
-    naming, title = Naming(lang, **lettering(scene, plans)), scene.title.get(lang, "")
-    curves, circles = [turned.panel(names) for names in panels], [turned.loop(n) for n in loops]
-    with sayable(output):
-        draw(Path(output), title, curves, circles, turned.drawn(), naming)
+    turn = turn_of(plans, [n for names in panels for n in names], loops, scene.file)
+    runs = Runs(plans, *(ends_of(plans)[:2] if span is None else sorted(span.ends)))
+    composer, title = Composer(scene, lang, plans), scene.title.get(lang, "")
+    turned = Turned(turn, runs, composer.naming)
+    with lettered(face_of(scene)):
+        views = [*_title(title), *_diagrams(turned, panels), *_loops(turned)]
+        return cut_to(stacked("cycle", views, GAP_MM), title, lang)
 
 
-def default_curves(plans: Plans, hodographs: object = None, paths: object = None) -> tuple[str, ...]:
-    """What is drawn when nothing is named: the driven link's motion, and what balances the driver."""
-    if hodographs or paths:
-        return ()
-    letter = "M" if plans.mechanism.drive.kind == "phi" else "Fb"
-    return (*output_curves(plans), f"{letter}_{plans.mechanism.drive.link}")
+def _title(text: str) -> list[View]:
+    """What the scene is called, in lines no wider than the diagrams."""
+    lines = wrapped(text, SECTIONS * SECTION_MM, TITLE_MM)
+    marks = [Text(line, -1.7j * TITLE_MM * k, TITLE_MM, "middle") for k, line in enumerate(lines)]
+    return [view("title", "", marks)] if marks else []
 
 
-class Turned:
-    """A cycle from the extreme position of the driven link on, with the curves and vectors that are to be drawn."""
+def _diagrams(turned: Turned, panels: Sequence[Sequence[str]]) -> list[View]:
+    """The diagrams, one beneath the other."""
+    turn, runs, named = turned.turn, turned.runs, curves_of(turned.turn.plans)
+    if not panels:
+        return []
+    found = zip(turn.curves, extremes(grid(turn, runs.start, runs.end)), strict=True)
+    ends = {curve.name: _ends(some) for curve, some in found}
+    curves = [[turned.curve(named[n], ends[named[n].name]) for n in names] for names in panels]
+    stations = runs.stations().tolist()
+    shown = Diagrams(turn.plans, stations, curves, turned.naming, SECTION_MM, runs.closed, to_read=True)
+    return [view("diagrams", "", shown.drawn())]
 
-    def __init__(
-        self, scene: Scene, plans: Plans, span: Span | None, names: Sequence[str], loops: Sequence[str]
-    ) -> None:
-        self.plans = plans
-        self.turn: WholeTurn = turn_of(plans, names, loops, scene.file)
-        self.runs = Runs(plans, *(ends_of(plans)[:2] if span is None else sorted(span.ends)))
-        self.pieces = [(places, self.turn.sample(places)) for places in self.runs.pieces()]
-        self.grid: Grid = grid(self.turn, self.runs.start, self.runs.end)
-        self.extremes = {c.name: e for c, e in zip(self.turn.curves, extremes(self.grid), strict=True)}
 
-    def panel(self, names: Sequence[str]) -> Panel:
-        """The curves of one pair of axes."""
-        named = {curve.name: curve for curve in self.turn.curves}
-        curves, drawn = [named[curves_of(self.plans)[n].name] for n in names], []
-        for curve in curves:
-            read = [(places, curve.read(sample) + np.zeros(len(places))) for places, sample in self.pieces]
-            drawn.append((curve.name, [(p, self._joined(curve, p, y)) for p, y in read], self._marked(curve)))
-        return Panel(curves[0].unit, curves[0].group == "place", drawn)
+def _ends(found: Sequence[Extreme]) -> list[Extreme]:
+    """The least and the greatest value, where they are finite."""
+    some = [e for e in found if isfinite(e.value)]
+    return [max(some, key=lambda e: sense * e.value) for sense in (-1, 1)] if some else []
 
-    def _joined(self, curve: Curve, places: Array, y: Array) -> Array:
-        """Angles told as on the grid, where they are unwound."""
-        if not curve.angular:
-            return y
-        whole = self.grid.values(curve)
-        good = np.isfinite(whole)
-        near = np.interp(places, self.grid.places[good], whole[good])
-        return y + FULL * np.round((near - y) / FULL)
 
-    def _marked(self, curve: Curve) -> list[Extreme]:
-        """The least and the greatest value, where they are finite."""
-        some = [e for e in self.extremes[curve.name] if np.isfinite(e.value)]
-        return [max(some, key=lambda e: sense * e.value) for sense in (-1, 1)] if some else []
-
-    def loop(self, name: str) -> Loop:
-        """A hodograph, or a path."""
-        arrow = next(a for a in self.turn.arrows if a.name == name)
-        stations = arrow.read(self.turn.sample(self.runs.read_stations()))
-        return Loop(name, arrow.unit, [arrow.read(s) for _, s in self.pieces], stations, self.runs.closed)
-
-    def drawn(self) -> DriveAxis:
-        """What the axes say."""
-        drive = self.plans.mechanism.drive
-        return DriveAxis(drive.kind == "phi", drive.link, self.runs.start, self.runs.end, self.runs.stations())
+def _loops(turned: Turned) -> list[View]:
+    """Hodographs and paths in rows; those of a whole turn come back."""
+    loops = [turned.loop(arrow) for arrow in turned.turn.arrows]
+    if turned.runs.closed:
+        loops = [replace(loop, path=(*loop.path, None, loop.path[0])) for loop in loops]
+    rows = (loops[k : k + IN_A_ROW] for k in range(0, len(loops), IN_A_ROW))
+    return [hodograph_view(row, turned.naming, to_read=True) for row in rows]

@@ -16,7 +16,7 @@ from planes.diagrams.curves import curves_of, output_curves
 from planes.diagrams.driven import FULL, WorkingRange, driven
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.turn import span_of, unwound
-from planes.documents.graphs import check_names, known, over_cycle
+from planes.documents.cycle import check_names, known, over_cycle
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.quantities import results_of

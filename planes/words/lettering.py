@@ -10,7 +10,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from planes.words import Lang, Phrase, Told, say
-from planes.words.names import kind_of, label_of, links_of, parted, written
+from planes.words.names import kind_of, label_of, letter_of, links_of, parted, written
 
 PRIME = "′"
 _SPELT = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
@@ -144,6 +144,11 @@ def lettered_curve(name: str, naming: Naming) -> str:
         return f"{letter}_{{{naming.reaction('_'.join(index))}{axis}}}"
     letter, analogue = ("a^{k}", "") if head == "coriolis" else rate_of(head)
     return f"{letter}_{{{analogue}{of}{axis}}}"
+
+
+def letter_of_scale(lettered: str) -> str:
+    """The letter with which the μ of a lettered quantity is written: a^{k}_{4} -> a."""
+    return letter_of(lettered).partition("^")[0]
 
 
 def name_in_words(name: str) -> Told:

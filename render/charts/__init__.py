@@ -64,11 +64,6 @@ def beside(plot: Axes, text: str, place: tuple[float, float], by: tuple[float, f
     plot.annotate(text, place, by, textcoords="offset points", **looks)
 
 
-def leader(shift: float, least: float, width: float) -> dict[str, Any] | None:
-    """The thin line to words that stand far from what they name."""
-    return {"arrowstyle": "-", "color": "#888888", "linewidth": width} if abs(shift) > least else None
-
-
 def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
     plot.set_xlabel(axes.x)
     plot.set_ylabel(axes.y)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from planes.accuracy.methods import Method, front
 from planes.accuracy.stability import Approach
 from planes.words import Lang, say
-from render.charts import OF_FILES, beside, leader, save
+from render.charts import OF_FILES, beside, save
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
 Look = tuple[int, str, Any]
@@ -28,6 +28,7 @@ LOOK: dict[str, Look] = {  # of a method: colour, marker, dashes
 }
 OTHERS = (7, "<", "--"), (8, ">", "--")  # of programs by others, in turn
 FLOOR = 1e-17  # errors below the last place of a double are drawn here
+LEADER = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.6}  # to words that stand far from their mark
 NONSENSE = 1e6  # errors so many times the truth are not drawn: the method is lost
 
 
@@ -87,7 +88,7 @@ def _label(plot: Axes, spots: Sequence[Method], lang: Lang) -> None:
         words = m.name(lang)
         shift = next(d for d in OFFSETS if _free((x + 9, y + d, x + 12 + 5.2 * len(words)), taken))
         taken.append((x + 9, y + shift, x + 12 + 5.2 * len(words)))
-        line = leader(shift, 6, 0.6)
+        line = LEADER if abs(shift) > 6 else None
         beside(plot, words, (m.seconds, m.error), (9, shift), va="center", fontsize=8.5, arrowprops=line)
 
 

@@ -17,7 +17,8 @@ from render.paper.marks import Mark, Text
 from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
-from render.views.diagrams import DiagramCurve, Diagrams, Hodograph, hodograph_view, section_mm
+from render.views.diagrams import DiagramCurve, Diagrams, section_mm
+from render.views.hodographs import Hodograph, hodograph_view
 from render.views.loading import Loading
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.moments import Lever
@@ -97,7 +98,7 @@ class Project:
         if sum(r is not None for r in self.turn) < 3:
             return None
         c, section = self.composer, section_mm(size)
-        found = Diagrams(position.plans, self.values, self.curves, c.naming, section, self.whole)
+        found = Diagrams(position.plans, self.values, [[c] for c in self.curves], c.naming, section, self.whole)
         return c.once(("diagrams", section), lambda: view("diagrams", found.title, found.drawn(), figure=True))
 
     def hodographs(self) -> View | None:

@@ -1,24 +1,32 @@
-"""Motion over the cycle: diagrams against the driver's place, and hodographs, ends of a vector laid off from a pole."""
+"""Motion over the cycle: diagrams against the driver's place."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby
+from itertools import cycle
 
 from planes.diagrams.driven import driven
 from planes.plans import Plans
 from planes.words import say
 from planes.words.lettering import Naming
-from planes.words.names import letter_of
 from planes.words.units import number, standard_mu
 from render import labels
-from render.paper.letters import scale, unit
+from render.paper.letters import scale, unit, with_unit
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.symbols import dot
-from render.views import View, beside, view
+from render.paper.typeset import ink_width
+from render.views.senses import labelled
 
 SECTIONS = 12
 WIDTHS_MM = (12.0, 15.0, 18.0, 24.0, 30.0)  # of a section: over a whole turn μ_φ is 0.4, 0.5, … mm per degree
 TALL = 2.1  # the largest ordinate, over a section
+RANGE_MM = 40.0  # from the least ordinate to the greatest, of diagrams that are to be read
+ROUND_MM = 5.0  # from a round value on their ordinate to the next, at least
+STROKE_MM = 1.5  # of it
+STILL = 1e-6  # places that vary less than this, beside how large they are, stand still
+LINES = ("thick", "dash", "thin", "axis", "phantom", "construction")  # of curves on the same axes
+SAMPLE_MM = 18.0  # of a line beside the name of its curve, on which all its dashes are seen
+JUMP_MM = 0.01  # a curve that goes on no farther along the axis jumps there
 BETWEEN_MM = 12.0
 FULL = 360.0
 STEEP = 5.0  # ordinates are cut at so many times their median at the ends of a range, which are dead positions
@@ -29,13 +37,32 @@ WILD = 30.0  # and at so many anywhere
 class DiagramCurve:
     """One quantity over the turn: its letter, its unit, and a value or None for every angle. ``name`` is its whole name
     as it is lettered, where it is not the driven link's own; ``places`` its angles, where they are finer than the
-    others' and None marks a jump."""
+    others' and None marks a jump; ``ends`` where it is least and where greatest, with these values; the zero of a
+    ``place`` need not be seen."""
 
     letter: str
     unit: str
     values: tuple[float | None, ...]
     name: str = ""
     places: tuple[float, ...] = ()
+    ends: tuple[tuple[float, float], ...] = ()
+    place: bool = False
+
+
+@dataclass(frozen=True)
+class Axes:
+    """Axes of curves on paper: μ, the height of the driver's axis and the value there, and from where to where the
+    curves go over it, mm."""
+
+    mu: float
+    zero: float
+    base: float
+    bottom: float
+    top: float
+
+    def at(self, x: float, value: float) -> complex:
+        """The place of a value."""
+        return complex(x, self.zero + self.mu * (value - self.base))
 
 
 def section_mm(size: float) -> float:
@@ -45,80 +72,141 @@ def section_mm(size: float) -> float:
 
 @dataclass(frozen=True)
 class Diagrams:
-    """Diagrams one beneath the other over the driver's range: three of the driven link, or those asked for."""
+    """Diagrams one beneath the other over the driver's range: three of the driven link, or those asked for, each with
+    all the curves on its axes. Those ``to_read`` have round values on the ordinates, the least and the greatest, and
+    the driver's place at every position."""
 
     plans: Plans
     angles: Sequence[float]
-    curves: Sequence[DiagramCurve]
+    panels: Sequence[Sequence[DiagramCurve]]
     naming: Naming
     section: float = WIDTHS_MM[0]
     whole: bool = True
+    to_read: bool = False
 
     @property
     def title(self) -> str:
         """What they show."""
-        if any(curve.name for curve in self.curves):
+        if any(curve.name for panel in self.panels for curve in panel):
             return say("diagrams_asked", self.naming.lang)
         link, slides = driven(self.plans)
         key = "diagrams_slider" if slides else "diagrams_link"
         return say(key, self.naming.lang, link=self.naming.link(link))
 
+    @property
+    def driver(self) -> tuple[str, str]:
+        """The letter of the driver's place, and its unit."""
+        return ("φ", "°") if self.plans.mechanism.drive.kind == "phi" else ("s", "m")
+
+    @property
+    def wide(self) -> float:
+        """The length of the driver's range, mm."""
+        return self.section * SECTIONS
+
     def drawn(self) -> tuple[Mark, ...]:
         """Axes, curves, numbers of positions and scales."""
         marks: list[Mark] = []
-        zero, lowest = 0.0, 0.0
-        for curve in self.curves:
-            curve = curve if self.whole else cut_off(curve)
-            known = [v for v in curve.values if v is not None]
-            mu = standard_mu(max(map(abs, known), default=0.0), TALL * self.section)
-            top, bottom = mu * max([0.0, *known]), mu * min([0.0, *known])
-            zero = (lowest - BETWEEN_MM - 7.0 - top) if marks else 0.0
-            for x in (self.section * k for k in range(1, SECTIONS + 1)):  # thin verticals at the numbered positions
-                ends = complex(x, zero + bottom - 1.5), complex(x, zero + top + 1.5)
-                marks.append(Line(ends, "construction", "construction"))
-            marks += self.one(curve, mu, zero, top)
-            lowest = zero + bottom
-        return (*marks, *self.numbers(lowest - 6.5))
+        lowest = 0.0
+        for panel in self.panels:
+            curves = panel if self.whole or self.to_read else [cut_off(curve) for curve in panel]
+            axes = self.axes(curves, lowest if marks else None)
+            marks += self.one(curves, axes)
+            lowest = axes.zero + axes.bottom
+        return (*marks, *self.numbers(lowest - (11.5 if self.to_read else 6.5)))
 
-    def one(self, curve: DiagramCurve, mu: float, zero: float, top: float) -> list[Mark]:
-        """One curve on its axes, its zero line at the height ``zero``."""
-        wide = self.section * SECTIONS
+    def axes(self, panel: Sequence[DiagramCurve], above: float | None) -> Axes:
+        """Axes of curves, beneath those that end ``above``; that of places far from zero stands beneath them."""
+        known = [v for curve in panel for v in (*curve.values, *(v for _, v in curve.ends)) if v is not None]
+        low, high, size = min(known, default=0.0), max(known, default=0.0), max(map(abs, known), default=0.0)
+        afar = self.to_read and panel[0].place and low * high > 0
+        if not afar:
+            low, high = min(0.0, low), max(0.0, high)
+        spread = high - low if high - low > STILL * size else size
+        mu = standard_mu(spread, RANGE_MM) if self.to_read else standard_mu(size, TALL * self.section)
+        step = round_step(mu, ROUND_MM)
+        base = step * math.floor(low / step) if afar else 0.0
+        top = mu * (high - base)
+        zero = 0.0 if above is None else above - BETWEEN_MM - 7.0 - top
+        return Axes(mu, zero, base, mu * min(0.0, low - base), top)
+
+    def one(self, panel: Sequence[DiagramCurve], axes: Axes) -> tuple[Mark, ...]:
+        """Curves on their axes, with thin verticals at the numbered positions."""
+        low, zero, high = axes.zero + axes.bottom, axes.zero, axes.zero + axes.top
+        (letter, key), lang, link = self.driver, self.naming.lang, self.plans.mechanism.drive.link
+        abscissa, sides = f"{letter}_{{{self.naming.link(link)}}}", (self.section * k for k in range(1, SECTIONS + 1))
         marks: list[Mark] = [
-            Arrow(complex(0, zero), complex(wide + 9, zero), "thin", "dimension"),
-            Arrow(complex(0, zero), complex(0, zero + top + 8), "thin", "dimension"),
-            Text(self.abscissa, complex(wide + 10.5, zero - 1), 3.5),
+            *(Line((complex(x, low - 1.5), complex(x, high + 1.5)), "construction", "construction") for x in sides),
+            Arrow(complex(0, zero), complex(self.wide + 9, zero), "thin", "dimension"),
+            Arrow(complex(0, low if self.to_read else zero), complex(0, high + 8), "thin", "dimension"),
+            Text(with_unit(abscissa, key if self.to_read else "", lang), complex(self.wide + 10.5, zero - 1), 3.5),
+            *self.heading(panel, axes.mu, complex(2.5, high + 5)),
         ]
-        name = curve.name or f"{curve.letter}_{{{self.naming.link(driven(self.plans)[0])}}}"
-        text = f"{name}, μ_{{{curve.letter}}} = {scale(mu, curve.unit, self.naming.lang)}"
-        marks.append(Text(text, complex(2.5, zero + top + 5), 3.5))
-        for piece in pieces(curve.places or self.angles, curve.values):
-            points = tuple(complex(self.x(a), zero + mu * v) for a, v in piece)
-            marks.append(Line(points, "thick", "plan"))
-        for angle, *ends in jumps(curve):
-            marks.append(Line(tuple(complex(self.x(angle), zero + mu * v) for v in ends), "dash", "plan"))
-        return marks
+        for curve, style in zip(panel, cycle(LINES), strict=False):
+            rows = zip(curve.places or self.angles, curve.values, strict=True)
+            path = [None if v is None else axes.at(self.x(a), v) for a, v in rows]
+            marks += (Line(tuple(z), "dash" if jump else style, "plan") for z, jump in runs(path, JUMP_MM))
+        return self.with_values(panel, axes, marks) if self.to_read else tuple(marks)
 
-    @property
-    def abscissa(self) -> str:
-        """The letter of the driver's place."""
-        drive = self.plans.mechanism.drive
-        return f"{'φ' if drive.kind == 'phi' else 's'}_{{{self.naming.link(drive.link)}}}"
+    def heading(self, panel: Sequence[DiagramCurve], mu: float, place: complex) -> list[Mark]:
+        """The names of the curves, each with a piece of its line where there are several, and their scale."""
+        link, lang = self.naming.link(driven(self.plans)[0]), self.naming.lang
+        names = [curve.name or f"{curve.letter}_{{{link}}}" for curve in panel]
+        if self.to_read:
+            names = [with_unit(name, curve.unit, lang) for name, curve in zip(names, panel, strict=True)]
+        scales = ", ".join(dict.fromkeys(f"μ_{{{c.letter}}} = {scale(mu, c.unit, lang)}" for c in panel))
+        if len(panel) == 1:
+            return [Text(f"{names[0]}, {scales}", place, 3.5)]
+        marks: list[Mark] = []
+        for name, style in zip(names, cycle(LINES), strict=False):
+            marks.append(Line((place + 1.2j, place + complex(SAMPLE_MM, 1.2)), style, "plan"))
+            marks.append(Text(name, place + SAMPLE_MM + 2, 3.5))
+            place += SAMPLE_MM + 8 + ink_width(name, 3.5)
+        return [*marks, Text(scales, place, 3.5)]
+
+    def with_values(self, panel: Sequence[DiagramCurve], axes: Axes, marks: Sequence[Mark]) -> tuple[Mark, ...]:
+        """The same with round values on the ordinate, and, of a curve alone, dots at the least and the greatest."""
+        lang, added, named = self.naming.lang, list(marks), list[labels.Label]()
+        low, high = (axes.base + y / axes.mu for y in (axes.bottom, axes.top))
+        for value in round_between(low, high, round_step(axes.mu, ROUND_MM)):
+            z = axes.at(0.0, value)
+            added.append(Line((z - STROKE_MM, z), "thin", "dimension"))
+            added.append(Text(number(value, lang, 6), z - complex(STROKE_MM + 1, 1.25), 2.5, "end"))
+        for side, (place, value) in zip((-1j, 1j), panel[0].ends if len(panel) == 1 else (), strict=False):
+            z, text = axes.at(self.x(place), value), number(value if abs(axes.mu * value) > 1e-6 else 0.0, lang)
+            added += dot(z, 0.6, "plan")
+            named.append(labels.Label(text, z, 2.5, side, 0.8, name=text))
+        return labelled(named, added)
 
     def x(self, angle: float) -> float:
         """The place of an angle on the axis, from the first one."""
         return (angle - self.angles[0]) / (self.angles[-1] - self.angles[0]) * self.section * SECTIONS
 
     def numbers(self, level: float) -> list[Mark]:
-        """Numbers of the positions beneath, the driver's place in the first, and the scale of the axis."""
-        places = (complex(self.section * k, level) for k in range(SECTIONS + 1))
+        """Numbers of the positions beneath, the driver's place in the first, or in each, and the scale of the axis."""
+        places = [complex(self.section * k, level) for k in range(SECTIONS + 1)]
         found: list[Mark] = [Text(str(k), z, 3.5, "middle") for k, z in enumerate(places)]
-        turning, lang = self.plans.mechanism.drive.kind == "phi", self.naming.lang
-        letter, key = ("φ", "°") if turning else ("s", "m")
-        first = round(self.angles[0], 6) % FULL if turning else self.angles[0]
-        start = f"{letter}_{{0}} = {number(first, lang)}{'' if turning else ' '}{unit(key, lang)}"
-        mu = self.section * SECTIONS / (self.angles[-1] - self.angles[0])
-        text = f"{start},  μ_{{{letter}}} = {scale(mu, key, lang)}"
-        return [*found, Text(text, complex(self.section * SECTIONS / 2, level - 7.0), 3.5, "middle")]
+        (letter, key), lang = self.driver, self.naming.lang
+        turning = key == "°"
+        text = f"μ_{{{letter}}} = {scale(self.wide / (self.angles[-1] - self.angles[0]), key, lang)}"
+        if self.to_read:
+            told = [round(a, 1 if turning else 3) for a in self.angles]
+            told = [a % FULL for a in told] if turning and self.whole else told
+            found += (Text(number(a, lang), z - 5.5j, 2.5, "middle") for a, z in zip(told, places, strict=True))
+            level -= 5.5
+        else:
+            first = round(self.angles[0], 6) % FULL if turning else self.angles[0]
+            text = f"{letter}_{{0}} = {number(first, lang)}{'' if turning else ' '}{unit(key, lang)},  {text}"
+        return [*found, Text(text, complex(self.wide / 2, level - 7.0), 3.5, "middle")]
+
+
+def round_step(mu: float, apart_mm: float) -> float:
+    """The least round step of values that stand so far apart on a scale."""
+    return 1.0 / standard_mu(apart_mm, mu)
+
+
+def round_between(low: float, high: float, step: float) -> list[float]:
+    """The round values between two."""
+    return [step * k for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
 
 
 def cut_off(curve: DiagramCurve) -> DiagramCurve:
@@ -132,75 +220,8 @@ def cut_off(curve: DiagramCurve) -> DiagramCurve:
     return replace(curve, values=tuple(kept))
 
 
-def jumps(curve: DiagramCurve) -> list[tuple[float, float, float]]:
-    """Where a curve of its own places breaks off and goes on: the angle, the value before and the one after."""
-    rows = zip(curve.places, curve.places[2:], curve.values, curve.values[1:], curve.values[2:], strict=False)
-    near = ((a, y, z) for a, b, y, gap, z in rows if gap is None and abs(b - a) < 1e-4)
-    return [(a, y, z) for a, y, z in near if y is not None and z is not None]
-
-
-def pieces(angles: Sequence[float], values: Sequence[float | None]) -> list[list[tuple[float, float]]]:
-    """Runs of angles at which the mechanism works."""
-    runs = groupby(zip(angles, values, strict=True), key=lambda row: row[1] is not None)
-    found = ([(angle, value) for angle, value in run if value is not None] for _, run in runs)
-    return [piece for piece in found if len(piece) > 1]
-
-
-WIDE_MM = 70.0  # the larger side of a hodograph
-AXIS_MM = 8.0  # of the axes beyond it
-APART_MM = 14.0
-
-
-@dataclass(frozen=True)
-class Hodograph:
-    """A vector over the cycle, as complex numbers in ``unit`` (None where the mechanism does not assemble; a single one
-    is a jump), and at the numbered positions."""
-
-    name: str
-    unit: str
-    path: tuple[complex | None, ...]
-    stations: tuple[complex | None, ...]
-
-
-def hodograph_view(loops: Sequence[Hodograph], naming: Naming) -> View:
-    """Hodographs side by side, each under its name and scale."""
-    row = beside([_one(loop, naming) for loop in loops], APART_MM, top=0.0)
-    return view("hodographs", "", row.marks, figure=True)
-
-
-def _one(loop: Hodograph, naming: Naming) -> View:
-    lang = naming.lang
-    known = [z for z in loop.path if z is not None] + [0j]
-    x, y = [z.real for z in known], [z.imag for z in known]
-    mu = standard_mu(max(max(x) - min(x), max(y) - min(y)), WIDE_MM)
-    title = f"{say('hodograph', lang, name=loop.name)}, μ_{{{letter_of(loop.name)}}} = {scale(mu, loop.unit, lang)}"
-    return view("hodograph", title, _drawn(loop, mu, [z * mu for z in known]), height=3.5)
-
-
-def _drawn(loop: Hodograph, mu: float, inked: Sequence[complex]) -> list[Mark]:
-    low = complex(min(z.real for z in inked) - AXIS_MM, min(z.imag for z in inked) - AXIS_MM)
-    high = complex(max(z.real for z in inked) + AXIS_MM, max(z.imag for z in inked) + AXIS_MM)
-    ground: list[Mark] = [
-        Arrow(complex(low.real, 0), complex(high.real, 0), "thin", "dimension"),
-        Arrow(complex(0, low.imag), complex(0, high.imag), "thin", "dimension"),
-    ]
-    for piece, jump in _runs([None if z is None else z * mu for z in loop.path]):
-        ground.append(Line(tuple(piece), "dash" if jump else "thick", "plan"))
-    ends = (("x", complex(high.real, 0)), ("y", complex(0, high.imag)), ("p", 0j))
-    named = [labels.Label(text, z, 3.5, clear=0.8, name=text) for text, z in ends]
-    seen: list[complex] = []
-    for k, z in enumerate(loop.stations):
-        if z is None or any(abs(z - other) * mu < 0.4 for other in seen):
-            continue
-        seen.append(z)
-        ground += dot(z * mu, 0.6, "plan")
-        named.append(labels.Label(str(k), z * mu, 2.5, clear=0.8, name=f"position {k}"))
-    placed = labels.place(named, ground)
-    return [*ground, *placed.marks]
-
-
-def _runs(path: Sequence[complex | None]) -> list[tuple[list[complex], bool]]:
-    """Runs of a path, with the jumps over its single gaps."""
+def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple[list[complex], bool]]:
+    """Runs of a path, with the jumps over its single gaps, those that go no farther across."""
     found: list[tuple[list[complex], bool]] = []
     run: list[complex] = []
     gap = 0
@@ -208,10 +229,10 @@ def _runs(path: Sequence[complex | None]) -> list[tuple[list[complex], bool]]:
         if z is None:
             gap += 1
             continue
-        if gap == 1 and run:
-            found += [(run, False), ([run[-1], z], True)]
-        elif gap and run:
+        if gap and run:
             found.append((run, False))
+        if gap == 1 and run and abs(z.real - run[-1].real) <= across:
+            found.append(([run[-1], z], True))
         run = [z] if gap else [*run, z]
         gap = 0
     return [(piece, jump) for piece, jump in [*found, (run, False)] if len(piece) > 1]

@@ -22,7 +22,7 @@ from render.views.formulas import Setter, Word
 from render.views.loading import Arms, drops_of
 from render.views.plotted import of_position
 from render.views.polygon import ZERO_MM, gathered
-from render.views.senses import parted, yielding
+from render.views.senses import labelled
 
 NOISE = 1e-9  # of the largest moment of the equation: nothing
 
@@ -130,9 +130,7 @@ class Lever:
         named = [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
         marks += dot(0j, 0.8, "plan")
         forces, names = self.forces()
-        thin, rest = yielding([*marks, *forces])
-        placed = labels.place([*named, *names], rest, None, thin)
-        return (*parted(thin, placed.texts), *rest, *placed.marks)
+        return labelled([*named, *names], [*marks, *forces])
 
     def forces(self) -> tuple[list[Mark], list[labels.Label]]:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""

@@ -16,7 +16,7 @@ from render.paper import symbols
 from render.paper.marks import Line, Mark
 from render.paper.style import BLOCK_MM, HINGE_MM
 from render.views.plotted import NEAR_MM, Places, degrees, nearest, outline_of
-from render.views.senses import driver_arrows, parted, yielding
+from render.views.senses import driver_arrows, labelled
 
 RAIL_MM = 17.0  # of a guide shown on each side of its slider
 ROD_MM = 12.0  # of a moving guide shown beyond its slider
@@ -63,9 +63,7 @@ class Scheme:
             turning, letters = driver_arrows(self.places, self.naming, ground)
             ground += turning
             self.named += letters
-        thin, rest = yielding(ground)
-        placed = labels.place([*self.named, *named], rest, None, thin)
-        return (*parted(thin, placed.texts), *rest, *placed.marks)
+        return labelled([*self.named, *named], ground)
 
     # links
 

@@ -56,10 +56,12 @@ def freest(
     return min(arrows, key=lambda arrow: len(inked.within(ink(arrow[0]).shapes, clear)[0]))
 
 
-def yielding(marks: Sequence[Mark]) -> tuple[list[Line], list[Mark]]:
-    """The construction lines, which may be broken for a letter, and all the rest."""
+def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:
+    """Marks with their letters in places found for them; construction lines are broken where a letter stands on one."""
     thin = [m for m in marks if isinstance(m, Line) and m.layer == "construction"]
-    return thin, [m for m in marks if not (isinstance(m, Line) and m.layer == "construction")]
+    rest = [m for m in marks if not (isinstance(m, Line) and m.layer == "construction")]
+    placed = labels.place(named, rest, None, thin)
+    return (*parted(thin, placed.texts), *rest, *placed.marks)
 
 
 def parted(lines: Sequence[Line], texts: Sequence[Text]) -> tuple[Mark, ...]:

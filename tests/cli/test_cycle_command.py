@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 
 from planes.cli import main
-from planes.documents.cycle import Turned
-from planes.documents.graphs import over_cycle
+from planes.diagrams.motion import Runs
+from planes.diagrams.turn import turn_of
+from planes.documents.cycle import Turned, over_cycle
 from planes.plans import plans_of
 from planes.scene import load, loads
 from planes.words.lettering import Naming, lettered_curve
-from render.views.diagrams import jumps
+from render.views.diagrams import DiagramCurve, runs
 from tests.diagrams.test_diagrams import ROCKER, crank
 from tests.helpers import ROOT
 
@@ -88,7 +89,7 @@ def test_a_table_of_chosen_curves(tmp_path: Path, capsys: Any) -> None:
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
+@pytest.mark.parametrize("suffix", ["png", "svg", "pdf", "dxf"])
 def test_pictures(suffix: str, tmp_path: Path) -> None:
     some = [tmp_path / f"{k}.{suffix}" for k in range(2)]
     for target in some:
@@ -101,16 +102,22 @@ def test_what_is_drawn_is_split_at_dead_points_and_marked_at_extremes() -> None:
     scene = loads(crank(0.0, 20.0) + "loads: [{link: 3, point: B, force: 500, against: motion}]\n", "scene.yaml")
     assert scene.mechanism
     plans = plans_of(scene.mechanism)
-    turned = Turned(scene, plans, None, ["F_21", "v_slide_3"], ["F_21"])
-    panel = turned.panel(["F_21"])
-    ((name, runs, marked),) = panel.curves
-    assert name == "F_21" and len(runs) == 2 and all(np.isfinite(y).all() for _, y in runs)
-    assert abs(runs[0][1][-1] - runs[1][1][0]) > 300  # the load turns about
-    assert [e.value for e in marked] == [min(e.value for e in marked), max(e.value for e in marked)]
-    ((_, rate, _),) = turned.panel(["v_slide_3"]).curves
-    assert abs(rate[0][1][-1] - rate[1][1][0]) < 1e-6
-    loop = turned.loop("F_21")
-    assert len(loop.stations) == 13 and all(abs(z) > 100 for z in loop.stations)
+    turn = turn_of(plans, ["F_21", "v_slide_3"], ["F_21"])
+    turned = Turned(turn, Runs(plans, 0.0, 360.0), Naming("en"))
+    force, rate = map(turned.curve, turn.curves)
+    assert force.name == "F_{21}" and force.values.count(None) == rate.values.count(None) == 1
+    assert [place for place, *_ in jumps(force)] == pytest.approx([180.0], abs=1e-4)
+    assert all(abs(before - after) > 300 for _, before, after in jumps(force))  # the load turns about
+    assert all(abs(before - after) < 1e-6 for _, before, after in jumps(rate))
+    loop = turned.loop(turn.arrows[0])
+    assert len(loop.stations) == 13 and all(z is not None and abs(z) > 100 for z in loop.stations)
+
+
+def jumps(curve: DiagramCurve) -> list[tuple[float, float, float]]:
+    """Where a curve jumps, the value before and the one after."""
+    rows = zip(curve.places, curve.values, strict=True)
+    found = runs([None if v is None else complex(x, v) for x, v in rows], 1e-4)
+    return [(ends[0].real, ends[0].imag, ends[1].imag) for ends, jump in found if jump]
 
 
 def test_the_sheet_draws_what_its_scene_asks_for() -> None:

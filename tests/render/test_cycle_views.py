@@ -6,17 +6,21 @@ from dataclasses import replace
 
 import pytest
 
+from planes import cycle
 from planes.diagrams.graphical_text import constructed
 from planes.documents import view_of
+from planes.documents.cycle import cycle_page
 from planes.documents.sheets import sheet_of
 from planes.scene import load
 from planes.words.lettering import Naming
+from render.files import Page
 from render.paper.letters import scale, unit, with_unit
 from render.paper.marks import Arc, Line, Text
 from render.paper.typeset import plain
-from render.views.diagrams import _runs
+from render.views.diagrams import SAMPLE_MM, runs
 from render.views.graphical import Graphical, cropped, smooth
 from tests.helpers import ROOT
+from tests.helpers.conflicts import conflicts
 from tests.render.test_sheet import clashes
 
 SAMPLES = ROOT / "samples"
@@ -67,7 +71,75 @@ def test_the_french_curve_goes_through_its_points_and_is_cut_at_the_ends() -> No
 
 def test_a_single_gap_in_a_hodograph_is_a_jump_and_a_wide_one_is_not() -> None:
     path = (0j, 1j, None, 3j, 4j, None, None, 6j, 7j)
-    assert _runs(path) == [([0j, 1j], False), ([1j, 3j], True), ([3j, 4j], False), ([6j, 7j], False)]
+    assert runs(path) == [([0j, 1j], False), ([1j, 3j], True), ([3j, 4j], False), ([6j, 7j], False)]
+    assert runs((0j, 1j, None, 2 + 1j, 3 + 1j), 1.0) == [([0j, 1j], False), ([2 + 1j, 3 + 1j], False)]
+
+
+TO_READ: dict[str, tuple[list[str] | None, list[str], list[str]]] = {
+    "six-link": (None, [], []),
+    "sliding-driver": (None, ["F_30"], []),
+    "assignment-12": (["s_5", "vq_D+vq_S3", "coriolis_2", "F_21"], ["F_21"], ["D", "S3"]),
+}
+
+
+def page_of(name: str) -> Page:
+    return cycle_page(load(SAMPLES / f"{name}.yaml"), None, *TO_READ[name], lang="en")
+
+
+@pytest.mark.parametrize("name", TO_READ)
+def test_nothing_overlaps_in_the_picture_of_a_cycle(name: str) -> None:
+    found = page_of(name)
+    assert conflicts((), found.marks, (0.0, 0.0, *found.size)) == ()
+
+
+def numbers_of(found: Page, anchor: str) -> list[tuple[float, complex]]:
+    """Numbers lettered small, with their places."""
+    small = [m for m in found.marks if isinstance(m, Text) and m.height == 2.5 and m.anchor == anchor]
+    return [(float(plain(m.text).replace("−", "-")), m.place) for m in small]
+
+
+def test_values_are_read_off_the_picture_of_a_cycle() -> None:
+    scene = load(SAMPLES / "six-link.yaml")
+    found = cycle_page(scene, None, ["v_slide_5"], None, None, "en")
+    across, along = numbers_of(found, "middle"), numbers_of(found, "end")
+    assert len(across) == 13 and len(along) > 5
+    at, (lowest, foot), (highest, head) = across[8], along[0], along[-1]
+    curve = [z for m in found.marks if isinstance(m, Line) and m.style == "thick" for z in m.points]
+    height = min(curve, key=lambda z: abs(z.real - at[1].real)).imag - 1.25  # a number's foot is beneath its stroke
+    read = lowest + (height - foot.imag) * (highest - lowest) / (head.imag - foot.imag)
+    assert read == pytest.approx(float(cycle(scene, ["v_slide_5"], phi=[at[0]])["v_slide_5"][0]), abs=0.2)
+    dots = sorted(m.centre.imag for m in found.marks if isinstance(m, Arc) and m.fill == "ink")
+    assert dots == pytest.approx([min(z.imag for z in curve), max(z.imag for z in curve)], abs=0.01)
+    said = {plain(m.text) for m in found.marks if isinstance(m, Text)}
+    assert {"−38.01", "31.73", "v5, m/s, μv = 0.5 mm/(m/s)", "φ1, °", "Six-link lever mechanism"} <= said
+
+
+def test_curves_on_the_same_axes_have_lines_of_their_own_and_jumps_are_dashed() -> None:
+    found = page_of("assignment-12")
+    long = [m for m in found.marks if isinstance(m, Line) and m.layer == "plan" and len(m.points) > 100]
+    assert [m.style for m in long].count("dash") == 2  # of v_qS3, before and after its dead point
+    named = [m.style for m in found.marks if isinstance(m, Line) and m.layer == "plan" and length(m) == SAMPLE_MM]
+    assert named == ["thick", "dash"]
+    turned_about = cycle_page(load(SAMPLES / "assignment-12.yaml"), None, ["F_21"], None, None, "en")
+    jumps = [m for m in turned_about.marks if isinstance(m, Line) and m.layer == "plan" and len(m.points) == 2]
+    assert {m.style for m in jumps} == {"dash"} and max(map(length, jumps)) > 4.0
+
+
+def length(line: Line) -> float:
+    return round(abs(line.points[-1] - line.points[0]), 9)
+
+
+def test_a_hodograph_has_a_pole_and_equal_scales_and_a_path_neither_pole_nor_origin() -> None:
+    scene = load(SAMPLES / "assignment-12.yaml")
+    for loops, paths, title in ((["F_21"], None, "Hodograph of F21"), (None, ["D"], "Path of point D")):
+        found = cycle_page(scene, None, None, loops, paths, "en")
+        said = [plain(m.text) for m in found.marks if isinstance(m, Text)]
+        assert any(text.startswith(title) for text in said) and ("p" in said) is bool(loops)
+        assert {str(k) for k in range(12)} <= set(said)
+        across, along = numbers_of(found, "middle"), numbers_of(found, "end")
+        (x, left), (x2, right) = [z for z in across if z[1].imag == min(w.imag for _, w in across)][:2]
+        (y, low), (y2, high) = along[:2]
+        assert (right - left).real / (x2 - x) == pytest.approx((high - low).imag / (y2 - y))
 
 
 @pytest.mark.parametrize("lang", ["ru", "en"])

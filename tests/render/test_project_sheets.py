@@ -11,14 +11,14 @@ import shapely
 
 from planes.diagrams.turn import unwound
 from planes.documents import draw_sheet
-from planes.documents.graphs import known
+from planes.documents.cycle import known
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Text
 from render.paper.typeset import plain
-from render.views.diagrams import pieces
+from render.views.diagrams import runs
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.scheme import Scheme
 from tests.helpers import ROOT, sheets
@@ -108,7 +108,7 @@ def test_a_sheet_of_a_project_is_written_by_its_number(tmp_path):
 def test_angles_are_unwound_and_gaps_split_a_curve():
     angles = unwound([170.0, -170.0, math.nan, -150.0])
     assert known(angles - np.nanmin(angles)) == (0.0, 20.0, None, 40.0)
-    assert pieces([0, 1, 2, 3, 4], [1.0, 2.0, None, 3.0, 4.0]) == [[(0, 1.0), (1, 2.0)], [(3, 3.0), (4, 4.0)]]
+    assert runs((1j, 1 + 2j, None, 3 + 3j, 4 + 4j), 1.0) == [([1j, 1 + 2j], False), ([3 + 3j, 4 + 4j], False)]
 
 
 @pytest.mark.few(8)

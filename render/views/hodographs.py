@@ -1,0 +1,94 @@
+"""Hodographs, ends of a vector over the cycle laid off from a pole, and paths of points; positions are numbered."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from planes.words import Lang, say
+from planes.words.lettering import Naming
+from planes.words.names import letter_of
+from planes.words.units import number, standard_mu
+from render import labels
+from render.paper.letters import scale, with_unit
+from render.paper.marks import Arrow, Line, Mark, Text
+from render.paper.symbols import dot
+from render.paper.typeset import ink_width
+from render.views import View, beside, view
+from render.views.diagrams import round_between, round_step, runs
+from render.views.senses import labelled
+
+WIDE_MM = 70.0  # the larger side of a hodograph
+AXIS_MM = 8.0  # of the axes beyond it
+APART_MM = 14.0
+ROUND_MM = 12.0  # from a line of the net to the next, at least
+
+
+@dataclass(frozen=True)
+class Hodograph:
+    """A vector over the cycle, as complex numbers in ``unit`` (None where the mechanism does not assemble; a single one
+    is a jump), and at the numbered positions; ``point`` is whose path it is."""
+
+    name: str
+    unit: str
+    path: tuple[complex | None, ...]
+    stations: tuple[complex | None, ...]
+    point: str = ""
+
+
+def hodograph_view(loops: Sequence[Hodograph], naming: Naming, to_read: bool = False) -> View:
+    """Hodographs side by side, each under its name and scale; those ``to_read`` on a net of round values."""
+    row = beside([_one(loop, naming, to_read) for loop in loops], APART_MM, top=0.0)
+    return view("hodographs", "", row.marks, figure=True)
+
+
+def _one(loop: Hodograph, naming: Naming, to_read: bool) -> View:
+    lang, path = naming.lang, bool(loop.point and to_read)
+    known = [z for z in loop.path if z is not None]
+    known += [0j] * (not path or not known)
+    x, y = [z.real for z in known], [z.imag for z in known]
+    mu = standard_mu(max(max(x) - min(x), max(y) - min(y)), WIDE_MM)
+    name = say("path_of", lang, name=loop.point) if path else say("hodograph", lang, name=loop.name)
+    title = f"{name}, μ_{{{letter_of(loop.name)}}} = {scale(mu, loop.unit, lang)}"
+    low = complex(mu * min(x) - AXIS_MM, mu * min(y) - AXIS_MM)
+    high = complex(mu * max(x) + AXIS_MM, mu * max(y) + AXIS_MM)
+    pole = low if path else 0j
+    ends = complex(high.real, pole.imag), complex(pole.real, high.imag)
+    ground: list[Mark] = [
+        *(_net(low, high, mu, lang) if to_read else ()),
+        Arrow(complex(low.real, pole.imag), ends[0], "thin", "dimension"),
+        Arrow(complex(pole.real, low.imag), ends[1], "thin", "dimension"),
+    ]
+    axes = [with_unit(letter, loop.unit if to_read else "", lang) for letter in "xy"]
+    letters = zip((*axes, "p")[: 2 if path else 3], (*ends, pole), strict=False)
+    named = [labels.Label(text, z, 3.5, clear=0.8, name=text) for text, z in letters]
+    return view("hodograph", title, _drawn(loop, mu, ground, named), height=3.5)
+
+
+def _net(low: complex, high: complex, mu: float, lang: Lang) -> list[Mark]:
+    """Thin lines at round values with these beside them, beneath and at the left."""
+    marks: list[Mark] = []
+    widest = max(ink_width(number(x / mu, lang, 2), 2.5) for x in (low.real, high.real))
+    step = round_step(mu, max(ROUND_MM, widest + 3.0))
+    for x in round_between(low.real / mu, high.real / mu, step):
+        ends = complex(mu * x, low.imag), complex(mu * x, high.imag)
+        marks += [Line(ends, "construction", "construction"), Text(number(x, lang, 6), ends[0] - 4j, 2.5, "middle")]
+    for y in round_between(low.imag / mu, high.imag / mu, step):
+        ends = complex(low.real, mu * y), complex(high.real, mu * y)
+        marks += [
+            Line(ends, "construction", "construction"),
+            Text(number(y, lang, 6), ends[0] - complex(1.5, 1.25), 2.5, "end"),
+        ]
+    return marks
+
+
+def _drawn(loop: Hodograph, mu: float, ground: list[Mark], named: list[labels.Label]) -> tuple[Mark, ...]:
+    """The curve on its axes, and the numbered positions."""
+    for piece, jump in runs([None if z is None else z * mu for z in loop.path]):
+        ground.append(Line(tuple(piece), "dash" if jump else "thick", "plan"))
+    seen: list[complex] = []
+    for k, z in enumerate(loop.stations):
+        if z is None or any(abs(z - other) * mu < 0.4 for other in seen):
+            continue
+        seen.append(z)
+        ground += dot(z * mu, 0.6, "plan")
+        named.append(labels.Label(str(k), z * mu, 2.5, clear=0.8, name=f"position {k}"))
+    return labelled(named, ground)
