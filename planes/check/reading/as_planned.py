@@ -68,14 +68,10 @@ def _nearest(z: complex, places: Sequence[complex]) -> complex:
 
 
 def vectors_named(
-    sketch: ReadDrawing,
-    bench: PreparedPlan,
-    sides: Mapping[str, complex],
-    beside: Iterable[complex],
-    least_mm: float = 0.0,
+    sketch: ReadDrawing, bench: PreparedPlan, sides: Mapping[str, complex], beside: Iterable[complex]
 ) -> ReadPaper:
     """Given vectors of a force plan by their likeness and names, with others ``beside`` them; none where one is not
-    drawn, or an arrow is over. Where the names of those shorter than ``least_mm`` stand tells nothing."""
+    drawn, or an arrow is over."""
     nothing, arrows, spelt = ReadPaper(sketch.file, whole=False), arrows_of(sketch), bench.written(sides)
     words = [(spelt.find(w.text), w) for w in sketch.words]
 
@@ -94,8 +90,7 @@ def vectors_named(
             return nothing
     known = [*sides.values(), *beside]
     over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows for t in [_like(s, known)])
-    sure = [n for n in rows if abs(sides[n]) >= least_mm]
-    over = over or any(_upon(rows[one], rows[two]) for one, two in combinations(sure, 2))
+    over = over or any(_upon(rows[one], rows[two]) for one, two in combinations(rows, 2))
 
     def nearer(one: str, two: str) -> float:
         third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room
@@ -104,7 +99,7 @@ def vectors_named(
         unlike = abs(math.log(abs(sides[one]) / abs(sides[two]))) > UNLIKE  # nobody takes one for the other
         return EXCHANGED_MM if unlike else VECTORS_MM
 
-    if over or not named(rows, sure, word, nearer):
+    if over or not named(rows, rows, word, nearer):
         return nothing
     spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
     return ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))

@@ -1,7 +1,7 @@
-"""A right plan as a program prints it, told by its arrowheads.
+"""A right plan of motion as a program prints it, told by its arrowheads.
 
 The plan is laid on the picture as it should be. Each of its vectors must have its head where it ends, and its ink on
-the way there; of a force plan some way aside, for forces of one line stand side by side.
+the way there.
 """
 
 import math
@@ -12,25 +12,24 @@ from functools import cached_property
 import numpy
 
 from planes.check.grading.paper import ReadMark, ReadPaper
-from planes.check.grading.polygons import Side, between, sides_of
+from planes.check.grading.polygons import Side, between
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn
-from planes.check.reading.as_planned import is_right, vectors_named
-from planes.check.reading.strokes import ReadDrawing, Stroke
+from planes.check.reading.as_planned import is_right
+from planes.check.reading.strokes import Stroke
 from planes.check.vision.ink import PENCIL, WHITE, Ink
 from planes.check.vision.picture import cv
 from planes.check.vision.places import Seen, rounded
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, THICK, TURNED, PrintedHead, heads_along, heads_on
 from planes.geometry.arrays import Greys
-from planes.words.names import POLE, at, kind_of, label_of
+from planes.words.names import POLE, at, label_of
 
-ASIDE_MM = 7.0  # how far aside a force may be drawn
 ALONG_MM = 1.0  # how far a head may be from where it belongs
 PLAIN_MM = 9.0  # shorter vectors may be others' heads, or letters, and do not tell where the pole is
 APART_MM = 0.5  # heads no nearer than this are two
 TRIED = 4  # poles
 HIDING_MM = THICK.long  # how near other vectors' ends are that may hide a head
-ACROSS_MM = 0.1  # in which a head is looked for aside
-NEAR_MM = 0.3  # aside, of what is not drawn aside
+NEAR_MM = 0.3  # how far aside a vector may be
+ASIDE_MM = (0.0, -0.1, 0.1, -0.2, 0.2, -0.3, 0.3)  # where its ink is looked for
 SURE_MM = 4.0  # a shorter vector may be there unseen: it is put where it should be
 DRAWN_MM = 0.3  # a shorter one is not drawn
 COVERED, SLIM_MM = 0.9, 0.25
@@ -56,30 +55,19 @@ class PrintedSheet:
         self.ink = replace(self.seen.ink, even=even, whole=even, letters=None)
         self.heads = heads_on(self.ink, self.seen.lines)
 
-    @property
-    def force(self) -> bool:
-        """Whether its vectors may stand aside."""
-        return kind_of(self.bench.asked.plan) == "force"
-
-    @property
-    def aside(self) -> float:
-        """How far aside a vector may be drawn, mm."""
-        return ASIDE_MM if self.force else NEAR_MM
-
     def right(self) -> list[ReadMark]:
         """The marks of the right plan; none where it is not what is drawn."""
         vectors = self._vectors()
         if any(s.name not in vectors for s in self.needed):
             return []
-        read = (self._read(pole, vectors) for pole in _poles_of(self.heads, vectors.values(), self.aside))
+        read = (self._read(pole, vectors) for pole in _poles_of(self.heads, vectors.values()))
         spots = next((spots for spots in read if spots), [])
         return spots if is_right(self.bench, ReadPaper("", spots)) else []
 
     @cached_property
     def needed(self) -> list[Side]:
         """The vectors the plan is made of."""
-        plan = self.bench.asked.plan
-        return sides_of(self.bench.plans, plan) if self.force else between(self.bench)
+        return between(self.bench)
 
     def _vectors(self) -> dict[str, Stroke]:
         """Every vector that may be drawn, from the pole."""
@@ -88,7 +76,7 @@ class PrintedSheet:
         def end(name: str) -> complex:
             return 0j if name == POLE else complex(things.get(at(plan, name), math.nan))
 
-        found = {s.name: (end(s.start), end(s.end)) for s in [*between(self.bench), *self.needed]}
+        found = {s.name: (end(s.start), end(s.end)) for s in self.needed}
         return {n: (a, b) for n, (a, b) in found.items() if abs(a) + abs(b) < WILDEST_MM}
 
     def _read(self, pole: complex, vectors: Mapping[str, Stroke]) -> list[ReadMark]:
@@ -99,12 +87,12 @@ class PrintedSheet:
         tips = [z for held in found.values() for z in held]
         drawn = [(pole, pole), *((pole + vectors[n][0], z) for n, held in found.items() for z in held)]
         for a, b in (vectors[s.name] for s in self.needed if not found[s.name]):
-            if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, drawn, self.aside):
+            if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, drawn):
                 return []
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES]  # each is a vector's
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
-        return (self._rows if self.force else self._marks)(pole, vectors, found)
+        return self._marks(pole, vectors, found)
 
     def _heads(self, a: complex, b: complex) -> list[complex]:
         """Tips of the heads a vector may have that should lead from a to b (remembered)."""
@@ -114,42 +102,24 @@ class PrintedSheet:
         return self.tips[key]
 
     def _looked(self, a: complex, b: complex) -> Iterator[complex]:
-        if inked := self._inked(a, b, self.aside):
+        if inked := self._inked(a, b):
             way = (b - a) / abs(b - a)
             ends = b - ALONG_MM * way, b + ALONG_MM * way
             yield from (h.tip for h in heads_along(self.ink, *ends, abs(b - a), inked))
 
-    def _inked(self, a: complex, b: complex, aside: float) -> list[float]:
+    def _inked(self, a: complex, b: complex) -> list[float]:
         """How far to either side of the way from a to b ink leads along it, the nearest first."""
-        way, count = (b - a) / abs(b - a), round(aside / ACROSS_MM)
-        beside = [ACROSS_MM * k for k in sorted(range(-count, count + 1), key=abs)]
+        way = (b - a) / abs(b - a)
         start, end = a + NEAR_MM * way, b - NEAR_MM * way
-        return [t for t in beside if self.ink.covered(start + 1j * t * way, end + 1j * t * way, SLIM_MM) > COVERED]
+        return [t for t in ASIDE_MM if self.ink.covered(start + 1j * t * way, end + 1j * t * way, SLIM_MM) > COVERED]
 
-    def _hidden(self, a: complex, b: complex, others: Sequence[Stroke], aside: float = 0.0) -> bool:
+    def _hidden(self, a: complex, b: complex, others: Sequence[Stroke]) -> bool:
         """Whether a vector's head may be within the ink of others that end, or pass, beside it."""
-        if not any(_hides(b, other) for other in others) or not (inked := self._inked(a, b, aside)):
+        if not any(_hides(b, other) for other in others) or not (inked := self._inked(a, b)):
             return False
         ends = b - NEAR_MM * (b - a) / abs(b - a), b + NEAR_MM * (b - a) / abs(b - a)
         heads = heads_along(self.ink, *ends, abs(b - a), inked, HIDDEN)
         return any(_hides(h.tip, other) for h in heads for other in others)
-
-    def _rows(self, pole: complex, vectors: Mapping[str, Stroke], found: Tips) -> list[ReadMark]:
-        """Vectors of a force plan, each a row of its own."""
-        strokes: list[Stroke] = []
-        for name, (a, b) in vectors.items():
-            way = (b - a) / abs(b - a) if a != b else 1
-            seen = abs(b - a) > SURE_MM  # what looks like a shorter one's head may be a letter, or another's head
-            reach = APART_MM if abs(b - a) < 2 * THICK.long else ALONG_MM  # and on a short shaft, turned, its own
-            near = [tip for tip in found[name] if abs(((tip - pole - b) / way).real) < reach]
-            tips = _of_lines(near, pole + b, way) if seen else []
-            drawn = [(tip - way * ((tip - pole - a) / way).real, tip) for tip in tips]
-            if all(abs(tip - pole - b) > APART_MM and self._hidden(pole + a, pole + b, [(tip, tip)]) for tip in tips):
-                drawn = [(pole + a, pole + b)] if abs(b - a) > DRAWN_MM else []
-            strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
-        sketch = ReadDrawing("", strokes, [], ERROR_MM, [1] * len(strokes))
-        true = {s.name: b - a for s in self.needed for a, b in [vectors[s.name]]}
-        return vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
 
     def _marks(self, pole: complex, vectors: Mapping[str, Stroke], found: Tips) -> list[ReadMark]:
         """Marks of a motion plan, where the heads are of the vectors that end in them."""
@@ -171,7 +141,7 @@ def _as_printed(dark: Greys) -> Greys:
     return 255 - shares
 
 
-def _poles_of(heads: Sequence[PrintedHead], vectors: Iterable[Stroke], aside: float) -> list[complex]:
+def _poles_of(heads: Sequence[PrintedHead], vectors: Iterable[Stroke]) -> list[complex]:
     """Poles from which most of the vectors would meet heads, the likeliest first."""
     long = [(b, (b - a) / abs(b - a)) for a, b in vectors if abs(b - a) > PLAIN_MM]
     tips, ways = (numpy.array([getattr(h, k) for h in heads], complex) for k in ("tip", "way"))
@@ -180,27 +150,14 @@ def _poles_of(heads: Sequence[PrintedHead], vectors: Iterable[Stroke], aside: fl
     worth = numpy.zeros(len(poles))
     for (b, way), on in zip(long, points, strict=True):
         local = (tips[on][None, :] - poles[:, None] - b) / way
-        near = (abs(local.real) < ALONG_MM) & (abs(local.imag) < aside)
-        off = abs(local.real) / (2 * ALONG_MM) + abs(local.imag) / (4 * ASIDE_MM)
+        near = (abs(local.real) < ALONG_MM) & (abs(local.imag) < NEAR_MM)
+        off = abs(local.real) / (2 * ALONG_MM)
         worth += numpy.where(near, 1 - off, 0.0).max(axis=1, initial=0.0)
     found: list[complex] = []
     for k in numpy.argsort(-worth, kind="stable"):
         if len(found) < TRIED and all(abs(poles[k] - f) > APART_MM for f in found):
             found.append(complex(poles[k]))
     return found
-
-
-def _of_lines(tips: Iterable[complex], end: complex, way: complex) -> list[complex]:
-    """Of tips on one line the nearest to where its vector should end."""
-    found: list[complex] = []
-    for tip in sorted(tips, key=lambda z: abs(z - end)):
-        found += [tip] if all(abs(((tip - other) / way).imag) > APART_MM for other in found) else []
-    return found
-
-
-def _apart(one: Stroke, other: Stroke) -> bool:
-    """Whether two vectors are not one and the same."""
-    return abs(one[1] - other[1]) > APART_MM or abs(one[0] - other[0]) > ALONG_MM
 
 
 def _hides(z: complex, other: Stroke) -> bool:

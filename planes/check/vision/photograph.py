@@ -121,8 +121,8 @@ def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
 
 def _on_part(bench: PreparedPlan, flat: Flat, seen: Seen | None) -> Look:
     """What a part of a page shows: a plan printed rightly, told by its arrowheads, or one drawn by hand."""
-    vectors = kind_of(bench.asked.plan) != "position" and seen is not None and len(seen.lines) <= MOST_LINES
-    spots = PrintedSheet(bench, seen).right() if vectors and seen else []
+    motion = kind_of(bench.asked.plan) not in ("position", "force")
+    spots = PrintedSheet(bench, seen).right() if motion and seen and len(seen.lines) <= MOST_LINES else []
     return Look(flat, spots[0].place, spots, True, 1.0) if spots else looked(bench, flat, None, seen)
 
 
