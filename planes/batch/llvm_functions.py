@@ -6,7 +6,7 @@ once. Coefficients are those of fdlibm (Sun Microsystems, 1993), correct to with
 
 import struct
 
-from planes.geometry.error_free import EPS
+from planes.geometry.arithmetic import EPS
 
 SIN = (
     -1.66666666666666324348e-01,

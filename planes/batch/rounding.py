@@ -7,9 +7,8 @@ import numpy as np
 
 from planes.batch.slopes import SLOPES, Parts, Values
 from planes.batch.tape import LEAVES, TESTS, Tape
-from planes.geometry.arithmetic import Truth
+from planes.geometry.arithmetic import Truth, doubt
 from planes.geometry.arrays import Array, Booleans, Floats
-from planes.geometry.error_free import doubt
 
 EXACT = TESTS | LEAVES | {"neg", "abs", "sel", "max", "min", "floor"}
 LARGEST = {"gap": 2.0, "hypot": 2.0, "sin": 2.0, "cos": 2.0, "atan2": 2.0}  # halves of the last place; of others: 1
@@ -24,7 +23,8 @@ def rounding(tape: Tape, place: int, found: Values, whole: frozenset[int]) -> Fl
     op, args = tape.ops[place]
     if op == "const":
         x = tape.values[place]
-        return None if _round_number(x) else abs(REST.get(x, np.spacing(abs(x)) / 2))
+        exact = isinstance(x, bool) or not math.isfinite(x) or (x * 1024).is_integer()
+        return None if exact else abs(REST.get(x, np.spacing(abs(x)) / 2))
     if op in EXACT or place in whole:
         return None
     if op == "gap":  # its digits are those of numbers twice as long; where it is nothing, it may be a little
@@ -46,10 +46,6 @@ def _comes_out(op: str, z: Array, *args: Array) -> Truth:
     if op in ("sin", "cos"):  # 0 and 1, of quarter turns
         return args[0] == 0
     return _doubling(args[0]) if op == "inv" else False
-
-
-def _round_number(x: float) -> bool:
-    return isinstance(x, bool) or not math.isfinite(x) or (x * 1024).is_integer()
 
 
 def _doubling(x: Array) -> Truth:

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from planes.geometry.arithmetic import Real
+from planes.geometry.arithmetic import Real, gap
 from planes.geometry.arrays import Floats
-from planes.geometry.error_free import gap
 
 Args = tuple[int, ...]
 COMMUTE = frozenset({"add", "mul", "max", "min", "and", "or", "eq", "hypot"})

@@ -119,7 +119,7 @@ def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
 
 
 def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
-    from planes.diagrams.driven import FULL
+    from planes.diagrams.curves import FULL
     from planes.diagrams.summary import summary
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from planes.course.reading import scenes_in
-from planes.diagrams.driven import FULL
+from planes.diagrams.curves import FULL
 from planes.diagrams.summary import summary
 from planes.plans import Plans
 from planes.scene import Scene, load

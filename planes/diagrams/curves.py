@@ -7,12 +7,11 @@ Names: r_C_x, phi_3, s_5 (place) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · 
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, replace
+from typing import Literal, Self
 
 import numpy as np
 
-from planes.diagrams.driven import driven
 from planes.drafting.tools import AskedFor
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
@@ -27,6 +26,7 @@ Sample = Mapping[str, Array]
 
 Group = Literal["place", "analogue", "rate", "force"]
 UNIT = "q:"
+FULL = 360.0
 
 
 @dataclass(frozen=True)
@@ -209,3 +209,35 @@ def transfer_curves(plans: Plans) -> tuple[str, ...]:
     """The analogues of the driven link: of velocity (or its ratio of speeds), and of acceleration."""
     link, slides = driven(plans)
     return (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (ratio_name(plans, link), f"epsilonq_{link}")
+
+
+def driven(plans: Plans) -> tuple[str, bool]:
+    """The link that a mechanism drives, and whether it slides on the frame: the last group's."""
+    m, group = plans.mechanism, plans.structure.groups[-1]
+    for name in (group.last, group.first):
+        slides = m.links[name].slides
+        if slides and m.owner(slides.guide) == FRAME:
+            return name, True
+    on_frame = [p for p in plans.structure.pairs if p.joins(FRAME)]
+    grounded = [n for n in (group.last, group.first) if any(p.joins(n) for p in on_frame)]
+    slid = {n: m.links[n].slides for n in (group.last, group.first)}  # on the driver's guide it only turns with it
+    free = [n for n, slides in slid.items() if not slides or m.owner(slides.guide) != m.drive.link]
+    return (grounded or free or [group.last])[0], False
+
+
+@dataclass(frozen=True)
+class WorkingRange:
+    """The driver's working range (degrees or metres) about its place; ``whole``: it goes round."""
+
+    start: float
+    end: float
+    whole: bool = False
+
+    def inner(self, margin: float) -> Self:
+        """The range without a part of it at each end, where rates grow without bounds."""
+        away = margin * (self.end - self.start)
+        return replace(self, start=self.start + away, end=self.end - away, whole=False)
+
+    def values(self, count: int) -> list[float]:
+        """So many values and one more, evenly from end to end."""
+        return [self.start + (self.end - self.start) * k / count for k in range(count + 1)]

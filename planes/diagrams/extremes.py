@@ -9,8 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planes.diagrams.curves import Curve, Sample
-from planes.diagrams.driven import FULL
+from planes.diagrams.curves import FULL, Curve, Sample
 from planes.diagrams.turn import Grid, WholeTurn
 from planes.geometry.arrays import Array
 

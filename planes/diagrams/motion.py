@@ -8,8 +8,7 @@ from math import isfinite
 
 import numpy as np
 
-from planes.diagrams.curves import curves_of, output_curves, transfer_curves
-from planes.diagrams.driven import FULL, driven
+from planes.diagrams.curves import FULL, curves_of, driven, output_curves, transfer_curves
 from planes.diagrams.extremes import extremes
 from planes.diagrams.turn import Grid, WholeTurn, grid, span_of, turn_of, unwound
 from planes.geometry.arrays import Array

@@ -6,8 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from planes.diagrams.curves import Curve
-from planes.diagrams.driven import FULL, driven
+from planes.diagrams.curves import FULL, Curve, driven
 from planes.diagrams.extremes import Extreme, extremes, varies
 from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
 from planes.geometry.arrays import Array, Complexes

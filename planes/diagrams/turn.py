@@ -12,8 +12,7 @@ import numpy as np
 
 from planes.batch import CHUNK, Block, Cycle, Reason
 from planes.batch.table import columns_of
-from planes.diagrams.curves import UNIT, Curve, CycleVector, arrows_of, curves_of, needs_of
-from planes.diagrams.driven import FULL, WorkingRange
+from planes.diagrams.curves import FULL, UNIT, Curve, CycleVector, WorkingRange, arrows_of, curves_of, needs_of
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
 from planes.scene.ranges import Span

@@ -7,8 +7,7 @@ from math import isfinite
 
 import numpy
 
-from planes.diagrams.curves import Curve, CycleVector, arrows_of, curves_of, output_curves
-from planes.diagrams.driven import FULL
+from planes.diagrams.curves import FULL, Curve, CycleVector, arrows_of, curves_of, output_curves
 from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.motion import Runs, ends_of
 from planes.diagrams.turn import WholeTurn, grid, turn_of, unwound

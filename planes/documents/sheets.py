@@ -12,8 +12,7 @@ import numpy as np
 
 from planes.batch import Cycle
 from planes.batch.table import columns_of
-from planes.diagrams.curves import curves_of, output_curves
-from planes.diagrams.driven import FULL, WorkingRange, driven
+from planes.diagrams.curves import FULL, WorkingRange, curves_of, driven, output_curves
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.turn import span_of, unwound
 from planes.documents.cycle import check_names, known, over_cycle

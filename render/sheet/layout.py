@@ -117,13 +117,9 @@ def _cost(spots: Sequence[PlacedRectangle], field: Bounds, figures: int) -> floa
 
 def _before(later: PlacedRectangle, earlier: PlacedRectangle) -> bool:
     """Whether a rectangle that is to be read later stands above, or on the left in the same row."""
-    higher = later.top > earlier.top + 8
-    return later.x < earlier.right and (higher or (later.x < earlier.x and _in_row(earlier, later)))
-
-
-def _in_row(one: PlacedRectangle, other: PlacedRectangle) -> bool:
-    """Whether two rectangles stand side by side, more or less."""
-    return min(one.top, other.top) - max(one.y, other.y) > 0.5 * min(one.height, other.height)
+    higher, common = later.top > earlier.top + 8, min(earlier.top, later.top) - max(earlier.y, later.y)
+    in_row = common > 0.5 * min(earlier.height, later.height)
+    return later.x < earlier.right and (higher or (later.x < earlier.x and in_row))
 
 
 def _orders(sizes: Sequence[Size], tries: int) -> Iterator[list[int]]:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import cycle
 
-from planes.diagrams.driven import driven
+from planes.diagrams.curves import driven
 from planes.plans import Plans
 from planes.words import say
 from planes.words.lettering import Naming

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from planes.check import Outcome, check
-from planes.check.grading.certainty import SURE
+from planes.check.grading.evidence import SURE
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import MISREAD, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of

@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.diagrams.curves import UNIT, curves_of
-from planes.diagrams.driven import WorkingRange
+from planes.diagrams.curves import UNIT, WorkingRange, curves_of
 from planes.diagrams.extremes import extremes
 from planes.diagrams.long_run import decimals
 from planes.diagrams.motion import dead_points, driven_grid

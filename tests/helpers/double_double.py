@@ -14,9 +14,8 @@ from planes.batch import Cycle
 from planes.batch.rounding import REST
 from planes.batch.tape import OPS, Op, read
 from planes.batch.tracing import trace
-from planes.geometry.arithmetic import Real, Truth
+from planes.geometry.arithmetic import Real, Truth, two_product, two_sum
 from planes.geometry.arrays import Array, Floats
-from planes.geometry.error_free import two_product, two_sum
 
 Two = tuple[Real, Real]
 RIGHT = (math.pi / 2, 6.123233995736766e-17)

@@ -8,7 +8,7 @@ import pytest
 
 from planes import solving
 from planes.cli import main
-from planes.diagrams.driven import driven
+from planes.diagrams.curves import driven
 from planes.diagrams.turn import span_of
 from planes.documents import sheets as drawing_sheets
 from planes.documents.sheets import sheet_of, turned_once

@@ -5,8 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from planes.check.grading.certainty import SURE, all_drawn, breadth, chance_wrong
-from planes.check.grading.evidence import by_chance, own_scales
+from planes.check.grading.evidence import SURE, all_drawn, breadth, by_chance, chance_wrong, own_scales
 from planes.check.grading.handwork import Hand, Miss
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadMark, ReadPaper

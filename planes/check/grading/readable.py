@@ -1,7 +1,6 @@
 """Whether enough was read to judge by, and surely enough; if not, a sentence that says what is missing or asks."""
 
-from planes.check.grading.certainty import ASKED
-from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST, size_of
+from planes.check.grading.evidence import ASKED, MOST_BY_CHANCE, SMALLEST, size_of
 from planes.check.grading.grading import Grading
 from planes.check.grading.judging import WARN
 from planes.drafting.steps import Same

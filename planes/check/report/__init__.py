@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from planes.check import Outcome
-from planes.check.grading.certainty import SURE
+from planes.check.grading.evidence import SURE
 from planes.check.grading.grading import empty
 from planes.check.grading.judging import WARN
 from planes.check.grading.perturbing import HAND

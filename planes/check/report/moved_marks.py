@@ -6,8 +6,7 @@ from dataclasses import astuple
 
 from planes.check import Outcome
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading import certainty, judging
-from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST
+from planes.check.grading import evidence, judging
 from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import LEAST_MM, Variant
 from planes.check.grading.paper import ReadMark
@@ -92,21 +91,21 @@ def _rule(grading: Grading) -> Json:
     return {
         "false_alarm": judging.FALSE_ALARM,
         "least": LEAST_MM,
-        "slip": certainty.SLIP,
+        "slip": evidence.SLIP,
         "other": judging.OTHER_CAUSE,
         "undrawn": judging.UNDRAWN,
         "left_out": judging.LEFT_OUT,
         "margin": judging.MARGIN,
         "too_well": judging.TOO_WELL,
         "warn": judging.WARN,
-        "broad": certainty.breadth(extent(grading.truth, plan_of(grading.marks[0]))),
+        "broad": evidence.breadth(extent(grading.truth, plan_of(grading.marks[0]))),
         "readable": READABLE,
         "key": [label_of(m) for m in key_marks(grading)],
         "absent": sorted(absent),
         "shown_by": [(label_of(m), [label_of(k) for k in by]) for m, by in grading.shown_by.items()],
         "same": [label_of(m) for m in same if m in grading.marks],
-        "smallest": SMALLEST * point,
-        "sure": MOST_BY_CHANCE,
+        "smallest": evidence.SMALLEST * point,
+        "sure": evidence.MOST_BY_CHANCE,
         "free": not grading.said_mu,
         "gap": grading.gap_sigma,
         "order": [label_of(m) for m in judging.order_of_reckoning(grading.hand.program.steps, grading.marks)],

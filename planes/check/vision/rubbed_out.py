@@ -24,7 +24,9 @@ def remaining(flat: Flat, lines: Sequence[Fitted]) -> list[Fitted]:
     mostly = {id(x): float(numpy.quantile(parts[id(x)], MOSTLY)) for x in long}
     found: list[Fitted] = []
     for x in lines:
-        usual = max((mostly[id(other)] for other in long if _touching(x, other)), default=0.0)
+        pairs = ((other, ((x, other), (other, x))) for other in long)
+        met = (y for y, both in pairs if any(on(b, z, TOUCH_MM, TOUCH_MM) for a, b in both for z in a.ends))
+        usual = max((mostly[id(other)] for other in met), default=0.0)
         found += _left(x, parts[id(x)] > GHOST * usual) if id(x) in parts else [x]
     return found
 
@@ -53,8 +55,3 @@ def _darkness(flat: Flat, line: Fitted) -> Array:
     dark = 1 - middle / numpy.quantile(grey, 0.9, axis=1).clip(1)
     found: Array = numpy.quantile(numpy.lib.stride_tricks.sliding_window_view(dark, PART), MOSTLY, axis=1)
     return found
-
-
-def _touching(one: Fitted, two: Fitted) -> bool:
-    """Whether one line comes to the other, or it to the one."""
-    return any(on(b, z, TOUCH_MM, TOUCH_MM) for a, b in ((one, two), (two, one)) for z in a.ends)
