@@ -180,3 +180,12 @@ def test_a_file_on_disk(tmp_path):
     path.write_text(changed("mass: 60", "mass: -60"), encoding="utf-8")
     with pytest.raises(SceneError, match=r"механизм.yaml:10: mass of link 1 cannot be negative, but is -60"):
         load(path)
+
+
+def test_a_small_number_written_back_is_read_again():
+    text = (
+        "planes: 1\nframe: {points: {A: 0}}\nlinks: {1: {points: {A: 0, B: 0.1}, mass: 1, inertia: 1e-05}}\n"
+        "drive: {link: 1, phi: 30}\n"
+    )
+    written = loads(text).to_yaml()
+    assert "!!" not in written and loads(written).mechanism.links["1"].inertia == 1e-05
