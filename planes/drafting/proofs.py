@@ -98,7 +98,7 @@ class VectorProof(Proof):
 
 def in_si(things: Things, mark: str) -> Complex:
     """What a mark shows, in SI."""
-    mu = things[mu_of(plan_of(mark))]
+    mu = things[_scale(mark)]
     return things[mark] if isinstance(mu, float) and mu == 1.0 else things[mark] / mu  # many are drawn in SI
 
 
