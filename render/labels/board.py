@@ -40,6 +40,7 @@ READ_AS_ONE = 3.0  # cost of it
 PATIENCE = 1000  # how often labels are asked to make room for others, on one board
 FAR_PLACES = 96  # of a label that needs a leader line: the nearest free ones
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
+AT_ONCE = 5000  # candidates looked at together: what lies near them is held for so many
 _SWEEPS = 8
 
 
@@ -114,6 +115,9 @@ class Board:
 
     def _on_ink(self, boxes: Array) -> Array:
         """Cost of the strokes that each box touches or nearly touches."""
+        if len(boxes) > AT_ONCE:
+            parts = np.split(boxes, range(AT_ONCE, len(boxes), AT_ONCE))
+            return np.concatenate([self._on_ink(part) for part in parts])
         cost = np.zeros(len(boxes))
         if len(self.ground.shapes):
             pairs, apart = self.ground.gaps(shapely.box(*boxes.T), ROOM_MM)
