@@ -34,6 +34,11 @@ PAYS = 200_000
 """From how many positions on a compiled loop is worth compiling."""
 
 
+def pays(count: int) -> bool:
+    """Whether to compile a loop for so many positions; one that is compiled is always quicker."""
+    return compiled_loop.available() and count >= PAYS
+
+
 Places = Iterable[float] | Span | Array  # values of the drive
 
 
@@ -137,7 +142,7 @@ class Cycle(Ready):
         """
         places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
         if fast is None:
-            fast = compiled_loop.available() and ("compiled" in self.__dict__ or len(places) >= PAYS)
+            fast = "compiled" in self.__dict__ or pays(len(places))
         size = min(chunk, self.compiled.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)

@@ -139,9 +139,17 @@ class CommandParser(Parser):
             self._mixing = False
 
     def _ended(self, args: Sequence[str]) -> list[str]:
-        """The line with the number an option has by itself, where the word after it is none."""
+        """The line with the number an option has by itself, where the word after it is none; and a value that begins
+        with a minus (``--phi -90:270:1``) held to its option, or it would be taken for one."""
+        valued = {name for one in self._actions if one.nargs is None for name in one.option_strings}
+        words: list[str] = []
+        for word in args:
+            if words and words[-1] in valued and re.match(r"-[.\d]", word):
+                words[-1] += f"={word}"
+            else:
+                words.append(word)
         lone = {name: one for one in self._actions if one.nargs == "?" for name in one.option_strings}
         return [
             f"{word}={lone[word].const}" if word in lone and not after.lstrip("-").isdecimal() else word
-            for word, after in pairwise([*args, ""])
+            for word, after in pairwise([*words, ""])
         ]

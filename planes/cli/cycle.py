@@ -96,8 +96,8 @@ def _table(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.turn import turn_of
     from planes.plans import mechanism_plans
 
-    turn = turn_of(mechanism_plans(scene), _names(args), file=scene.file)
-    return write_curves(turn, span, args.output, args.lang)
+    turn = turn_of(mechanism_plans(scene), _names(args), file=scene.file, slopes=False)
+    return write_curves(turn, span, args.output, args.lang, fast)
 
 
 def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
@@ -109,7 +109,7 @@ def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
     chosen = span or Span(plans.mechanism.drive.position, 0.0, 1)
     if chosen.count > LISTED:
         raise PlanesError(Phrase("listing_long", count=chosen.count, most=LISTED))
-    turn = turn_of(plans, _names(args), file=scene.file)
+    turn = turn_of(plans, _names(args), file=scene.file, slopes=False)
     refused = unsolved(turn, chosen[:], args.lang)
     print(*refused, sep="\n", end="\n" if refused else "", file=sys.stderr)
     if len(refused) == chosen.count:

@@ -103,7 +103,7 @@ TAKES: Mapping[str, Mapping[str, str]] = {
         "summary": "phi s show omega epsilon json",
         "listing": "phi s show omega epsilon json listing",
         "table": "phi s omega epsilon errors plain",
-        "curves": "phi s show omega epsilon",
+        "curves": "phi s show omega epsilon plain",
         "picture": "phi s show hodograph path omega epsilon",
         "graphical": "graphical pole omega json",
         "graphical_picture": "graphical pole omega",

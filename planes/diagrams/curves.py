@@ -55,12 +55,12 @@ class CycleVector:
         return s[f"{self.base}_x"] + 1j * s[f"{self.base}_y"]
 
 
-def needs_of(things: Iterable[Curve | CycleVector]) -> list[str]:
-    """The columns that curves, their slopes and vectors are read from."""
+def needs_of(things: Iterable[Curve | CycleVector], slopes: bool = True) -> list[str]:
+    """The columns that curves, with their ``slopes`` or without, and vectors are read from."""
     asked = AskedFor()
     for one in things:
         one.read(asked)
-        if isinstance(one, Curve) and one.slope:
+        if slopes and isinstance(one, Curve) and one.slope:
             one.slope(asked)
     return list(asked)
 

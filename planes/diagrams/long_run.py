@@ -54,11 +54,11 @@ def write_cycle(
     return _written(table, heads, table.reasons, blocks, len(span), output, lang)
 
 
-def write_curves(turn: WholeTurn, values: Span | None, output: str, lang: Lang) -> int:
+def write_curves(turn: WholeTurn, values: Span | None, output: str, lang: Lang, fast: bool | None = None) -> int:
     """Write a table of chosen curves, analogues among them if they are asked for; the exit status."""
     span = values or whole(turn.plans)
     heads = [(c.name, c.unit) for c in turn.curves]
-    return _written(turn.cycles[0][1], heads, turn.reasons, turn.blocks(span), len(span), output, lang)
+    return _written(turn.cycles[0][1], heads, turn.reasons, turn.blocks(span, fast=fast), len(span), output, lang)
 
 
 def whole(plans: Plans) -> Span:

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from planes.batch import CHUNK, Block, Cycle, Reason
+from planes.batch import CHUNK, Block, Cycle, Reason, pays
 from planes.batch.table import columns_of
 from planes.diagrams.curves import FULL, UNIT, Curve, CycleVector, WorkingRange, arrows_of, curves_of, needs_of
 from planes.geometry.arrays import Array, Booleans, Indices
@@ -29,9 +29,11 @@ ROUNDING = 1e-13  # what is left of numbers that cancel, beside them
 class WholeTurn:
     """Curves and vectors of a mechanism, ready to be read at any places of its driver (degrees, or metres)."""
 
-    def __init__(self, plans: Plans, curves: Sequence[Curve], arrows: Sequence[CycleVector] = ()) -> None:
+    def __init__(
+        self, plans: Plans, curves: Sequence[Curve], arrows: Sequence[CycleVector] = (), slopes: bool = True
+    ) -> None:
         self.plans, self.curves, self.arrows = plans, tuple(curves), tuple(arrows)
-        self.needs = needs_of((*self.curves, *self.arrows))
+        self.needs = needs_of((*self.curves, *self.arrows), slopes)
 
     @cached_property
     def cycles(self) -> tuple[tuple[str, Cycle], ...]:
@@ -52,11 +54,11 @@ class WholeTurn:
         """Every column needed, at every value; NaN where it cannot be drawn, or, if not ``bare``, has no digits."""
         return self._run(np.asarray(values, float), bare)[0]
 
-    def _run(self, values: Array, bare: bool = False) -> tuple[dict[str, Array], Indices]:
+    def _run(self, values: Array, bare: bool = False, fast: bool = False) -> tuple[dict[str, Array], Indices]:
         found: dict[str, Array] = {}
         codes, past = np.zeros(len(values), int), 0
         for prefix, run in self.cycles:
-            blocks = list(run.blocks(values, fast=False, bare=bare))
+            blocks = list(run.blocks(values, fast=fast, bare=bare))
             table = np.hstack([b.table for b in blocks])
             mine = np.hstack([b.codes for b in blocks])
             codes = np.where((codes == 0) & (mine != 0), mine + past, codes)
@@ -64,11 +66,13 @@ class WholeTurn:
             found |= {prefix + c.name: row for c, row in zip(run.columns, table, strict=True)}
         return found, codes
 
-    def blocks(self, values: Span | Array, chunk: int = CHUNK) -> Iterator[Block]:
-        """The curves (one row each) of successive positions, in blocks: what a long table is written from."""
+    def blocks(self, values: Span | Array, chunk: int = CHUNK, fast: bool | None = None) -> Iterator[Block]:
+        """The curves (one row each) of successive positions, in blocks: what a long table is written from. ``fast``
+        says whether to compile; by itself when that pays."""
+        fast = pays(len(values)) if fast is None else fast
         for start in range(0, len(values), chunk):
             part = np.asarray(values[start : start + chunk], float)
-            found, codes = self._run(part)
+            found, codes = self._run(part, fast=fast)
             yield Block(part, np.array([c.read(found) + np.zeros(len(part)) for c in self.curves]), codes)
 
 
@@ -80,11 +84,13 @@ def unit_drive(plans: Plans) -> dict[str, float]:
     return {plans.links[drive.link].omega: 1.0, plans.links[drive.link].epsilon: 0.0}
 
 
-def turn_of(plans: Plans, names: Iterable[str] | None = None, arrows: Iterable[str] = (), file: str = "") -> WholeTurn:
-    """A turn with the curves and vectors of those names (None: every curve)."""
+def turn_of(
+    plans: Plans, names: Iterable[str] | None = None, arrows: Iterable[str] = (), file: str = "", slopes: bool = True
+) -> WholeTurn:
+    """A turn with the curves and vectors of those names (None: every curve), read with their ``slopes`` or without."""
     known, vectors = curves_of(plans), arrows_of(plans)
     chosen = known.values() if names is None else [_named(n, known, file) for n in names]
-    return WholeTurn(plans, list(dict.fromkeys(chosen)), [_named(n, vectors, file) for n in arrows])
+    return WholeTurn(plans, list(dict.fromkeys(chosen)), [_named(n, vectors, file) for n in arrows], slopes)
 
 
 def _named(name: str, known: Mapping[str, T], file: str) -> T:

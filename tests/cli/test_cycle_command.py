@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from planes import batch
+from planes.batch import compiled
 from planes.cli import main
 from planes.diagrams.motion import Runs
 from planes.diagrams.turn import turn_of
@@ -96,6 +98,27 @@ def test_pictures(suffix: str, tmp_path: Path) -> None:
         argv = ["cycle", TWELVE, "--show", "s_5,vq_D+vq_S3", "--hodograph", "F_21", "--path", "D", "-o", str(target)]
         assert main([*argv, "--lang", "ru"]) == 0
     assert some[0].read_bytes() == some[1].read_bytes() and some[0].stat().st_size > 5000
+
+
+@pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
+@pytest.mark.parametrize("scene", [SIX, str(SAMPLES / "kind-1-rrr.yaml")])
+def test_a_long_table_of_curves_goes_through_the_compiled_loop(scene: str, tmp_path: Path, monkeypatch: Any) -> None:
+    """Its numbers and the positions it refuses are those of arrays; ``--plain`` keeps to arrays."""
+    loops: list[int] = []
+    run = compiled.CompiledLoop.__call__
+    monkeypatch.setattr(batch, "PAYS", 700)
+    monkeypatch.setattr(compiled.CompiledLoop, "__call__", lambda loop, rows: loops.append(1) or run(loop, rows))
+    found = []
+    for plain, file in (([], tmp_path / "loop.npz"), (["--plain"], tmp_path / "arrays.npz")):
+        argv = ["cycle", scene, "--phi", "-90:270:0.5", "--show", "v_C,u_31", "-o", str(file), *plain]
+        assert main(argv) == 0 and bool(loops) == (not plain)
+        loops.clear()
+        found.append(np.load(file))
+    one, two = found
+    assert len(one["v_C"]) == 721 and np.isnan(one["v_C"]).any() == (scene == SIX)
+    for name in ("v_C", "u_31"):
+        np.testing.assert_allclose(one[name], two[name], rtol=1e-9, atol=1e-13)
+    assert (one["failed"] == two["failed"]).all()
 
 
 def test_what_is_drawn_is_split_at_dead_points_and_marked_at_extremes() -> None:

@@ -335,6 +335,7 @@ def test_only_the_runs_that_are_needed_are_made() -> None:
     plans = plans_from(crank())
     assert [prefix for prefix, _ in turn_of(plans, ["u_21"]).cycles] == [UNIT]
     assert [prefix for prefix, _ in WholeTurn(plans, [curves_of(plans)["M_1"]]).cycles] == [""]
+    assert [prefix for prefix, _ in turn_of(plans, ["v_B"], slopes=False).cycles] == [""]
 
 
 # the listing of assignment 12
