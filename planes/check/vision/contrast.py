@@ -156,14 +156,17 @@ def _drop_long(whole: Booleans, faint: Booleans, plain: Booleans) -> None:
 
 
 def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> Greys:
-    """Fill the pits that paper's grain leaves in a line, from the ink along it; how dark its middle is."""
+    """Fill the pits that paper's grain leaves in a line, from the ink along it to both sides; how dark it is."""
     cv2, up = cv(), scale / PX_PER_MM
     rows, columns = (slice(int(side.start * up), int(side.stop * up)) for side in place)
     part, reach = dark[rows, columns], max(round(FILLED_MM / 2 * scale), 1)
     y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1]
     local = (x + 1j * y) * numpy.exp(-1j * math.pi * k / ANGLES)
     kernel = numpy.clip(1 - numpy.abs(local.imag), 0, 1) * (numpy.abs(local.real) <= reach)
-    smooth = cv2.filter2D(part, -1, (kernel / kernel.sum()).astype(numpy.float32))
+    ahead = numpy.where(local.real > 0, kernel, 0) + 0.5 * numpy.where(local.real == 0, kernel, 0)
+    ahead = (ahead / (2 * ahead.sum())).astype(numpy.float32)
+    one, other = cv2.filter2D(part, -1, ahead), cv2.filter2D(part, -1, ahead[::-1, ::-1])
+    smooth = numpy.minimum(one, 2 * other) + numpy.minimum(other, 2 * one)  # beyond a line's end one of them is none
     inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST).view(bool)
     numpy.maximum(even[rows, columns], smooth, out=even[rows, columns], where=inside)
     del inside
