@@ -97,11 +97,13 @@ def test_the_share_of_print_most_vectors_tell() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("share", [0.985, 0.97, 0.94])
 def test_a_blank_printed_to_fit_is_no_mistake(share: float, tmp_path: Path) -> None:
-    """The share is told, within a hand's error, and never blamed; what is drawn wrongly is still found."""
+    """The share is never blamed, and told, within a hand's error, where it shows: this plan has but one vector laid off
+    by a ruler, and 1.5 % of 60 mm is no more than a hand's error. What is drawn wrongly is still found."""
     taken = shot(work(None, 1), "base", tmp_path / "right.jpg", print_scale=share)
     found = check(PLAN.asked, read_paper(str(taken.file), PLAN.asked, Known()))
-    told = next(n for n in found.notes if n.key == "check_printed_at")
-    assert found.verdict == "right" and abs(float(str(told.parts["share"])) / 100 - share) < 0.015
+    told = [float(str(n.parts["share"])) / 100 for n in found.notes if n.key == "check_printed_at"]
+    assert found.verdict == "right" and all(abs(one - share) < 0.015 for one in told)
+    assert told or share > 0.98
     assert corpus.counted(shot(work(WRONG, 2), "base", tmp_path / "wrong.jpg", print_scale=share)).named == 1
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import statistics
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -26,6 +27,8 @@ ENOUGH, EVEN, UNEVEN = 3, 0.02, 0.08  # heads that tell how alike all are, and h
 SHAPE_MM = (0.2, 0.03)  # σ of a fitted head's length and half of its width
 ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a picture err together
 HAND = 0.08  # by how much a hand's heads differ in length, whatever those few that are seen well say
+HALF, UNLIKE = 0.2, 0.15  # of a head's length, half of its width; how much one may differ from the others
+BESIDE_MM, ABOUT_MM = 0.9, 2.0  # how far beside a line its vector may run, and a tip from where it should be
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM = 0.1  # no tip is surer
 
@@ -71,6 +74,26 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
         start = numpy.array([end if free else sign * tip, 0.0, 0.0, abs(tip - base), 0.7])
         known = _known(z[near], [thin, *others])
         yield Sight(line, thin.width, sign, x, y, dark[near], known, start, end if free else None)
+
+
+def head_about(ink: Ink, lines: Sequence[Fitted], start: complex, end: complex, length: float) -> complex | None:
+    """The tip of the head that a vector from ``start`` has about its ``end``, on a line that goes on there: told by how
+    much of the ink no line explains such a head does, where heads are about so long."""
+    way = (end - start) / abs(end - start)
+    near = [x for x in lines if abs((x.along * way.conjugate()).imag) < ASKEW / 2 and abs(x.local(end)[1]) < BESIDE_MM]
+    line = min(near, key=lambda x: abs(x.local(end)[1]), default=None)
+    if line is None or not line.low + AT_END_MM < line.local(end)[0] < line.high - AT_END_MM:
+        return None
+    sign = 1 if (line.along * way.conjugate()).real > 0 else -1
+    goal, usual = sign * line.local(end)[0], numpy.array([length, HALF * length])
+    x, y = numpy.meshgrid(numpy.arange(goal - length - 3, goal + 2.5, STEP_MM), numpy.arange(-1.5, 1.51, CELL_MM))
+    z = line.at(sign * x) + 1j * line.along * y
+    thin = replace(line, width=min(line.width, statistics.median(one.width for one in lines)))
+    known = _known(z, [thin, *(one for one in lines if one is not line)])
+    sight = Sight(line, thin.width, sign, x, y, ink.at(z), known, numpy.array([goal, 0.0, 0.0, *usual]))
+    sight.fit(None)
+    sight.fit((usual, UNLIKE * usual))
+    return sight.tip.z if sight.good and abs(sight.tip.z - end) < ABOUT_MM else None
 
 
 def _known(z: Complexes, lines: Sequence[Fitted]) -> Array:

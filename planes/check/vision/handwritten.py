@@ -64,6 +64,11 @@ class HandWords:
         """How surely a name was read by the vector from a to b."""
         return self._weighed(name, a, b)[1]
 
+    def unwritten(self, name: str) -> float:
+        """What it costs to believe that nobody drew the vector of a name."""
+        whole = min(sum(w.likely.get(name, 0.0) for w in self.words), 1.0)
+        return -math.log(1 - whole + AWAY * whole)
+
     def _weighed(self, name: str, a: complex, b: complex) -> tuple[float, float]:
         if (key := (name, a, b)) not in self.known:
             read = [(w.likely.get(name, 0.0), w.off(a, b)) for w in self.words]

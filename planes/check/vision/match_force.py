@@ -9,7 +9,7 @@ should be, with the error of drawing it.
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import InitVar, dataclass, field
+from dataclasses import InitVar, dataclass, field, replace
 from functools import cached_property
 from itertools import permutations
 
@@ -20,11 +20,10 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.handwritten import words_on
 from planes.check.vision.ink_cover import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
 from planes.check.vision.places import WOBBLE_MM, Place, Seen, pole_on
-from planes.check.vision.polygon_cover import Guess, LaidChain, guesses, polygon_of, seen_like, spread_of
+from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain, guesses, polygon_of, seen_like, spread_of
 from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares
 from planes.words.names import POLE
 
-NOTHING_MM = 0.3  # a vector shorter than this is not drawn
 TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet
 MOST_HIDDEN = 3.5
 MOST_COST = 60.0  # of a chain that explains a picture at all
@@ -34,6 +33,7 @@ NO_INK = 5.0  # what it costs if no ink is on its way
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
+UNSURE = 2.6  # a mistake is one only if the right polygon costs so much more
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 1500
 
@@ -191,13 +191,14 @@ class LaidPolygon:
 
     def __post_init__(self, bench: PreparedPlan, ink: InkCover, pole: Place, sides: list[Side]) -> None:
         self.polygon = SoughtPolygon(ink, pole, spread_of(bench, sides))
-        self.right, *self.wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
+        self.right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
+        self.wrong = [replace(g, cost=g.cost + sum(map(ink.words.unwritten, g.missing(self.right)))) for g in wrong]
         self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
 
-    @property
-    def cost(self) -> float:
-        """What it costs to believe in it."""
-        return (self.best.cost if self.best else math.inf) + UNLIKELY * (self.share != 1)
+    def cost(self, plainly: bool = False) -> float:
+        """What it costs to believe in it, or in the plan rightly drawn on such a sheet."""
+        chain = self.plain if plainly else self.best
+        return (chain.cost if chain else math.inf) + UNLIKELY * (self.share != 1)
 
 
 def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], bool, float, tuple[str, ...]]:
@@ -208,15 +209,16 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     sides, pole = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan), pole_on(seen, near)
     shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()], words=words_on(seen, [s.name for s in sides]))
-    tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=lambda one: one.cost)
+    tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=LaidPolygon.cost)
     for one in tried:
         one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
         if one.best and one.best is one.plain and one.share == 1:
             break  # it fits well
-    one = min(tried, key=lambda one: one.cost)
+    one = min(tried, key=LaidPolygon.cost)
     if (best := one.best) is None:
         return [], False, 0.0, ()
-    if best.cost > _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z):
+    unsure = best is not one.plain and min(other.cost(plainly=True) for other in tried) < one.cost() + UNSURE
+    if unsure or best.cost > _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z):
         return [], False, 1.0, ()
     explained = one.polygon.ink.explained(best.routes(pole.z))
     rows = [ReadMark(POLE, pole.z, pole.sigma)]

@@ -10,6 +10,7 @@ import numpy
 
 from planes.check.fiducials import within
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.vision.arrow_tips import USUAL_MM, head_about
 from planes.check.vision.drawn_lines import lines_of, on, patches
 from planes.check.vision.heads import head_at
 from planes.check.vision.ink import Ink, ink_of
@@ -25,13 +26,11 @@ CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of on
 HEAD_MM, TIP_REACH_MM = 1.0, 1.5  # how far an arrowhead's tip may be from where it belongs, and from its line's end
 HIDDEN_MM = 9.0  # the most of a line's end that is hidden in another line's ink
 PASSING_MM = 0.3  # σ of what was put on a line, off it
-TIP_MM, CLOSER_MM = 0.3, 2.0  # σ of a head's tip that was only looked for; how far from a vector's end it is
-HEADED_MM = 4.5  # shorter vectors have no head, twice as long ones surely do
-HEADS = 3  # that tell how long all are
+TIP_MM, DIM_TIP_MM, CLOSER_MM = 0.3, 0.5, 2.0  # σ of a tip that was only looked for, or dimly seen; how far astray
+HEADED_MM, HEADS = 4.5, 3  # shorter vectors have no head, twice as long ones surely do; so many tell how long all are
 BEYOND_MM, LONGER = 4.0, 0.4  # how far past its end a line is looked for, and the share of ink by which it goes on
 SAME_MM, REACH_MM = 0.4, 2.5  # places nearer than this are one; of a true mark, when the pole is looked for
-POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
-WOBBLE_MM = 0.2  # σ of what a hand's wobble and bow do to any mark
+POLE_MM, WOBBLE_MM = 0.06, 0.2  # σ of where a line from the pole begins, of what a hand's wobble does to any mark
 LOOKED_FOR = 1.7  # how much less sure a person's mark is than the tip it was told by
 MANY, APART_MM = 3, 15.0  # marks that fit elsewhere by no chance; how far off that is another drawing
 
@@ -73,8 +72,11 @@ class Seen:
         """The tip of the head a vector from start to end has about its end, looked for along it (remembered)."""
         key = rounded(start), rounded(end)
         if key not in self.looked:
-            found = head_at(self.ink, start, end, CLOSER_MM, self.head_mm) if abs(end - start) > HEADED_MM else None
-            self.looked[key] = Place(found, TIP_MM, frozenset(), True, self._short(start, found)) if found else None
+            long, sigma = abs(end - start) > HEADED_MM, TIP_MM
+            found = head_at(self.ink, start, end, CLOSER_MM, self.head_mm) if long else None
+            if long and found is None:
+                found, sigma = head_about(self.ink, self.lines, start, end, self.head_mm or USUAL_MM), DIM_TIP_MM
+            self.looked[key] = Place(found, sigma, frozenset(), True, self._short(start, found)) if found else None
         return self.looked[key]
 
     def torn(self, place: Place) -> bool:

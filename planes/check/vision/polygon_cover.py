@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import Self
 
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.polygons import Side
@@ -16,6 +17,7 @@ from planes.drafting.steps import Step
 from planes.drafting.steps.crossings import Cross
 from planes.words.names import POLE, at, label_of, links_of, plan_of
 
+NOTHING_MM = 0.3  # a vector shorter than this is not drawn
 WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet
 
 
@@ -27,6 +29,10 @@ class Guess:
     closing: Mapping[str, complex]  # unit directions
     cost: float = 0.0
     free: str = ""  # a vector that may be anywhere
+
+    def missing(self, right: Self) -> list[str]:
+        """The vectors of the right polygon that are none here."""
+        return [n for n, v in right.known.items() if abs(v) > 1 and abs(self.known.get(n, v)) < NOTHING_MM]
 
 
 @dataclass
