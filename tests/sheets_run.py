@@ -24,6 +24,7 @@ from pathlib import Path
 import shapely
 
 from planes.documents.sheets import sheet_of
+from planes.plans.measuring import lettering
 from planes.scene import Scene, load
 from planes.solving import Position, solve
 from planes.words import Lang, say
@@ -195,8 +196,7 @@ def omissions(scene: Scene, values: list[float] | None, sheet: Sheet, job: Job) 
     if scene.mechanism is None:
         return []
     position = solve(scene, values, None, job.lang).positions[0]
-    drive = scene.mechanism.drive.link
-    naming = Naming(job.lang, scene.frame_number, scene.sheet.get("reactions") == "from-on", drive)
+    naming = Naming(job.lang, **lettering(scene, position.plans))
     there = said(sheet)
     parts = {None: (kinematics, forces), 1: (kinematics,), 2: (forces,)}[job.number]
     named = [pair for part in parts for pair in part(position, naming)]

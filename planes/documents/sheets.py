@@ -59,9 +59,10 @@ def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: 
         now = drawn.at(sizes)
         return composer.views(now, letter, together), [v for v in (composer.moments(now, letter),) if v]
 
-    return compose(scene, Contents(views, drawn.extents), lang)
+    return compose(scene, Contents(views, drawn.extents, drawn.leaders), lang)
 
 
+ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn at its μ
 KINDS = {1: ("position", "velocity", "acceleration"), 2: ("position", "velocity", "motion", "force")}
 """Kinds of plans on either sheet of a project; the lever is drawn like the velocity plan."""
 
@@ -84,7 +85,7 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
             return {**plans, "diagrams": section_mm(sizes.of("diagrams")) * SECTIONS}
         return {**plans, **(group_extents(drawn.at, sizes) if number == 2 and "position" in plans else {})}
 
-    return compose(scene, Contents(views, extents), composer.lang, number)
+    return compose(scene, Contents(views, extents, drawn.leaders), composer.lang, number)
 
 
 @dataclass(frozen=True)
@@ -118,12 +119,13 @@ class DrawnPosition:
     @cached_property
     def kept(self) -> dict[tuple[tuple[str, float], ...], Position]:
         """The position by the μ of its plans, where the scene leaves them open: drawn once at each."""
-        return {tuple(self.mus(Sizes()).items()): self.first}
+        own = {plan: self.first.scales[mu_of(plan)] for plan in self.largest}
+        return {tuple(own.items()): self.first}
 
     @cached_property
     def first(self) -> Position:
         """The position with its plans as large as usual."""
-        return self._drawn(self.fits(Sizes()))
+        return self._drawn(FIT_MM)
 
     @cached_property
     def largest(self) -> dict[str, float]:
@@ -132,16 +134,25 @@ class DrawnPosition:
         open_ = [p for p in first.plans.drawn if p != "lever" and self.scene.mu.get(kind_of(p)) is None]
         return {p: extent(first.drawing, p) / first.scales[mu_of(p)] for p in open_}
 
+    @cached_property
+    def leaders(self) -> dict[str, str]:
+        """By plan the largest of those that have one μ with it: forces are carried from one to another of these."""
+        found: dict[str, str] = {}
+        for plan in sorted(self.largest, key=lambda p: -self.largest[p]):
+            like = (p for p in found.values() if kind_of(p) == kind_of(plan) == "force")
+            near = (p for p in like if self.largest[p] <= ONE_MU * self.largest[plan])
+            found[plan] = next(near, plan)
+        return found
+
     def fits(self, sizes: Sizes) -> dict[str, float]:
         """How many mm each plan may be large."""
-        drawn = (p for p in self.stated[0].drawn if p != "lever")
-        fits = {plan: sizes.of(plan) * FIT_MM[kind_of(plan)] for plan in (*FIT_MM, *drawn)}
-        return {**fits, "force": sizes.factor * FIT_MM["force"]}
+        open_ = {plan: mu * self.largest[plan] * (1 + 1e-9) for plan, mu in self.mus(sizes).items()}
+        return {kind: sizes.of(kind) * mm for kind, mm in FIT_MM.items()} | open_
 
     def mus(self, sizes: Sizes) -> dict[str, float]:
         """The μ that plans of those sizes have, where the scene leaves them open."""
-        fits = self.fits(sizes)
-        return {plan: fitting(plan, size, fits[plan]) for plan, size in self.largest.items()}
+        by_leader = {p: sizes.of(p) * FIT_MM[kind_of(p)] for p in self.leaders.values()}
+        return {p: fitting(p, self.largest[q], by_leader[q]) for p, q in self.leaders.items()}
 
     def _drawn(self, fits: Mapping[str, float]) -> Position:
         plans, wanted = self.stated
@@ -152,9 +163,9 @@ class DrawnPosition:
             raise SceneError(said, self.scene.file) from None
 
     def extents(self, sizes: Sizes, kinds: Collection[str] = FIT_MM) -> dict[str, float]:
-        """The size in mm of the plans of some kinds whose μ is open."""
+        """The size in mm of the plans of some kinds whose μ is open; of those with one μ, of the largest."""
         mus = self.mus(sizes)
-        return {plan: size * mus[plan] for plan, size in self.largest.items() if kind_of(plan) in kinds}
+        return {p: self.largest[p] * mus[p] for p in dict.fromkeys(self.leaders.values()) if kind_of(p) in kinds}
 
 
 FINE = 360  # places of the driver for curves and paths

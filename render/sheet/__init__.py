@@ -1,7 +1,7 @@
 """One sheet: views composed, the smallest format that holds them, places, frame and title block."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import product
 
 from planes.scene import Scene
@@ -9,18 +9,19 @@ from planes.words import Lang, say
 from planes.words.errors import SceneError
 from render.files import Page
 from render.paper.typeset import plain
+from render.sheet.columns import OVER, Columns, Item
+from render.sheet.composer import LARGER
 from render.sheet.frame import FORMATS, Paper, said_cells
-from render.sheet.layout import FULL, QUICK, USUAL, Effort, Field, Packed, pack, spread
+from render.sheet.module import Module
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown, relieved
+from render.sheet.stacking import Stacking
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
 """How small, against the usual, plans may become where the scene leaves μ open; all but the first on the largest
 format, or the one the scene names, alone."""
-LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5,), "A1": (5.0, 3.5)}
+LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5)}
 """Letter heights of tables to try on a format, in mm; equations are a step larger."""
-
-EASY = 9  # arrangements that must be found for larger plans, so that one of them can be read easily
 
 
 @dataclass(frozen=True)
@@ -28,11 +29,19 @@ class Contents:
     """What a sheet shows.
 
     ``views`` are those it must hold, and those that may be left out, for sizes of plans, a letter height of tables,
-    and whether equations stand under their plans; ``extents`` the plans whose μ is open, with their sizes in mm.
+    and whether equations stand under their plans; ``extents`` the plans whose μ is open, with their sizes in mm;
+    ``leaders`` tell by plan which one is made larger together with it, where that is another.
     """
 
     views: Callable[[Sizes, float, bool], tuple[list[View], list[View]]]
     extents: Extents = lambda sizes: {}
+    leaders: Mapping[str, str] = field(default_factory=dict)
+
+    def lettered(self, sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
+        """The views with titles as high as their equations."""
+        wanted, spare = self.views(sizes, letter, together)
+        wanted, spare = ([replace(v, heading=LARGER[letter]) for v in some] for some in (wanted, spare))
+        return wanted, spare
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -57,7 +66,7 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
         for name in formats:
             how = fitted(contents, name, name == formats[-1], whole)
             if how:
-                wanted, spare = contents.views(*how)
+                wanted, spare = contents.lettered(*how)
                 places = enlarged(contents, *how, whole, Paper(name))
                 left_out = () if whole else (without(spare, wanted, Paper(name), number, lang),)
                 return finished(scene, Paper(name), places, lang, number, left_out)
@@ -71,7 +80,7 @@ Way = tuple[Sizes, float, bool]
 def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None:
     """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
     for how in _tries(name, bool(contents.extents(Sizes())), last):
-        wanted, spare = contents.views(*how)
+        wanted, spare = contents.lettered(*how)
         shown = [*wanted, *spare] if whole else wanted
         if (whole or spare) and packed(shown, Paper(name)):
             knotted = whole and spare and how[0].factor < 1 and any(v.crowded for v in shown)
@@ -82,9 +91,10 @@ def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None
 
 def _tries(name: str, free: bool, last: bool) -> list[Way]:
     """Ways to fill a format, the best looking first."""
-    small = (SMALLER if last else SMALLER[:1]) if free else ()
-    first = [(Sizes(), letter, together) for together in (True, False) for letter in LETTERS[name]]
-    return [*first, *product(map(Sizes, small), LETTERS[name], (True, False))]
+    factors = (1.0, *SMALLER) if free else (1.0,)
+    usual = product(LETTERS[name], map(Sizes, factors[:2]), (True, False))
+    small = product(LETTERS[name], map(Sizes, factors[2:] if last else factors[2:3]), (True, False))
+    return [(sizes, letter, together) for letter, sizes, together in (*usual, *small)]
 
 
 def enlarged(
@@ -93,37 +103,46 @@ def enlarged(
     """Places of the views on the paper, its plans as large as there is room for without spoiling their order."""
 
     def views(sizes: Sizes) -> list[View]:
-        found, spare = contents.views(sizes, letter, together)
+        found, spare = contents.lettered(sizes, letter, together)
         return [*found, *spare] if whole else found
 
     x0, y0, x1, y1 = paper.field
     most = LARGEST * min(x1 - x0, y1 - y0)
 
-    first = packed(views(sizes), paper, QUICK)
+    stacking = Stacking(module_of(paper))
+    order = columns_of(views(sizes), stacking).arranged()[0]
 
     def fits(sizes: Sizes) -> bool:
-        found = packed(views(sizes), paper, QUICK)
-        return found is not None and found.choice >= EASY and (found.led or not first or not first.led)
+        nonlocal order
+        columns = columns_of(views(sizes), stacking)
+        if columns.ordered(order).cost < OVER:
+            return True
+        other, found = columns.arranged(order)
+        order = other if found.cost < OVER else order
+        return found.cost < OVER
 
     def crowded(sizes: Sizes) -> set[str]:
-        return {v.plan for v in views(sizes) if v.crowded}
+        return {contents.leaders.get(v.plan, v.plan) for v in views(sizes) if v.crowded}
 
-    large = grown(sizes, contents.extents, most, fits)
-    roomy = relieved(large, contents.extents, crowded, lambda sizes: packed(views(sizes), paper, QUICK) is not None)
-    shown = views(roomy)
-    best = packed(shown, paper, FULL)
-    assert best  # the first sizes found room, and the later ones were tried
-    return [(v, s.x, s.top) for v, s in zip(shown, spread(best.spots, field_of(shown, paper)), strict=True)]
+    legible = relieved(sizes, contents.extents, crowded, fits)
+    shown = views(grown(legible, contents.extents, most, fits))
+    order, best = columns_of(shown, stacking).arranged(order)
+    return [(shown[k], spot.x, spot.top) for k, spot in zip(order, best.spots, strict=True)]
 
 
-def field_of(views: Sequence[View], paper: Paper) -> Field:
-    """What the views fill."""
-    return Field(paper.field, paper.taken, sum(v.figure for v in views))
+def module_of(paper: Paper) -> Module:
+    """What views may fill."""
+    return Module(paper.field, paper.taken)
 
 
-def packed(views: Sequence[View], paper: Paper, effort: Effort = USUAL) -> Packed | None:
-    """Places of the views on the paper; None if there is no room for all."""
-    return pack([(v.width, v.height) for v in views], field_of(views, paper), effort)
+def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
+    """The views in columns, in the order given."""
+    return Columns([Item(v.width, v.height, v.step, not v.figure) for v in views], stacking)
+
+
+def packed(views: Sequence[View], paper: Paper) -> bool:
+    """Whether there is room for all views on the paper."""
+    return columns_of(views, Stacking(module_of(paper))).arranged()[1].cost < OVER
 
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:
@@ -157,7 +176,7 @@ def unseen(one: View, lang: Lang) -> list[str]:
 
 def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
     """Which view is too large, or that all of them together are; and which format holds them, if one was found to."""
-    views = contents.views(*_tries(paper.name, bool(contents.extents(Sizes())), True)[-1])[0]
+    views = contents.lettered(*_tries(paper.name, bool(contents.extents(Sizes())), True)[-1])[0]
     largest = max(views, key=lambda v: v.width * v.height)
     key = "no_room" if packed([largest], paper) is None else "no_room_together"
     tried = (n for n in larger_than(paper) if any(fitted(contents, n, True, whole) for whole in (True, False)))

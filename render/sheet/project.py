@@ -7,7 +7,7 @@ driver; the lever.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from planes.solving import Position
 from planes.words import say
@@ -45,9 +45,12 @@ class Project:
         c, plotted = self.composer, of_position(position)
         rates = [p for p in drawn_plans(plotted, position) if kind_of(p) != "force"]
         t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together)
-        tables = t.given(), t.plan("velocity"), t.plan("acceleration"), t.links()
-        views = self.many(position), *plans, self.groups(position, letter), *tables
-        return [v for v in (*views, self.diagrams(position, size), self.hodographs()) if v]
+        steps = {
+            "motion": (self.many(position), self.diagrams(position, size), self.hodographs()),
+            "rates": (*plans, t.plan("velocity"), t.plan("acceleration"), t.links()),
+            "structure": (self.groups(position, letter), t.given()),
+        }
+        return [replace(v, step=step) for step, views in steps.items() for v in views if v]
 
     def many(self, position: Position) -> View | None:
         """The scheme, in the calculated position thick, in twelve more thin."""
@@ -91,7 +94,7 @@ class Project:
         """Some links by themselves, with words beneath."""
         drawn = view("part", "", Scheme(position, self.composer.naming, links, framed).drawn(False))
         words = view("part", "", [Text(text, 0j, LARGER[letter] * 0.7, "middle")])
-        return stacked("part", [drawn, words], 3.0)
+        return stacked("part", [drawn, words], 3.0, centred=True)
 
     def diagrams(self, position: Position, size: float = 1.0) -> View | None:
         """Diagrams of motion over the driver's range."""
@@ -99,7 +102,7 @@ class Project:
             return None
         c, section = self.composer, section_mm(size)
         found = Diagrams(position.plans, self.values, [[c] for c in self.curves], c.naming, section, self.whole)
-        return c.once(("diagrams", section), lambda: view("diagrams", found.title, found.drawn(), figure=True))
+        return c.once(("diagrams", section), lambda: view("diagrams", found.title, found.drawn()))
 
     def hodographs(self) -> View | None:
         """The hodographs the scene asks for."""
@@ -107,28 +110,25 @@ class Project:
         return c.once(("hodographs",), lambda: hodograph_view(self.loops, c.naming)) if self.loops else None
 
 
-CROWDED, ALONE = 1.3, 2.2  # how much larger than on paper a group, or a link alone, counts: it need not grow as far
-
 Drawer = Callable[[Sizes], Position]
 """Draws the position with its plans so many times their usual size, where μ is open."""
 
 
-def apart(plan: str) -> str:
-    """The name under which the scheme of a plan's links grows: "scheme:2-3" of "force:2-3"."""
-    return f"scheme:{'-'.join(links_of(plan))}"
+GROUPS = "groups"
+"""The name under which all groups apart grow: they have one μ."""
 
 
-def group_sizes(sizes: Sizes, group: str) -> Sizes:
-    """Sizes at which the scheme, all that is shown of them, is as large as a group apart is drawn."""
-    times = sizes.of("position") * sizes.of(group) / sizes.factor**2
+def group_sizes(sizes: Sizes) -> Sizes:
+    """Sizes at which the scheme, all that is shown of them, is as large as the groups apart are drawn."""
+    times = sizes.of("position") * sizes.of(GROUPS) / sizes.factor**2
     return Sizes(sizes.factor).larger("position", times)
 
 
 def group_extents(at: Drawer, sizes: Sizes) -> dict[str, float]:
-    """Sizes in mm of the groups apart, each at its own scale."""
-    groups = {apart(p): links_of(p) for p in at(sizes).plans.drawn if kind_of(p) == "force"}
-    counts = {group: CROWDED if len(links) > 1 else ALONE for group, links in groups.items()}
-    return {g: counts[g] * Places(at(group_sizes(sizes, g))).size(links) for g, links in groups.items()}
+    """The size in mm of the largest group apart."""
+    plans = at(sizes).plans.drawn
+    places, groups = Places(at(group_sizes(sizes))), [links_of(p) for p in plans if kind_of(p) == "force"]
+    return {GROUPS: max((places.size(links) for links in groups), default=0.0)}
 
 
 @dataclass
@@ -141,14 +141,17 @@ class ForceSheet:
         """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables."""
         c, position = self.composer, at(sizes)
         plotted = of_position(position)
+        larger = at(group_sizes(sizes))
         found: list[View | None] = [self.loaded(position)]
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)
-            larger = at(group_sizes(sizes, apart(plan)))
             moments = c.moments(position, letter, links)
-            found.append(c.stack("group", self.group(larger, plan, links), moments, gap=5.0))
-            found.append(c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")))
-            found.append(self.apart(larger, links, apart(plan)))
+            step = [
+                c.stack("group", self.group(larger, plan, links), moments, gap=5.0),
+                c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
+                self.apart(larger, links),
+            ]
+            found += [replace(v, step=plan) for v in step if v]
         found.append(self.lever(position, letter))
         tables = c.tables(position, letter)
         return [v for v in (*found, tables.reactions(), tables.check()) if v]
@@ -179,11 +182,11 @@ class ForceSheet:
             drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
             key = "loaded_group" if len(links) > 1 else "loaded_driver"
             title = c.titled(position, key, links="–".join(map(c.naming.link, links)))
-            return view("group", title, drawn, True, plan=apart(plan))
+            return view("group", title, drawn, True, plan=GROUPS)
 
         return c.once(("loaded", links, position.scales[mu_of("position")]), make)
 
-    def apart(self, position: Position, links: tuple[str, ...], name: str = "") -> View | None:
+    def apart(self, position: Position, links: tuple[str, ...]) -> View | None:
         """The links of a group one by one, each with its loads and all reactions on it, the inner ones too."""
         if len(links) < 2:
             return None
@@ -198,7 +201,7 @@ class ForceSheet:
 
         def make() -> View:
             title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
-            return view("apart", title, beside(list(map(part, links))).marks, True, plan=name)
+            return view("apart", title, beside(list(map(part, links))).marks, True, plan=GROUPS)
 
         return c.once(("apart", links, position.scales[mu_of("position")]), make)
 

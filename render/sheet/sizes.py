@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 STEPS = (1.25, 1.6, 2.0, 2.5)  # μ of the standard series are no farther apart
+RANKS = {"position": 1.5}  # how much larger than the others some plans should be
 LARGEST = 0.45  # of the shorter side of the field, which a plan never exceeds by growing
 SAME = 1.01  # plans whose sizes differ by less have one μ
 
@@ -33,11 +34,11 @@ Extents = Callable[[Sizes], Mapping[str, float]]
 
 
 def grown(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], bool]) -> Sizes:
-    """Sizes with every plan as large as the sheet holds: the smallest grows first, by one standard μ at a time."""
+    """Sizes with every plan as large as the sheet holds: the smallest for its rank first, by one μ at a time."""
     sizes, now = start, dict(extents(start))
     growing = set(now)
     while growing:
-        plan = min(sorted(growing), key=lambda p: now[p])
+        plan = min(sorted(growing), key=lambda p: now[p] / RANKS.get(p, 1.0))
         larger = _next(sizes, plan, extents, now[plan])
         if larger and extents(larger)[plan] <= most and fits(larger):
             sizes, now = larger, dict(extents(larger))

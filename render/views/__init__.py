@@ -15,16 +15,39 @@ TITLE_GAP = 4.0  # from a title to its view
 
 @dataclass(frozen=True)
 class View:
-    """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none); ``unseen`` are
-    sentences about what should be in it and is not; ``plan`` is whose μ makes it larger ("" for none)."""
+    """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none), ``heading`` mm
+    high; ``body`` and ``inked`` are what is beneath the title, and its box; ``unseen`` are sentences about what should
+    be in it and is not; ``plan`` is whose μ makes it larger ("" for none), ``step`` the part of the calculation it
+    belongs to."""
 
     key: str
     title: str
-    marks: tuple[Mark, ...]
-    box: Bounds
+    body: tuple[Mark, ...]
+    inked: Bounds
     figure: bool = False  # a scheme or a plan: they are read one after the other
     unseen: tuple[str, ...] = ()
     plan: str = ""
+    step: str = ""
+    heading: float = TITLE_MM
+
+    @cached_property
+    def titled(self) -> tuple[tuple[Mark, ...], Bounds]:
+        """The marks with the title, which begins where they do at the left, and the box of all."""
+        if not self.title:
+            return self.body, self.inked
+        (left, low, right, top), (x0, y0, x1, y1) = self.inked, extent(self.title, self.heading)
+        text = Text(self.title, complex(left - x0, top + TITLE_GAP - y0), self.heading, name=f"title {self.key}")
+        return (*self.body, text), (left, low, max(right, left - x0 + x1), text.place.imag + y1)
+
+    @property
+    def marks(self) -> tuple[Mark, ...]:
+        """All that is drawn, with the title."""
+        return self.titled[0]
+
+    @property
+    def box(self) -> Bounds:
+        """What is around it, with the title."""
+        return self.titled[1]
 
     @cached_property
     def crowded(self) -> tuple[str, ...]:
@@ -48,24 +71,11 @@ class View:
 
 
 def view(
-    key: str,
-    title: str,
-    marks: Iterable[Mark],
-    figure: bool = False,
-    unseen: Iterable[str] = (),
-    plan: str = "",
-    height: float = TITLE_MM,
+    key: str, title: str, marks: Iterable[Mark], figure: bool = False, unseen: Iterable[str] = (), plan: str = ""
 ) -> View:
-    """A view with its title centred above it."""
+    """A view of marks, with the box of their ink."""
     held = tuple(marks)
-    box = bounds(held)
-    if title:
-        x0, y0, x1, y1 = extent(title, height)
-        place = complex((box[0] + box[2]) / 2, box[3] + TITLE_GAP - y0)
-        held = (*held, Text(title, place, height, "middle", name=f"title {key}"))
-        half = (x1 - x0) / 2
-        box = (min(box[0], place.real - half), box[1], max(box[2], place.real + half), place.imag + y1)
-    return View(key, title, held, box, figure, tuple(unseen), plan)
+    return View(key, title, held, bounds(held), figure, tuple(unseen), plan)
 
 
 def remark(text: str, marks: Iterable[Mark]) -> Text:
@@ -74,18 +84,19 @@ def remark(text: str, marks: Iterable[Mark]) -> Text:
     return Text(text, complex((x0 + x1) / 2, y0 - 5.0), REMARK_MM, "middle", name="remark")
 
 
-def stacked(key: str, views: Sequence[View], gap: float = 6.0) -> View:
-    """Views one beneath the other on one middle line, as one view with the title of the first."""
+def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = False) -> View:
+    """Views one beneath the other, at one left edge or on one middle line, as one view with the title of the first."""
     marks: list[Mark] = []
-    y, boxes = 0.0, []
-    for one in views:
-        by = complex(-(one.box[0] + one.box[2]) / 2, y - one.box[3])
+    y, boxes = 0.0, list[Bounds]()
+    for one in (replace(views[0], title=""), *views[1:]):
+        by = complex(-(one.box[0] + one.box[2]) / 2 if centred else -one.box[0], y - one.box[3])
         marks += (moved(mark, by) for mark in one.marks)
-        boxes.append([z + (by.imag if k % 2 else by.real) for k, z in enumerate(one.box)])
+        left, low, right, top = one.box
+        boxes.append((left + by.real, low + by.imag, right + by.real, top + by.imag))
         y = boxes[-1][1] - gap
-    left, low, right, top = zip(*boxes, strict=True)
-    box, unseen = (min(left), min(low), max(right), max(top)), tuple(s for v in views for s in v.unseen)
-    return replace(views[0], key=key, marks=tuple(marks), box=box, unseen=unseen)
+    lefts, lows, rights, tops = zip(*boxes, strict=True)
+    box, unseen = (min(lefts), min(lows), max(rights), max(tops)), tuple(s for v in views for s in v.unseen)
+    return replace(views[0], key=key, body=tuple(marks), inked=box, unseen=unseen)
 
 
 def beside(views: Sequence[View], gap: float = 8.0, top: float | None = None, left: float = 0.0) -> View:

@@ -60,7 +60,7 @@ def _one(loop: Hodograph, naming: Naming, to_read: bool) -> View:
     axes = [with_unit(letter, loop.unit if to_read else "", lang) for letter in "xy"]
     letters = zip((*axes, "p")[: 2 if path else 3], (*ends, pole), strict=False)
     named = [labels.Label(text, z, 3.5, clear=0.8, name=text) for text, z in letters]
-    return view("hodograph", title, _drawn(loop, mu, ground, named), height=3.5)
+    return view("hodograph", title, _drawn(loop, mu, ground, named))
 
 
 def _net(low: complex, high: complex, mu: float, lang: Lang) -> list[Mark]:

@@ -128,7 +128,7 @@ class Tables:
         def make() -> View:
             drawn = TableGrid(self.letter).drawn(head, rows)
             marks = (*drawn, remark(note, drawn)) if note else drawn
-            return view(key, title, marks, height=self.letter * 10 / 7 if self.letter < 3 else 5.0)
+            return view(key, title, marks)
 
         return self.once(("table", key, self.letter, *map(tuple, rows)), make)
 

@@ -16,7 +16,7 @@ from planes.words.errors import PlanesError
 from render.files import pdf, svg
 from render.paper.marks import Arrow, Line, Text
 from render.paper.typeset import layout, plain
-from render.sheet.layout import GAP_MM, Field, pack
+from render.sheet.module import GAP_MM
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts
 from tests.helpers.glyphs import missing
@@ -245,10 +245,3 @@ def test_reactions_and_scales_follow_the_settings():
     said = words(sheet_of(six_link(reactions="from-on", mu_convention="unit_per_mm"), None))
     assert any(text.startswith("План скоростей") and "(м·с⁻¹)/мм" in text for text in said)
     assert "F12" in said
-
-
-def test_packing_keeps_clear_of_what_is_in_the_way():
-    found = pack([(50.0, 40.0)] * 4, Field((0.0, 0.0, 200.0, 120.0), [(100.0, 0.0, 200.0, 55.0)]))
-    assert found
-    assert all(s.y >= 55 + GAP_MM - 1e-9 or s.right <= 100 - GAP_MM + 1e-9 for s in found.spots)
-    assert pack([(150.0, 100.0)] * 2, Field((0.0, 0.0, 200.0, 120.0), [])) is None

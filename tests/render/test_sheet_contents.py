@@ -18,6 +18,7 @@ from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Text
 from render.paper.typeset import plain
 from render.sheet.composer import Composer
+from render.sheet.module import Module
 from render.sheet.sizes import Sizes, grown, relieved
 from render.views.diagrams import DiagramCurve, cut_off
 from render.views.given import GivenTable
@@ -169,6 +170,28 @@ def test_the_field_is_well_filled(name, number):
     found = sheet(name, number)
     assert full(found) > 0.6  # 0.46 at the least before plans grew
     assert empty(found) < 0.1
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "assignments/12", "assignments/30", "assignments/65"])
+def test_figures_follow_the_calculation_on_the_module(name):
+    found = sheet(name, 2)
+    module = Module(found.paper.field, found.paper.taken)
+    units = [(left - module.left(0)) / module.pitch for _, left, _ in found.views]
+    assert all(abs(unit - round(unit)) < 1e-6 for unit in units)
+    figures = [v for v, _, _ in found.views if v.figure]
+    assert figures[0].key == "loaded" and figures[-1].key == "lever"
+    steps = [v.step for v in figures[1:-1]]
+    assert steps == sorted(steps, key=steps.index)  # each step whole before the next
+    for step in dict.fromkeys(steps):
+        assert [v.key for v in figures if v.step == step] in (["group", step, "apart"], ["group", step])
+
+
+def test_force_plans_and_groups_apart_have_one_scale():
+    said = words(sheet("kind-3-rpr", 2))
+    assert len({text.partition("μF = ")[2] for text in said if "μF = " in text}) == 1
+    groups = {text.partition("μl = ")[2] for text in said if "с силами" in text or "порознь" in text}
+    assert len(groups) == 1
 
 
 def test_round_scales_only():

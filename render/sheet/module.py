@@ -1,0 +1,92 @@
+"""The module of a sheet: a field divided into units, at whose edges its views begin; all in mm."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy
+from numpy.typing import NDArray
+
+from planes.geometry.arrays import Array
+from render.labels.footprints import Bounds
+
+Indices = NDArray[numpy.intp]
+
+GAP_MM = 7.0  # least distance of views from each other and from the frame
+MODULE_MM = 185.0  # the width of the title block, over which a column of tables stands
+UNITS, WIDEST = 12, 2  # units to a module, modules to the widest column
+
+
+@dataclass(frozen=True)
+class Module:
+    """The units of a field: the inside of a frame, and what stands in it already."""
+
+    inside: Bounds
+    taken: tuple[Bounds, ...]
+
+    @property
+    def height(self) -> float:
+        """The height of the field."""
+        return self.inside[3] - self.inside[1]
+
+    @property
+    def area(self) -> float:
+        """What is free of it, mm²."""
+        taken = sum((right - left) * (top - low) for left, low, right, top in self.taken)
+        return (self.inside[2] - self.inside[0]) * self.height - taken
+
+    @cached_property
+    def units(self) -> int:
+        """How many there are."""
+        return UNITS * max(1, round((self.inside[2] - self.inside[0]) / MODULE_MM))
+
+    @property
+    def widest(self) -> int:
+        """How many a column may span."""
+        return min(WIDEST * UNITS, self.units)
+
+    @cached_property
+    def pitch(self) -> float:
+        """From unit to unit."""
+        return (self.inside[2] - self.inside[0] - GAP_MM) / self.units
+
+    def left(self, unit: int) -> float:
+        """The left edge of a unit."""
+        return self.inside[0] + GAP_MM + unit * self.pitch
+
+    def span(self, width: float) -> int:
+        """How many units a view needs."""
+        return math.ceil((width + GAP_MM) / self.pitch - 1e-9)
+
+    def free(self, unit: int, end: int) -> tuple[float, float]:
+        """From where down to where a column of some units is free."""
+        x0, x1 = self.left(unit) - GAP_MM, self.left(end)
+        low, top = self.inside[1], self.inside[3]
+        for left, lower, right, upper in self.taken:
+            if left < x1 and x0 < right:
+                low, top = (upper, top) if lower <= low else (low, min(top, lower))
+        return top - GAP_MM, low + GAP_MM
+
+    @cached_property
+    def starts(self) -> Indices:
+        """Where a column begins, by its end and by how many units it spans; 0 where it cannot."""
+        found: Indices = numpy.maximum(numpy.subtract.outer(numpy.arange(self.units + 1), self.spans), 0)
+        return found
+
+    @cached_property
+    def spans(self) -> Indices:
+        """How many units a column may span."""
+        return numpy.arange(self.widest + 1)
+
+    @cached_property
+    def heights(self) -> Array:
+        """How high a column is, by its end and by how many units it spans, as a share of the field's height; less than
+        nothing where it would begin outside."""
+        found = numpy.full(self.starts.shape, -numpy.inf)
+        for end in range(self.units + 1):
+            for span in range(1, min(end, self.widest) + 1):
+                top, low = self.free(end - span, end)
+                found[end, span] = (top - low) / self.height
+        return found

@@ -1,0 +1,88 @@
+"""Views that follow each other in one column: beneath each other, or beside each other where that is lower.
+
+Parts of them are put together in the same way, so that a tall view has two small ones beside it. How high views are at
+the least is known for every number of units they may span.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+import numpy
+
+from planes.geometry.arrays import Array
+from render.sheet.module import GAP_MM, Indices, Module
+
+Piece = tuple[int, ...]
+"""Views that follow each other: each as the number of its size."""
+Size = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Spot:
+    """Where a view stands: its left and upper edges."""
+
+    x: float
+    top: float
+
+
+@dataclass
+class Stacking:
+    """Pieces in the units of a module."""
+
+    module: Module
+    sizes: dict[Size, int] = field(default_factory=dict)
+    highs: dict[Piece, Array] = field(default_factory=dict, repr=False)
+
+    def piece(self, sizes: Sequence[Size]) -> Piece:
+        """Views of these sizes."""
+        for size in sizes:
+            if size not in self.sizes:
+                self.sizes[size] = len(self.sizes)
+                fits = self.module.spans >= self.module.span(size[0])
+                self.highs[(self.sizes[size],)] = numpy.where(fits, size[1], numpy.inf)
+        return tuple(self.sizes[size] for size in sizes)
+
+    def high(self, piece: Piece) -> Array:
+        """How high views are at the least, by the units they may span."""
+        if piece not in self.highs:
+            parted = (self._parted(self.high(piece[:k]), self.high(piece[k:])) for k in range(1, len(piece)))
+            self.highs[piece] = numpy.minimum.reduce([way for ways in parted for way in ways])
+        return self.highs[piece]
+
+    def _parted(self, a: Array, b: Array) -> tuple[Array, Array]:
+        """How high two parts are one beneath the other, and beside each other, in whatever shares of their units."""
+        return a + GAP_MM + b, numpy.maximum.outer(a, b)[_diagonals(len(a))].min(axis=1)
+
+    def rows(self, piece: Piece, span: int) -> list[Piece]:
+        """The parts of a piece that stand beneath each other."""
+        for k in range(1, len(piece)):
+            parts = piece[:k], piece[k:]
+            if sum(self.high(part)[span] for part in parts) + GAP_MM <= self.high(piece)[span] + 1e-9:
+                return [row for part in parts for row in self.rows(part, span)]
+        return [piece]
+
+    def placed(self, rows: Sequence[Piece], unit: int, span: int, top: float, gap: float = GAP_MM) -> Iterator[Spot]:
+        """The views of rows that stand beneath each other."""
+        for row in rows:
+            yield from self._beside(row, unit, span, top)
+            top -= float(self.high(row)[span]) + gap
+
+    def _beside(self, row: Piece, unit: int, span: int, top: float) -> Iterator[Spot]:
+        """The views of a row: one, or two parts beside each other."""
+        if len(row) == 1:
+            yield Spot(self.module.left(unit), top)
+            return
+        ways = ((k, share) for share in range(1, span) for k in range(1, len(row)))
+        k, share = min(ways, key=lambda w: max(self.high(row[: w[0]])[w[1]], self.high(row[w[0] :])[span - w[1]]))
+        for part, start, wide in ((row[:k], unit, share), (row[k:], unit + share, span - share)):
+            yield from self.placed(self.rows(part, wide), start, wide, top)
+
+
+@lru_cache
+def _diagonals(count: int) -> tuple[Indices, Indices]:
+    """Where a square table has the numbers whose row and column together are 0, 1, 2 …, the last ones repeated."""
+    whole, part = numpy.mgrid[:count, :count]
+    return numpy.minimum(part, whole), numpy.maximum(whole - part, 0)

@@ -1,0 +1,98 @@
+"""Columns of the calculation: in order, on the module, clear of what is in the way, as low as any breaking is."""
+
+from __future__ import annotations
+
+import random
+from itertools import pairwise, product
+
+import pytest
+
+from render.sheet.columns import OVER, TORN, Columns, Item
+from render.sheet.module import GAP_MM, Module
+from render.sheet.stacking import Stacking
+
+A2 = Module((20.0, 5.0, 589.0, 415.0), ((404.0, 5.0, 589.0, 60.0), (20.0, 401.0, 90.0, 415.0)))
+SMALL = Module((0.0, 0.0, 185.0, 100.0), ())
+
+
+def broken(items: list[Item], module: Module) -> Columns:
+    """Views in columns of a module."""
+    return Columns(items, Stacking(module))
+
+
+def boxes(columns: Columns) -> list[tuple[float, float, float, float]]:
+    """The views in their places: left, lower, right, upper."""
+    placed = zip(columns.items, columns.spots, strict=True)
+    return [(s.x, s.top - i.height, s.x + i.width, s.top) for i, s in placed]
+
+
+def some(seed: int) -> list[Item]:
+    """Views of random sizes, a table in four."""
+    rng = random.Random(seed)
+    wide = ((rng.uniform(30, 180), rng.uniform(30, 150), rng.randrange(3)) for _ in range(rng.randint(5, 12)))
+    return [Item(w, h, f"step {s}", rng.random() < 0.25) for w, h, s in wide]
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_views_keep_apart_begin_on_the_module_and_keep_clear_of_the_title_block(seed: int) -> None:
+    order, found = broken(some(seed), A2).arranged()
+    if found.cost >= OVER:
+        return
+    placed = boxes(found)
+    for k, a in enumerate(placed):
+        assert A2.inside[0] + GAP_MM - 1e-9 <= a[0] and a[2] <= A2.inside[2] - GAP_MM + 1e-9
+        assert A2.inside[1] + GAP_MM - 1e-9 <= a[1] and a[3] <= A2.inside[3] - GAP_MM + 1e-9
+        units = (a[0] - A2.left(0)) / A2.pitch
+        assert abs(units - round(units)) < 1e-9
+        for b in (*placed[:k], *A2.taken):
+            assert max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3]) >= GAP_MM - 1e-6
+    figures = [k for k in order if not some(seed)[k].loose]
+    assert figures == sorted(figures)
+
+
+def test_some_of_the_random_views_have_room() -> None:
+    assert sum(broken(some(seed), A2).arranged()[1].cost < OVER for seed in range(25)) >= 8
+
+
+def test_later_views_stand_lower_or_farther_right() -> None:
+    columns = broken([Item(120.0, 90.0) for _ in range(9)], A2)
+    assert columns.cost < OVER
+    for a, b in pairwise(columns.spots):
+        assert b.x > a.x or b.top < a.top
+
+
+def test_a_small_view_stands_beside_a_tall_one_and_two_beneath_each_other_beside_it() -> None:
+    columns = broken([Item(80.0, 86.0), Item(80.0, 40.0), Item(80.0, 39.0)], SMALL)
+    (a, b, c) = columns.spots
+    assert columns.cost < OVER and a.top == b.top > c.top and b.x == c.x > a.x
+    assert broken([Item(80.0, 87.0), *columns.items[1:]], SMALL).cost >= OVER
+
+
+def test_a_table_gives_way_to_figures_and_stands_where_there_is_room() -> None:
+    tall, table = Item(80.0, 80.0), Item(80.0, 80.0, loose=True)
+    wide = Item(160.0, 80.0)
+    field = Module((0.0, 0.0, 185.0, 210.0), ())
+    assert broken([tall, wide, table], field).cost >= OVER
+    order, found = broken([tall, wide, table], field).arranged()
+    assert found.cost < OVER and order == [0, 2, 1]
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_no_other_breaking_is_cheaper(seed: int) -> None:
+    """Every way to end columns after some views and units, tried one by one."""
+    rng = random.Random(seed)
+    items = [Item(rng.uniform(20, 90), rng.uniform(20, 60), str(rng.randrange(2))) for _ in range(4)]
+    columns = broken(items, SMALL)
+
+    def price(first: int, unit: int) -> float:
+        if first == len(items):
+            return 0.0 if unit == SMALL.units else float("inf")
+        ends = product(range(first + 1, len(items) + 1), range(unit + 1, SMALL.units + 1))
+        return min(
+            (columns.price(columns.piece[first:k])[e, e - unit] + torn(k) + price(k, e) for k, e in ends), default=9e9
+        )
+
+    def torn(k: int) -> float:
+        return TORN * (k < len(items) and items[k].step == items[k - 1].step)
+
+    assert columns.cost == pytest.approx(price(0, 0)) or columns.cost > OVER
