@@ -2,9 +2,11 @@
 
     python -m tests.sheets_run --samples --assignments --processes 2
     python -m tests.sheets_run samples/kind-3-rpr.yaml --lang en --pictures FOLDER
+    python -m tests.sheets_run --random 100
 
 Run by hand it goes through every sample in twelve positions and sheets 1, 2 and the single page of all assignments,
-prints each fault in a line, then how full the sheets are, and ends with 1 where anything was wrong.
+prints each fault in a line, then how full the sheets are, and ends with 1 where anything was wrong. --random draws the
+sheets of so many random mechanisms of one to three groups.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import combinations
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import shapely
 
@@ -32,10 +35,11 @@ from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.typeset import plain
-from render.sheet import Sheet
+from render.sheet import Sheet, module_of
 from render.views.moments import MomentLines
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts, described
+from tests.helpers.mechanisms import KINDS, make, to_yaml
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
 ASSIGNMENTS = sorted((ROOT / "samples" / "assignments").glob("*.yaml"))
@@ -85,16 +89,16 @@ def scene_of(job: Job) -> Scene:
 
 def look(job: Job, pictures: str | None = None) -> Looked:
     """Draw one sheet and look it over."""
-    scene, start = scene_of(job), time.perf_counter()
+    scene, start = scene_of(job), time.process_time()
     values = None if job.value is None else [job.value]
     try:
         sheet = sheet_of(scene, values, job.lang, job.number)
     except PlanesError as error:
         return Looked(job, failed=error.told(job.lang))
-    seconds = time.perf_counter() - start
+    seconds = time.process_time() - start
     if pictures:
         sheet.write(Path(pictures) / f"{job.path.stem}-{job.number or 'page'}-{job.value or ''}.png")
-    faults = [*clashes(sheet), *unlettered(sheet), *untranslated(sheet, job.lang)]
+    faults = [*clashes(sheet), *off_the_module(sheet), *unlettered(sheet), *untranslated(sheet, job.lang)]
     faults += omissions(scene, values, sheet, job)
     led = leaders(sheet.marks)
     return Looked(
@@ -135,6 +139,13 @@ def clashes(sheet: Sheet) -> list[str]:
     found = [str(c) for c in conflicts((), free, (x0, y0, x1, y1))]
     found += [f"{a} crosses {b}" for a, b in _leaders_meet(leaders(sheet.marks))]
     return found + _views_meet(sheet)
+
+
+def off_the_module(sheet: Sheet) -> list[str]:
+    """Views that do not begin at the edge of a unit of the sheet."""
+    module = module_of(sheet.paper)
+    units = [(v.key, (left - module.left(0)) / module.pitch) for v, left, _ in sheet.views]
+    return [f"view {key} begins between units" for key, unit in units if abs(unit - round(unit)) > 1e-6]
 
 
 def _in_block(sheet: Sheet, text: Text) -> bool:
@@ -281,6 +292,17 @@ def jobs(
     return found + [Job(path, n, lang=lang) for path in (ASSIGNMENTS if assignments else []) for n in NUMBERS]
 
 
+def at_random(count: int, folder: Path) -> list[Job]:
+    """Every sheet of random mechanisms of one to three groups, all with loads, some with friction."""
+    found = []
+    for seed in range(count):
+        rng = random.Random(f"sheets {seed}")
+        made = make(rng, rng.choices(KINDS, k=1 + seed % 3), friction=seed % 4 == 0)
+        (path := folder / f"random-{seed}.yaml").write_text(to_yaml(made.scene), encoding="utf-8")
+        found += [Job(path, n) for n in NUMBERS]
+    return found
+
+
 def positions(scene: Scene) -> list[float]:
     """Twelve values of the drive: every 30°, or over a sliding driver's stroke about its own place."""
     assert scene.mechanism
@@ -302,15 +324,18 @@ def main() -> int:
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--seed", type=int, help="only some of them, drawn at random")
     parser.add_argument("--count", type=int, default=100, help="how many, with --seed")
+    parser.add_argument("--random", type=int, default=0, help="of so many random mechanisms")
     args = parser.parse_args()
-    wanted = jobs(args.samples, args.assignments, args.scenes, not args.one, args.lang)
-    if args.seed is not None:
-        wanted = random.Random(args.seed).sample(wanted, min(args.count, len(wanted)))
-    found = []
-    with ProcessPoolExecutor(args.processes) as pool:
-        for one in pool.map(look, wanted, [args.pictures] * len(wanted), chunksize=1):
-            found.append(one)
-            print(*told(one), sep="\n", end="\n" if told(one) else "", flush=True)
+    with TemporaryDirectory() as folder:
+        wanted = jobs(args.samples, args.assignments, args.scenes, not args.one, args.lang)
+        wanted += at_random(args.random, Path(folder))
+        if args.seed is not None:
+            wanted = random.Random(args.seed).sample(wanted, min(args.count, len(wanted)))
+        found = []
+        with ProcessPoolExecutor(args.processes) as pool:
+            for one in pool.map(look, wanted, [args.pictures] * len(wanted), chunksize=1):
+                found.append(one)
+                print(*told(one), sep="\n", end="\n" if told(one) else "", flush=True)
     return report(found)
 
 
@@ -333,7 +358,7 @@ def report(found: Sequence[Looked]) -> int:
                 f"{min(filled):.2f} … {statistics.median(filled):.2f} … {max(filled):.2f}, largest empty rectangle "
                 f"{statistics.median(one.empty for one in some):.2f}, at most {max(one.empty for one in some):.2f}; "
                 f"{sum(one.leaders for one in some)} leaders crossing {sum(one.crossings for one in some)} strokes; "
-                f"{statistics.median(one.seconds for one in some):.2f} s, at most "
+                f"{statistics.median(one.seconds for one in some):.2f} s of processor, at most "
                 f"{max(one.seconds for one in some):.2f} s"
             )
     least = sorted(drawn, key=lambda one: one.full)[:3]
