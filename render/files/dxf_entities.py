@@ -4,22 +4,27 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from render.files.writer import Lines, Writer, dashes_of
 from render.paper.ink import arc_dashes, is_circle
+from render.paper.lettering import PEN
 from render.paper.marks import Arc, Face, Text
-from render.paper.style import pen, weight
-from render.paper.typeset import layout
+from render.paper.style import INDEX_SIZE, pen, weight
+from render.paper.typeset import Indexed, LaidText, indexed, layout
 
 if TYPE_CHECKING:
     from ezdxf.layouts import BaseLayout
 
-BLACK, GREY = 7, 8  # colours of the AutoCAD index; 7 is black on white paper
+BLACK, GREY = 7, 251  # colours of the AutoCAD index; 7 is black on white paper, 251 as dark as construction lines
 SLIM = 0.4  # width over height of a character whose own font would be distorted, were it fitted to its ink
 NARROWED = 0.85  # of letters that are not fitted: other fonts are wider than our lettering
 OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
+OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and brings this one of ГОСТ 2.304
+ARROW = "ARROW"
+_FOOT = 8  # of the places where a text may be held: the middle of its base line, so that it grows to both sides
 
 
 def xy(z: complex) -> tuple[float, float]:
@@ -29,8 +34,21 @@ def xy(z: complex) -> tuple[float, float]:
 
 def style_name(face: Face) -> str:
     """The text style of a face."""
-    name = "".join(c if c.isalnum() or c in " -_" else "_" for c in face.family) if face.font else "GOST"
+    if not face.font:
+        return OWN_STYLE
+    name = "".join(c if c.isalnum() or c in " -_" else "_" for c in face.family)
     return f"{name} slanted" if face.slanted else name
+
+
+def formatted(text: str) -> str:
+    """A text with the codes by which an MTEXT, or a dimension, raises and lowers indices."""
+
+    def said(p: Indexed) -> str:
+        base = re.sub(r"[\\{}]", r"\\\g<0>", p.base).replace("^", "^ ")
+        upper, lower = (re.sub(r"[\\{};/#]", r"\\\g<0>", index) for index in (p.upper, p.lower))
+        return base + (f"{{\\H{INDEX_SIZE}x;\\S{upper}^ {lower};}}" if upper or lower else "")
+
+    return "".join(map(said, indexed(text)))
 
 
 class Entities(Writer):
@@ -79,32 +97,53 @@ class Entities(Writer):
             self.space.add_arc(xy(arc.centre), arc.radius, arc.start_deg, arc.end_deg, dxfattribs=looks)
 
     def filled(self, points: Sequence[complex], colour: str, layer: str) -> None:
-        """A filled polygon: of three corners a solid, else a hatch."""
+        """A filled polygon: of three corners an arrowhead, which is a block, else a hatch."""
         if len(points) == 3:
-            self.space.add_solid([xy(z) for z in points], dxfattribs={"layer": layer.upper()})
+            self._head(points, layer.upper())
             return
         fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": layer.upper()})
         fill.paths.add_polyline_path([xy(z) for z in points], is_closed=True)
 
+    def _head(self, points: Sequence[complex], layer: str) -> None:
+        """An arrowhead: filled, and with an outline for programs that know no filled figures."""
+        tip, one, other = points
+        back = (one + other) / 2
+        name, looks = stretched(ARROW, abs(tip - back), abs(one - other))
+        if name not in self.space.doc.blocks:
+            block, half = self.space.doc.blocks.new(name), proportion(name) / 2
+            corners = [(0, 0), (-1, half), (-1, -half)]
+            block.add_solid(corners, dxfattribs={"layer": "0"})
+            block.add_lwpolyline(corners, close=True, dxfattribs={"layer": "0", "lineweight": 0})
+        looks |= {"layer": layer, "rotation": math.degrees(cmath.phase(tip - back))}
+        self.space.add_blockref(name, xy(tip), dxfattribs=looks)
+
     def text(self, text: Text) -> None:
-        """Every run of a text as a TEXT fitted between its ends, but for 1, l and other slim letters by themselves; or
-        the lettering itself."""
+        """A text as a TEXT fitted between its ends, but for 1, l and other slim letters by themselves; as an MTEXT, if
+        it has indices; or the lettering itself."""
+        laid = layout(text)
         if self.drawn_letters:
             self.lettering(text)
-            return
+        elif len(laid.runs) > 1:
+            middle = laid.origin + cmath.rect(1, math.radians(laid.turn_deg)) * laid.width / 2
+            looks = text_looks(text, text.height, "char_height") | {"insert": xy(middle), "width": 0}
+            looks |= {"rotation": laid.turn_deg, "attachment_point": _FOOT, "rect_width": round(laid.width, 6)}
+            self.space.add_mtext(formatted(text.text.strip()), dxfattribs=looks)
+        elif laid.runs:
+            self._plain(text, laid)
+
+    def _plain(self, text: Text, laid: LaidText) -> None:
+        """A text without indices."""
         from ezdxf.enums import TextEntityAlignment as Align
 
-        laid = layout(text)
-        turn = cmath.rect(1, math.radians(laid.turn_deg))
-        for run in laid.runs:
-            start, said = laid.origin + run.at * turn, run.text.strip()
-            entity = self.space.add_text(said, dxfattribs=text_looks(text, run.height))
-            if run.width > SLIM * run.height * len(said):
-                entity.set_placement(xy(start), xy(start + run.width * turn), Align.FIT)
-                continue
-            entity.set_placement(xy(start), align=Align.LEFT)
-            entity.dxf.rotation = laid.turn_deg
-            entity.dxf.width = 1.0 if text.face.font else NARROWED
+        (run,), turn = laid.runs, cmath.rect(1, math.radians(laid.turn_deg))
+        start, said = laid.origin + run.at * turn, run.text.strip()
+        entity = self.space.add_text(said, dxfattribs=text_looks(text, run.height))
+        if run.width > SLIM * run.height * len(said):
+            entity.set_placement(xy(start), xy(start + run.width * turn), Align.FIT)
+            return
+        entity.set_placement(xy(start), align=Align.LEFT)
+        entity.dxf.rotation = laid.turn_deg
+        entity.dxf.width = 1.0 if text.face.font else NARROWED
 
     def lettering(self, text: Text) -> None:
         """A text as the strokes of its letters, or their filled outlines where it is in a font."""
@@ -119,7 +158,20 @@ class Entities(Writer):
             self.space.add_lwpolyline([xy(z) for z in stroke], dxfattribs=looks)
 
 
-def text_looks(text: Text, height: float) -> dict[str, object]:
-    """Layer, style, height and slant of a text."""
-    found: dict[str, object] = {"layer": text.layer.upper(), "style": style_name(text.face), "height": height}
-    return found | ({"oblique": OBLIQUE_DEG} if text.face.slanted else {})
+def stretched(name: str, long: float, wide: float) -> tuple[str, dict[str, object]]:
+    """The block of a sign of that size in mm, one for each proportion, and its scale, which is the same both ways:
+    there are programs that know no other."""
+    return f"{name}_{1000 * wide / long:.0f}", dict.fromkeys(("xscale", "yscale", "zscale"), round(long, 6))
+
+
+def proportion(name: str) -> float:
+    """Width over length of a sign, from the name of its block."""
+    return float(name.rpartition("_")[2]) / 1000
+
+
+def text_looks(text: Text, height: float, called: str = "height") -> dict[str, object]:
+    """Layer, style and height of a text, and the width of its pen for fonts that are drawn by one."""
+    looks = {"layer": text.layer.upper(), "style": style_name(text.face), "lineweight": weight(PEN * height)}
+    if text.face.slanted and called == "height":  # others take it from their style
+        looks["oblique"] = OBLIQUE_DEG
+    return looks | {called: height}

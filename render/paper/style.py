@@ -57,6 +57,8 @@ INDEX_DROP = 0.32  # how far below the base line a lower index stands, over the 
 INDEX_RISE = 0.6  # how far above it an upper index stands, over the letter height
 INDEX_GAP = 0.12  # clear distance of an index from its base, over the letter height
 
+SHORTEST = 0.51  # of its usual length is the pattern of a line of two dashes
+
 HEAD_LENGTH = 4.0  # mm, arrowhead on a thick line
 HEAD_WIDTH = 1.6
 THIN_HEAD_LENGTH = 3.0  # mm, arrowhead on a thin line
@@ -91,16 +93,14 @@ def weight(width: float) -> int:
 def fitted(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -> tuple[float, ...]:
     """The pattern stretched so that a line of that length begins and ends with a whole dash.
 
-    A line too short for two dashes comes out solid, as small centre lines are drawn.
+    Between two dashes it shrinks to no less than ``SHORTEST``; a line too short for that comes out solid, as small
+    centre lines are drawn (a chain under 12 mm).
     """
     if not pattern:
         return ()
     period, ends = sum(pattern), 0.0 if closed else pattern[0]
-    count = round((length_mm - ends) / period)
-    if count < 1:
-        return ()
-    stretch = length_mm / (count * period + ends)
-    return tuple(part * stretch for part in pattern)
+    stretch = length_mm / (max(1, round((length_mm - ends) / period)) * period + ends)
+    return tuple(part * stretch for part in pattern) if stretch > SHORTEST else ()
 
 
 def head_size(length_mm: float, width_mm: float) -> tuple[float, float]:

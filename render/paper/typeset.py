@@ -62,7 +62,9 @@ class LaidText:
 
 
 @dataclass(frozen=True)
-class _Part:
+class Indexed:
+    """A base with its lower and upper index."""
+
     base: str
     lower: str = ""
     upper: str = ""
@@ -131,16 +133,16 @@ def over(text: str, height_mm: float, rise: float) -> tuple[float, float]:
 
 def plain(text: str) -> str:
     """The text without the markup of its indices."""
-    return "".join(part.base + part.lower + part.upper for part in _parts(text))
+    return "".join(part.base + part.lower + part.upper for part in indexed(text))
 
 
-def _parts(text: str) -> list[_Part]:
+def indexed(text: str) -> list[Indexed]:
     """Bases, each with the indices that follow it."""
-    found: list[_Part] = []
+    found: list[Indexed] = []
     for piece in split(text):
         side = {"sub": "lower", "sup": "upper"}.get(piece.shift, "base")
         if side == "base" or not found or getattr(found[-1], side):
-            found.append(_Part(""))
+            found.append(Indexed(""))
         found[-1] = replace(found[-1], **{side: piece.text})
     for part in found:
         if _OPENED.search(part.base):
@@ -190,7 +192,7 @@ def _set(text: str, height: float, face: Face) -> tuple[tuple[Run, ...], _Inked,
         raise ValueError(f"the text {text!r} needs a letter height above 0 mm, not {height}")
     runs: list[Run] = []
     x, gap = 0.0, 0.0
-    for part in _parts(text):
+    for part in indexed(text):
         before, after = (height * blank for blank in _blanks(part.base, face))
         x += before or gap
         if part.base.strip():
@@ -204,7 +206,7 @@ def _set(text: str, height: float, face: Face) -> tuple[tuple[Run, ...], _Inked,
     return tuple(runs), inked, _bounds(inked)
 
 
-def _indices(part: _Part, x: float, height: float, face: Face, runs: list[Run]) -> float:
+def _indices(part: Indexed, x: float, height: float, face: Face, runs: list[Run]) -> float:
     """Set the indices of a base at x; the x where the wider of them ends. They lean with a slanted base."""
     size, ends = INDEX_SIZE * height, [x]
     for index, level in ((part.lower, -INDEX_DROP), (part.upper, INDEX_RISE)):

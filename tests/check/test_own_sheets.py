@@ -28,6 +28,8 @@ from planes.scene import Scene, load
 from planes.solving import Position
 from planes.words.lettering import Naming
 from planes.words.names import label_of, mu_of
+from render.files import dxf
+from render.paper.marks import Arrow, Text
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.single import Page, page
@@ -220,6 +222,16 @@ def test_a_shaft_that_ends_within_its_head_reaches_the_tip() -> None:
     sketch = ReadDrawing(strokes=[(0j, 20 + 0j), (23 + 0j, 35 + 0j)], heads=[Arrowhead(23 + 0j, 1 + 0j, 3.75)])
     settle(sketch)
     assert sketch.strokes[0] == (0j, 23 + 0j) and sketch.ways == [1, 0]
+
+
+def test_a_label_with_indices_and_a_head_that_is_filled_and_outlined_are_read_once(tmp_path: Path) -> None:
+    marks = [Arrow(10 + 10j, 50 + 10j), Arrow(90 + 10j, 50 + 10j), Text("a_{CB}^{n} = 2", 20 + 12j)]
+    (tmp_path / "a.dxf").write_bytes(dxf.write(marks, (100, 100), "a"))
+    sketch = read_dxf(tmp_path / "a.dxf")
+    assert sketch.strokes == [(10 + 10j, 50 + 10j), (90 + 10j, 50 + 10j)] and sketch.ways == [1, 1]
+    assert len(sketch.heads) == 2
+    (word,) = sketch.words
+    assert (word.text, abs(word.place - 20 - 12j) < 0.2) == ("aCBn = 2", True)
 
 
 def test_a_straight_polyline_with_a_middle_vertex_is_one_vector() -> None:

@@ -185,12 +185,12 @@ def test_png_knows_its_size() -> None:
     assert picture.info["dpi"] == pytest.approx((100, 100), abs=0.1)
 
 
-@pytest.mark.parametrize("length", [11, 25, 40, 77.3, 300])
+@pytest.mark.parametrize("length", [11, 12, 14, 25, 40, 77.3, 300])
 def test_chain_lines_end_with_dashes(length: float) -> None:
     dash, *rest = style.fitted(style.pen("axis").pattern, length) or (length,)
     periods = (length - dash) / (dash + sum(rest))
     assert periods == pytest.approx(round(periods), abs=1e-9)
-    assert 5 <= dash <= 30
+    assert 5 <= dash <= 30 and bool(rest) == (length >= 12)
 
 
 def test_heads_shrink_with_short_arrows() -> None:

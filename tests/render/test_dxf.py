@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
 import io
+import math
 import os
 import subprocess
 import sys
@@ -16,8 +18,8 @@ from planes.documents import draw_sheet
 from planes.scene import load
 from render.files import pdf
 from render.paper import form1, lettering, symbols
-from render.paper.ink import is_circle, uncovered
-from render.paper.marks import Arc, Line, Text
+from render.paper.ink import arrow_parts, is_circle, uncovered
+from render.paper.marks import Arc, Arrow, Line, Text
 from render.paper.style import HINGE_MM, LAYERS, pen
 from render.paper.typeset import layout
 from tests.helpers import ROOT
@@ -25,6 +27,8 @@ from tests.helpers.counting import at_most
 from tests.helpers.sheets import sheet
 
 ezdxf = pytest.importorskip("ezdxf")
+MTextParser = pytest.importorskip("ezdxf.tools.text").MTextParser
+aci2rgb = pytest.importorskip("ezdxf.colors").aci2rgb
 dxf = pytest.importorskip("render.files.dxf")
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
@@ -72,12 +76,92 @@ def test_text_is_text_fitted_to_its_lettering():
     found = sheet("kind-1-rrr")
     space = read(found).modelspace()
     texts = {(e.dxf.text, round(e.dxf.insert.x, 2), round(e.dxf.insert.y, 2)): e for e in space.query("TEXT")}
-    title = next(m for m in found.marks if isinstance(m, Text) and m.text.startswith("План скоростей"))
+    title = next(m for m in found.marks if isinstance(m, Text) and m.text.startswith("Исходные данные"))
     run = layout(title).runs[0]
     place = layout(title).origin + run.at
     entity = texts[run.text.strip(), round(place.real, 2), round(place.imag, 2)]
     assert entity.dxf.height == run.height
     assert abs(entity.dxf.align_point.x - entity.dxf.insert.x - run.width) < 1e-4
+    assert entity.dxf.lineweight == pytest.approx(10 * run.height, abs=3)  # of the pen a single-stroke font is drawn by
+
+
+def test_a_label_with_indices_is_one_text():
+    found = sheet("kind-1-rrr")
+    space = read(found).modelspace()
+    wanted = [m for m in found.marks if isinstance(m, Text) and len(layout(m).runs) > 1]
+    said = {e.text: e for e in space.query("MTEXT")}
+    assert len(space.query("MTEXT")) == len(wanted) > 20
+    assert r"v{\H0.7x;\S^ CB;}" in said and r"a{\H0.7x;\Sn^ CB;}" in said
+    label = next(m for m in wanted if m.text == "v_{CB}")
+    held = [complex(*e.dxf.insert.vec2) for e in space.query("MTEXT") if e.text == r"v{\H0.7x;\S^ CB;}"]
+    assert min(abs(z - layout(label).origin - layout(label).width / 2) for z in held) < 1e-4
+
+
+def test_signs_of_the_format_in_a_text_are_written_so_that_they_stay():
+    marks = [Text("{a}\\b_{1/2;}^{#n}", 50 + 50j, 5.0)]
+    (found,) = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace()
+    tokens = [t.data for t in MTextParser(found.text)]
+    assert tokens == ["{a}\\b", ("#n", "1/2;", "^")]
+
+
+def test_heads_are_blocks_filled_and_outlined():
+    """Some programs know no filled figures, and no blocks stretched one way; all know polylines."""
+    marks = [Arrow(10 + 10j, 40 + 50j), Arrow(90 + 10j, 60 + 10j, "thin"), Arrow(5j + 5, 5j + 5.5)]
+    document = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode()))
+    heads = document.modelspace().query("INSERT")
+    assert [(e.dxf.name, complex(*e.dxf.insert.vec2)) for e in heads] == [
+        ("ARROW_400", 40 + 50j),
+        ("ARROW_333", 60 + 10j),
+    ]
+    for head, mark in zip(heads, marks, strict=False):
+        fill, outline = head.virtual_entities()
+        assert (fill.dxftype(), outline.dxftype(), outline.closed) == ("SOLID", "LWPOLYLINE", True)
+        assert head.dxf.xscale == head.dxf.yscale == head.dxf.zscale
+        corners = [complex(*z) for z in outline.get_points("xy")]
+        assert np.allclose(corners, arrow_parts(mark)[1], atol=2e-3)
+        assert np.allclose(corners, [complex(*z.vec2) for z in list(fill.vertices())[:3]], atol=1e-9)
+
+
+def test_a_size_between_two_arrows_is_a_dimension_with_its_own_picture():
+    middle, along = 50 + 60j, 0.8 + 0.6j
+    tips = middle - 25 * along, middle + 15 * along
+    leading = [Line((z - 20j * along, z + 2j * along), "thin", "dimension") for z in tips]
+    arrows = [Arrow(middle, z, "thin", "dimension") for z in tips]
+    axes = [Arrow(5 + 5j, z, "thin", "dimension") for z in (15 + 5j, 5 + 15j)]  # of a diagram
+    text = Text("a_{1}", middle + 1j * along, 3.5, "middle", math.degrees(cmath.phase(along)))
+    marks = [*leading, *arrows, text, *axes]
+    document = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode()))
+    assert not document.audit().errors
+    (one,) = document.modelspace().query("DIMENSION")
+    places = [complex(*one.dxf.get(key).vec2) for key in ("defpoint2", "defpoint3", "defpoint")]
+    assert np.allclose(places, [leading[0].points[0], leading[1].points[0], tips[1]], atol=1e-5)
+    assert one.get_measurement() == pytest.approx(40)
+    assert one.dxf.text == r"a{\H0.7x;\S^ 1;}"
+    drawn = [e.dxftype() for e in document.blocks[one.dxf.geometry]]
+    assert sorted(drawn) == ["INSERT", "INSERT", "LINE", "LINE", "LINE", "LINE", "MTEXT"]
+    left = [e.dxftype() for e in document.modelspace()]
+    assert sorted(left) == ["DIMENSION", "INSERT", "INSERT", "LINE", "LINE"]  # the axes
+
+
+def test_the_layout_is_the_sheet_set_up_for_printing():
+    found = sheet("kind-1-rrr")
+    layout_ = read(found).layout("Layout1")
+    said = layout_.dxf_layout.dxf
+    assert (said.paper_width, said.paper_height, said.plot_paper_units) == (*found.size, 1)
+    assert (said.scale_numerator, said.scale_denominator, said.left_margin) == (1, 1, 0)
+    seen = [v.dxf for v in layout_.viewports() if v.dxf.id > 1]
+    middle = (found.size[0] / 2, found.size[1] / 2)
+    assert [(v.width, v.height, v.view_height) for v in seen] == [(*found.size, found.size[1])]
+    assert tuple(seen[0].view_center_point)[:2] == tuple(seen[0].center)[:2] == middle
+
+
+def test_no_layer_is_paler_than_it_prints():
+    for layer in read(sheet("kind-1-rrr")).layers:
+        if layer.dxf.name.lower() in LAYERS:
+            colour = pen(dxf.LAYER_STYLES[layer.dxf.name.lower()]).colour
+            wanted = bytes.fromhex(colour[1:])
+            assert tuple(layer.rgb or (0, 0, 0)) == tuple(wanted)
+            assert max(aci2rgb(layer.dxf.color)) <= max(wanted) or layer.dxf.color == 7  # which is black on paper
 
 
 def test_line_types_and_weights_are_those_of_the_layers_or_their_own():
@@ -97,12 +181,15 @@ def test_line_types_and_weights_are_those_of_the_layers_or_their_own():
 
 
 def test_dashes_are_stretched_to_whole_ones_as_in_the_other_formats():
-    marks = [Line((10 + 10j, 70 + 10j), "axis", "axis"), Line((10 + 20j, 18 + 20j), "axis", "axis")]
-    long, short = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace().query("LINE")
+    ends = (70 + 10j, 24 + 20j, 18 + 30j)
+    marks = [Line((complex(10, z.imag), z), "axis", "axis") for z in ends]
+    long, piece, short = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace().query("LINE")
     period = sum(pen("axis").pattern)
     count = round((60 - 10) / period)
     assert long.dxf.ltscale == pytest.approx(60 / (count * period + 10), abs=1e-5)
     assert not long.dxf.hasattr("linetype")  # its layer's
+    assert piece.dxf.ltscale == pytest.approx(14 / (period + 10), abs=1e-5)  # dash, dot, dash: still an axis
+    assert not piece.dxf.hasattr("linetype")
     assert short.dxf.linetype == "Continuous"
 
 
@@ -139,7 +226,9 @@ def test_hinges_supports_sliders_and_points_are_blocks():
     hinges = [m for m in found.marks if isinstance(m, Arc) and m.fill == "paper" and abs(m.radius - HINGE_MM) < 1e-9]
     assert names.count("HINGE") + names.count("SUPPORT") == len(hinges)
     assert names.count("SUPPORT") == 2  # A and D
-    assert {"SLIDER", "POINT", "FORM_1"} <= set(names)
+    assert {"POINT", "FORM_1"} <= set(names)
+    slider = next(e for e in inserts if e.dxf.name == "SLIDER_575")  # 8 × 4.6 mm
+    assert slider.dxf.xscale == slider.dxf.yscale == pytest.approx(8)
 
 
 @pytest.mark.parametrize("turn", [0.0, 37.0, 90.0, 270.0])
@@ -169,7 +258,9 @@ def test_the_cells_of_the_form_are_attributes_to_be_edited():
     assert defined["STUDENT"].dxf.prompt == "разработал (11)"
     for value in form.attribs:  # a value stands where its definition stands
         assert value.get_placement()[1].isclose(defined[value.dxf.tag].get_placement()[1])
-    assert not [e for e in document.modelspace().query("TEXT") if e.dxf.layer == "FRAME"]
+    assert {tag for tag, text in values.items() if text} == {a.dxf.tag for a in form.attribs if a.is_invisible}
+    written = [e.dxf.text for e in document.modelspace().query("TEXT") if e.dxf.layer == "FRAME"]
+    assert sorted(written) == sorted(text for text in values.values() if text)  # for programs that show no attributes
 
 
 # lettering
@@ -179,7 +270,7 @@ def test_the_cells_of_the_form_are_attributes_to_be_edited():
 def test_strokes_instead_of_texts_have_the_width_of_their_pen():
     found = sheet("kind-1-rrr")
     entities = apart(read(found, text="strokes"))
-    assert not [e for e in entities if e.dxftype() in ("TEXT", "ATTRIB")]
+    assert not [e for e in entities if e.dxftype() in ("TEXT", "MTEXT", "ATTRIB")]
     word = next(m for m in found.marks if isinstance(m, Text) and m.text.startswith("План скоростей"))
     first = layout(word).strokes[0]
     drawn = [e for e in entities if e.dxftype() == "LWPOLYLINE" and len(e) == len(first)]
@@ -190,9 +281,9 @@ def test_strokes_instead_of_texts_have_the_width_of_their_pen():
 @pytest.mark.slow
 def test_slanted_lettering_is_oblique():
     document = read(sheet("kind-1-rrr", lettering="slanted"))
-    assert document.styles.get("GOST slanted").dxf.oblique == 15
+    assert document.styles.get("lc_opengost-br").dxf.oblique == 15
     texts = document.modelspace().query("TEXT")
-    assert {(e.dxf.oblique, e.dxf.style) for e in texts} == {(15.0, "GOST slanted")}
+    assert {(e.dxf.oblique, e.dxf.style) for e in texts} == {(15.0, "lc_opengost-br")}
     assert pytest.approx(np.tan(np.radians(15))) == lettering.SLANT
 
 

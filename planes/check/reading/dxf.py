@@ -18,6 +18,7 @@ _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e
 LARGEST = 12 * MB
 MOST = 60_000  # entities, blocks among them
 DEEPEST = 30  # blocks within blocks
+FILLINGS = ("SOLID", "TRACE", "HATCH")
 MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
 
 
@@ -71,10 +72,17 @@ def _seen(document: Any, space: Any, file: str) -> Iterator[Any]:
                 yield entity
             elif depth < DEEPEST:
                 for one in counted(entity.multi_insert() if entity.mcount > 1 else (entity,)):
-                    yield from held(one.virtual_entities(), depth + 1)
-                    yield from one.attribs
+                    parts, drawn_once = one.virtual_entities(), _outlined(entity.block())
+                    yield from held((p for p in parts if not drawn_once or p.dxftype() not in FILLINGS), depth + 1)
+                    yield from (a for a in one.attribs if not a.is_invisible)
 
     return held(space, 0)
+
+
+def _outlined(block: Any) -> bool:
+    """Whether a block is one figure and its filling: a head, which is to be found once."""
+    kinds = [e.dxftype() for e in block] if block is not None and len(block) == 2 else []
+    return sum(kind in FILLINGS for kind in kinds) == 1
 
 
 def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
@@ -100,10 +108,28 @@ def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
         case "MTEXT":
             along = cmath.rect(1, math.radians(entity.get_rotation()))
             below, across = divmod(entity.dxf.get("attachment_point", 1) - 1, 3)
-            height, text = entity.dxf.char_height * scale, entity.plain_text()
-            width = height * breadth(text)
+            height, text = entity.dxf.char_height * scale, _told(entity.text)
+            width = entity.dxf.get("rect_width", 0.0) * scale or height * breadth(text)
             corner = complex(width * across, height * (2 - below)) / 2
             found.write(Words(text, _z(entity.dxf.insert, scale) - along * corner, height, width, along))
+
+
+def _told(text: str) -> str:
+    """The words of an MTEXT; of two indices the lower one first, as names are told."""
+    from ezdxf.tools.text import MTextParser, TokenType
+
+    def said(token: Any) -> str:
+        match token.type:
+            case TokenType.WORD:
+                return str(token.data)
+            case TokenType.STACK:
+                upper, lower, between = token.data
+                return f"{lower}{upper}" if between == "^" else f"{upper}{between}{lower}"
+            case TokenType.NEW_PARAGRAPH:
+                return "\n"
+        return " "
+
+    return "".join(said(t) for t in MTextParser(text))
 
 
 def _polyline(found: ReadDrawing, entity: Any, scale: float) -> None:

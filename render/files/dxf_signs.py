@@ -1,0 +1,168 @@
+"""Signs found among marks, inserted in a DXF as a draughtsman would: hinges, supports, sliders and points as blocks,
+dimensions as dimensions."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+from typing import TYPE_CHECKING
+
+from render.files.dxf_entities import Entities, formatted, proportion, stretched, xy
+from render.paper import symbols
+from render.paper.ink import is_circle
+from render.paper.marks import Arc, Arrow, Line, Mark, Text
+from render.paper.style import DOT_MM, HINGE_MM, LEG_MM
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+    from ezdxf.layouts import BlockLayout
+
+_SAME_MM = 1e-3
+_REACH_MM = 4 * LEG_MM  # no part of a support is farther from its hinge
+_SAID_MM = 3.0  # a dimension's text begins no farther from where its arrows part
+
+HINGE, SUPPORT, SLIDER, POINT = "HINGE", "SUPPORT", "SLIDER", "POINT"
+
+
+@dataclass(frozen=True)
+class Sign:
+    """A block's place: its name, base point and turn, the length and width of a slider, and the marks it stands for."""
+
+    name: str
+    at: complex
+    turn_deg: float
+    size: tuple[float, float]
+    layer: str
+    marks: tuple[Mark, ...]
+
+
+def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
+    """Insert the signs found among the marks as blocks; what is left of the marks."""
+    space, gone = document.modelspace(), set[int]()
+    for sign in signs(marks):
+        name, scales = stretched(SLIDER, *sign.size) if sign.name == SLIDER else (sign.name, {})
+        if name not in document.blocks:
+            _define(document.blocks.new(name), name)
+        looks = {"layer": sign.layer.upper(), "rotation": sign.turn_deg, **scales}
+        space.add_blockref(name, xy(sign.at), dxfattribs=looks)
+        gone |= {id(mark) for mark in sign.marks}
+    return [mark for mark in marks if id(mark) not in gone]
+
+
+def _define(block: BlockLayout, name: str) -> None:
+    """The marks of a sign about its own base point."""
+    own: dict[str, Sequence[Mark]] = {
+        HINGE: (Arc(0j, HINGE_MM),),
+        SUPPORT: symbols.fixed_hinge(0j),
+        POINT: symbols.dot(0j),
+    }
+    Entities(block).all(own[name] if name in own else symbols.block(0j, 0.0, (1.0, proportion(name)))[1:])
+    for entity in block:
+        if entity.dxf.layer == "SCHEME":
+            entity.dxf.layer = "0"  # it lies on the layer of its insert
+
+
+def signs(marks: Sequence[Mark]) -> Iterator[Sign]:
+    """The signs whose marks are all there, uncut."""
+    lines = [m for m in marks if isinstance(m, Line) and m.layer in ("scheme", "hatch")]
+    for mark in marks:
+        if isinstance(mark, Line):
+            yield from _slider(mark)
+        elif isinstance(mark, Arc) and is_circle(mark) and mark.layer == "scheme":
+            if mark.fill == "ink" and abs(mark.radius - DOT_MM) < _SAME_MM and mark.style == "thin":
+                yield Sign(POINT, mark.centre, 0.0, (1.0, 1.0), mark.layer, (mark,))
+            elif mark.fill == "none" and abs(mark.radius - HINGE_MM) < _SAME_MM and mark.style == "thick":
+                yield _support(mark, lines) or Sign(HINGE, mark.centre, 0.0, (1.0, 1.0), mark.layer, (mark,))
+
+
+def _slider(line: Line) -> Iterator[Sign]:
+    """A closed rectangle of the scheme."""
+    if not line.closed or len(line.points) != 4 or line.layer != "scheme" or line.style != "thick":
+        return
+    sides = [b - a for a, b in pairwise((*line.points, line.points[0]))]
+    if abs(sides[0] + sides[2]) > _SAME_MM or abs((sides[0] * sides[1].conjugate()).real) > _SAME_MM:
+        return
+    turn = math.degrees(cmath.phase(sides[0]))
+    yield Sign(SLIDER, sum(line.points) / 4, turn, (abs(sides[0]), abs(sides[1])), line.layer, (line,))
+
+
+def _support(hinge: Arc, lines: Iterable[Line]) -> Sign | None:
+    """The support whose hinge this is, if every stroke of one is there."""
+    near = [m for m in lines if len(m.points) == 2 and abs(m.points[0] - hinge.centre) < _REACH_MM]
+    legs = [m for m in near if abs(abs(m.points[0] - hinge.centre) - hinge.radius) < _SAME_MM and m.style == "thick"]
+    for one, two in combinations(legs, 2):
+        down = one.points[1] + two.points[1] - 2 * hinge.centre
+        if abs(abs(down) - 2 * LEG_MM) > _SAME_MM:
+            continue
+        angle = math.degrees(cmath.phase(1j * down))
+        wanted = [m for m in symbols.fixed_hinge(hinge.centre, angle) if isinstance(m, Line)]
+        found = [next((m for m in near if _alike(m, w)), None) for w in wanted]
+        if None not in found:
+            strokes: tuple[Mark, ...] = tuple(m for m in found if m)
+            return Sign(SUPPORT, hinge.centre, angle, (1.0, 1.0), hinge.layer, (hinge, *strokes))
+    return None
+
+
+def _alike(one: Line, other: Line) -> bool:
+    places = zip(one.points, other.points, strict=True)
+    return (one.style, one.layer) == (other.style, other.layer) and all(abs(a - b) < _SAME_MM for a, b in places)
+
+
+# dimensions
+
+GOST = "GOST"  # the style of dimensions
+_ALIGNED = 1 + 32 + 128  # along the measured ends, its picture a block of its own, its text where it was put
+
+
+def insert_dimensions(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
+    """Insert every size written between two arrows of the layer "dimension" that part from one place, one drawn after
+    the other, as a DIMENSION that looks as it was drawn; what is left of the marks.
+
+    Its text is the one with its middle beside that place; lines of that layer across a tip lead to what is measured.
+    """
+    arrows = [m for m in marks if isinstance(m, Arrow) and m.layer == "dimension"]
+    texts, gone = [m for m in marks if isinstance(m, Text) and m.anchor == "middle"], set[int]()
+    lines = [m for m in marks if isinstance(m, Line) and m.layer == "dimension" and len(m.points) == 2]
+    for one, other in pairwise(arrows):
+        if not _part(one, other) or gone & {id(one), id(other)}:
+            continue
+        said = [m for m in texts if abs(m.place - one.start) < _SAID_MM and id(m) not in gone]
+        said = sorted(said, key=lambda m: abs(m.place - one.start))[:1]
+        across = [next((m for m in lines if _across(m, arrow)), None) for arrow in (one, other)]
+        _dimension(document, (one, other), across, said)
+        gone |= {id(m) for m in (one, other, *across, *said)}
+    return [mark for mark in marks if id(mark) not in gone]
+
+
+def _part(one: Arrow, other: Arrow) -> bool:
+    """Whether two arrows go opposite ways from one place."""
+    a, b = one.end - one.start, other.end - other.start
+    turned = b * a.conjugate()
+    return abs(one.start - other.start) < _SAME_MM and turned.real < 0 and abs(turned.imag) < _SAME_MM * abs(a)
+
+
+def _across(line: Line, arrow: Arrow) -> bool:
+    """Whether a line runs square to an arrow past its tip."""
+    along = (arrow.end - arrow.start) / abs(arrow.end - arrow.start)
+    a, b = ((z - arrow.end) / along for z in line.points)
+    return abs(a.real) < _SAME_MM and abs(b.real) < _SAME_MM and a.imag * b.imag < 0
+
+
+def _dimension(
+    document: Drawing, arrows: tuple[Arrow, Arrow], across: Sequence[Line | None], said: Sequence[Text]
+) -> None:
+    """The entity, and the block with its picture."""
+    picture = document.blocks.new_anonymous_block(type_char="D")
+    Entities(picture).all([*arrows, *filter(None, across), *said])
+    tips = [arrow.end for arrow in arrows]
+    one, other = (
+        max(line.points, key=lambda z: abs(z - tip)) if line else tip for tip, line in zip(tips, across, strict=True)
+    )
+    middle = next((m.place + 0.5j * m.height * symbols.unit(m.turn_deg) for m in said), arrows[0].start)
+    places = {"defpoint": tips[1], "defpoint2": one, "defpoint3": other, "text_midpoint": middle}
+    looks = {"layer": "DIMENSION", "dimstyle": GOST, "dimtype": _ALIGNED, "geometry": picture.name}
+    told = {"text": "".join(formatted(m.text) for m in said) or " ", "actual_measurement": abs(tips[0] - tips[1])}
+    document.modelspace().new_entity("DIMENSION", {**looks, **told, **{key: xy(z) for key, z in places.items()}})

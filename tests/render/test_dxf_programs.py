@@ -1,0 +1,86 @@
+"""DXF in programs people draw with: what LibreCAD shows of a sheet, and what FreeCAD takes of it."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+
+import numpy as np
+import pypdfium2
+import pytest
+
+from render.files import dxf
+from render.paper.ink import arrow_parts
+from render.paper.marks import Arrow, Line, Text
+from tests.helpers.sheets import sheet
+
+NEAR_MM = 0.6  # a letter's neighbour is farther off
+DPI = 127.0
+
+
+def needs(*programs: str):
+    """Marks a test as one of programs that may be missing."""
+    missing = [p for p in programs if shutil.which(p) is None]
+    return pytest.mark.skipif(bool(missing), reason=f"not installed here, so not tried: {', '.join(missing)}")
+
+
+def seen_in_librecad(data: bytes, folder, name: str):
+    """The ink of a drawing as LibreCAD prints it on its own paper."""
+    (folder / f"{name}.dxf").write_bytes(data)
+    run = ["xvfb-run", "-a", "librecad", "dxf2pdf", "-a", "-m", f"{name}.dxf"]
+    subprocess.run(run, cwd=folder, check=True, capture_output=True, timeout=120)
+    page = pypdfium2.PdfDocument(folder / f"{name}.pdf")[0]
+    return np.asarray(page.render(scale=DPI / 72).to_pil().convert("L")) < 160
+
+
+def kept(wanted, shown) -> float:
+    """How much of the one ink is near ink of the other."""
+    from scipy.ndimage import distance_transform_edt
+
+    high, wide = (min(a, b) for a, b in zip(wanted.shape, shown.shape, strict=True))
+    far = distance_transform_edt(~shown[:high, :wide]) * 25.4 / DPI
+    return float(np.mean(far[wanted[:high, :wide]] < NEAR_MM))
+
+
+@pytest.mark.slow
+@needs("librecad", "xvfb-run")
+def test_librecad_shows_the_letters_of_the_title_block(tmp_path):
+    """Cyrillic and Greek texts and the cells are where their strokes are; in another style's font they are not."""
+    found = sheet("kind-2-rrp", student="Иванов И. И.", designation="ТММ.01.02.000", title="Механизм с углом φ и ω")
+    block = found.paper.block
+    marks = [m for m in found.marks if m.layer == "frame" and isinstance(m, Text)]
+    marks = [m for m in marks if m.place.real > block[0] and m.height >= 2.5]
+    corner = Line((0j, complex(*found.size)), "thin")  # both drawings of one extent
+    strokes = seen_in_librecad(dxf.write([corner, *marks], found.size, "t", text="strokes"), tmp_path, "strokes")
+    written = dxf.write([corner, *marks], found.size, "t")
+    assert kept(strokes, seen_in_librecad(written, tmp_path, "text")) > 0.9
+    unknown = written.replace(b"lc_opengost-br", b"another")
+    assert kept(strokes, seen_in_librecad(unknown, tmp_path, "unknown")) < 0.8
+
+
+FREECAD = """
+import json, FreeCAD, Import
+Import.readDXF("sheet.dxf", "sheet")
+every = FreeCAD.ActiveDocument.Objects
+shapes = [o.Shape for o in every if hasattr(o, "Shape")]
+heads = [[[v.X, v.Y] for v in s.Vertexes] for s in shapes if len(s.Edges) == 3]
+with open("seen.json", "w") as out:
+    json.dump([[" ".join(o.LabelText) for o in every if hasattr(o, "LabelText")], heads], out)
+"""
+
+
+@pytest.mark.slow
+@needs("freecadcmd")
+def test_freecad_takes_every_text_and_every_arrowhead(tmp_path):
+    found = sheet("kind-2-rrp", student="Иванов И. И.")
+    (tmp_path / "sheet.dxf").write_bytes(dxf.write(found.marks, found.size, found.title))
+    (tmp_path / "read.py").write_text(FREECAD)
+    subprocess.run(["freecadcmd", "read.py"], cwd=tmp_path, check=True, capture_output=True, timeout=120)
+    texts, heads = json.loads((tmp_path / "seen.json").read_text())
+    assert {"Иванов И. И.", "Исходные данные"} <= set(texts)
+    tips = [complex(x, y) for head in heads for x, y in head]
+    wanted = [arrow_parts(m)[1] for m in found.marks if isinstance(m, Arrow)]
+    assert sum(map(bool, wanted)) > 10
+    for corner in (z for head in wanted for z in head):
+        assert min(abs(corner - z) for z in tips) < 0.01
