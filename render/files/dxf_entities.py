@@ -138,7 +138,7 @@ class Entities(Writer):
         (run,), turn = laid.runs, cmath.rect(1, math.radians(laid.turn_deg))
         start, said = laid.origin + run.at * turn, run.text.strip()
         entity = self.space.add_text(said, dxfattribs=text_looks(text, run.height))
-        if run.width > SLIM * run.height * len(said):
+        if run.width > SLIM * run.height * len(said) or text.narrow < 1:
             entity.set_placement(xy(start), xy(start + run.width * turn), Align.FIT)
             return
         entity.set_placement(xy(start), align=Align.LEFT)

@@ -101,7 +101,7 @@ class Text:
     """One line of text at its base line; ``text`` may hold _{…} and ^{…} for lower and upper indices.
 
     ``height`` is the height of capitals in mm; ``turn_deg`` turns it about ``place``; ``face`` is what it is
-    lettered in.
+    lettered in; its letters are ``narrow`` times as wide as that face has them.
     """
 
     text: str
@@ -112,6 +112,7 @@ class Text:
     layer: Layer = "text"
     name: str = ""
     face: Face = field(default_factory=current)
+    narrow: float = 1.0
 
 
 @dataclass(frozen=True)

@@ -77,7 +77,7 @@ def box_of(text: Text) -> Polyline:
 
 def _turned(text: Text) -> tuple[complex, complex, Polyline]:
     """Where the base line of a text mark begins, its direction, and the corners of its ink."""
-    x0, y0, x1, y1 = _set(text.text, text.height, text.face)[2]
+    x0, y0, x1, y1 = _set(text.text, text.height, text.face, text.narrow)[2]
     shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
     turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
     origin = text.place + shift * turn
@@ -87,7 +87,7 @@ def _turned(text: Text) -> tuple[complex, complex, Polyline]:
 
 def layout(text: Text) -> LaidText:
     """Strokes, box and runs of a text mark after its anchor and its turn."""
-    runs, inked, (x0, _, x1, _) = _set(text.text, text.height, text.face)
+    runs, inked, (x0, _, x1, _) = _set(text.text, text.height, text.face, text.narrow)
     origin, turn, corners = _turned(text)
     return LaidText(
         strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
@@ -186,8 +186,11 @@ _Inked = tuple[tuple[float, Polyline], ...]
 
 
 @lru_cache(maxsize=4096)
-def _set(text: str, height: float, face: Face) -> tuple[tuple[Run, ...], _Inked, tuple[float, float, float, float]]:
-    """Runs, pens with their strokes and bounds of the ink, from the left end of the base line, unturned."""
+def _set(
+    text: str, height: float, face: Face, narrow: float = 1.0
+) -> tuple[tuple[Run, ...], _Inked, tuple[float, float, float, float]]:
+    """Runs, pens with their strokes and bounds of the ink, from the left end of the base line, unturned; all of it so
+    many times as wide."""
     if not 0 < height < math.inf:
         raise ValueError(f"the text {text!r} needs a letter height above 0 mm, not {height}")
     runs: list[Run] = []
@@ -203,6 +206,9 @@ def _set(text: str, height: float, face: Face) -> tuple[tuple[Run, ...], _Inked,
             x = _indices(part, x + (after or (INDEX_GAP * height if runs else 0.0)), height, face, runs)
             gap = LETTER_GAP * height
     inked = tuple(stroke for run in runs for stroke in _strokes(run, face))
+    if narrow != 1.0:
+        runs = [replace(r, at=complex(narrow * r.at.real, r.at.imag), width=narrow * r.width) for r in runs]
+        inked = tuple((pen, tuple([complex(narrow * z.real, z.imag) for z in line])) for pen, line in inked)
     return tuple(runs), inked, _bounds(inked)
 
 

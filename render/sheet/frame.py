@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from bisect import bisect_left
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -10,6 +11,7 @@ from planes.words import Lang, say
 from render.labels.footprints import Bounds
 from render.paper import form1
 from render.paper.form1 import BESIDE, BLOCK, EDGE, LEFT, TOP_CELL, Cell
+from render.paper.lettering import PEN
 from render.paper.letters import decimal
 from render.paper.marks import Line, Mark, Text
 from render.paper.typeset import ink_width, wrapped
@@ -22,10 +24,12 @@ FORMATS: dict[str, tuple[float, float]] = {
 }
 """Width × height in mm; A4 stands, the larger ones lie."""
 
-_SIZES = (7.0, 5.0, 3.5, 2.5)
+_SIZES = (10.0, 7.0, 5.0, 3.5, 2.5, 1.8)  # ГОСТ 2.304; lettering of type B is no lower
 _SIDE = 0.9  # from the side of a cell to a text that begins there
 _CLEAR = 0.5  # the least distance of a text from the sides of its cell, over the letter height the cell is meant for
 _PITCH = 1.6  # from line to line over the letter height
+_SLIGHTLY = 0.9  # of its own width: a word may be that narrow before it is written in smaller letters
+_LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
 
 
 @dataclass(frozen=True)
@@ -74,13 +78,12 @@ def framed(inside: Bounds, style: str) -> Line:
 
 
 def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
-    """A text in its cell, on several lines or in smaller letters where it is long; lines of a cell share a name."""
+    """A text in its cell, on several lines or in smaller letters where it is long, in narrower ones only where it must
+    be; lines of a cell share a name."""
     if not text:
         return []
     wide, high = (cell.height, cell.width) if cell.turn_deg % 180 else (cell.width, cell.height)
-    sizes = [s for s in _SIZES if s <= cell.letter] or [cell.letter]
-    most = wide - 2 * max(_CLEAR * cell.letter, 0.6)
-    lines, size = _lines(text, most, high, sizes)
+    lines, size = _lines(text, wide, high, cell.letter)
     turn = cmath.rect(1, math.radians(cell.turn_deg))
     middle = complex(cell.x + cell.width / 2, cell.y + cell.height / 2)
     top = (len(lines) - 1) * _PITCH * size / 2 - size / 2
@@ -88,20 +91,30 @@ def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
     for k, line in enumerate(lines):
         across = 0.0 if cell.anchor == "middle" else _SIDE - wide / 2
         place = middle + complex(across, top - k * _PITCH * size) * turn
-        inked = ink_width(line, size)
-        shrunk = size if inked <= wide - 1.2 else size * (wide - 1.2) / inked  # off the standard series if it must be
-        marks.append(Text(line, place, shrunk, cell.anchor, cell.turn_deg, "frame", name))
+        narrow = min(1.0, (wide - 2 * _LEAST - PEN * size) / ink_width(line, size))
+        marks.append(Text(line, place, size, cell.anchor, cell.turn_deg, "frame", name, narrow=narrow))
     return marks
 
 
-def _lines(text: str, width: float, height: float, sizes: list[float]) -> tuple[list[str], float]:
-    """The text broken between words at the largest letter height at which it fits the cell."""
+def _lines(text: str, wide: float, height: float, letter: float) -> tuple[list[str], float]:
+    """The text broken between words at the largest letter height at which it fits the cell, a word alone in its line
+    a little narrowed; where it fits at none, at the least one, shared among as many lines as there is room for."""
+    sizes, width = [s for s in _SIZES if s <= letter], wide - 2 * max(_CLEAR * letter, _LEAST)
     for size in sizes:
-        lines = wrapped(text, width, size) or [""]
-        fits = all(ink_width(line, size) <= width for line in lines)
-        if fits and len(lines) * _PITCH * size - 0.6 * size <= height - 0.8:
+        lines, word = wrapped(text, width, size) or [""], (wide - 2 * _LEAST - PEN * size) / _SLIGHTLY
+        fits = all(ink_width(line, size) <= (width if " " in line else max(width, word)) for line in lines)
+        if fits and _room(height, size) >= len(lines):
             return lines, size
-    return [text], sizes[-1]
+    size = sizes[-1]
+    halves = range(2 * math.ceil(ink_width(text, size)) + 1)  # of mm, how wide the lines are to be
+    most = max(1, _room(height, size))
+    shortest = bisect_left(halves, True, key=lambda w: len(wrapped(text, w / 2, size)) <= most)
+    return wrapped(text, halves[shortest] / 2, size), size
+
+
+def _room(height: float, size: float) -> int:
+    """How many lines of letters of that height a cell has room for."""
+    return int((height - 0.8 + 0.6 * size) / (_PITCH * size) + 1e-9)
 
 
 _PEOPLE = ("teacher", "tech", "person", "checked", "approved")
@@ -128,7 +141,7 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     found["scale"] = said.get("scale_note", "")
     found["sheet"] = said.get("sheet", str(number or ""))
     found["sheets"] = said.get("sheets", "2" if number else "1")
-    letters, revisions = given.get("letter"), given.get("revisions")
+    letters, revisions = given.get("letter", say("study_letter", lang)), given.get("revisions")
     for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):
         found[f"letter_{k}"] = _said_text(letter, lang)  # graph 4, filled from its left cell on
     for k, row in enumerate(revisions if isinstance(revisions, list) else (), 1):  # graphs 14–18, the lowest first

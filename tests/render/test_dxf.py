@@ -85,6 +85,12 @@ def test_text_is_text_fitted_to_its_lettering():
     assert entity.dxf.lineweight == pytest.approx(10 * run.height, abs=3)  # of the pen a single-stroke font is drawn by
 
 
+def test_a_narrowed_name_is_as_narrow():
+    marks = [Text("Константинопольский", 10 + 50j, 1.8, narrow=0.45)]
+    (found,) = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace()
+    assert found.dxf.align_point.x - found.dxf.insert.x == pytest.approx(layout(marks[0]).runs[0].width, abs=1e-4)
+
+
 def test_a_label_with_indices_is_one_text():
     found = sheet("kind-1-rrr")
     space = read(found).modelspace()

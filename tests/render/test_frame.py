@@ -214,7 +214,7 @@ def test_a_text_is_broken_or_made_smaller_until_it_fits(turn, text):
     marks = fitted(text, cell)
     assert " ".join(m.text for m in marks) == text
     heights = {m.height for m in marks}
-    assert max(heights) <= 5.0 and (len(text.split()) == 1 or heights <= {5.0, 3.5, 2.5})
+    assert max(heights) <= 5.0 and (len(text.split()) == 1 or heights <= {5.0, 3.5, 2.5, 1.8})
     for mark in marks:
         for z in layout(mark).box:
             assert 100 < z.real < 100 + wide and 100 < z.imag < 100 + high
@@ -240,8 +240,52 @@ def test_the_frame_is_20_5_5_5(name):
     assert extent(name, 2.5)[2] < 35
 
 
-def test_the_narrowest_words_are_of_the_least_standard_height_or_nearly():
+def test_words_of_the_form_are_of_the_least_height_for_capitals_and_small_letters():
     """«Изм.» in its 7 mm is the tightest word of the form."""
-    heights = {m.text: m.height for m in Paper("A3").marks({}) if isinstance(m, Text)}
-    assert min(heights.values()) == heights["Изм."] > 2.3
-    assert {h for text, h in heights.items() if text != "Изм."} == {2.5}
+    words = [m for m in Paper("A3").marks({}) if isinstance(m, Text)]
+    assert {m.height for m in words} == {2.5}
+    narrowed = {m.text: m.narrow for m in words if m.narrow < 1}
+    assert list(narrowed) == ["Изм."] and narrowed["Изм."] > 0.9
+
+
+LONG = {
+    "company": "Белорусский национальный технический университет, кафедра теоретической механики и механики материалов",
+    "student": "Константинопольский-Заволжский А. Б.",
+    "title": "Шестизвенный кулисно-рычажный механизм долбёжного станка с возвратно-поступательным движением долбяка",
+    "first_use": "ТММ.01.12.000 СБ и все исполнения, которые за ним следуют",
+    "date": "12 декабря 2026 года",
+}
+
+
+def test_long_names_are_shared_among_lines_and_no_letter_is_off_the_standard_series():
+    cells, said = form1.cells((420.0, 297.0)), {}
+    for key, cell in (("company", "company"), ("student", "student"), ("title", "title"), ("date", "student_date")):
+        said[cell] = LONG[key]
+    said["first_use"] = LONG["first_use"]
+    marks = [m for m in Paper("A3").marks(said) if isinstance(m, Text)]
+    assert {m.height for m in marks} <= {1.8, 2.5, 3.5, 5.0, 7.0, 10.0}
+    lines = {key: [m for m in marks if m.name == f"cell {key}"] for key in said}
+    for key, found in lines.items():
+        assert " ".join(m.text for m in found) == said[key]
+        cell = cells[key]
+        for mark in found:
+            xs, ys = [z.real for z in layout(mark).box], [z.imag for z in layout(mark).box]
+            assert cell.x < min(xs) and max(xs) < cell.x + cell.width, mark.text
+            assert cell.y < min(ys) and max(ys) < cell.y + cell.height, mark.text
+    assert len(lines["company"]) > 2 and min(m.narrow for m in lines["company"]) > 0.95
+    assert len(lines["student"]) == 1 and 0.45 < lines["student"][0].narrow < 0.9  # 5 mm hold one line
+
+
+def test_a_narrowed_text_is_as_high_and_so_many_times_as_wide():
+    usual, narrowed = (layout(Text("Пров. v_{CB}", 10 + 10j, 5.0, turn_deg=90, narrow=by)) for by in (1.0, 0.6))
+    assert [r.height for r in narrowed.runs] == [r.height for r in usual.runs]
+    for one, other in zip(usual.strokes, narrowed.strokes, strict=True):
+        for a, b in zip(one, other, strict=True):
+            assert (b - 10).real == pytest.approx((a - 10).real)
+            assert (b - narrowed.origin).imag == pytest.approx(0.6 * (a - usual.origin).imag)
+
+
+def test_the_letter_of_a_study_sheet_is_given_unless_the_scene_says_another():
+    assert said_of(sheet())["letter_1"] == "У"
+    assert "letter_1" not in said_of(sheet(letter="''"))
+    assert said_of(sheet(letter="О"))["letter_1"] == "О"
