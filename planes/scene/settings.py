@@ -21,13 +21,16 @@ SHEET_KEYS = tuple(_KEYS.split())
 MOST_MU = 1e20  # mm per SI unit
 _NUMERIC = ("mass", "sheet", "sheets")
 _LISTS = ("letter", "revisions", "diagrams", "hodographs")
+_MOST_FORMATS = {4: 9, 3: 7, 2: 5, 1: 4, 0: 3}  # of ГОСТ 2.301, how many of a format may stand side by side
+_SIDE_BY_SIDE = tuple(f"A{n}x{k}" for n, most in _MOST_FORMATS.items() for k in range(3 if n else 2, most + 1))
 _WORDS = {
     "reactions": ("on-from", "from-on"),
     "mu_convention": ("mm_per_unit", "unit_per_mm"),
     "lettering": ("upright", "slanted"),
     "positions": ("true", "false", "12"),
-    "format": ("auto", "A4", "A3", "A2", "A1"),
+    "format": ("auto", "A4", "A3", "A2", "A1", "A0", *_SIDE_BY_SIDE),
 }
+_FORMAT_LETTERS = str.maketrans("АХ×X", "Axxx")
 _REVISIONS = ("change", "sheet", "document", "sign", "date")  # columns of graphs 14–18
 MOST_REVISIONS = 4
 MOST_LETTERS = 3  # of graph 4
@@ -115,7 +118,7 @@ def _setting(reader: Reader, key: str, node: Node) -> object:
     if key == "letter":
         return _listed(reader, key, Items([SourceScalar(word, node.line) for word in text.split()], node.line))
     if key == "format":  # in Latin or Russian letters
-        node = SourceScalar(text if text == "auto" else text.strip().upper().replace("А", "A"), node.line)
+        node = SourceScalar(text if text == "auto" else text.strip().upper().translate(_FORMAT_LETTERS), node.line)
     if key in _WORDS:
         word = reader.word(node, what, _WORDS[key])
         return word != "false" if key == "positions" else word

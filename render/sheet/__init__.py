@@ -1,5 +1,6 @@
 """One sheet: views composed, the smallest format that holds them, places, frame and title block."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
@@ -20,8 +21,8 @@ from render.views import View
 SMALLER = (0.8, 0.63, 0.5, 0.4)
 """How small, against the usual, plans may become where the scene leaves μ open; all but the first on the largest
 format, or the one the scene names, alone."""
-LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5)}
-"""Letter heights of tables to try on a format, in mm; equations are a step larger."""
+LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5), "A0": (5.0, 3.5)}
+"""Letter heights of tables to try on a format, or on several of it side by side, in mm; equations are a step larger."""
 
 
 @dataclass(frozen=True)
@@ -58,12 +59,13 @@ class Sheet(Page):
 def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
     """The sheet of a scene: the smallest format, or the one it names, on which all views find room.
 
-    Only where no format holds all of them are those left out that may be; the sheet then says so.
+    Only where no format holds all of them are those left out that may be; the sheet then says so. A0 is taken where
+    nothing less holds even the others.
     """
-    chosen = scene.sheet.get("format")
-    formats = [str(chosen)] if chosen and chosen != "auto" else list(FORMATS)
-    for whole in (True, False):
-        for name in formats:
+    chosen = str(scene.sheet.get("format", "auto"))
+    *usual, largest = FORMATS
+    for formats in ([chosen],) if chosen != "auto" else (usual, [largest]):
+        for whole, name in product((True, False), formats):
             how = fitted(contents, name, name == formats[-1], whole)
             if how:
                 wanted, spare = contents.lettered(*how)
@@ -92,8 +94,8 @@ def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None
 def _tries(name: str, free: bool, last: bool) -> list[Way]:
     """Ways to fill a format, the best looking first."""
     factors = (1.0, *SMALLER) if free else (1.0,)
-    usual = product(LETTERS[name], map(Sizes, factors[:2]), (True, False))
-    small = product(LETTERS[name], map(Sizes, factors[2:] if last else factors[2:3]), (True, False))
+    usual = product(LETTERS[name[:2]], map(Sizes, factors[:2]), (True, False))
+    small = product(LETTERS[name[:2]], map(Sizes, factors[2:] if last else factors[2:3]), (True, False))
     return [(sizes, letter, together) for letter, sizes, together in (*usual, *small)]
 
 
@@ -178,8 +180,8 @@ def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
     """Which view is too large, or that all of them together are; and which format holds them, if one was found to."""
     views = contents.lettered(*_tries(paper.name, bool(contents.extents(Sizes())), True)[-1])[0]
     largest = max(views, key=lambda v: v.width * v.height)
-    key = "no_room" if packed([largest], paper) is None else "no_room_together"
-    tried = (n for n in larger_than(paper) if any(fitted(contents, n, True, whole) for whole in (True, False)))
+    key = "no_room" if not packed([largest], paper) else "no_room_together"
+    tried = (n for n in larger_than(paper) if fitted(contents, n, True, True))
     fitting = next(tried, "")
     advice = say("room_on", lang, larger=fitting) if fitting else say("no_room_larger", lang)
     size = {"width": round(largest.width), "height": round(largest.height)}
@@ -188,6 +190,5 @@ def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
 
 
 def larger_than(paper: Paper) -> list[str]:
-    """The formats larger than one."""
-    names = list(FORMATS)
-    return names[names.index(paper.name) + 1 :]
+    """The formats larger than one, but for the additional ones."""
+    return [name for name in FORMATS if math.prod(FORMATS[name]) > math.prod(paper.size)]

@@ -21,8 +21,23 @@ FORMATS: dict[str, tuple[float, float]] = {
     "A3": (420.0, 297.0),
     "A2": (594.0, 420.0),
     "A1": (841.0, 594.0),
+    "A0": (1189.0, 841.0),
 }
 """Width × height in mm; A4 stands, the larger ones lie."""
+
+_LONG: dict[float, tuple[float, ...]] = {
+    297: (630, 841, 1051, 1261, 1471, 1682, 1892),
+    420: (891, 1189, 1486, 1783, 2080),
+    594: (1261, 1682, 2102),
+    841: (1783, 2378),
+    1189: (1682, 2523),
+}
+EXTENDED = {
+    f"A{n}x{k}": (max(wide, high), min(wide, high))
+    for n, (high, widths) in zip((4, 3, 2, 1, 0), _LONG.items(), strict=True)
+    for k, wide in enumerate(widths, 3 if n else 2)
+}
+"""The additional formats of ГОСТ 2.301, lying: A3x3 is three A3 side by side."""
 
 _SIZES = (10.0, 7.0, 5.0, 3.5, 2.5, 1.8)  # ГОСТ 2.304; lettering of type B is no lower
 _SIDE = 0.9  # from the side of a cell to a text that begins there
@@ -41,7 +56,7 @@ class Paper:
     @property
     def size(self) -> tuple[float, float]:
         """Width and height in mm."""
-        return FORMATS[self.name]
+        return (FORMATS | EXTENDED)[self.name]
 
     @property
     def field(self) -> Bounds:
@@ -65,7 +80,7 @@ class Paper:
         ruled = [Line((a, b), style, "frame") for a, b, style in form1.lines(self.size)]
         own = [mark for text, cell in form1.words(self.size, lang) for mark in fitted(text, cell)]
         filled: list[Mark] = []
-        said = {**cells, "designation_turned": cells.get("designation", ""), "format": self.name}
+        said = {**cells, "designation_turned": cells.get("designation", ""), "format": self.name.replace("x", "×")}
         for key, cell in form1.cells(self.size).items():
             filled += fitted(said.get(key, ""), cell, f"cell {key}")
         return (framed(self.field, "frame"), *ruled, *own, *filled)
