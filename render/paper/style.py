@@ -6,11 +6,11 @@ Nothing here is ever scaled by a plan's μ.  A mark names its style; this table 
 from dataclasses import dataclass
 from typing import get_args
 
+from planes.drafting.pens import MEDIUM, SHAPES, THICK, THIN
 from render.paper.marks import Layer
 
 BLACK = "#000000"
 PAPER = "#ffffff"
-GREY = "#707070"
 
 
 @dataclass(frozen=True)
@@ -22,18 +22,17 @@ class Pen:
     colour: str = BLACK
 
 
-S = 0.6
-"""The thickness s of the main line in mm; every other width follows from it."""
-
 PENS: dict[str, Pen] = {
-    "thick": Pen(S),
-    "result": Pen(S),
-    "frame": Pen(S),
-    "thin": Pen(0.25),
-    "axis": Pen(0.25, (10.0, 1.4, 0.6, 1.4)),
-    "phantom": Pen(0.25, (10.0, 1.4, 0.6, 1.4, 0.6, 1.4)),
-    "dash": Pen(0.25, (4.0, 1.5)),
-    "construction": Pen(0.18, (), GREY),
+    "thick": Pen(THICK.pen),
+    "result": Pen(THICK.pen),
+    "frame": Pen(THICK.pen),
+    "vector": Pen(MEDIUM.pen),  # a force, or a vector a result is made of
+    "rule": Pen(MEDIUM.pen),  # under the head of a table
+    "thin": Pen(THIN.pen),
+    "axis": Pen(THIN.pen, (10.0, 1.4, 0.6, 1.4)),
+    "phantom": Pen(THIN.pen, (10.0, 1.4, 0.6, 1.4, 0.6, 1.4)),
+    "dash": Pen(THIN.pen, (4.0, 1.5)),
+    "construction": Pen(THIN.pen),
 }
 
 REPORT_PENS: dict[str, Pen] = {
@@ -58,12 +57,6 @@ INDEX_RISE = 0.6  # how far above it an upper index stands, over the letter heig
 INDEX_GAP = 0.12  # clear distance of an index from its base, over the letter height
 
 SHORTEST = 0.51  # of its usual length is the pattern of a line of two dashes
-
-HEAD_LENGTH = 4.0  # mm, arrowhead on a thick line
-HEAD_WIDTH = 1.6
-THIN_HEAD_LENGTH = 3.0  # mm, arrowhead on a thin line
-THIN_HEAD_WIDTH = 1.0
-HEADLESS_MM = 1.2  # an arrow shorter than this has no head
 
 HINGE_MM = 1.5  # radius of a hinge
 DOT_MM = 0.8  # radius of a mass centre or a marked point
@@ -104,12 +97,6 @@ def fitted(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -
 
 
 def head_size(length_mm: float, width_mm: float) -> tuple[float, float]:
-    """Length and width in mm of the head of an arrow of that length and pen width; zeros: no head.
-
-    On a short arrow the head shrinks to half of it, so that a piece of the shaft is still seen.
-    """
-    if length_mm < HEADLESS_MM:
-        return 0.0, 0.0
-    long, wide = (HEAD_LENGTH, HEAD_WIDTH) if width_mm >= S else (THIN_HEAD_LENGTH, THIN_HEAD_WIDTH)
-    shrink = min(1.0, 0.5 * length_mm / long)
-    return long * shrink, max(wide * shrink, min(wide, 1.7 * width_mm))
+    """Length and width in mm of the head of an arrow of that length, of the pen nearest in width; zeros: none."""
+    shape = min(SHAPES, key=lambda one: abs(one.pen - width_mm)).on(length_mm)
+    return (shape.long, shape.wide) if shape else (0.0, 0.0)

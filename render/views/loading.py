@@ -17,11 +17,13 @@ from render import labels
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.style import BLOCK_MM
-from render.views.plotted import Places
+from render.views.plotted import Ends, Places, set_apart
 from render.views.senses import freest
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
 STEP_MM = 6.0  # by which the next one of the same point and direction is longer
+ASIDE_MM, NEAR_MM = 1.5, 1.2  # how far it is set beside, and how near to it, or to a rod, no force may lie
+BEFORE_MM = 1.6  # from the tip of a reaction to the place it acts at: the radius of a hinge
 COUPLE_MM = 6.5  # radius of a couple's curved arrow
 NAME_MM = 3.5
 NOTHING = 1e-9  # of the largest force: none
@@ -33,6 +35,25 @@ FAR_M = 10.0  # an arm longer than this is that of a couple
 
 
 @dataclass
+class Arrows:
+    """Where arrows of forces, not to scale, are drawn so that each is seen by itself; ``upon`` are the lines none may
+    lie upon, and the arrows there are."""
+
+    upon: list[Ends] = field(default_factory=list)
+    taken: list[tuple[complex, complex]] = field(default_factory=list)
+
+    def placed(self, point: complex, way: complex, from_outside: bool = False) -> Ends:
+        """Start and end of a force: longer where others of its point are on the same side, and set beside them."""
+        side = -way if from_outside else way
+        like = sum(abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9 for p, s in self.taken)
+        self.taken.append((point, side))
+        near, far = point + BEFORE_MM * side * from_outside, point + (FORCE_MM + STEP_MM * like) * side
+        near, far = set_apart((near, far), self.upon, ASIDE_MM, NEAR_MM)
+        self.upon.append((near, far))
+        return (far, near) if from_outside else (near, far)
+
+
+@dataclass
 class Loading:
     """The forces on some links, being drawn over their scheme."""
 
@@ -41,10 +62,11 @@ class Loading:
     links: tuple[str, ...]
     marks: list[Mark] = field(default_factory=list)
     named: list[labels.Label] = field(default_factory=list)
-    taken: list[tuple[complex, complex]] = field(default_factory=list)
+    arrows: Arrows = field(init=False)
 
     def __post_init__(self) -> None:
         self.places, self.drawing = Places(self.position), self.position.drawing
+        self.arrows = Arrows([rod for link in self.links for rod in self.places.rods(link)])
 
     def loads(self, carried: bool) -> None:
         """Weights, inertia, loads; and, where ``carried``, the reactions that came from groups solved before."""
@@ -151,14 +173,11 @@ class Loading:
         return abs(size) > NOTHING * max(sizes, default=0.0)
 
     def force(self, name: str, point: complex, way: complex, from_outside: bool = False) -> None:
-        """An arrow from its point (a load), or with its head there (a reaction), longer where others point the same."""
-        side = -way if from_outside else way
-        like = [s for p, s in self.taken if abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9]
-        far = point + (FORCE_MM + STEP_MM * len(like)) * side
-        self.taken.append((point, side))
-        ends = (far, point + 1.6 * side) if from_outside else (point, far)
-        self.marks.append(Arrow(*ends, "thick", "force", name))
-        self.named.append(labels.Label(self.naming.vector(name), (far, (far + point) / 2), NAME_MM, name=name))
+        """An arrow from its point (a load), or with its head there (a reaction), beside the rods and forces there."""
+        start, end = self.arrows.placed(point, way, from_outside)
+        self.marks.append(Arrow(start, end, "vector", "force", name))
+        far = start if from_outside else end
+        self.named.append(labels.Label(self.naming.vector(name), (far, (start + end) / 2), NAME_MM, name=name))
 
     def couple(self, name: str, link: str, value: float, number: int, text: str = "") -> None:
         """A curved arrow about the mass centre of its link, or the middle of its bar, where it crosses least."""
@@ -168,7 +187,10 @@ class Loading:
         radii = (COUPLE_MM + 3 * number + grow for grow in (0.0, -2.0, 3.0, 6.0))
         begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]
         arrows = (
-            (symbols.turn_arrow(centre, r, b, sense * 150, "thick", "force"), centre + r * symbols.unit(b + sense * 75))
+            (
+                symbols.turn_arrow(centre, r, b, sense * 150, "vector", "force"),
+                centre + r * symbols.unit(b + sense * 75),
+            )
             for r in radii
             for b in begins
         )

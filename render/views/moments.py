@@ -19,8 +19,8 @@ from render import labels
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import dot
 from render.views.formulas import Setter, Word
-from render.views.loading import Arms, drops_of
-from render.views.plotted import of_position
+from render.views.loading import Arms, Arrows, drops_of
+from render.views.plotted import Ends, of_position
 from render.views.polygon import ZERO_MM, gathered
 from render.views.senses import labelled
 
@@ -105,10 +105,6 @@ class MomentLines:
         return math.prod(powers, start=term.coefficient)
 
 
-FORCE_MM = 14.0
-STEP_MM = 6.0
-
-
 @dataclass
 class Lever:
     """The lever of one position; a driver at rest has the plan of a unit drive turned instead."""
@@ -120,24 +116,24 @@ class Lever:
         """The turned plan, the forces, their arms and all names."""
         plan = "motion" if self.position.plans.at_rest else "velocity"
         plotted = of_position(self.position)
-        marks: list[Mark] = []
+        marks, lines = list[Mark](), list[Ends]()
         for s in plotted.drawn_segments(plan):
             ends = 1j * plotted.mark(plan, s.start), 1j * plotted.mark(plan, s.end)
             if abs(ends[1] - ends[0]) > ZERO_MM:
                 marks.append(Line(ends, "thick" if s.start == POLE else "thin", "plan"))
+                lines.append(ends)
         letters = ((self.naming.mark(x, "velocity"), 1j * plotted.mark(plan, x)) for x in plotted.labels(plan))
         places = gathered(letters)  # letters of marks that coincide share one
         named = [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
         marks += dot(0j, 0.8, "plan")
-        forces, names = self.forces()
+        forces, names = self.forces(lines)
         return labelled([*named, *names], [*marks, *forces])
 
-    def forces(self) -> tuple[list[Mark], list[labels.Label]]:
+    def forces(self, lines: list[Ends]) -> tuple[list[Mark], list[labels.Label]]:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""
         drawing, marks, named = self.position.drawing, list[Mark](), list[labels.Label]()
         drops = drops_of(drawing)
-        taken: list[tuple[complex, complex]] = []
-        arms = Arms()
+        arms, arrows = Arms(), Arrows(lines)
         lever = next((m for m in self.position.plans.moments if m.links == ("lever",)), None)
         for name, arm in lever.terms if lever else ():
             step = drops.get(arm)
@@ -145,10 +141,8 @@ class Lever:
                 continue
             size = float(drawing[name]) if name in drawing else 1.0
             point, along = complex(drawing[step.point]), complex(drawing[step.along]) * (1 if size >= 0 else -1)
-            same = sum(abs(p - point) < 0.5 and (w * along.conjugate()).real > 0.9 for p, w in taken)
-            taken.append((point, along))
-            end = point + (FORCE_MM + STEP_MM * same) * along
-            marks.append(Arrow(point, end, "thick", "force", name))
-            named.append(labels.Label(self.naming.vector(name), ((point + end) / 2, end), 3.5, name=name))
+            ends = arrows.placed(point, along)
+            marks.append(Arrow(*ends, "vector", "force", name))
+            named.append(labels.Label(self.naming.vector(name), (sum(ends) / 2, ends[1]), 3.5, name=name))
             arms.add(point, along, 0j, self.naming.arm(name, arm), name)
         return [*marks, *arms.marks], [*named, *arms.named]

@@ -2,9 +2,10 @@
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import shapely
 
@@ -16,6 +17,8 @@ from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, kind_of, label_of, mu_of, plan_of
+
+Ends = tuple[complex, complex]
 
 
 @dataclass(frozen=True)
@@ -112,6 +115,14 @@ class Places:
         sides = [z.real for z in drawn], [z.imag for z in drawn]
         return max(max(side) - min(side) for side in sides) if drawn else 0.0
 
+    def rods(self, name: str) -> list[Ends]:
+        """The bars between a link's points, and from its hinge to a slider on its guide."""
+        link = self.mechanism.links[name]
+        joints = [self.at(p) for p in link.points if self.has(p) and (p in self.shared or p != link.centre)]
+        joints += [self.foot(x)[0] for x in (*self.sliders(*link.guides), *([link] if link.slides else ()))]
+        outline = outline_of(joints)
+        return list(pairwise((*outline, outline[0])))[: len(outline) if len(outline) > 2 else len(outline) - 1]
+
     def sliders(self, *guides: str) -> Iterator[Link]:
         """The links that slide on some guides, where they have been drawn."""
         links = self.mechanism.links.values()
@@ -134,6 +145,24 @@ class Places:
         through, along = self.line(link.slides.guide)
         first = self.at(link.first_point)
         return through + ((first - through) * along.conjugate()).real * along, along
+
+
+def upon(one: Ends, other: Ends, near: float) -> bool:
+    """Whether two lines are nearer than so many mm side by side, over more than a millimetre of their length."""
+    way = (other[1] - other[0]) / abs(other[1] - other[0])
+    a, b = ((z - other[0]) * way.conjugate() for z in one)
+    if max(abs(a.imag), abs(b.imag)) > near:
+        return False
+    return min(max(a.real, b.real), abs(other[1] - other[0])) - max(min(a.real, b.real), 0.0) > 1.0
+
+
+def set_apart(ends: Ends, others: Iterable[Ends], step: float, near: float) -> Ends:
+    """The ends of a vector, moved sideways by steps of so many mm where it would lie upon others, or ``near`` them."""
+    side, others = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0]), list(others)
+    if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
+        side = -side
+    places = ((ends[0] + k * step * side, ends[1] + k * step * side) for k in (0, 1, -1, 2, -2, 3, -3))
+    return next((two for two in places if not any(upon(two, other, near) for other in others)), ends)
 
 
 def degrees(along: complex) -> float:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from planes.drafting.equations import Term
 from planes.drafting.steps import Image, Similar
@@ -14,7 +15,7 @@ from render.paper.marks import Arrow, Layer, Line, Mark
 from render.paper.symbols import dot
 from render.paper.typeset import plain
 from render.views import detail, remark
-from render.views.plotted import Plotted
+from render.views.plotted import Ends, Plotted, set_apart
 
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 NOTHING_MM = 1e-10  # and one shorter than this is none
@@ -24,8 +25,6 @@ ALONE_MM = 12.0  # half of a line of action on which the vector vanished
 ASIDE_MM = 2.0  # between vectors of one line
 MARK_MM = 5.0
 FORCE_MM = 3.5
-
-Ends = tuple[complex, complex]
 
 
 @dataclass
@@ -103,6 +102,11 @@ class Polygon:
             if equation.plan == self.plan:
                 yield from (t for t in equation.terms if self.plotted.has(self.plan, t.start, t.end))
 
+    @cached_property
+    def given(self) -> set[str]:
+        """The vectors this plan was begun with."""
+        return {term.name for term in self.terms() if term.known == 2}
+
     def lines_of_action(self) -> None:
         """Thin lines of the terms known in direction only, a little past the crossing they were drawn for."""
         for term in self.terms():
@@ -132,32 +136,22 @@ class Polygon:
     def trace(self, start: complex, end: complex) -> None:
         """A construction line."""
         if abs(end - start) > ZERO_MM:
-            self.marks.append(Line((start, end), "thin", "construction"))
+            self.marks.append(Line((start, end), "construction", "construction"))
 
     def vectors(self) -> None:
-        """The arrows: results thick, parts and relative vectors thin; forces of one line side by side."""
+        """The arrows: results thick, what they are made of thinner; forces of one line side by side."""
         for (start, end), names in sorted(self.arrows.items(), key=lambda item: not self.is_result(*item)):
             ends, thick = (self.mark(start), self.mark(end)), self.is_result((start, end), names)
-            self.places[start, end] = ends = ends if self.of_rates else self.aside(ends)
+            placed = ends if self.of_rates else set_apart(ends, self.places.values(), ASIDE_MM, ASIDE_MM / 2)
+            self.shifted |= placed != ends
+            self.places[start, end] = placed
             layer: Layer = "result" if thick else "plan" if self.of_rates else "force"
-            self.marks.append(Arrow(*ends, "result" if thick else "thin", layer, names[0]))
-
-    def aside(self, ends: Ends) -> Ends:
-        """The ends of a vector, moved sideways where it would lie upon another one of the same line."""
-        side = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0])
-        if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
-            side = -side
-        for k in (0, 1, -1, 2, -2, 3, -3):
-            moved = ends[0] + k * ASIDE_MM * side, ends[1] + k * ASIDE_MM * side
-            if not any(_upon(moved, other) for other in self.places.values()):
-                self.shifted |= k != 0
-                return moved
-        return ends
+            self.marks.append(Arrow(*placed, "result" if thick else "vector", layer, names[0]))
 
     def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:
-        """Whole vectors from the pole, and whole forces."""
+        """Whole vectors from the pole, and whole forces that were found here."""
         if not self.of_rates:
-            return any("^" not in name for name in names)
+            return any("^" not in name and name not in self.given for name in names)
         return ends[0] == POLE and at(self.plan, ends[1]) not in self.plotted.drawing.program.corners
 
     def vector_labels(self) -> list[labels.Label]:
@@ -187,12 +181,3 @@ def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> lis
             clusters.append((z, near := []))
         near.append(name)
     return clusters
-
-
-def _upon(one: Ends, other: Ends) -> bool:
-    """Whether two vectors lie on one line and share more than a millimetre of it."""
-    way = (other[1] - other[0]) / abs(other[1] - other[0])
-    a, b = ((z - other[0]) * way.conjugate() for z in one)
-    if max(abs(a.imag), abs(b.imag)) > ASIDE_MM / 2:
-        return False
-    return min(max(a.real, b.real), abs(other[1] - other[0])) - max(min(a.real, b.real), 0.0) > 1.0

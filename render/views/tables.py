@@ -40,11 +40,10 @@ class TableGrid:
         edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
         marks: list[Mark] = []
         for level in range(len(lines) + 1):
-            style = "thick" if level in (0, len(lines)) or (level == 1 and any(head)) else "thin"
+            style = "rule" if level == 1 and any(head) else "thin"
             marks.append(Line((complex(0, -level * high), complex(edges[-1], -level * high)), style, "table"))
-        for k, edge in enumerate(edges):
-            style = "thick" if k in (0, len(widths)) else "thin"
-            marks.append(Line((complex(edge, 0), complex(edge, -len(lines) * high)), style, "table"))
+        for edge in edges:
+            marks.append(Line((complex(edge, 0), complex(edge, -len(lines) * high)), "thin", "table"))
         for level, row in enumerate(lines):
             base = -(level + 0.5) * high - drop
             for k, cell in enumerate(row):

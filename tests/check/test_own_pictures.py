@@ -15,13 +15,14 @@ from planes.check import Outcome, check
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import read_paper
-from planes.check.vision.match_printed import THICK, THIN, shapes
+from planes.check.vision.match_printed import shapes
 from planes.documents.sheets import sheet_of
 from planes.scene.carried import carried, carrying
 from planes.solving import Position
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
-from render.paper.style import head_size
+from render.paper.ink import arrow_parts
+from render.paper.marks import Arrow
 from render.sheet import Sheet
 from render.sheet.single import Page
 from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, mistakes, spoiled, view
@@ -156,9 +157,12 @@ def test_a_print_of_another_plan_is_not_this_one(tmp_path: Path) -> None:
 
 
 def test_printed_heads_are_of_the_sizes_the_sheets_have() -> None:
-    for length in (0.5, 2.0, 5.0, 50.0):
-        drawn_so = [head_size(length, shape.pen) for shape in (THICK, THIN)]
-        assert [(s.long, s.wide) for s in shapes(length)] == [size for size in drawn_so if size != (0.0, 0.0)]
+    """Whatever arrows a plan of motion has, their heads are among those looked for on a print."""
+    page = view("six-link", "acceleration", drawn("six-link")[1])
+    for arrow in (m for m in page.marks if isinstance(m, Arrow)):
+        _, head = arrow_parts(arrow)
+        size = abs(head[0] - (head[1] + head[2]) / 2), abs(head[1] - head[2])
+        assert any(size == pytest.approx((s.long, s.wide)) for s in shapes(abs(arrow.end - arrow.start))), arrow.name
 
 
 @pytest.mark.slow

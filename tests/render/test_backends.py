@@ -15,6 +15,7 @@ import pypdfium2
 import pytest
 from PIL import Image
 
+from planes.drafting.pens import THICK
 from planes.scene.files import keep
 from planes.solving.document import DocumentTable, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
@@ -131,9 +132,9 @@ def test_pdf_pages_have_their_own_sizes() -> None:
     [
         (Line((10 + 20j, 30 + 20j)), (9.7, 19.7, 30.3, 20.3)),
         (Arc(30 + 20j, 10), (19.7, 9.7, 40.3, 30.3)),
-        (Arc(30 + 20j, 10, 0, 90, "thin"), (29.875, 19.875, 40.125, 30.125)),
+        (Arc(30 + 20j, 10, 0, 90, "thin"), (29.9, 19.9, 40.1, 30.1)),
         (Shape((10 + 10j, 50 + 10j, 30 + 30j)), (10, 10, 50, 30)),
-        (Arrow(10 + 20j, 50 + 20j), (9.7, 20 - style.HEAD_WIDTH / 2, 50, 20 + style.HEAD_WIDTH / 2)),
+        (Arrow(20 + 10j, 20 + 35j), (20 - THICK.wide / 2, 9.7, 20 + THICK.wide / 2, 35)),
     ],
 )
 def test_places_in_the_picture(mark: Mark, box: tuple[float, ...]) -> None:

@@ -173,7 +173,7 @@ def test_no_layer_is_paler_than_it_prints():
 def test_line_types_and_weights_are_those_of_the_layers_or_their_own():
     document = read(sheet("kind-2-rrp"))
     layers = {layer.dxf.name: layer.dxf for layer in document.layers}
-    assert (layers["SCHEME"].lineweight, layers["AXIS"].lineweight, layers["CONSTRUCTION"].lineweight) == (60, 25, 18)
+    assert (layers["SCHEME"].lineweight, layers["AXIS"].lineweight, layers["CONSTRUCTION"].lineweight) == (60, 20, 20)
     assert layers["AXIS"].linetype == "AXIS"
 
     def looks(e):
@@ -181,7 +181,7 @@ def test_line_types_and_weights_are_those_of_the_layers_or_their_own():
         return e.dxf.layer, weight, e.dxf.get("linetype", layers[e.dxf.layer].linetype)
 
     seen = {looks(e) for e in document.modelspace().query("LINE LWPOLYLINE")}
-    assert {("CONSTRUCTION", 18, "Continuous"), ("SCHEME", 60, "Continuous"), ("TABLE", 25, "Continuous")} <= seen
+    assert {("CONSTRUCTION", 20, "Continuous"), ("SCHEME", 60, "Continuous"), ("TABLE", 20, "Continuous")} <= seen
     own = [e for e in document.modelspace().query("LINE") if e.dxf.hasattr("lineweight")]
     assert own and all(e.dxf.lineweight != layers[e.dxf.layer].lineweight for e in own)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from planes.solving import solve
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Text
+from render.paper.style import BASE_MM
 from render.paper.typeset import plain
 from render.views.diagrams import runs
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
@@ -127,3 +129,19 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
         if one.style == "construction":
             line = [(z.real, z.imag) for z in (*one.points, *one.points[: one.closed])]
             assert inked.covers(shapely.LineString(line)), line
+
+
+@pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "assignments/44", "assignments/22"])
+def test_every_force_is_an_arrow_of_its_own(name):
+    """None lies along another one, or along a rod, by more than what crossing lines share."""
+    along = []
+    for held in (one.marks for one, *_ in sheet(name, 2).views if one.key in ("loaded", "group", "apart", "lever")):
+        forces = [(m.name, m.start, m.end) for m in held if isinstance(m, Arrow) and m.layer == "force"]
+        bars = [m.points for m in held if isinstance(m, Line) and m.style == "thick" and m.layer == "scheme"]
+        others = [*forces, *(("rod", a, b) for points in bars for a, b in pairwise(points) if abs(b - a) > BASE_MM)]
+        for k, (one, *ends) in enumerate(forces):
+            shaft = shapely.LineString([(z.real, z.imag) for z in ends]).buffer(0.3)
+            for other, *line in others[k + 1 :]:
+                shared = shaft.intersection(shapely.LineString([(z.real, z.imag) for z in line])).length
+                along += [f"{one} {other}"] * (shared > 4.0)
+    assert along == []

@@ -15,6 +15,7 @@ from planes.solving import solve
 from planes.words.errors import PlanesError
 from render.files import pdf, svg
 from render.paper.marks import Arrow, Line, Text
+from render.paper.style import pen
 from render.paper.typeset import layout, plain
 from render.sheet.module import GAP_MM
 from tests.helpers import ROOT
@@ -128,12 +129,20 @@ def test_marks_stand_where_they_were_drawn():
         assert abs(drawn[name] - segment) < 1e-9
 
 
-def test_result_lines_are_thick_and_lines_of_action_thin():
+def test_every_width_of_pen_has_its_meaning():
+    """Links and results are thick, forces and the vectors of a plan thinner, all that helps thinnest; all is black."""
     found = sheet("six-link")
     styles = {m.name: m.style for m in found.marks if isinstance(m, Arrow)}
     assert styles["v_B"] == styles["F_21"] == "result"
-    assert styles["v_CB"] == styles["a_CB^n"] == styles["F_21^t"] == "thin"
-    assert any(isinstance(m, Line) and m.style == "construction" for m in found.marks)
+    assert styles["v_CB"] == styles["a_CB^n"] == styles["F_21^t"] == styles["G_2"] == "vector"
+    loads = {m.style for m in sheet("six-link", number=2).marks if isinstance(m, Arrow) and m.layer == "force"}
+    assert loads == {"vector"} and pen("vector").width < pen("thick").width
+    lines = {(m.layer, m.style) for m in found.marks if isinstance(m, Line)}
+    assert {style for layer, style in lines if layer == "table"} == {"thin", "rule"}
+    helping = {style for layer, style in lines if layer in ("construction", "dimension", "hatch", "axis")}
+    assert "construction" in helping
+    for style in helping:
+        assert (pen(style).width, pen(style).colour) == (pytest.approx(pen("thick").width / 3), "#000000")
 
 
 def test_underlines_count_what_is_known():

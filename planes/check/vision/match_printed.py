@@ -20,11 +20,11 @@ from planes.check.vision.ink import PENCIL, WHITE, Ink
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import cv
 from planes.check.vision.places import Seen
+from planes.drafting.pens import MEDIUM, THICK, HeadShape
 from planes.geometry.arrays import Array, Complexes, Greys
 from planes.words.names import POLE, label_of
 
 STEP_MM = 0.05
-HEADLESS_MM = 1.2  # a shorter vector has no head
 INSIDE_MM, OUTSIDE_MM = 0.15, 0.3  # how far from a head's edge its ink is surely seen, and paper is
 FULL, BARE = 0.93, 0.8  # the least shares of a head's places that are ink, of those outside of a side that are paper
 HEAD, BOTH_SIDES = 0.79, 1.8  # how clear a head is of which one side is seen, or both are
@@ -49,17 +49,6 @@ FAINT, MAINLY = 100, 0.7  # of 255: paler is no print's ink, but its rims; the s
 Strokes = Mapping[str, Stroke]  # vectors by name
 
 
-class HeadShape(NamedTuple):
-    """A head on a line of a pen, mm."""
-
-    long: float
-    wide: float
-    pen: float
-
-
-THICK, THIN = HeadShape(4.0, 1.6, 0.6), HeadShape(3.0, 1.0, 0.25)
-
-
 class PrintedHead(NamedTuple):
     """A head: its tip, the unit way it points, and how clear it is: near 2 where both of its sides are seen."""
 
@@ -69,12 +58,8 @@ class PrintedHead(NamedTuple):
 
 
 def shapes(length_mm: float) -> list[HeadShape]:
-    """The heads a vector of that length may have: on a short one half as long as it."""
-    found = []
-    for long, wide, pen in (THICK, THIN) if length_mm >= HEADLESS_MM else ():
-        shrink = min(1.0, 0.5 * length_mm / long)
-        found.append(HeadShape(long * shrink, max(wide * shrink, min(wide, 1.7 * pen)), pen))
-    return found
+    """The heads a vector of that length may have."""
+    return [shape for one in (THICK, MEDIUM) if (shape := one.on(length_mm))]
 
 
 def clearness(ink: Ink, tips: Complexes, ways: Complexes, shape: HeadShape) -> Array:
