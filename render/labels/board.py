@@ -1,6 +1,5 @@
 """The board on which labels find their places: the candidates of each, what they cost, who makes room for whom."""
 
-import math
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -18,16 +17,14 @@ from render.labels.candidates import (
     Label,
     Placed,
     beside,
-    close,
     distances,
     far_off,
     met,
     own_distance,
+    placed,
     union,
 )
-from render.labels.footprints import Bounds, InkedShapes
-from render.paper.marks import Line, Text
-from render.paper.typeset import extent
+from render.labels.footprints import Bounds, InkedShapes, close
 
 HARD = 200.0  # cost of one overlap, more than all that is merely disliked together
 OUTSIDE = 1000.0  # cost of leaving the field
@@ -36,9 +33,9 @@ AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its 
 CROSSING = 8.0  # cost of a leader's crossing with a stroke
 BROKEN = 4.0  # cost of a thin line that is broken for a label
 ROOM_MM = 1.3
-READ_AS_ONE = 3.0  # cost of it
+CLOSE = 3.0  # cost of standing beside another label, farther off than it must
 PATIENCE = 1000  # how often labels are asked to make room for others, on one board
-FAR_PLACES = 96  # of a label that needs a leader line: the nearest free ones
+FAR_PLACES = 160  # of a label that needs a leader line: the nearest free ones
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 AT_ONCE = 5000  # candidates looked at together: what lies near them is held for so many
 _SWEEPS = 8
@@ -64,8 +61,7 @@ class Board:
         self, labels: Sequence[Label], ground: InkedShapes, field: Bounds | None, yielding: InkedShapes
     ) -> None:
         self.labels, self.ground, self.field, self.yielding = labels, ground, field, yielding
-        self.extents = [extent(label.text, label.height) for label in labels]
-        self.options = [beside(label, size, NEAR) for label, size in zip(labels, self.extents, strict=True)]
+        self.options = [beside(label, NEAR) for label in labels]
         self.costs = self._judged(self.options)
         for k in range(len(labels)):
             self.costs[k] += AMBIGUOUS * self._strays(k)
@@ -96,7 +92,7 @@ class Board:
 
     def _effect(self, k: int, option: int) -> Effect:
         row = self.rows[k].start + option
-        reached = close(self.reach, self.reach[row : row + 1], APART_MM, CLEAR_MM)[:, 0]
+        reached = close(self.reach, self.reach[row : row + 1], APART_MM, APART_MM / 2)[:, 0]
         reached[self.rows[k]] = False
         at = np.flatnonzero(reached)
         clashes, near = met(self.every.some(at), self.every.some(np.array([row])))
@@ -156,7 +152,7 @@ class Board:
 
     def cost(self, rows: slice | Indices) -> Array:
         """What candidates cost among the present places of the other labels."""
-        return self.static[rows] + HARD * self.clashes[rows] + READ_AS_ONE * (self.near[rows] > 0)
+        return self.static[rows] + HARD * self.clashes[rows] + CLOSE * (self.near[rows] > 0)
 
     def _take(self, k: int, option: int) -> None:
         if k in self.chosen:
@@ -223,7 +219,7 @@ class Board:
         self.wide |= set(late)
         if not late:
             return False
-        far = [far_off(self.labels[k], self.extents[k], FAR) for k in late]
+        far = [far_off(self.labels[k], FAR) for k in late]
         for k, option, cost in zip(late, far, self._judged(far), strict=True):
             best = np.argsort(cost, kind="stable")[:FAR_PLACES]
             free = best[cost[best] < HARD]
@@ -235,14 +231,8 @@ class Board:
         return True
 
     def placed(self) -> Placed:
-        """The chosen places as texts and leader lines."""
-        texts, leaders, now = [], [], self.every.some(self.places())
-        for label, size, box, leader in zip(self.labels, self.extents, now.boxes, now.leaders, strict=True):
-            base = complex(box[0], box[1] - size[1])
-            texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
-            if not math.isnan(leader[0].real):
-                leaders.append(Line(tuple(map(complex, leader)), "thin", label.layer, name="leader"))
-        return Placed(tuple(texts), tuple(leaders))
+        """The labels in the places chosen for them."""
+        return placed(self.labels, self.every.some(self.places()))
 
 
 def _bounded(counts: Array | Indices) -> Array:

@@ -14,24 +14,29 @@ from typing import NamedTuple
 import numpy as np
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
-from render.paper.marks import Layer, Line, Text
+from render.labels.footprints import close, crossed, meeting
+from render.paper.marks import Arc, Layer, Line, Text
+from render.paper.typeset import extent
 
 Ends = tuple[complex, complex]
 
 NEAR = (0.9, 1.8, 3.2)
 """Distances in mm from a point or segment to its label's box."""
 
-FAR = (6.0, 9.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
+FAR = (4.5, 6.0, 8.0, 10.0, 13.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
 """Distances in mm of labels that need a leader line."""
 
-CLEAR_MM = 0.5  # least distance of a label from ink and from labels
-APART_MM = 4.0  # labels side by side read as one when they stand closer than this
+CLEAR_MM = 0.5  # least distance of a label from ink
+BETWEEN = 0.6, 0.2  # least distance of labels, side by side and one over the other, over the height of their letters
+APART_MM = 4.0  # labels side by side are disliked closer than this
+UNDER_MM, BESIDE_MM = 0.9, 0.5  # of an underline: beneath its label, and to both sides of it
 _GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
 _ALONG = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
 _DIRECTIONS = np.array([cmath.rect(1, math.radians(22.5 * k)) for k in range(16)])
 _ROUND = np.array([cmath.rect(1, math.radians(15.0 * k)) for k in range(24)])
 _EYE = cmath.rect(1, math.radians(50))  # without a wish a label goes to the upper right
-_LED = 25.0  # cost of a leader line
+LED_DOT_MM = 0.45  # radius of the dot a leader ends with on a line
+_LED, _LONGER = 25.0, 1.0  # cost of a leader line, and of each mm of it
 
 
 @dataclass(frozen=True)
@@ -50,31 +55,41 @@ class Label:
     priority: int = 0
     layer: Layer = "text"
     name: str = ""
+    underlined: bool = False
+
+    @property
+    def extent(self) -> tuple[float, float, float, float]:
+        """Bounds of its ink in mm from the left end of its base line."""
+        x0, y0, x1, y1 = extent(self.text, self.height)
+        return (x0 - BESIDE_MM, y0 - UNDER_MM, x1 + BESIDE_MM, y1) if self.underlined else (x0, y0, x1, y1)
 
 
 class Placed(NamedTuple):
-    """The labels as texts, in the order they were given, and the leader lines some of them need."""
+    """The labels as texts, in the order they were given, and the leader lines some of them need; dots at the ends of
+    leaders to lines, and lines under texts."""
 
     texts: tuple[Text, ...]
     leaders: tuple[Line, ...]
+    signs: tuple[Line | Arc, ...] = ()
 
     @property
-    def marks(self) -> tuple[Text | Line, ...]:
-        """Leaders and texts."""
-        return (*self.leaders, *self.texts)
+    def marks(self) -> tuple[Text | Line | Arc, ...]:
+        """Leaders, dots, underlines and texts."""
+        return (*self.leaders, *self.signs, *self.texts)
 
 
 @dataclass(frozen=True)
 class Candidates:
-    """Boxes (n, 4), their wishes (n,) and leader lines (n, 2) as complex ends, NaN for none."""
+    """Boxes (n, 4), their wishes (n,), leader lines (n, 2) as complex ends, NaN for none, and letters (n,) in mm."""
 
     boxes: Array
     wish: Array
     leaders: Complexes
+    heights: Array
 
     def some(self, rows: Indices) -> Candidates:
         """The candidates of those rows."""
-        return Candidates(self.boxes[rows], self.wish[rows], self.leaders[rows])
+        return Candidates(self.boxes[rows], self.wish[rows], self.leaders[rows], self.heights[rows])
 
     @property
     def reach(self) -> Array:
@@ -84,36 +99,45 @@ class Candidates:
         return np.hstack([low, np.fmax(self.boxes[:, 2:], np.stack([x.max(axis=1), y.max(axis=1)], axis=1))])
 
 
-def beside(label: Label, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
+def beside(label: Label, gaps: Sequence[float]) -> Candidates:
     """Places right beside what the label names."""
-    size = extent[2] - extent[0], extent[3] - extent[1]
+    size = _size(label)
     if isinstance(label.at, tuple):
         boxes, wish = _along(label.at, label, size, np.array(gaps))
     else:
         boxes, wish = _around(label.at, label, size, np.array(gaps), _DIRECTIONS)
-    return Candidates(boxes, wish, np.full((len(boxes), 2), np.nan, dtype=complex))
+    return _candidates(label, boxes, wish, np.full((len(boxes), 2), np.nan, dtype=complex))
 
 
-def far_off(label: Label, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
+def _candidates(label: Label, boxes: Array, wish: Array, leaders: Complexes) -> Candidates:
+    return Candidates(boxes, wish, leaders, np.full(len(boxes), label.height))
+
+
+def _size(label: Label) -> tuple[float, float]:
+    x0, y0, x1, y1 = label.extent
+    return x1 - x0, y1 - y0
+
+
+def far_off(label: Label, gaps: Sequence[float]) -> Candidates:
     """Places farther away, each with a leader line to the point or to one of three places of the segment."""
     if not isinstance(label.at, tuple):
-        return _led(label.at, label, extent, gaps, max(label.clear, 0.6))
+        return _led(label.at, label, gaps, max(label.clear, 0.6))
     start, end = label.at
-    return union([_led(start + t * (end - start), label, extent, gaps, 0.0) for t in (0.5, 0.3, 0.7)])
+    return union([_led(start + t * (end - start), label, gaps, 0.0) for t in (0.5, 0.3, 0.7)])
 
 
-def _led(at: complex, label: Label, extent: Sequence[float], gaps: Sequence[float], free: float) -> Candidates:
+def _led(at: complex, label: Label, gaps: Sequence[float], free: float) -> Candidates:
     """Places around a point with leader lines that end ``free`` mm before it."""
-    size = extent[2] - extent[0], extent[3] - extent[1]
-    boxes, wish = _around(at, label, size, np.array(gaps), _ROUND)
+    boxes, wish = _around(at, label, _size(label), np.array(gaps), _ROUND)
     near = np.clip(at.real, boxes[:, 0], boxes[:, 2]) + 1j * np.clip(at.imag, boxes[:, 1], boxes[:, 3])
     toward = (near - at) / abs(near - at)
-    return Candidates(boxes, wish + _LED, np.stack([near - 0.6 * toward, at + free * toward], axis=1))
+    led = _LED + _LONGER * abs(near - at)
+    return _candidates(label, boxes, wish + led, np.stack([near - 0.6 * toward, at + free * toward], axis=1))
 
 
 def union(parts: Sequence[Candidates]) -> Candidates:
     """The candidates of all, in order."""
-    columns = zip(*((one.boxes, one.wish, one.leaders) for one in parts), strict=True)
+    columns = zip(*((one.boxes, one.wish, one.leaders, one.heights) for one in parts), strict=True)
     return Candidates(*map(np.concatenate, columns))
 
 
@@ -166,61 +190,14 @@ def _along(ends: Ends, label: Label, size: tuple[float, float], gaps: Array) -> 
     return _boxes(middles.ravel(), size), wish.ravel()
 
 
-def close(boxes: Array, others: Array, sideways: float, clear: float) -> Booleans:
-    """Which boxes (rows) come near which others (columns): nearer than so many mm sideways and in height.
-
-    Labels without a place yet come near nothing.
-    """
-    a, b = boxes[:, None, :], others[None, :, :]
-    return (
-        (a[..., 0] < b[..., 2] + sideways)
-        & (b[..., 0] < a[..., 2] + sideways)
-        & (a[..., 1] < b[..., 3] + clear)
-        & (b[..., 1] < a[..., 3] + clear)
-    )
-
-
-def crossed(boxes: Array, lines: Complexes) -> Booleans:
-    """Whether segments (…, 2; complex) pass through boxes (…, 4), by broadcasting; NaN through none."""
-    start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
-    enter = np.zeros(np.broadcast_shapes(start.shape, boxes.shape[:-1]))
-    leave = enter + 1.0
-    with np.errstate(divide="ignore", invalid="ignore"):
-        for low, high, origin, step in (
-            (boxes[..., 0], boxes[..., 2], start.real, span.real),
-            (boxes[..., 1], boxes[..., 3], start.imag, span.imag),
-        ):
-            safe = np.where(step == 0, 1e-12, step)
-            one, two = (low - origin) / safe, (high - origin) / safe
-            enter = np.maximum(enter, np.minimum(one, two))
-            leave = np.minimum(leave, np.maximum(one, two))
-    through: Booleans = enter < leave
-    return through
-
-
-def meeting(lines: Complexes, others: Complexes) -> Booleans:
-    """Whether segments (…, 2; complex) meet others, by broadcasting; those on one line too, where they overlap."""
-    start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
-    began, way = others[..., 0], others[..., 1] - others[..., 0]
-    across = (span.conjugate() * way).imag
-    safe = np.where(across == 0, np.inf, across)
-    apart = began - start
-    on_line, on_other = (apart.conjugate() * way).imag / safe, (apart.conjugate() * span).imag / safe
-    inside = (on_line >= -0.02) & (on_line <= 1.02) & (on_other >= -0.02) & (on_other <= 1.02)
-    unit = span / np.abs(span)
-    one, two = apart * unit.conjugate(), (apart + way) * unit.conjugate()
-    along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
-    level = (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3)
-    there: Booleans = (inside & (across != 0)) | (level & along)
-    return there
-
-
 def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
     """How often places (rows) clash with others (columns), letters and leaders; and which letters stand close.
 
-    Labels without a place yet meet nothing.
+    Letters upon each other clash twice, those nearer than labels may stand once.
     """
-    clashes = close(some.boxes, others.boxes, CLEAR_MM, CLEAR_MM).astype(np.intp)
+    letter = np.minimum(some.heights[:, None], others.heights[None, :])
+    clashes = close(some.boxes, others.boxes, *(share * letter for share in BETWEEN)).astype(np.intp)
+    clashes += close(some.boxes, others.boxes, 0.0, 0.0)
     led, leading = (np.flatnonzero(~np.isnan(places.leaders[:, 0])) for places in (some, others))
     own, theirs = some.leaders[led][:, None, :], others.leaders[leading][None, :, :]
     if len(leading):
@@ -230,3 +207,19 @@ def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
     if len(led) and len(leading):
         clashes[np.ix_(led, leading)] += meeting(own, theirs)
     return clashes, close(some.boxes, others.boxes, APART_MM, CLEAR_MM)
+
+
+def placed(labels: Sequence[Label], chosen: Candidates) -> Placed:
+    """Labels in the places chosen for them."""
+    texts, leaders, signs = list[Text](), list[Line](), list[Line | Arc]()
+    for label, (x0, y0, x1, _), led in zip(labels, chosen.boxes, chosen.leaders, strict=True):
+        left, low, *_ = label.extent
+        base = complex(x0 - left, y0 - low)
+        texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
+        if label.underlined:
+            signs.append(Line((complex(x0, y0), complex(x1, y0)), "thin", label.layer))
+        if not np.isnan(led[0].real):
+            leaders.append(Line(tuple(map(complex, led)), "thin", label.layer, name="leader"))
+            if isinstance(label.at, tuple):
+                signs.append(Arc(complex(led[1]), LED_DOT_MM, style="thin", layer=label.layer, fill="ink"))
+    return Placed(tuple(texts), tuple(leaders), tuple(signs))

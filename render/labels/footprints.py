@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from planes.geometry.arrays import Array, Indices
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from render.paper.ink import Polyline, arrow_parts, flattened, is_circle
 from render.paper.marks import Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.style import pen
@@ -95,6 +95,55 @@ def _strings(paths: Sequence[Polyline], made: Callable[..., Shapes]) -> Shapes:
 def polygons(areas: Sequence[Polyline]) -> Shapes:
     """Polygons with complex corners."""
     return np.array(shapely.polygons(_strings(areas, shapely.linearrings)), dtype=object)
+
+
+def close(boxes: Array, others: Array, sideways: float | Array, clear: float | Array) -> Booleans:
+    """Which boxes (rows) come near which others (columns): nearer than so many mm sideways and in height.
+
+    Labels without a place yet come near nothing.
+    """
+    a, b = boxes[:, None, :], others[None, :, :]
+    return (
+        (a[..., 0] < b[..., 2] + sideways)
+        & (b[..., 0] < a[..., 2] + sideways)
+        & (a[..., 1] < b[..., 3] + clear)
+        & (b[..., 1] < a[..., 3] + clear)
+    )
+
+
+def crossed(boxes: Array, lines: Complexes) -> Booleans:
+    """Whether segments (…, 2; complex) pass through boxes (…, 4), by broadcasting; NaN through none."""
+    start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
+    enter = np.zeros(np.broadcast_shapes(start.shape, boxes.shape[:-1]))
+    leave = enter + 1.0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for low, high, origin, step in (
+            (boxes[..., 0], boxes[..., 2], start.real, span.real),
+            (boxes[..., 1], boxes[..., 3], start.imag, span.imag),
+        ):
+            safe = np.where(step == 0, 1e-12, step)
+            one, two = (low - origin) / safe, (high - origin) / safe
+            enter = np.maximum(enter, np.minimum(one, two))
+            leave = np.minimum(leave, np.maximum(one, two))
+    through: Booleans = enter < leave
+    return through
+
+
+def meeting(lines: Complexes, others: Complexes) -> Booleans:
+    """Whether segments (…, 2; complex) meet others, by broadcasting; those on one line too, where they overlap."""
+    start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
+    began, way = others[..., 0], others[..., 1] - others[..., 0]
+    across = (span.conjugate() * way).imag
+    safe = np.where(across == 0, np.inf, across)
+    apart = began - start
+    on_line, on_other = (apart.conjugate() * way).imag / safe, (apart.conjugate() * span).imag / safe
+    inside = (on_line >= -0.02) & (on_line <= 1.02) & (on_other >= -0.02) & (on_other <= 1.02)
+    unit = span / np.abs(span)
+    one, two = apart * unit.conjugate(), (apart + way) * unit.conjugate()
+    along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
+    level = (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3)
+    there: Booleans = (inside & (across != 0)) | (level & along)
+    return there
 
 
 def overprinted(marks: Sequence[Mark]) -> list[str]:

@@ -179,7 +179,7 @@ class Scheme:
             at = self.places.at(link.first_point), self.places.foot(slider)[0]
         if at is not None:
             text, name = self.naming.link(link.name), f"link {link.name}"
-            self.named.append(labels.Label(text, at, LETTER_MM, clear=clear, name=name))
+            self.named.append(labels.Label(text, at, LETTER_MM, clear=clear, name=name, underlined=True))
 
     # pairs and letters
 

@@ -117,6 +117,33 @@ def test_labels_that_cannot_all_stand_are_given_up_after_so_many_moves(monkeypat
     assert made[0].moves < board.PATIENCE + 20 * len(crowd)
 
 
+@pytest.mark.few(1)
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_neighbours_stand_apart_by_more_than_letters_of_one_word(seed: int) -> None:
+    """Of 100 labels on a crowded sheet no two in one line are nearer than 0.6 of their letters' height."""
+    labels, marks = scene(100, 120, seed)
+    boxes = [(text.height, layout(text).box) for text in place(labels, marks, FIELD).texts]
+    for k, (high, one) in enumerate(boxes):
+        for other_high, other in boxes[:k]:
+            in_line = min(one[2].imag, other[2].imag) > max(one[0].imag, other[0].imag)
+            apart = max(other[0].real - one[2].real, one[0].real - other[2].real)
+            assert not in_line or apart >= 0.6 * min(high, other_high) - 1e-9
+
+
+def test_the_number_of_a_link_is_underlined_and_its_leader_ends_in_a_dot() -> None:
+    bar = (50 + 50j, 70 + 50j)
+    fence: list[Mark] = [Line((complex(30, y), complex(90, y)), "thin") for y in range(38, 63) if y != 50]
+    placed = place([Label("2", bar, underlined=True), Label("K", 60 + 55.5j)], [Line(bar), *fence])
+    lines = [m for m in placed.signs if isinstance(m, Line)]
+    dots = [m for m in placed.signs if isinstance(m, Arc)]
+    box = layout(placed.texts[0]).box
+    assert len(lines) == 1 and lines[0].points[0].imag < box[0].imag
+    assert lines[0].points[0].real < box[0].real < box[2].real < lines[0].points[1].real
+    ends = [leader.points[1] for leader in placed.leaders]
+    assert dots and {dot.centre for dot in dots} == {z for z in ends if z.imag == 50}  # none at a point: it has its own
+    assert len(ends) == 2
+
+
 def test_nothing_to_place() -> None:
     assert place([]).marks == ()
     assert conflicts([]) == ()
