@@ -17,13 +17,14 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
+from planes.drafting.pens import THIN
 from planes.words import Lang, say
 from render.files.dxf_entities import BLACK, GREY, NARROWED, OBLIQUE_DEG, Entities, style_name, text_looks, xy
 from render.files.dxf_signs import GOST, insert_dimensions, insert_signs
 from render.paper import form1, style
 from render.paper.ink import checked, uncovered
 from render.paper.marks import Face, Mark, Text
-from render.paper.style import LAYERS, PENS, THIN_HEAD_LENGTH, pen, weight
+from render.paper.style import LAYERS, PENS, pen, weight
 from render.paper.typeset import plain
 
 if TYPE_CHECKING:
@@ -113,7 +114,7 @@ def _tables(document: Drawing, marks: Iterable[Mark], lang: Lang) -> None:
             set_in.dxf.width = 1.0 if face.font else NARROWED
             if face.font:
                 set_in.set_extended_font_data(face.family)
-    looks = {"dimtxsty": style_name(Face()), "dimtxt": 3.5, "dimasz": THIN_HEAD_LENGTH, "dimexo": 0.0, "dimexe": 1.0}
+    looks = {"dimtxsty": style_name(Face()), "dimtxt": 3.5, "dimasz": THIN.long, "dimexo": 0.0, "dimexe": 1.0}
     looks |= {"dimtad": 1, "dimdsep": ord(",")}  # written above the line
     document.dimstyles.new(GOST, dxfattribs=looks).copy_to_header(document)
 

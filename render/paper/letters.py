@@ -10,7 +10,7 @@ from planes import words
 from planes.words import Lang, say
 from planes.words.lettering import Naming
 from planes.words.records import Json
-from planes.words.units import number
+from planes.words.units import mm_per, number
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 _INDEX = re.compile(r"([_^])\{([^{}]*)\}")
@@ -81,5 +81,4 @@ def with_unit(name: str, key: str, lang: Lang) -> str:
 def scale(mu: float, key: str, lang: Lang) -> str:
     """μ with its unit: 20 mm/(m/s); that of plain numbers in mm."""
     per = unit(key, lang)
-    per = f"({per})" if "/" in per else per
-    return f"{number(mu, lang)} {say('mm', lang)}{per and f'/{per}'}"
+    return f"{number(mu, lang)} {mm_per(per, lang) if per else say('mm', lang)}"

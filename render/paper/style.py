@@ -52,6 +52,7 @@ CAPITALS = 0.729  # of the text behind the strokes (DejaVu Sans): height of capi
 LETTER_GAP = 0.2  # clear distance of letters over their height
 WORD_GAP = 0.6  # clear distance of words over their height
 INDEX_SIZE = 0.7  # height of an index over the letter height: 5 -> 3.5 -> 2.5
+LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304: no index is smaller, unless its base is
 INDEX_DROP = 0.32  # how far below the base line a lower index stands, over the letter height
 INDEX_RISE = 0.6  # how far above it an upper index stands, over the letter height
 INDEX_GAP = 0.12  # clear distance of an index from its base, over the letter height

@@ -14,7 +14,7 @@ from functools import lru_cache
 from render.paper import lettering, outlines
 from render.paper.letters import split
 from render.paper.marks import Face, Text, current
-from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, WORD_GAP
+from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LEAST_MM, LETTER_GAP, WORD_GAP
 
 Polyline = tuple[complex, ...]
 _OPENED = re.compile(r"[_^]\{")
@@ -214,7 +214,7 @@ def _set(
 
 def _indices(part: Indexed, x: float, height: float, face: Face, runs: list[Run]) -> float:
     """Set the indices of a base at x; the x where the wider of them ends. They lean with a slanted base."""
-    size, ends = INDEX_SIZE * height, [x]
+    size, ends = min(height, max(INDEX_SIZE * height, LEAST_MM)), [x]
     for index, level in ((part.lower, -INDEX_DROP), (part.upper, INDEX_RISE)):
         if index.strip():
             lean = lettering.SLANT * level * height if face.slanted else 0.0

@@ -134,7 +134,7 @@ class Composer:
             marks = MomentLines(position, self.naming, LARGER[letter]).drawn(links)
             return view("moments", "" if links else say("moments", self.lang), marks) if marks else None
 
-        return self.once(("moments", letter, links), make)
+        return self.once(("moments", letter, links, position.scales[mu_of("position")]), make)
 
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:

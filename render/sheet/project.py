@@ -145,7 +145,7 @@ class ForceSheet:
         found: list[View | None] = [self.loaded(position)]
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)
-            moments = c.moments(position, letter, links)
+            moments = c.moments(larger, letter, links)
             step = [
                 c.stack("group", self.group(larger, plan, links), moments, gap=5.0),
                 c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),

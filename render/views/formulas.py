@@ -9,7 +9,8 @@ from planes.drafting.equations import Equation, Term
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import lines, parallel_to, written
-from planes.words.units import UNIT, number
+from planes.words.read_off import fixed, measured
+from planes.words.units import UNIT
 from render.paper.marks import Line, Mark, Text
 from render.paper.typeset import extent, ink_width, over
 from render.views.plotted import Plotted
@@ -144,12 +145,12 @@ class Formulas:
         return found
 
     def closed_words(self, equation: Equation) -> list[Word]:
-        """Both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
+        """The unit; both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
         unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
         one, two = ([self.word(t, equation.plan) for t in chain] for chain in equation.chains)
         if two and all(term.sign > 0 for term in equation.chains[1]):
-            return [*_sum(one), Word("=", vector=False), *_sum(two), Word("", vector=False, value=unit)]
-        return [*_sum([*one, *two]), Word("= 0", vector=False, value=unit)]
+            return [Word("", vector=False, value=unit), *_sum(one), Word("=", vector=False), *_sum(two)]
+        return [Word("", vector=False, value=unit), *_sum([*one, *two]), Word("= 0", vector=False)]
 
     def word(self, term: Term, plan: str) -> Word:
         """A vector with its underlines, its line of action and, where it is known, its number."""
@@ -157,7 +158,7 @@ class Formulas:
         if known == 2:
             length = abs(self.plotted.mark(plan, term.end) - self.plotted.mark(plan, term.start))
             si = length / self.plotted.mu(plan) if length > NOISE_MM else 0.0
-            value = number(si, self.naming.lang)
+            value = measured(si, self.naming.lang)
         return Word(text, known, self.action(term), value)
 
     def action(self, term: Term) -> str:
@@ -166,10 +167,10 @@ class Formulas:
         if text[:1] == "∠" and term.direction:
             way = complex(self.plotted.drawing[term.direction])
             if text[1:2] != "⊥":
-                return f"∠{number(math.degrees(cmath.phase(way)), self.naming.lang)}°"
+                return f"∠{fixed(math.degrees(cmath.phase(way)), 1, self.naming.lang)}°"
             normal = complex(self.plotted.drawing[term.action[1:]])
             leaning = math.degrees(math.asin(min(1.0, abs((way * normal.conjugate()).imag))))
-            return say("leans", self.naming.lang, angle=number(leaning, self.naming.lang), line=text[1:])
+            return say("leans", self.naming.lang, angle=fixed(leaning, 1, self.naming.lang), line=text[1:])
         along = parallel_to(term.action)
         return f"∥{self.naming.vector(along)}" if along else lines(term.action)
 

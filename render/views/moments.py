@@ -4,17 +4,17 @@ The lever is the velocity plan turned by a right angle, with the outer forces at
 """
 
 import math
-from collections.abc import Collection
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 from planes.drafting.draft import Moments
-from planes.drafting.steps.reckoning import Calculate, Product
+from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat
-from planes.words.names import POLE
-from planes.words.units import number
+from planes.words.names import POLE, mu_of
+from planes.words.read_off import fixed, measured
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import dot
@@ -63,16 +63,30 @@ class MomentLines:
         head = self.unknown(equation) + (self.naming.vector(factor) if factor else "")
         lang = self.naming.lang
         unit = say(self.unit(factor != equation.arm), lang)
-        words = [Word(f"ΣM_{{{about}}}" + (f"^{{({links})}}:" if links else ":"), vector=False, value=unit)]
-        words.append(Word(head, vector=False, value=number(found * by, lang)))
+        armed = {lever: self.length(lever) for _, lever, _ in shown if lever in self.arms}
+        if factor and factor == equation.arm:
+            armed[factor] = abs(by) * self.position.scales[mu_of("position")]
+        mm = {name: fixed(length, 1, lang) for name, length in armed.items()}
+        height = "H" if equation.links == ("lever",) else "h"
+        arms = f"{height}, {say('mm', lang)}" if mm else ""
+        text = f"ΣM_{{{about}}}" + (f"^{{({links})}}:" if links else ":")
+        words = [Word(text, 0, arms, unit, False)]
+        words.append(Word(head, 0, mm.get(factor, ""), measured(found * by, lang), False))
         for k, (name, lever, value) in enumerate(shown):
-            sign = ("= −" if value * by < 0 else "=") if k == 0 else "−" if value * by < 0 else "+"
-            words.append(Word(sign, vector=False))
-            words.append(Word(self.product(name, lever), vector=False, value=number(abs(value * by), lang)))
+            product, below = self.product(name, lever), value * by < 0
+            words.append(Word("=" if k == 0 else "−" if below else "+", vector=False))
+            product = "−" + product if below and k == 0 else product
+            ends = ";" if equation.arm and k == len(shown) - 1 else ""
+            words.append(Word(product + ends, 0, mm.get(lever, ""), measured(abs(value * by), lang), False))
         if not equation.arm:
             return words
-        result = f";  {self.unknown(equation)} = {number(found, lang)} {say('N', lang)}"
-        return [*words, Word(result, vector=False)]
+        return [*words, Word(f"{self.unknown(equation)} = {measured(found, lang)} {say('N', lang)}", vector=False)]
+
+    def length(self, arm: str) -> float:
+        """How long an arm is where it was measured, mm."""
+        step, drawing = self.arms[arm], self.position.drawing
+        point, along, about = (complex(drawing[name]) for name in (step.point, step.along, step.about))
+        return abs(((about - point) * along.conjugate()).imag)
 
     def unit(self, of_power: bool) -> str:
         """The unit of every product: of the lever's that of power, or what is left of it where the rates are of a
@@ -95,8 +109,8 @@ class MomentLines:
         return self.naming.vector(name) + by
 
     @cached_property
-    def arms(self) -> Collection[str]:
-        """The names of all arms."""
+    def arms(self) -> Mapping[str, Drop]:
+        """The steps that measure arms, by the names of those."""
         return drops_of(self.position.drawing)
 
     def value(self, term: Product) -> float:

@@ -136,7 +136,7 @@ class Polygon:
     def trace(self, start: complex, end: complex) -> None:
         """A construction line."""
         if abs(end - start) > ZERO_MM:
-            self.marks.append(Line((start, end), "construction", "construction"))
+            self.marks.append(Line((start, end), "thin", "construction"))
 
     def vectors(self) -> None:
         """The arrows: results thick, what they are made of thinner; forces of one line side by side."""

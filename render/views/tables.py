@@ -2,15 +2,18 @@
 
 import cmath
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from planes.plans.loads import force_name
 from planes.solving import Position
 from planes.solving.tables import difference
 from planes.solving.vectors import VectorResults
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import kind_of
+from planes.words.read_off import fixed, measured
 from planes.words.units import UNIT, number
 from render.paper import symbols
 from render.paper.ink import head as ink_head
@@ -19,10 +22,12 @@ from render.paper.typeset import extent, ink_width
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
 from render.views.given import GivenTable
+from render.views.plotted import of_position
 
 Row = Sequence[str]
 CLEAR_MM = 0.65  # least distance of a text from the middle of the lines above and beneath it
 MOST_ROWS = 18  # of a table in one column
+_NUMBER = re.compile(r"([−-]?\d+)(?:[.,]\d*)?(?:·10.*)?[↺↻]?$")
 _SENSES = {"↺": 1.0, "↻": -1.0}
 
 
@@ -36,7 +41,11 @@ class TableGrid:
         """The marks of a table whose upper left corner is the origin."""
         lines = [head, *rows] if any(head) else list(rows)
         (high, drop), pad = self.rows(lines), 0.5 * self.letter
-        widths = [max(self.wide(row[k]) for row in lines) + 2 * pad for k in range(len(lines[0]))]
+        columns = [self.aligned([row[k] for row in lines], any(head)) for k in range(len(lines[0]))]
+        widths = [
+            max(x + self.wide(row[k]) for x, row in zip(left, lines, strict=True)) + 2 * pad
+            for k, left in enumerate(columns)
+        ]
         edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
         marks: list[Mark] = []
         for level in range(len(lines) + 1):
@@ -47,8 +56,18 @@ class TableGrid:
         for level, row in enumerate(lines):
             base = -(level + 0.5) * high - drop
             for k, cell in enumerate(row):
-                marks += self.cell(cell, complex((edges[k] + edges[k + 1]) / 2, base))
+                marks += self.cell(cell, complex(edges[k] + pad + columns[k][level], base))
         return tuple(marks)
+
+    def aligned(self, column: Row, alike: bool) -> list[float]:
+        """Where the cells of a column begin: numbers of one unit with their decimal signs in one line, others in the
+        middle."""
+        wide = list(map(self.wide, column))
+        whole = [ink_width(m[1], self.letter) if alike and (m := _NUMBER.match(cell)) else 0.0 for cell in column]
+        most = max(whole)
+        block = max((most - x + w for x, w in zip(whole, wide, strict=True) if x), default=0.0)
+        room = max(block, *wide)
+        return [(room - block) / 2 + most - x if x else (room - w) / 2 for x, w in zip(whole, wide, strict=True)]
 
     def rows(self, lines: Sequence[Row]) -> tuple[float, float]:
         """Height of the rows: two letters, more where indices would come near a line; the base line beneath their
@@ -62,13 +81,12 @@ class TableGrid:
         """Width of a cell's ink."""
         return ink_width(cell.rstrip("↺↻"), self.letter) + (self.letter * 1.5 if cell[-1:] in _SENSES else 0.0)
 
-    def cell(self, cell: str, middle: complex) -> tuple[Mark, ...]:
-        """A text in the middle of its cell, a curved arrow after it for a sense of turning."""
+    def cell(self, cell: str, left: complex) -> tuple[Mark, ...]:
+        """A text that begins at a place, a curved arrow after it for a sense of turning."""
         sense = _SENSES.get(cell[-1:])
         text = cell.rstrip("↺↻")
         if sense is None:
-            return (Text(text, middle, self.letter, "middle"),) if text else ()
-        left = middle - self.wide(cell) / 2
+            return (Text(text, left, self.letter),) if text else ()
         radius = 0.48 * self.letter
         turn = left + self.wide(cell) - radius + 0.5j * self.letter
         low, high = (-60.0, 180.0) if sense > 0 else (0.0, 240.0)
@@ -104,9 +122,9 @@ class Tables:
         unit = say(UNIT[results.quantity], naming.lang)
         rows = []
         for name, v in results.vectors().items():
-            angle = number(math.degrees(cmath.phase(v)), naming.lang) if abs(v) * results.mu > NOISE_MM else "—"
-            mm = number(round(abs(v) * results.mu, 1), naming.lang, 5)
-            rows.append([naming.vector(name), mm, number(abs(v), naming.lang), angle])
+            mm = abs(v) * results.mu
+            angle = fixed(math.degrees(cmath.phase(v)), 1, naming.lang) if mm > NOISE_MM else "—"
+            rows.append([naming.vector(name), fixed(mm, 1, naming.lang), measured(abs(v), naming.lang), angle])
         marks = TableGrid(letter).drawn(["", say("mm", naming.lang), unit, say("angle", naming.lang)], rows)
         return view("vectors-table", say("measured", naming.lang), marks) if rows else None
 
@@ -114,9 +132,13 @@ class Tables:
         """A word of the sheet."""
         return say(key, self.naming.lang)
 
-    def number(self, value: float | None, digits: int = 4) -> str:
-        """A number of the sheet."""
-        return number(value, self.naming.lang, digits)
+    def number(self, value: float | None) -> str:
+        """A result of the sheet."""
+        return measured(value, self.naming.lang)
+
+    def tenths(self, value: float) -> str:
+        """Millimetres, or degrees."""
+        return fixed(value, 1, self.naming.lang)
 
     def table(self, key: str, title: str, head: Row, rows: Sequence[Row], note: str = "") -> View | None:
         """A table as a view, or nothing when it has no rows; ``note`` stands beneath it."""
@@ -152,7 +174,7 @@ class Tables:
         for vector, segment, found in self.position.measured_on(plan):
             ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
             value = self.number(found["value"] if found["mm"] > NOISE_MM else 0.0)
-            rows.append([self.naming.vector(vector), ends, self.number(round(found["mm"], 1), 5), value])
+            rows.append([self.naming.vector(vector), ends, self.tenths(found["mm"]), value])
         return self.table(f"{plan}-table", self.say(f"by_{plan}"), ["", "", self.say("mm"), unit], rows)
 
     def links(self) -> View | None:
@@ -171,17 +193,28 @@ class Tables:
         return shown if shown == "0" else shown + ("↺" if value > 0 else "↻")
 
     def reactions(self) -> View | None:
-        """Magnitude and direction of every reaction, and a slider's arm."""
-        rows, armed = [], False
+        """Length on its force plan, magnitude and direction of every reaction, and a slider's arm."""
+        rows, armed, lengths = [], False, self.lengths()
         for name, r in self.position.of("reactions").items():
-            angle = self.number(math.degrees(cmath.phase(r.vector))) if r.vector else "—"
+            mm = self.tenths(lengths[name]) if name in lengths else "—"
+            angle = self.tenths(math.degrees(cmath.phase(r.vector))) if r.vector else "—"
             arm = self.number(r.arm) if r.slides else ""
             armed |= arm not in ("", "0")
-            rows.append([self.naming.vector(name), self.number(abs(r.vector)), angle, arm])
+            rows.append([self.naming.vector(name), mm, self.number(abs(r.vector)), angle, arm])
         convention = self.say("from_on" if self.naming.from_on else "on_from")
-        table = [["", self.say("N"), self.say("angle"), self.say("column_arm")], *rows]
-        head, *rows = [row[: 4 if armed else 3] for row in table]
+        table = [["", self.say("mm"), self.say("N"), self.say("angle"), self.say("column_arm")], *rows]
+        head, *rows = [row[: 5 if armed else 4] for row in table]
         return self.table("reactions", self.say("reactions_table"), head, rows, convention)
+
+    def lengths(self) -> dict[str, float]:
+        """How long each reaction is on the force plan that shows it, or its opposite, mm."""
+        plotted, found = of_position(self.position), dict[str, float]()
+        for s in (s for s in plotted.segments if kind_of(s.plan) == "force" and plotted.has(s.plan, s.start, s.end)):
+            mm = abs(plotted.mark(s.plan, s.end) - plotted.mark(s.plan, s.start))
+            for key, reaction in self.position.plans.reactions.items():
+                if s.name in (key, force_name(reaction.pair.other, reaction.pair.link)):
+                    found.setdefault(key, mm)
+        return found
 
     def check(self) -> View | None:
         """The balancing moment (or force), Zhukovsky's, and the difference in per cent."""
@@ -195,5 +228,7 @@ class Tables:
                 rows.append([self.say("zhukovsky"), f"{name}, {self.say(unit)}", self.number(check)])
             if found is not None and check is not None:
                 apart = 100 * difference(found, check)
-                rows.append([self.say("difference_percent"), "", self.number(apart if apart > 1e-6 else 0.0, 2)])
+                rows.append(
+                    [self.say("difference_percent"), "", number(apart if apart > 1e-6 else 0.0, self.naming.lang, 2)]
+                )
         return self.table("check", self.say("check_table"), ["", "", ""], rows)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 import shapely
@@ -16,8 +17,9 @@ from planes.words.errors import PlanesError
 from render.files import pdf, svg
 from render.paper.marks import Arrow, Line, Text
 from render.paper.style import pen
-from render.paper.typeset import layout, plain
+from render.paper.typeset import ink_width, layout, plain
 from render.sheet.module import GAP_MM
+from render.views.tables import TableGrid
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts
 from tests.helpers.glyphs import missing
@@ -114,8 +116,8 @@ def test_points_marks_forces_and_results_are_all_named(name):
 @pytest.mark.slow
 def test_titles_name_the_plan_and_its_scale():
     said = words(sheet("six-link"))
-    assert "План скоростей, μv = 30 мм/(м·с⁻¹)" in said
-    assert "План ускорений, μa = 2 мм/(м·с⁻²)" in said
+    assert "План скоростей, μv = 30 мм·с/м" in said
+    assert "План ускорений, μa = 2 мм·с²/м" in said
     assert "Схема механизма, μl = 250 мм/м" in said
     assert "Velocity plan, μv = 30 mm/(m/s)" in words(sheet("six-link", "en"))
 
@@ -143,6 +145,31 @@ def test_every_width_of_pen_has_its_meaning():
     assert "construction" in helping
     for style in helping:
         assert (pen(style).width, pen(style).colour) == (pytest.approx(pen("thick").width / 3), "#000000")
+
+
+def test_numbers_of_a_results_table_stand_comma_under_comma():
+    drawn = TableGrid(3.5).drawn(["", "мм"], [["a", "120,0"], ["b", "9,55"], ["c", "0,928"], ["d", "—"]])
+    places = {m.text: m.place.real for m in drawn if isinstance(m, Text)}
+    ends = [places[n] + ink_width(n.partition(",")[0], 3.5) for n in ("120,0", "9,55", "0,928")]
+    assert ends == pytest.approx([ends[0]] * 3) and places["—"] > places["120,0"]
+    table = next(v for v, *_ in sheet("kind-3-rpr", number=1).views if v.key == "acceleration-table")
+    numbers = [m.text for m in table.marks if isinstance(m, Text) and re.fullmatch(r"[\d,]+", m.text)]
+    assert {"120,0", "12,0", "1,80", "17,0"} <= set(numbers)
+    assert all(len(n.replace(",", "").lstrip("0")) in (3, 4) for n in numbers)  # lengths to a tenth have four at most
+
+
+def test_reactions_and_arms_are_told_in_mm_of_their_figures():
+    position = solve(load(ROOT / "samples/six-link.yaml")).positions[0]
+    views = {v.key: v for v, *_ in sheet("six-link", number=2).views}
+    rows = [m.text for m in views["reactions"].marks if isinstance(m, Text)]
+    size = abs(position.of("reactions")["F_21"].vector)
+    found = rows[rows.index("F_{21}") + 1]
+    mu = next(v.title for v, *_ in sheet("six-link", number=2).views if v.key == "force:2-3").rpartition("=")[2]
+    assert float(found.replace(",", ".")) == pytest.approx(size * float(mu.split()[0].replace(",", ".")), abs=0.051)
+    moments = [v for v, *_ in sheet("six-link", number=2).views if v.key == "group" and "2–3" in v.title]
+    said = {plain(m.text) for m in moments[0].marks if isinstance(m, Text)}
+    arm = next(m for m in moments[0].marks if isinstance(m, Line) and m.layer == "dimension")
+    assert "h, мм" in said and f"{abs(arm.points[1] - arm.points[0]):.1f}".replace(".", ",") in said
 
 
 def test_underlines_count_what_is_known():
@@ -252,5 +279,5 @@ def test_the_title_block_says_what_the_scene_says():
 
 def test_reactions_and_scales_follow_the_settings():
     said = words(sheet_of(six_link(reactions="from-on", mu_convention="unit_per_mm"), None))
-    assert any(text.startswith("План скоростей") and "(м·с⁻¹)/мм" in text for text in said)
+    assert any(text.startswith("План скоростей") and "м/(с·мм)" in text for text in said)
     assert "F12" in said

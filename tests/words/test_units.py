@@ -5,6 +5,7 @@ import math
 import pytest
 
 from planes.geometry.arithmetic import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
+from planes.words.read_off import fixed, measured
 from planes.words.units import (
     PLANS,
     UnitError,
@@ -103,10 +104,12 @@ def test_mu_is_written_in_both_conventions():
         "30 mm/(m/s)",
         "2 mm/(m/s²)",
     ]
-    assert mu_text(30.0, "velocity", "ru") == "30 мм/(м·с⁻¹)"
-    assert mu_text(2.5, "acceleration", "ru") == "2.5 мм/(м·с⁻²)"
+    assert mu_text(30.0, "velocity", "ru") == "30 мм·с/м"
+    assert mu_text(2.5, "acceleration", "ru") == "2.5 мм·с²/м"
     assert mu_text(30.0, "velocity", "en", "unit_per_mm") == "0.0333 (m/s)/mm"
     assert mu_text(0.01, "force", "ru", "unit_per_mm") == "100 Н/мм"
+    assert mu_text(25.0, "velocity", "ru", "unit_per_mm") == "0.04 м/(с·мм)"
+    assert read_mu("0.04 м/(с·мм)", "velocity") == pytest.approx(25.0)
     assert mu_text(250.0, "position", "en", "unit_per_mm") == "0.004 m/mm"
     assert mu_text(160.0, "position", "en", "unit_per_mm") == "0.00625 m/mm"
     assert mu_text(1e-5, "force") == "0.00001 mm/N"
@@ -218,3 +221,27 @@ def test_sines_agree_with_radians_elsewhere():
         assert sin_deg(angle) == pytest.approx(math.sin(math.radians(angle)), abs=3e-15)
         assert cos_deg(angle) == pytest.approx(math.cos(math.radians(angle)), abs=3e-15)
         assert tan_deg(angle) == pytest.approx(math.tan(math.radians(angle)), rel=1e-11, abs=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("value", "told"),
+    [
+        (1.2, "1,20"),
+        (0.92791, "0,928"),
+        (120.0, "120"),
+        (198257.0, "198000"),
+        (-9.996, "−10,0"),
+        (0.00060194, "0,000602"),
+        (0.0, "0"),
+        (1e-6, "1·10⁻⁶"),
+        (2.5e7, "2,5·10⁷"),
+        (None, "—"),
+    ],
+)
+def test_a_result_has_the_three_digits_a_ruler_tells(value, told):
+    assert measured(value, "ru") == told
+    assert measured(value, "en") == told.replace(",", ".")
+
+
+def test_millimetres_and_degrees_have_one_digit_after_the_comma():
+    assert [fixed(z, 1, "ru") for z in (60, 73.149, -0.04, -34.74)] == ["60,0", "73,1", "0,0", "−34,7"]
