@@ -4,6 +4,7 @@ import json
 import os
 import sys
 from argparse import Namespace
+from dataclasses import replace
 from pathlib import Path
 
 from planes.cli.options import check_needs, check_options, values_of
@@ -134,6 +135,8 @@ def sheet(args: Namespace) -> int:
     scene = scene_of(args)
     values = values_of(args, scene)
     check_options(args, "sheet", "positions" if scene.mechanism else "vectors")
+    if args.colour:
+        scene = replace(scene, sheet={**scene.sheet, "colour": True})
     if args.text and not args.output.lower().endswith(".dxf"):
         raise PlanesError(Phrase("text_dxf"))
     if args.remedy:

@@ -39,6 +39,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--text", "dxf_text", {"choices": ("text", "strokes")}),
         ("--sheet", "sheet_number", {"type": int, "choices": (1, 2)}),
         ("--view", "view", {"metavar": "NAME"}),
+        ("--colour", "colour", FLAG),
     ),
     "lesson": (("-o --output", "lesson_output", OUTPUT),),
     "note": (("-o --output", "note_output", OUTPUT),),

@@ -15,6 +15,7 @@ from planes.words import Lang, Phrase, home_lang
 from planes.words.errors import PlanesError
 from render.files import SUFFIXES, Page
 from render.files.dxf import Lettered
+from render.paper.hues import coloured
 from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet.composer import Composer
@@ -78,6 +79,11 @@ def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None 
 
 def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
     """One view of a scene on a page of its own, by name (the first, if none is named)."""
+    shown = _view_of(scene, view, values, lang)
+    return replace(shown, marks=coloured(shown.marks)) if scene.sheet.get("colour") else shown
+
+
+def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
     with lettered(face_of(scene)):
         if scene.mechanism is None:
             composer = Composer(scene, lang)

@@ -27,6 +27,7 @@ from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import kind_of, mu_of
+from render.paper.hues import coloured
 from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet import Contents, Sheet, compose
@@ -41,7 +42,8 @@ from render.views.many import Numbered, PlacedMechanism
 def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
     """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
     with lettered(face_of(scene)):
-        return _sheet_of(scene, values, lang, number)
+        sheet = _sheet_of(scene, values, lang, number)
+    return replace(sheet, marks=coloured(sheet.marks)) if scene.sheet.get("colour") else sheet
 
 
 def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: int | None) -> Sheet:

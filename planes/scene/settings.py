@@ -15,7 +15,7 @@ _KEYS = """
 title number designation group student teacher checked approved department university company material letter
 scale_note mass reactions mu_convention font lettering format positions date sheet sheets tech role person
 teacher_date tech_date person_date checked_date approved_date revisions inventory inventory_accepted replaces
-duplicate duplicate_accepted reference first_use copied diagrams hodographs
+duplicate duplicate_accepted reference first_use copied diagrams hodographs colour
 """
 SHEET_KEYS = tuple(_KEYS.split())
 MOST_MU = 1e20  # mm per SI unit
@@ -28,6 +28,7 @@ _WORDS = {
     "mu_convention": ("mm_per_unit", "unit_per_mm"),
     "lettering": ("upright", "slanted"),
     "positions": ("true", "false", "12"),
+    "colour": ("true", "false"),
     "format": ("auto", "A4", "A3", "A2", "A1", "A0", *_SIDE_BY_SIDE),
 }
 _FORMAT_LETTERS = str.maketrans("АХ×X", "Axxx")
@@ -121,7 +122,7 @@ def _setting(reader: Reader, key: str, node: Node) -> object:
         node = SourceScalar(text if text == "auto" else text.strip().upper().translate(_FORMAT_LETTERS), node.line)
     if key in _WORDS:
         word = reader.word(node, what, _WORDS[key])
-        return word != "false" if key == "positions" else word
+        return word != "false" if key in ("positions", "colour") else word
     plain_number = isinstance(node, SourceScalar) and node.plain and len(text) <= 20 and _NUMBER.fullmatch(text)
     return float(text) if key in _NUMERIC and plain_number else text
 

@@ -3,7 +3,8 @@
 Nothing here is ever scaled by a plan's μ.  A mark names its style; this table turns the name into a pen.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import get_args
 
 from planes.drafting.pens import MEDIUM, SHAPES, THICK, THIN
@@ -68,12 +69,14 @@ HATCH_MM = 2.2  # depth of the hatching under a base line
 HATCH_GAP_MM = 1.6  # between its strokes
 
 
+@lru_cache
 def pen(style: str) -> Pen:
-    """The pen of a style; an unknown name is an error that lists the known ones."""
-    found = PENS.get(style) or REPORT_PENS.get(style)
+    """The pen of a style, "vector" or coloured "vector #0072B2"; an unknown name is an error that lists the known."""
+    name, _, colour = style.partition(" ")
+    found = PENS.get(name) or REPORT_PENS.get(name)
     if found is None:
         raise ValueError(f"there is no line style {style!r}; use one of {', '.join(PENS)}")
-    return found
+    return replace(found, colour=colour) if colour else found
 
 
 _WEIGHTS = (5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211)

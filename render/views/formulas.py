@@ -107,7 +107,8 @@ class Setter:
         if match:
             level = y + self.letter + 0.9
             start, end = over(match[0], self.letter, level - y)
-            self.marks.append(Line((complex(left + start, level), complex(left + end, level)), "thin", "text"))
+            ends = complex(left + start, level), complex(left + end, level)
+            self.marks.append(Line(ends, "thin", "text", name=f"{text} bar"))
 
 
 @dataclass(frozen=True)

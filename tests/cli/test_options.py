@@ -177,6 +177,7 @@ DRAWN = {
     "lettering": "slanted",
     "format": "A1",
     "font": "DejaVu Serif",
+    "colour": "true",
 }
 OF_SHEET_1 = ("positions", "diagrams", "hodographs")
 

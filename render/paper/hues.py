@@ -1,0 +1,24 @@
+"""Colours for teaching, on request: a vector in the hue of its kind, and the bar over its letter in the same.
+
+The hues are those of Okabe and Ito, which the colour-blind tell apart; the sky blue is darkened, to be seen on paper.
+"""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from planes.words.names import letter_of
+from render.paper.marks import Arrow, Line, Mark
+
+VELOCITY, ACCELERATION, LOAD, INERTIA, REACTION = "#0072B2", "#D55E00", "#009E73", "#B0548A", "#2E86B8"
+_OF_LETTERS = {"v": VELOCITY, "a": ACCELERATION, "I": INERTIA, "Φ": INERTIA, "F": REACTION, "R": REACTION}
+_OF_LETTERS |= dict.fromkeys(("G", "P"), LOAD)
+
+
+def coloured(marks: Iterable[Mark]) -> tuple[Mark, ...]:
+    """The marks, arrows and bars of vectors in the hues of their kinds."""
+    return tuple(
+        replace(m, style=f"{'vector' if isinstance(m, Line) else m.style} {hue}")
+        if isinstance(m, (Arrow, Line)) and (hue := _OF_LETTERS.get(letter_of(m.name.removesuffix(" bar"))))
+        else m
+        for m in marks
+    )

@@ -1,0 +1,56 @@
+"""Colour for teaching: off unless it is asked for; then a vector, its head and its bar have the hue of their kind."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from planes.cli import main
+from render.files import pdf, svg
+from render.paper.hues import ACCELERATION, INERTIA, LOAD, REACTION, VELOCITY
+from render.paper.marks import Arrow, Line, Text
+from render.paper.style import BLACK, pen
+from tests.helpers import ROOT
+from tests.helpers.sheets import sheet
+
+SIX_LINK = str(ROOT / "samples" / "six-link.yaml")
+HUES = {VELOCITY, ACCELERATION, INERTIA, LOAD, REACTION}
+
+
+def colours(found):
+    return {m.name: pen(m.style).colour for m in found.marks if isinstance(m, (Arrow, Line)) and m.name}
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_a_sheet_is_black_unless_colours_are_asked_for(number):
+    assert set(colours(sheet("six-link", number=number)).values()) == {BLACK}
+
+
+def test_every_kind_of_vector_has_its_hue_and_so_has_its_bar():
+    seen = colours(sheet("six-link", number=1, colour=True)) | colours(sheet("six-link", number=2, colour=True))
+    wanted = {"v_CB": VELOCITY, "a_CB^n": ACCELERATION, "G_2": LOAD, "P_5": LOAD, "I_2": INERTIA, "F_21": REACTION}
+    assert {name: seen[name] for name in wanted} == wanted
+    bars = {"v_{CB}": VELOCITY, "a_{CB}^{n}": ACCELERATION, "G_{2}": LOAD, "Φ_{2}": INERTIA, "F_{21}^{t}": REACTION}
+    assert {name: seen[f"{name} bar"] for name in bars} == bars
+    assert seen["leader"] == BLACK
+
+
+def test_hues_change_nothing_else():
+    plain, hued = (sheet("six-link", number=2, colour=c) for c in (False, True))
+    assert [m for m in plain.marks if isinstance(m, Text)] == [m for m in hued.marks if isinstance(m, Text)]
+    arrows = [[(m.start, m.end, pen(m.style).width) for m in s.marks if isinstance(m, Arrow)] for s in (plain, hued)]
+    assert arrows[0] == arrows[1]
+
+
+def test_the_hues_are_those_of_the_written_files():
+    found = sheet("six-link", number=2, colour=True)
+    used = set(re.findall(r'(?:stroke|fill)="(#[0-9A-Fa-f]{6})"', svg.write(found.marks, found.size, "").decode()))
+    assert {LOAD, INERTIA, REACTION} <= used and not used & {VELOCITY, ACCELERATION}
+    assert pdf.write(found.marks, found.size, "") != pdf.write(sheet("six-link", number=2).marks, found.size, "")
+
+
+def test_the_option_colours_a_view(tmp_path):
+    for option in ([], ["--colour"]):
+        assert main(["sheet", SIX_LINK, "--view", "velocity-plan", "-o", str(tmp_path / "v.svg"), *option]) == 0
+        assert (VELOCITY in (tmp_path / "v.svg").read_text(encoding="utf-8")) == bool(option)
