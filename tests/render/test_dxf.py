@@ -116,8 +116,8 @@ def test_heads_are_blocks_filled_and_outlined():
     document = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode()))
     heads = document.modelspace().query("INSERT")
     assert [(e.dxf.name, complex(*e.dxf.insert.vec2)) for e in heads] == [
-        ("ARROW_400", 40 + 50j),
-        ("ARROW_333", 60 + 10j),
+        ("ARROW_320", 40 + 50j),
+        ("ARROW_267", 60 + 10j),
     ]
     for head, mark in zip(heads, marks, strict=False):
         fill, outline = head.virtual_entities()
