@@ -113,7 +113,8 @@ def test_a_long_table_of_curves_goes_through_the_compiled_loop(scene: str, tmp_p
         argv = ["cycle", scene, "--phi", "-90:270:0.5", "--show", "v_C,u_31", "-o", str(file), *plain]
         assert main(argv) == 0 and bool(loops) == (not plain)
         loops.clear()
-        found.append(np.load(file))
+        with np.load(file) as held:
+            found.append(dict(held))
     one, two = found
     assert len(one["v_C"]) == 721 and np.isnan(one["v_C"]).any() == (scene == SIX)
     for name in ("v_C", "u_31"):

@@ -184,7 +184,9 @@ def test_the_binary_tables_hold_what_the_text_holds(tmp_path: Path) -> None:
     files = {s: tmp_path / f"t.{s}" for s in ("csv", "npy", "npz")}
     for file in files.values():
         assert main(["cycle", str(SAMPLES / "kind-3-rpr.yaml"), "-o", str(file), "--phi", "0:360:0.05"]) == 0
-    records, columns = np.load(files["npy"]), np.load(files["npz"])
+    records = np.load(files["npy"])
+    with np.load(files["npz"]) as held:
+        columns = dict(held)
     text = np.genfromtxt(files["csv"], delimiter=",", skip_header=1)
     assert records.shape == (7201,) and [*records.dtype.names, "units", "reasons"] == list(columns)
     for number, name in enumerate(records.dtype.names[:-1]):
