@@ -9,7 +9,7 @@ from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, in_si
+from planes.drafting.proofs import TOLD_APART, Facts, Proof
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
@@ -185,11 +185,11 @@ def _proved(program: Program, things: Mapping[str, Point], ar: Arithmetic) -> di
     together: dict[tuple[str, str], list[Proof]] = {}
     for proof in program.proofs:
         together.setdefault((proof.reason, proof.plan), []).append(proof)
-    holds: dict[str, Truth] = {}
+    holds, shown = dict[str, Truth](), Facts(things, ar)
     for (reason, plan), proofs in together.items():
-        sizes = [ar.size(in_si(things, step.makes)) for step in program.marks.get(plan, ())]
-        size = sum(sizes or [proof.size(things, ar) for proof in proofs])
-        gap = sum(proof.gap(things, ar) for proof in proofs)
+        sizes = [shown.size(step.makes) for step in program.marks.get(plan, ())]
+        size = sum(sizes or [proof.size(shown) for proof in proofs])
+        gap = sum(proof.gap(shown) for proof in proofs)
         holds[reason] = holds.get(reason, True) & (gap <= TOLD_APART * size)
     return holds
 

@@ -7,7 +7,7 @@ from functools import reduce
 
 from planes.drafting.instruments import Exact, Instrument, Shaken, is_exact
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, Things, Twofold, gaps
+from planes.drafting.proofs import TOLD_APART, Facts, Proof, Twofold, gaps
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
@@ -124,13 +124,13 @@ def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
 def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than drawings a thousand times blunter can tell."""
     tool, blunter = drawing.tool, None
+    apart = []
     with tool.quiet():
-        apart = [
-            (p, gap > TOLD_APART * size + LEAST, gap, size) for p, gap, size in gaps(proofs, drawing.things, tool.ar)
-        ]
+        for proof, gap, size in gaps(proofs, drawing.things, tool.ar):
+            wrong = gap > TOLD_APART * size + LEAST
+            if wrong.any() if tool.many else wrong:
+                apart.append((proof, wrong, gap, size))
     for proof, wrong, gap, size in apart:
-        if not (wrong.any() if tool.many else wrong):
-            continue
         blunter = _blunter(drawing.program, given) if blunter is None else blunter
         wrong = wrong & (gap > _doubt(blunter, proof, gap, tool))
         if tool.many:
@@ -140,7 +140,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]
             raise Contradiction(proof.reason, plan=plan_phrase(proof.plan), **numbers)
 
 
-def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Things]:
+def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Mapping[str, Thing]]:
     """Drawings a thousand times blunter than doubles; none of what cannot be drawn so."""
     try:
         return [run(program, given, Shaken(seed)).things for seed in SHAKEN]
@@ -148,10 +148,10 @@ def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Things]:
         return []
 
 
-def _doubt(blunter: list[Things], proof: Proof, gap: Real, tool: Tool) -> Real:
+def _doubt(blunter: list[Mapping[str, Thing]], proof: Proof, gap: Real, tool: Tool) -> Real:
     """How much they move a gap; without end where there are none."""
     with tool.quiet():
-        moved = [abs(proof.gap(things, tool.ar) - gap) for things in blunter]
+        moved = [abs(proof.gap(Facts(things, tool.ar)) - gap) for things in blunter]
         return reduce(tool.ar.maximum, moved) if moved else math.inf
 
 

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import ClassVar
 
-from planes.drafting.proofs import Proof, Things, in_si
+from planes.drafting.proofs import Facts, Proof
 from planes.geometry import plane
-from planes.geometry.arithmetic import Arithmetic, Real
 from planes.geometry.arithmetic import Point as Complex
+from planes.geometry.arithmetic import Real
 
 ORDER = {"position": 0, "velocity": 1, "acceleration": 2}
 
@@ -38,19 +38,22 @@ class LinkMotion:
     omega: str = ""
     epsilon: str = ""
 
-    def at(self, plan: str, things: Things, local: complex, place: Complex) -> Complex:
+    def at(self, plan: str, shown: Facts, local: complex, place: Complex) -> Complex:
         """What the plan must show, in SI, for the point of this link that lies at ``local`` or at ``place``."""
-        start = in_si(things, self.origin.on(plan))
+        start = shown.mark(self.origin.on(plan))
         if plan == "position":
-            return start + (things[self.axis] if self.axis else 1.0) * (local - self.origin.local)
-        return start + self.spin(plan, things) * (place - in_si(things, self.origin.place))
+            return start + (shown[self.axis] if self.axis else 1.0) * (local - self.origin.local)
+        return start + self.spin(plan, shown) * (place - shown.mark(self.origin.place))
 
-    def spin(self, plan: str, things: Things) -> Complex:
+    def spin(self, plan: str, shown: Facts) -> Complex:
         """iω, or iε - ω²: what the rate of a point is beside its distance."""
-        omega = things[self.omega] if self.omega else 0.0
+        return shown.once((self.omega, self.epsilon, plan), lambda: self._spin(plan, shown))
+
+    def _spin(self, plan: str, shown: Facts) -> Complex:
+        omega = shown[self.omega] if self.omega else 0.0
         if plan == "velocity":
             return 1j * omega
-        return 1j * (things[self.epsilon] if self.epsilon else 0.0) - omega**2
+        return 1j * (shown[self.epsilon] if self.epsilon else 0.0) - omega**2
 
 
 @dataclass(frozen=True)
@@ -61,18 +64,18 @@ class Rigid(Proof):
     points: tuple[Point, ...]
     reason: ClassVar[str] = "link_bent"
 
-    def gap(self, things: Things, ar: Arithmetic) -> Real:
-        return sum(ar.size(self._bent(p, things)) for p in self.points)
+    def gap(self, shown: Facts) -> Real:
+        return sum(shown.ar.size(self._bent(p, shown)) for p in self.points)
 
-    def _bent(self, p: Point, things: Things) -> Complex:
-        return in_si(things, p.on(self.plan)) - self.body.at(self.plan, things, p.local, in_si(things, p.place))
+    def _bent(self, p: Point, shown: Facts) -> Complex:
+        return shown.mark(p.on(self.plan)) - self.body.at(self.plan, shown, p.local, shown.mark(p.place))
 
-    def size(self, things: Things, ar: Arithmetic) -> Real:
+    def size(self, shown: Facts) -> Real:
         if self.plan == "position":
             return sum(abs(p.local) + abs(self.body.origin.local) for p in self.points)
-        reach = sum(ar.size(in_si(things, p.place)) + abs(p.local) for p in self.points) + abs(self.body.origin.local)
-        turning = ar.size(self.body.spin(self.plan, things)) * reach  # one about its hinge is no less long
-        return turning + sum(ar.size(in_si(things, p.on(self.plan))) for p in self.points)
+        reach = sum(shown.size(p.place) + abs(p.local) for p in self.points) + abs(self.body.origin.local)
+        turning = shown.ar.size(self.body.spin(self.plan, shown)) * reach  # one about its hinge is no less long
+        return turning + sum(shown.size(p.on(self.plan)) for p in self.points)
 
 
 @dataclass(frozen=True)
@@ -86,23 +89,23 @@ class Slid(Proof):
     offset: float
     reason: ClassVar[str] = "slider_off"
 
-    def gap(self, things: Things, ar: Arithmetic) -> Real:
-        owner, place = self.owner, in_si(things, self.slider.place)
-        along = self.turn * (things[owner.axis] if owner.axis else 1.0)
+    def gap(self, shown: Facts) -> Real:
+        owner, place = self.owner, shown.mark(self.slider.place)
+        along = self.turn * (shown[owner.axis] if owner.axis else 1.0)
         if self.plan == "position":
-            return abs(plane.cross(along, place - owner.at(self.plan, things, self.through, place)) - self.offset)
-        relative = in_si(things, self.slider.on("velocity")) - owner.at("velocity", things, 0j, place)
+            return abs(plane.cross(along, place - owner.at(self.plan, shown, self.through, place)) - self.offset)
+        relative = shown.mark(self.slider.on("velocity")) - owner.at("velocity", shown, 0j, place)
         if self.plan == "acceleration":
-            coriolis = 2 * owner.spin("velocity", things) * relative
-            relative = in_si(things, self.slider.on("acceleration")) - owner.at(self.plan, things, 0j, place) - coriolis
+            coriolis = 2 * owner.spin("velocity", shown) * relative
+            relative = shown.mark(self.slider.on("acceleration")) - owner.at(self.plan, shown, 0j, place) - coriolis
         return abs(plane.cross(along, relative))
 
-    def size(self, things: Things, ar: Arithmetic) -> Real:
+    def size(self, shown: Facts) -> Real:
         if self.plan == "position":
-            return ar.size(in_si(things, self.slider.place)) + abs(self.through) + abs(self.offset)
-        reach = ar.size(in_si(things, self.slider.place)) + abs(self.through)
-        turning = ar.size(self.owner.spin(self.plan, things)) * reach
-        return turning + sum(ar.size(in_si(things, mark)) for mark in self.slider.marks[1 : ORDER[self.plan] + 1])
+            return shown.size(self.slider.place) + abs(self.through) + abs(self.offset)
+        reach = shown.size(self.slider.place) + abs(self.through)
+        turning = shown.ar.size(self.owner.spin(self.plan, shown)) * reach
+        return turning + sum(map(shown.size, self.slider.marks[1 : ORDER[self.plan] + 1]))
 
 
 @dataclass(frozen=True)
@@ -115,22 +118,25 @@ class Balanced(Proof):
     couples: tuple[tuple[str, int], ...]
     reason: ClassVar[str] = "link_unbalanced"
 
-    def gap(self, things: Things, ar: Arithmetic) -> Real:
+    def gap(self, shown: Facts) -> Real:
+        return self.compared(shown)[0]
+
+    def size(self, shown: Facts) -> Real:
+        return self.compared(shown)[1]
+
+    def compared(self, shown: Facts) -> tuple[Real, Real]:
         """Of the forces, and of the moments about the pole divided by the largest distance from it."""
-        acting = self._acting(things)
-        far = reduce(ar.maximum, (ar.size(place) for _, place in acting))
-        moments = [plane.cross(place, force) for force, place in acting]
-        moments += [sign * things[name] for name, sign in self.couples]
-        moments += [sign * things[couple] for _, _, sign, _, couple in self.reactions if couple]
-        return ar.size(sum(force for force, _ in acting)) + abs(sum(moments)) / (far + (far == 0))
+        acting = self._acting(shown)
+        far = reduce(shown.ar.maximum, (shown.size(point) for _, point in acting))
+        moments = [plane.cross(shown.mark(point), force) for force, point in acting]
+        moments += [sign * shown[name] for name, sign in self.couples]
+        moments += [sign * shown[couple] for _, _, sign, _, couple in self.reactions if couple]
+        gap = shown.ar.size(sum(force for force, _ in acting)) + abs(sum(moments)) / (far + (far == 0))
+        return gap, sum(shown.ar.size(force) for force, _ in acting)
 
-    def size(self, things: Things, ar: Arithmetic) -> Real:
-        return sum(ar.size(force) for force, _ in self._acting(things))
-
-    def _acting(self, things: Things) -> list[tuple[Complex, Complex]]:
-        """The forces and the places they act at."""
-        given = [(things[size] * things[along], in_si(things, point)) for size, along, point in self.forces]
+    def _acting(self, shown: Facts) -> list[tuple[Complex, str]]:
+        """The forces and the points they act at."""
+        given = [(shown[size] * shown[along], point) for size, along, point in self.forces]
         return given + [
-            (sign * (in_si(things, end) - in_si(things, start)), in_si(things, point))
-            for start, end, sign, point, _ in self.reactions
+            (sign * (shown.mark(end) - shown.mark(start)), point) for start, end, sign, point, _ in self.reactions
         ]

@@ -5,10 +5,10 @@ A proof compares what was drawn with a definition (a rigid link, a sliding pair,
 vectors are what was stated) or with another way to the same number (the force plan's balancing load and the lever's).
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
-from typing import ClassVar
+from functools import cached_property, lru_cache, partial
+from typing import Any, ClassVar, TypeVar
 
 from planes.drafting.steps.reckoning import Product
 from planes.drafting.tools import AskedFor, Thing
@@ -17,9 +17,34 @@ from planes.geometry.arithmetic import Arithmetic, Real
 from planes.geometry.arithmetic import Point as Complex
 from planes.words.names import mu_of, plan_of
 
+Made = TypeVar("Made")
 TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
-Things = Mapping[str, Thing]
 VectorRow = tuple[str, str, str, int, str]  # where it starts and ends, its direction, its sign, its length
+
+
+class Facts:
+    """What a drawing shows, as proofs read it: whatever several of them need is worked out once."""
+
+    def __init__(self, things: Mapping[str, Thing], ar: Arithmetic) -> None:
+        self.things, self.ar = things, ar
+        self.known: dict[tuple[str, ...], Any] = {}
+
+    def __getitem__(self, name: str) -> Thing:
+        return self.things[name]
+
+    def once(self, key: tuple[str, ...], make: Callable[[], Made]) -> Made:
+        """What is made the first time it is asked for."""
+        if key not in self.known:
+            self.known[key] = make()
+        return self.known[key]  # type: ignore[no-any-return]
+
+    def mark(self, name: str) -> Complex:
+        """What a mark shows, in SI."""
+        return self.once((name,), lambda: in_si(self.things, name))
+
+    def size(self, mark: str) -> Real:
+        """How large that is."""
+        return self.once((mark, "size"), lambda: self.ar.size(self.mark(mark)))
 
 
 @dataclass(frozen=True)
@@ -36,19 +61,22 @@ class Proof:
     def reads(self) -> frozenset[str]:
         """Names of the program it looks at."""
         asked = AskedFor()
-        self.gap(asked, Arithmetic())
-        self.size(asked, Arithmetic())
+        self.compared(Facts(asked, Arithmetic()))
         return frozenset(asked)
 
-    def gap(self, things: Things, ar: Arithmetic) -> Real:
+    def compared(self, shown: Facts) -> tuple[Real, Real]:
+        """The gap, and the size it is small beside."""
+        return self.gap(shown), self.size(shown)
+
+    def gap(self, shown: Facts) -> Real:
         """How far the two sides are apart, in SI."""
         raise NotImplementedError
 
-    def size(self, things: Things, ar: Arithmetic) -> Real:
+    def size(self, shown: Facts) -> Real:
         """How large what they are made of is at least, in SI, but for the speed of their plan."""
         raise NotImplementedError
 
-    def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
+    def numbers(self, things: Mapping[str, Thing], gap: Real, size: Real) -> dict[str, object]:
         """What a sentence says of its failure."""
         return {"about": self.about, "gap": float(gap), "size": float(size)}
 
@@ -62,13 +90,14 @@ class Twofold(Proof):
     terms: tuple[Product, ...]
     reason: ClassVar[str] = "balance_apart"
 
-    def gap(self, things: Things, ar: Arithmetic) -> Real:
-        return abs(things[self.one] - things[self.two])
+    def gap(self, shown: Facts) -> Real:
+        return abs(shown[self.one] - shown[self.two])
 
-    def size(self, things: Things, ar: Arithmetic) -> Real:
-        return abs(things[self.one]) + abs(things[self.two]) + sum(abs(t.value(things, ar)) for t in self.terms)
+    def size(self, shown: Facts) -> Real:
+        terms = sum(abs(term.value(shown.things, shown.ar)) for term in self.terms)
+        return abs(shown[self.one]) + abs(shown[self.two]) + terms
 
-    def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
+    def numbers(self, things: Mapping[str, Thing], gap: Real, size: Real) -> dict[str, object]:
         return {"about": self.about, "found": float(things[self.one]), "check": float(things[self.two])}
 
 
@@ -80,23 +109,22 @@ class VectorProof(Proof):
     rows: tuple[VectorRow, ...]
     reason: ClassVar[str] = "polygon_open"
 
-    def gap(self, things: Things, ar: Arithmetic) -> Real:
-        mu = things[mu_of(self.plan)]
-        return sum(self._open((things[row[1]] - things[row[0]]) / mu, row, things, ar) for row in self.rows)
+    def gap(self, shown: Facts) -> Real:
+        return sum(self._open(shown.mark(row[1]) - shown.mark(row[0]), row, shown) for row in self.rows)
 
     @staticmethod
-    def _open(vector: Complex, row: VectorRow, things: Things, ar: Arithmetic) -> Real:
+    def _open(vector: Complex, row: VectorRow, shown: Facts) -> Real:
         _, _, along, sign, length = row
         if length and along:
-            return ar.size(vector - sign * things[length] * things[along])
-        return abs(plane.cross(things[along], vector)) if along else abs(abs(vector) - abs(things[length]))
+            return shown.ar.size(vector - sign * shown[length] * shown[along])
+        return abs(plane.cross(shown[along], vector)) if along else abs(abs(vector) - abs(shown[length]))
 
-    def size(self, things: Things, ar: Arithmetic) -> Real:
-        stated = sum(abs(things[length]) for length in {row[4] for row in self.rows if row[4]})
-        return stated + sum(ar.size(in_si(things, mark)) for mark in {mark for row in self.rows for mark in row[:2]})
+    def size(self, shown: Facts) -> Real:
+        stated = sum(abs(shown[length]) for length in {row[4] for row in self.rows if row[4]})
+        return stated + sum(map(shown.size, {mark for row in self.rows for mark in row[:2]}))
 
 
-def in_si(things: Things, mark: str) -> Complex:
+def in_si(things: Mapping[str, Thing], mark: str) -> Complex:
     """What a mark shows, in SI."""
     mu = things[_scale(mark)]
     return things[mark] if isinstance(mu, float) and mu == 1.0 else things[mark] / mu  # many are drawn in SI
@@ -107,11 +135,14 @@ def _scale(mark: str) -> str:
     return mu_of(plan_of(mark))
 
 
-def gaps(proofs: Sequence[Proof], things: Things, ar: Arithmetic) -> Iterator[tuple[Proof, Real, Real]]:
+def gaps(proofs: Sequence[Proof], things: Mapping[str, Thing], ar: Arithmetic) -> Iterator[tuple[Proof, Real, Real]]:
     """Of every proof, how far apart its sides are, and beside what size (a gap that is not small beside it is looked at
     again): of what they are made of, and of what drives their plan."""
-    speeds = {
-        marks: sum(ar.size(in_si(things, mark)) for mark in marks if mark in things)
-        for marks in {proof.beside for proof in proofs}
-    }
-    return ((proof, proof.gap(things, ar), proof.size(things, ar) + speeds[proof.beside]) for proof in proofs)
+    shown = Facts(things, ar)
+    for proof in proofs:
+        gap, size = proof.compared(shown)
+        yield proof, gap, size + shown.once(("beside", *proof.beside), partial(_driving, proof.beside, shown))
+
+
+def _driving(marks: Sequence[str], shown: Facts) -> Real:
+    return sum(shown.size(mark) for mark in marks if mark in shown.things)
