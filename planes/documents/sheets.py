@@ -73,7 +73,7 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
     """Sheet 1 or 2 of a course project."""
     scene, project, forces = drawn.scene, Project(composer), ForceSheet(composer)
     if number == 1:
-        project = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions")))
+        project = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions", True)))
 
     def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         if number == 2:
@@ -178,7 +178,7 @@ Rows = Mapping[str, Array]
 
 
 def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) -> Project:
-    """A project with the driver moved through its range, on request with the numbered positions of the scheme."""
+    """A project with the driver moved through its range, and if wanted the numbered positions of the scheme."""
     found, motion = span_of(plans), TurningMechanism(plans)
     span = found if found.whole else found.inner(MARGIN)
     dead = dead_points(driven_grid(plans, span.start, span.end)) if span.whole or twelve else []

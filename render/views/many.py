@@ -5,19 +5,23 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import groupby
+from itertools import groupby, pairwise
 from statistics import median
 
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
-from render import labels
+from render.labels import Label
 from render.paper.marks import Line, Mark
 from render.paper.typeset import plain
+from render.views.dimensions import dimension
 from render.views.plotted import NEAR_MM, outline_of
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
-NEAR = 1.8  # and so many times where it grows beyond that: the positions farther off are not drawn
+TOGETHER_MM = 2.0  # places nearer than this are numbered together
+FINE = 10  # places of a line looked at
+BELOW_MM, LEAST_MM = 16.0, 8.0  # how far from everything else a stroke is measured, and the shortest that is
+NEAR = 1.3  # and so many times where it grows beyond that: the positions farther off are not drawn
 
 
 @dataclass(frozen=True)
@@ -83,7 +87,7 @@ class ManyPositions:
             style = "thin" if one.extreme else "construction"
             shapes = (x for link in self.plans.mechanism.links.values() for x in self.outlines(link, result))
             found += (Line(tuple(shape), style, "construction", len(shape) > 2) for shape in shapes)
-        return found + self.paths()
+        return [*found, *self.paths(), *self.strokes()]
 
     def shown(self) -> Iterator[tuple[Numbered, PlacedMechanism]]:
         """The numbered positions that are drawn, with their places."""
@@ -147,8 +151,9 @@ class ManyPositions:
         told = (("positions_failed", failed), ("positions_far", far))
         return [say(key, lang, view=plain(title), numbers=", ".join(numbers)) for key, numbers in told if numbers]
 
-    def labels(self) -> list[labels.Label]:
-        """Numbers of the positions at the end of the crank, or beneath a sliding driver."""
+    def labels(self) -> list[Label]:
+        """Numbers of the positions at the end of the crank, or beneath a sliding driver, and where links end that turn
+        about the frame or slide on it."""
         drive, pair = self.plans.mechanism.drive, self.plans.structure.drive_pair
         points = self.plans.mechanism.links[drive.link].points
         ends = [p for p in points if p != pair.point or drive.kind == "s"]
@@ -156,5 +161,57 @@ class ManyPositions:
         for one, result in self.shown() if ends else ():
             z = self.place(result, ends[0])
             side = -1j if drive.kind == "s" else z - self.place(result, pair.point)
-            found.append(labels.Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
+            found.append(Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
+        return [*found, *(label for link, point in self.followers() for label in self.stations(link, point))]
+
+    def followers(self) -> Iterator[tuple[Link, str]]:
+        """The links but the driver that slide on the frame or turn about it, each with its farthest point."""
+        m = self.plans.mechanism
+        for link in (x for x in m.links.values() if x.name != m.drive.link):
+            held = [p for p in link.points if p in m.frame.points]
+            others = {p for x in m.links.values() if x is not link for p in x.points}
+            if link.slides and m.owner(link.slides.guide) == FRAME:
+                yield link, link.first_point
+            elif held and (free := [p for p in link.points if p in others and p not in m.frame.points]):
+                yield link, max(free, key=lambda p: abs(link.points[p] - link.points[held[0]]))
+
+    def stations(self, link: Link, point: str) -> Iterator[Label]:
+        """Numbers along the path of a point, those of one place together."""
+        places: list[tuple[complex, list[str]]] = []
+        for one, result in self.shown():
+            z = self.place(result, point)
+            near = next((numbers for at, numbers in places if abs(at - z) < TOGETHER_MM), None)
+            if near is None:
+                places.append((z, near := []))
+            near.append(one.number)
+        for z, numbers in places:
+            text = ", ".join(numbers)
+            yield Label(text, z, 2.5, side=self.outside(link, z), name=f"position {text} of {point}")
+
+    def outside(self, link: Link, z: complex) -> complex:
+        """Away from what a link turns about, or from the guide of the frame it slides on."""
+        frame = self.plans.mechanism.frame
+        if link.slides:
+            return -1j * cmath.rect(1, math.radians(self.plans.mechanism.guide(link.slides.guide).angle_deg))
+        return z - next(frame.points[p] for p in link.points if p in frame.points) * self.mu
+
+    def strokes(self) -> list[Mark]:
+        """How far sliders go on the frame's guides, in mm as they are, beyond everything that is drawn beside; nothing
+        where the ends of the range are not drawn."""
+        found, shown = list[Mark](), [r for r in self.turn if r]
+        if not all(map(self.near, shown)):
+            return found
+        shapes = [shape for _, r in self.shown() for x in self.links for shape in self.outlines(x, r)]
+        drawn = [a + k / FINE * (b - a) for shape in shapes for a, b in pairwise(shape) for k in range(FINE + 1)]
+        for link, slides in ((link, link.slides) for link, _ in self.followers() if shown):
+            if not slides:
+                continue
+            through, along = self.line(slides.guide, shown[0])
+            at = [((self.place(r, link.first_point) - through) * along.conjugate()).real for r in shown]
+            ways = ((z - through) * along.conjugate() for z in drawn)
+            beside = [0.0, *(w.imag for w in ways if min(at) < w.real < max(at))]
+            off = min(min(beside) - BELOW_MM, max(beside) + BELOW_MM, key=abs)
+            if max(at) - min(at) > LEAST_MM:
+                ends = (through + min(at) * along, through + max(at) * along)
+                found += dimension(*ends, 1j * off * along, f"{1000 * (max(at) - min(at)) / self.mu:.3g}")
         return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from itertools import pairwise
 
@@ -145,3 +146,37 @@ def test_every_force_is_an_arrow_of_its_own(name):
                 shared = shaft.intersection(shapely.LineString([(z.real, z.imag) for z in line])).length
                 along += [f"{one} {other}"] * (shared > 4.0)
     assert along == []
+
+
+def scheme_of(name):
+    return next(v for v, _, _ in sheets.sheet(name, number=1).views if v.key == "scheme")
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize(
+    ("name", "stroke"), [("kind-2-rrp", "120"), ("assignments/30", "346"), ("crank-slider", "120")]
+)
+def test_sheet_1_shows_many_positions_and_the_stroke_unless_they_are_not_wanted(name, stroke):
+    marks = scheme_of(name).marks
+    numbers = {m.text for m in marks if isinstance(m, Text) and m.name.startswith("position ")}
+    assert {str(k) for k in range(12)} <= numbers
+    (size,) = [m for m in marks if isinstance(m, Text) and m.layer == "dimension"]
+    one, other = [m for m in marks if isinstance(m, Arrow) and m.layer == "dimension"]
+    assert size.text == stroke and one.start == other.start
+    (title,) = [m.text for m in marks if isinstance(m, Text) and m.name == "title scheme"]
+    mu = float(re.search(r"= (\d+) мм/м", title)[1])
+    assert f"{1000 * abs(one.end - other.end) / mu:.3g}" == stroke
+    without = next(v for v, _, _ in sheets.sheet(name, number=1, positions=False).views if v.key == "scheme")
+    assert not any(isinstance(m, Text) and m.name.startswith("position ") for m in without.marks)
+
+
+def test_sliders_and_rockers_are_numbered_those_of_one_place_together():
+    marks = scheme_of("crank-slider").marks
+    at = {m.name.partition(" of ")[2]: m.text for m in marks if isinstance(m, Text) and " of " in m.name}
+    assert set(at) == {"B"}
+    stations = [m.text for m in marks if isinstance(m, Text) and m.name.endswith(" of B")]
+    assert "1, 11" in stations and "0" in stations and "6" in stations
+
+
+def test_a_stroke_that_is_not_drawn_whole_is_not_measured():
+    assert not [m for m in scheme_of("six-link").marks if isinstance(m, Text) and m.layer == "dimension"]
