@@ -32,6 +32,7 @@ from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
+from render.sheet.frame import form_of
 from render.sheet.project import ForceSheet, Project, group_extents
 from render.sheet.sizes import Sizes
 from render.views import View
@@ -41,7 +42,7 @@ from render.views.many import Numbered, PlacedMechanism
 
 def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
     """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
-    with lettered(face_of(scene)):
+    with lettered(face_of(scene)), form_of(scene):
         sheet = _sheet_of(scene, values, lang, number)
     return replace(sheet, marks=coloured(sheet.marks)) if scene.sheet.get("colour") else sheet
 

@@ -15,12 +15,18 @@ _KEYS = """
 title number designation group student teacher checked approved department university company material letter
 scale_note mass reactions mu_convention font lettering format positions date sheet sheets tech role person
 teacher_date tech_date person_date checked_date approved_date revisions inventory inventory_accepted replaces
-duplicate duplicate_accepted reference first_use copied diagrams hodographs colour
+duplicate duplicate_accepted reference first_use copied diagrams hodographs colour frame
+document_type
 """
 SHEET_KEYS = tuple(_KEYS.split())
+_ESKD = """
+material mass role person checked copied teacher_date tech_date person_date checked_date approved_date inventory
+inventory_accepted replaces duplicate duplicate_accepted reference first_use
+"""
 MOST_MU = 1e20  # mm per SI unit
 _NUMERIC = ("mass", "sheet", "sheets")
 _LISTS = ("letter", "revisions", "diagrams", "hodographs")
+_NO_CELL = {"gost": ("document_type",), "iso": tuple(_ESKD.split())}
 _MOST_FORMATS = {4: 9, 3: 7, 2: 5, 1: 4, 0: 3}  # of ГОСТ 2.301, how many of a format may stand side by side
 _SIDE_BY_SIDE = tuple(f"A{n}x{k}" for n, most in _MOST_FORMATS.items() for k in range(3 if n else 2, most + 1))
 _WORDS = {
@@ -29,6 +35,7 @@ _WORDS = {
     "lettering": ("upright", "slanted"),
     "positions": ("true", "false", "12"),
     "colour": ("true", "false"),
+    "frame": ("gost", "iso"),
     "format": ("auto", "A4", "A3", "A2", "A1", "A0", *_SIDE_BY_SIDE),
 }
 _FORMAT_LETTERS = str.maketrans("АХ×X", "Axxx")
@@ -106,7 +113,11 @@ def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
     table = reader.table(node, "sheet", SHEET_KEYS)
     if all(reader.optional(table, key) for key in ("number", "designation")):
         reader.one_of(table, ("number", "designation"), section("sheet"))
-    return {key: _setting(reader, key, entry) for key, entry in reader.present(table).items()}
+    found = {key: _setting(reader, key, entry) for key, entry in reader.present(table).items()}
+    frame = str(found.get("frame", "gost"))
+    for key in (k for k in found if k in _NO_CELL[frame]):
+        raise reader.error(Phrase("no_cell", what=part(key, section("sheet")), frame=frame), table.lines[key])
+    return found
 
 
 def _setting(reader: Reader, key: str, node: Node) -> object:

@@ -23,7 +23,8 @@ from render.files.dxf_entities import BLACK, GREY, NARROWED, OBLIQUE_DEG, Entiti
 from render.files.dxf_signs import GOST, insert_dimensions, insert_signs
 from render.paper import form1, style
 from render.paper.ink import checked, uncovered
-from render.paper.marks import Face, Mark, Text
+from render.paper.iso7200 import FORMS
+from render.paper.marks import Face, Line, Mark, Text
 from render.paper.style import LAYERS, PENS, pen, weight
 from render.paper.typeset import plain
 
@@ -32,7 +33,6 @@ if TYPE_CHECKING:
     from ezdxf.entities import Insert
     from ezdxf.layouts import BlockLayout
 
-FORM = "FORM_1"
 UNSEEN = 1  # flag of an attribute
 OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
 Lettered = Literal["text", "strokes"]
@@ -132,8 +132,9 @@ def insert_form(document: Drawing, marks: Sequence[Mark], size: tuple[float, flo
 
     Cells lettered in strokes are no attributes.
     """
-    block = document.blocks.new(FORM)
-    insert = document.modelspace().add_blockref(FORM, (0, 0), dxfattribs={"layer": "FRAME"})
+    form = next((FORMS[m.name] for m in marks if isinstance(m, Line) and m.name in FORMS), form1.FORM)
+    block = document.blocks.new(form.drawn_as)
+    insert = document.modelspace().add_blockref(form.drawn_as, (0, 0), dxfattribs={"layer": "FRAME"})
     entities, written = Entities(block, lettered=strokes), Entities(document.modelspace(), LAYER_STYLES)
     filled: dict[str, list[Text]] = {}
     for mark in marks:
@@ -142,7 +143,7 @@ def insert_form(document: Drawing, marks: Sequence[Mark], size: tuple[float, flo
         else:
             entities.mark(mark)
     face = next(m.face for m in marks if isinstance(m, Text))
-    for key, cell in ({} if strokes else form1.cells(size)).items():
+    for key, cell in ({} if strokes else form.cells(size)).items():
         for k, text in enumerate(filled.get(key) or [_empty(cell, f"cell {key}", face)]):
             tag = key.upper() + (f"_LINE_{k + 1}" if k else "")
             _attribute(block, insert, tag, form1.prompt(key, lang), text)

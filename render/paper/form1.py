@@ -7,10 +7,10 @@ an upright sheet above A4; the formats here lie, but for A4.)
 """
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 from planes.words import Lang, table
 from planes.words.records import Json
@@ -39,6 +39,22 @@ class Cell:
     turn_deg: float = 0.0
 
 
+@dataclass(frozen=True)
+class Form:
+    """A frame with a title block: what a scene calls it, and its block in a DXF; margins left and elsewhere, sizes of
+    the title block and of the cell in the upper left corner; its lines, words and cells on a sheet of a size."""
+
+    name: str
+    drawn_as: str
+    left: float
+    edge: float
+    block: Size
+    top_cell: Size | None
+    lines: Callable[[Size], Iterable[Segment]]
+    words: Callable[[Size, Lang], Iterable[tuple[str, Cell]]]
+    cells: Callable[[Size], dict[str, Cell]]
+
+
 _FORM: Json = json.loads(Path(__file__).with_name("form1.json").read_text("utf-8"))
 """From the lower left corner of the title block, in mm: lines from x, y to x, y; cells of words and of values, in it
 and beneath it. Beside the frame: graphs 19–23 from the lower corner up and 24–25, the last at the upper corner, each
@@ -56,16 +72,20 @@ def prompt(key: str, lang: Lang) -> str:
 
 def lines(size: Size) -> Iterator[Segment]:
     """Every line of the form but the frame itself, on a sheet of that width × height."""
-    corner = complex(*_corner(size))
-    pens: tuple[Literal["thick", "thin"], ...] = ("thick", "thin")
-    for pen in pens:
-        for x0, y0, x1, y1 in _FORM[pen]:
-            yield corner + complex(x0, y0), corner + complex(x1, y1), pen
+    yield from lines_of(_FORM, _corner(size))
     for bottom, rows in _strips(size):
         yield from _strip(bottom, [high for _, high in rows])
     top, right = size[1] - EDGE, LEFT + TOP_CELL[0]
     yield complex(LEFT, top - TOP_CELL[1]), complex(right, top - TOP_CELL[1]), "thick"
     yield complex(right, top - TOP_CELL[1]), complex(right, top), "thick"
+
+
+def lines_of(form: Json, corner: Size) -> Iterator[Segment]:
+    """Lines of a title block whose lower left corner is there."""
+    pens: tuple[Literal["thick", "thin"], ...] = ("thick", "thin")
+    for pen in pens:
+        for x0, y0, x1, y1 in form[pen]:
+            yield complex(*corner) + complex(x0, y0), complex(*corner) + complex(x1, y1), pen
 
 
 def _corner(size: Size) -> Size:
@@ -92,26 +112,29 @@ def _strip(bottom: float, heights: list[float]) -> Iterator[Segment]:
 def words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
     """The words the form has of itself, each with its cell."""
     told, beside = table(lang, "form1"), _beside(size, LEFT - WORD_WIDE - VALUE_WIDE, WORD_WIDE)
-    for key, cell in (*_cells("words", size), *beside, *_cells("words_beneath", size)):
+    for key, cell in (
+        *cells_of(_FORM["words"], _corner(size)),
+        *beside,
+        *cells_of(_FORM["words_beneath"], _corner(size)),
+    ):
         yield told[f"form_{key}"], cell
 
 
 def cells(size: Size) -> dict[str, Cell]:
     """The cells a person fills, by name, on a sheet of that width × height."""
-    found = dict(_cells("cells", size))
+    found = dict(cells_of(_FORM["cells"], _corner(size)))
     for key, cell in _beside(size, LEFT - VALUE_WIDE, VALUE_WIDE):
         found[key] = replace(cell, letter=3.5)
     top = size[1] - EDGE - TOP_CELL[1]
     found["designation_turned"] = Cell(LEFT, top, *TOP_CELL, 7.0, "middle", 180.0)
-    return found | dict(_cells("cells_beneath", size))
+    return found | dict(cells_of(_FORM["cells_beneath"], _corner(size)))
 
 
-def _cells(part: str, size: Size) -> Iterator[tuple[str, Cell]]:
-    """Cells of the form about its title block."""
-    x, y = _corner(size)
-    for key, *numbers in _FORM[part]:
+def cells_of(rows: list[Any], corner: Size) -> Iterator[tuple[str, Cell]]:
+    """Cells about a title block whose lower left corner is there."""
+    for key, *numbers in rows:
         cell = Cell(*numbers)
-        yield key, replace(cell, x=cell.x + x, y=cell.y + y)
+        yield key, replace(cell, x=cell.x + corner[0], y=cell.y + corner[1])
 
 
 def _beside(size: Size, x: float, wide: float) -> Iterator[tuple[str, Cell]]:
@@ -120,3 +143,6 @@ def _beside(size: Size, x: float, wide: float) -> Iterator[tuple[str, Cell]]:
         for key, high in rows:
             yield key, Cell(x, y, wide, high, 2.5, "middle", 90.0)
             y += high
+
+
+FORM = Form("gost", "FORM_1", LEFT, EDGE, BLOCK, TOP_CELL, lines, words, cells)

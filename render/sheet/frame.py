@@ -1,16 +1,20 @@
-"""Formats of ГОСТ 2.301, the frame 20/5/5/5 and form 1 of ГОСТ 2.104 as marks, and what a scene says in its cells."""
+"""Formats of ГОСТ 2.301, frames with title blocks as marks (ГОСТ 2.104 form 1; ISO 5457 and 7200), and what a scene
+says in their cells."""
 
 import cmath
 import math
 from bisect import bisect_left
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, field, replace
 
 from planes.scene import Scene
 from planes.words import Lang, say
 from render.labels.footprints import Bounds
 from render.paper import form1
-from render.paper.form1 import BESIDE, BLOCK, EDGE, LEFT, TOP_CELL, Cell
+from render.paper.form1 import BESIDE, Cell, Form
+from render.paper.iso7200 import FORMS
 from render.paper.lettering import PEN
 from render.paper.letters import decimal
 from render.paper.marks import Line, Mark, Text
@@ -47,11 +51,25 @@ _SLIGHTLY = 0.9  # of its own width: a word may be that narrow before it is writ
 _LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
 
 
+_asked: ContextVar[Form] = ContextVar("form", default=form1.FORM)
+
+
+@contextmanager
+def form_of(scene: Scene) -> Iterator[None]:
+    """Within it, papers have the frame the scene asks for."""
+    token = _asked.set(FORMS[str(scene.sheet.get("frame", form1.FORM.name))])
+    try:
+        yield
+    finally:
+        _asked.reset(token)
+
+
 @dataclass(frozen=True)
 class Paper:
     """A sheet of a format; the field is inside its frame."""
 
     name: str
+    form: Form = field(default_factory=_asked.get)
 
     @property
     def size(self) -> tuple[float, float]:
@@ -61,29 +79,32 @@ class Paper:
     @property
     def field(self) -> Bounds:
         """The inside of the frame."""
-        return LEFT, EDGE, self.size[0] - EDGE, self.size[1] - EDGE
+        edge = self.form.edge
+        return self.form.left, edge, self.size[0] - edge, self.size[1] - edge
 
     @property
     def block(self) -> Bounds:
         """Where the title block stands: in the lower right corner."""
-        right = self.size[0] - EDGE
-        return right - BLOCK[0], EDGE, right, EDGE + BLOCK[1]
+        _, low, right, _ = self.field
+        return right - self.form.block[0], low, right, low + self.form.block[1]
 
     @property
-    def taken(self) -> tuple[Bounds, Bounds]:
+    def taken(self) -> tuple[Bounds, ...]:
         """What views must keep clear of within the field: the title block, and graph 26 in the upper left corner."""
-        top = self.size[1] - EDGE
-        return self.block, (LEFT, top - TOP_CELL[1], LEFT + TOP_CELL[0], top)
+        left, _, _, top = self.field
+        wide, high = self.form.top_cell or (0.0, 0.0)
+        return (self.block, (left, top - high, left + wide, top)) if high else (self.block,)
 
     def marks(self, cells: Mapping[str, str], lang: Lang = "ru") -> tuple[Mark, ...]:
-        """Frame, title block and the columns beside the frame, with their cells filled."""
-        ruled = [Line((a, b), style, "frame") for a, b, style in form1.lines(self.size)]
-        own = [mark for text, cell in form1.words(self.size, lang) for mark in fitted(text, cell)]
+        """Frame, title block and what stands beside the frame, with the cells filled."""
+        ruled = [Line((a, b), style, "frame") for a, b, style in self.form.lines(self.size)]
+        own = [mark for text, cell in self.form.words(self.size, lang) for mark in fitted(text, cell)]
         filled: list[Mark] = []
-        said = {**cells, "designation_turned": cells.get("designation", ""), "format": self.name.replace("x", "×")}
-        for key, cell in form1.cells(self.size).items():
+        called = self.name.replace("x", "×")
+        said = {**cells, "designation_turned": cells.get("designation", ""), "format": called, "language": lang}
+        for key, cell in self.form.cells(self.size).items():
             filled += fitted(said.get(key, ""), cell, f"cell {key}")
-        return (framed(self.field, "frame"), *ruled, *own, *filled)
+        return (replace(framed(self.field, "frame"), name=self.form.name), *ruled, *own, *filled)
 
 
 def framed(inside: Bounds, style: str) -> Line:
@@ -156,11 +177,16 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     found["scale"] = said.get("scale_note", "")
     found["sheet"] = said.get("sheet", str(number or ""))
     found["sheets"] = said.get("sheets", "2" if number else "1")
+    found |= {key: said.get(key, "") for key in ("department", "document_type")}
+    found["owner"] = " ".join(said[key] for key in ("company", "university", "group") if said.get(key))
+    found["sheet_of"] = "/".join(found[key] for key in ("sheet", "sheets") if found[key])
     letters, revisions = given.get("letter", say("study_letter", lang)), given.get("revisions")
     for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):
         found[f"letter_{k}"] = _said_text(letter, lang)  # graph 4, filled from its left cell on
+        found["status"] = f"{found.get('status', '')} {found[f'letter_{k}']}".strip() if "letter" in given else ""
     for k, row in enumerate(revisions if isinstance(revisions, list) else (), 1):  # graphs 14–18, the lowest first
         found |= {f"revision_{k}_{column}": _said_text(text, lang) for column, text in row.items()}
+        found["revision_last"] = found.get(f"revision_{k}_change", "")
     return found
 
 
