@@ -19,7 +19,17 @@ from typing import TYPE_CHECKING, Literal
 
 from planes.drafting.pens import THIN
 from planes.words import Lang, say
-from render.files.dxf_entities import BLACK, GREY, NARROWED, OBLIQUE_DEG, Entities, style_name, text_looks, xy
+from render.files.dxf_entities import (
+    BLACK,
+    GREY,
+    LINE_TYPES,
+    NARROWED,
+    OBLIQUE_DEG,
+    Entities,
+    style_name,
+    text_looks,
+    xy,
+)
 from render.files.dxf_signs import GOST, insert_dimensions, insert_signs
 from render.paper import form1, style
 from render.paper.ink import checked, uncovered
@@ -95,13 +105,13 @@ def _tables(document: Drawing, marks: Iterable[Mark], lang: Lang) -> None:
     for name, used in PENS.items():
         if used.pattern:
             parts = [part if k % 2 == 0 else -part for k, part in enumerate(used.pattern)]
-            document.linetypes.add(name.upper(), [sum(used.pattern), *parts], description=say(f"line_{name}", lang))
+            document.linetypes.add(LINE_TYPES[name], [sum(used.pattern), *parts], description=say(f"line_{name}", lang))
     for layer in LAYERS:
-        used, name = pen(LAYER_STYLES[layer]), LAYER_STYLES[layer].upper()
+        used = pen(LAYER_STYLES[layer])
         made = document.layers.add(
             layer.upper(),
             color=BLACK if used.colour == style.BLACK else GREY,
-            linetype=name if used.pattern else "Continuous",
+            linetype=LINE_TYPES[LAYER_STYLES[layer]] if used.pattern else "Continuous",
             lineweight=weight(used.width),
         )
         if used.colour != style.BLACK:

@@ -23,6 +23,7 @@ SLIM = 0.4  # width over height of a character whose own font would be distorted
 NARROWED = 0.85  # of letters that are not fitted: other fonts are wider than our lettering
 OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
 OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and brings this one of ГОСТ 2.304
+LINE_TYPES = {"axis": "DASHDOT2", "phantom": "DIVIDE2", "dash": "DASHED2"}  # LibreCAD knows line types by their names
 ARROW = "ARROW"
 _FOOT = 8  # of the places where a text may be held: the middle of its base line, so that it grows to both sides
 
@@ -69,7 +70,7 @@ class Entities(Writer):
         found: dict[str, object] = {"layer": layer.upper()}
         solid = not dashes
         if own is None or solid != (not pen(own).pattern) or (not solid and own != style):
-            found["linetype"] = "Continuous" if solid else style.upper()
+            found["linetype"] = "Continuous" if solid else LINE_TYPES[style]
         if not solid:
             found["ltscale"] = round(dashes[0] / used.pattern[0], 6)
         if own is None or weight(pen(own).width) != weight(used.width):

@@ -174,7 +174,7 @@ def test_line_types_and_weights_are_those_of_the_layers_or_their_own():
     document = read(sheet("kind-2-rrp"))
     layers = {layer.dxf.name: layer.dxf for layer in document.layers}
     assert (layers["SCHEME"].lineweight, layers["AXIS"].lineweight, layers["CONSTRUCTION"].lineweight) == (60, 20, 20)
-    assert layers["AXIS"].linetype == "AXIS"
+    assert layers["AXIS"].linetype == "DASHDOT2"
 
     def looks(e):
         weight = e.dxf.lineweight if e.dxf.hasattr("lineweight") else layers[e.dxf.layer].lineweight

@@ -59,6 +59,22 @@ def test_librecad_shows_the_letters_of_the_title_block(tmp_path):
     assert kept(strokes, seen_in_librecad(unknown, tmp_path, "unknown")) < 0.8
 
 
+@pytest.mark.slow
+@needs("librecad", "xvfb-run")
+@pytest.mark.parametrize("length", [14, 60])
+@pytest.mark.parametrize("style", ["axis", "dash", "phantom"])
+def test_librecad_breaks_lines_that_are_broken(style, length, tmp_path):
+    """Even the pieces of an axis beside a slider."""
+    edges = [Line((0j, 100 + 0j), "thin", "table"), Line((100j, 100 + 100j), "thin", "table")]
+    layer = "axis" if style == "axis" else "scheme"
+    line = Line((20 + 50j, 20 + length + 50j), style, layer)
+    ink = seen_in_librecad(dxf.write([*edges, line], (100, 100), "t"), tmp_path, "line")
+    row = ink[ink.shape[0] // 2 - 3 : ink.shape[0] // 2 + 4].any(axis=0)
+    seen = np.flatnonzero(row)
+    assert seen[-1] - seen[0] > 0.85 * length * DPI / 25.4
+    assert (np.diff(seen) > 0.4 * DPI / 25.4).sum() >= length // 12
+
+
 FREECAD = """
 import json, FreeCAD, Import
 Import.readDXF("sheet.dxf", "sheet")
