@@ -109,10 +109,9 @@ class Entities(Writer):
         """An arrowhead: filled, and with an outline for programs that know no filled figures."""
         tip, one, other = points
         back = (one + other) / 2
-        name, looks = stretched(ARROW, abs(tip - back), abs(one - other))
+        name, share, looks = stretched(ARROW, abs(tip - back), abs(one - other))
         if name not in self.space.doc.blocks:
-            block, half = self.space.doc.blocks.new(name), proportion(name) / 2
-            corners = [(0, 0), (-1, half), (-1, -half)]
+            block, corners = self.space.doc.blocks.new(name), [(0, 0), (-1, share / 2), (-1, -share / 2)]
             block.add_solid(corners, dxfattribs={"layer": "0"})
             block.add_lwpolyline(corners, close=True, dxfattribs={"layer": "0", "lineweight": 0})
         looks |= {"layer": layer, "rotation": math.degrees(cmath.phase(tip - back))}
@@ -159,15 +158,11 @@ class Entities(Writer):
             self.space.add_lwpolyline([xy(z) for z in stroke], dxfattribs=looks)
 
 
-def stretched(name: str, long: float, wide: float) -> tuple[str, dict[str, object]]:
-    """The block of a sign of that size in mm, one for each proportion, and its scale, which is the same both ways:
-    there are programs that know no other."""
-    return f"{name}_{1000 * wide / long:.0f}", dict.fromkeys(("xscale", "yscale", "zscale"), round(long, 6))
-
-
-def proportion(name: str) -> float:
-    """Width over length of a sign, from the name of its block."""
-    return float(name.rpartition("_")[2]) / 1000
+def stretched(name: str, long: float, wide: float) -> tuple[str, float, dict[str, object]]:
+    """The block of a sign of that size in mm, one for each proportion of width to length, which is told too, and its
+    scale, the same both ways: there are programs that know no other."""
+    share = round(wide / long, 3)
+    return f"{name}_{1000 * share:.0f}", share, dict.fromkeys(("xscale", "yscale", "zscale"), round(long, 6))
 
 
 def text_looks(text: Text, height: float, called: str = "height") -> dict[str, object]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import combinations, pairwise
 from typing import TYPE_CHECKING
 
-from render.files.dxf_entities import Entities, formatted, proportion, stretched, xy
+from render.files.dxf_entities import Entities, formatted, stretched, xy
 from render.paper import symbols
 from render.paper.ink import is_circle
 from render.paper.marks import Arc, Arrow, Line, Mark, Text
@@ -43,23 +43,24 @@ def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
     """Insert the signs found among the marks as blocks; what is left of the marks."""
     space, gone = document.modelspace(), set[int]()
     for sign in signs(marks):
-        name, scales = stretched(SLIDER, *sign.size) if sign.name == SLIDER else (sign.name, {})
+        name, share, scales = stretched(SLIDER, *sign.size) if sign.name == SLIDER else (sign.name, 1.0, {})
         if name not in document.blocks:
-            _define(document.blocks.new(name), name)
+            _define(document.blocks.new(name), sign.name, share)
         looks = {"layer": sign.layer.upper(), "rotation": sign.turn_deg, **scales}
         space.add_blockref(name, xy(sign.at), dxfattribs=looks)
         gone |= {id(mark) for mark in sign.marks}
     return [mark for mark in marks if id(mark) not in gone]
 
 
-def _define(block: BlockLayout, name: str) -> None:
-    """The marks of a sign about its own base point."""
+def _define(block: BlockLayout, name: str, share: float) -> None:
+    """The marks of a sign about its own base point; ``share`` is a slider's width over its length."""
     own: dict[str, Sequence[Mark]] = {
         HINGE: (Arc(0j, HINGE_MM),),
         SUPPORT: symbols.fixed_hinge(0j),
         POINT: symbols.dot(0j),
+        SLIDER: symbols.block(0j, 0.0, (1.0, share))[1:],
     }
-    Entities(block).all(own[name] if name in own else symbols.block(0j, 0.0, (1.0, proportion(name)))[1:])
+    Entities(block).all(own[name])
     for entity in block:
         if entity.dxf.layer == "SCHEME":
             entity.dxf.layer = "0"  # it lies on the layer of its insert

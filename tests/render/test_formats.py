@@ -68,8 +68,14 @@ def test_an_extended_sheet_is_filled() -> None:
 def test_only_where_nothing_less_holds_the_views_a0_is_taken() -> None:
     assert sheet_of(scene(PLAIN), None).paper.name == "A2"
     large = PLAIN
-    for plan, mu, larger in (("velocity", "30", "100"), ("acceleration", "2", "6"), ("position", "250", "750")):
-        large = large.replace(f"{plan}: {{mu: {mu} ", f"{plan}: {{mu: {larger} ")
+    larger = {
+        "velocity: {mu: 30": 110,
+        "acceleration: {mu: 2": 4.5,
+        "position: {mu: 250": 750,
+        "force: {mu: 0.01": 0.02,
+    }
+    for stated, mu in larger.items():
+        large = large.replace(f"{stated} ", f"{stated.rpartition(' ')[0]} {mu} ")
     assert sheet_of(scene(large), None).paper.name == "A0"
 
 
