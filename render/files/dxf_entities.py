@@ -25,7 +25,7 @@ OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
 OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and brings this one of ГОСТ 2.304
 LINE_TYPES = {"axis": "DASHDOT2", "phantom": "DIVIDE2", "dash": "DASHED2"}  # LibreCAD knows line types by their names
 ARROW = "ARROW"
-_FOOT = 8  # of the places where a text may be held: the middle of its base line, so that it grows to both sides
+_FEET = {"start": (7, 0.0), "middle": (8, 0.5), "end": (9, 1.0)}  # where on its base line an MTEXT is held
 
 
 def xy(z: complex) -> tuple[float, float]:
@@ -124,9 +124,10 @@ class Entities(Writer):
         if self.drawn_letters:
             self.lettering(text)
         elif len(laid.runs) > 1:
-            middle = laid.origin + cmath.rect(1, math.radians(laid.turn_deg)) * laid.width / 2
-            looks = text_looks(text, text.height, "char_height") | {"insert": xy(middle), "width": 0}
-            looks |= {"rotation": laid.turn_deg, "attachment_point": _FOOT, "rect_width": round(laid.width, 6)}
+            foot, part = _FEET[text.anchor]
+            held = laid.origin + cmath.rect(part * laid.width, math.radians(laid.turn_deg))
+            looks = text_looks(text, text.height, "char_height") | {"insert": xy(held), "width": 0}
+            looks |= {"rotation": laid.turn_deg, "attachment_point": foot, "rect_width": round(laid.width, 6)}
             self.space.add_mtext(formatted(text.text.strip()), dxfattribs=looks)
         elif laid.runs:
             self._plain(text, laid)

@@ -115,7 +115,7 @@ def _alike(one: Line, other: Line) -> bool:
 # dimensions
 
 GOST = "GOST"  # the style of dimensions
-_ALIGNED = 1 + 32 + 128  # along the measured ends, its picture a block of its own, its text where it was put
+_LINEAR = 32 + 128  # measured along its own line, its picture a block of its own, its text where it was put
 
 
 def insert_dimensions(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
@@ -164,6 +164,7 @@ def _dimension(
     )
     middle = next((m.place + 0.5j * m.height * symbols.unit(m.turn_deg) for m in said), arrows[0].start)
     places = {"defpoint": tips[1], "defpoint2": one, "defpoint3": other, "text_midpoint": middle}
-    looks = {"layer": "DIMENSION", "dimstyle": GOST, "dimtype": _ALIGNED, "geometry": picture.name}
+    looks = {"layer": "DIMENSION", "dimstyle": GOST, "dimtype": _LINEAR, "geometry": picture.name}
     told = {"text": "".join(formatted(m.text) for m in said) or " ", "actual_measurement": abs(tips[0] - tips[1])}
+    looks["angle"] = math.degrees(cmath.phase(tips[1] - tips[0]))
     document.modelspace().new_entity("DIMENSION", {**looks, **told, **{key: xy(z) for key, z in places.items()}})

@@ -100,7 +100,8 @@ def test_a_label_with_indices_is_one_text():
     assert r"v{\H0.7x;\S^ CB;}" in said and r"a{\H0.7x;\Sn^ CB;}" in said
     label = next(m for m in wanted if m.text == "v_{CB}")
     held = [complex(*e.dxf.insert.vec2) for e in space.query("MTEXT") if e.text == r"v{\H0.7x;\S^ CB;}"]
-    assert min(abs(z - layout(label).origin - layout(label).width / 2) for z in held) < 1e-4
+    part = {"start": 0.0, "middle": 0.5, "end": 1.0}[label.anchor]
+    assert min(abs(z - layout(label).origin - part * layout(label).width) for z in held) < 1e-4
 
 
 def test_signs_of_the_format_in_a_text_are_written_so_that_they_stay():
@@ -131,7 +132,9 @@ def test_heads_are_blocks_filled_and_outlined():
 def test_a_size_between_two_arrows_is_a_dimension_with_its_own_picture():
     middle, along = 50 + 60j, 0.8 + 0.6j
     tips = middle - 25 * along, middle + 15 * along
-    leading = [Line((z - 20j * along, z + 2j * along), "thin", "dimension") for z in tips]
+    leading = [
+        Line((z - far * 1j * along, z + 2j * along), "thin", "dimension") for z, far in zip(tips, (20, 9), strict=True)
+    ]
     arrows = [Arrow(middle, z, "thin", "dimension") for z in tips]
     axes = [Arrow(5 + 5j, z, "thin", "dimension") for z in (15 + 5j, 5 + 15j)]  # of a diagram
     text = Text("a_{1}", middle + 1j * along, 3.5, "middle", math.degrees(cmath.phase(along)))

@@ -198,11 +198,11 @@ def test_dxf_has_everything_where_the_marks_are(name):
         assert any(abs(c - arc.centre) < NEAR_MM and abs(r - arc.radius) < NEAR_MM for c, r in circles)
     for mark in (m for m in found.marks if isinstance(m, Text)):
         laid, turn = layout(mark), np.exp(1j * np.radians(mark.turn_deg))
-        middle = laid.origin + laid.width / 2 * turn
+        foot = laid.origin + {"start": 0.0, "middle": 0.5, "end": 1.0}[mark.anchor] * laid.width * turn
         for first in laid.runs[:1]:
             at = laid.origin + first.at * turn
             centred = at + first.width / 2 * turn  # of empty cells alone
-            held = {"CENTER": centred, "FIT": at, "LEFT": at, "MTEXT": middle}
+            held = {"CENTER": centred, "FIT": at, "LEFT": at, "MTEXT": foot}
             said = all_letters(laid.plain)
             assert any(t == said and abs(z - held[kind]) < NEAR_MM for t, kind, z in texts), laid.plain
 
