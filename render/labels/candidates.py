@@ -27,7 +27,7 @@ FAR = (4.5, 6.0, 8.0, 10.0, 13.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
 """Distances in mm of labels that need a leader line."""
 
 CLEAR_MM = 0.5  # least distance of a label from ink
-BETWEEN = 0.6, 0.2  # least distance of labels, side by side and one over the other, over the height of their letters
+BETWEEN = 0.6, 0.15  # least distance of labels, side by side and one over the other, over the height of their letters
 APART_MM = 4.0  # labels side by side are disliked closer than this
 UNDER_MM, BESIDE_MM = 0.9, 0.5  # of an underline: beneath its label, and to both sides of it
 _GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters

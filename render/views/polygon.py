@@ -1,8 +1,13 @@
 """A plan of rates or forces as marks: arrows, lines of action, traces of similarity and the names of all."""
 
-from collections.abc import Iterable
+import cmath
+import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
+
+import shapely
 
 from planes.drafting.equations import Term
 from planes.drafting.steps import Image, Similar
@@ -11,11 +16,13 @@ from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
 from planes.words.units import number
 from render import labels
-from render.paper.marks import Arrow, Layer, Line, Mark
+from render.paper.ink import hatch_strokes
+from render.paper.marks import Arrow, Hatch, Layer, Line, Mark
 from render.paper.symbols import dot
 from render.paper.typeset import plain
 from render.views import detail, remark
 from render.views.plotted import Ends, Plotted, set_apart
+from render.views.senses import parted
 
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 NOTHING_MM = 1e-10  # and one shorter than this is none
@@ -23,6 +30,8 @@ SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
 ASIDE_MM = 2.0  # between vectors of one line
+HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # of hatched triangles: least radius, between strokes, to the sides
+ALONG_DEG = 12.0  # strokes nearer than this to the direction of a side seem to be along it
 MARK_MM = 5.0
 FORCE_MM = 3.5
 
@@ -37,6 +46,7 @@ class Polygon:
     arrows: dict[tuple[str, str], list[str]] = field(default_factory=dict)
     marks: list[Mark] = field(default_factory=list)
     places: dict[tuple[str, str], Ends] = field(default_factory=dict)
+    triangles: list[tuple[complex, complex, complex]] = field(default_factory=list)
     shifted: bool = False
     counted: dict[tuple[str, float], int] = field(default_factory=dict)  # details of plans at their μ
 
@@ -59,7 +69,9 @@ class Polygon:
         named = self.mark_labels() if self.of_rates else self.vector_labels()
         details = detail.details(self.places.values(), self.letters())
         circled = (*ground, *(d.circle() for d in details))
-        marks = (*circled, *labels.place([*named, *(d.named() for d in details)], circled).marks)
+        strokes = self.hatching()
+        placed = labels.place([*named, *(d.named() for d in details)], circled, None, strokes)
+        marks = (*parted(strokes, placed.texts), *circled, *placed.marks)
         apart = {d: self.mark_labels(SAME_MM / d.times) if self.of_rates else named for d in details}
         marks = detail.beside(marks, [d.drawn(ground, apart[d]) for d in details])
         return (*marks, remark(f"({say('shifted', self.naming.lang)})", marks)) if self.shifted else marks
@@ -132,6 +144,25 @@ class Polygon:
             sides = [(a, b)] * (tuple(corners[::2]) not in self.arrows) + [(a, x), (x, b)] * (not flat)
             for side in sides:
                 self.trace(*side)
+            if not flat:
+                self.triangles.append((a, x, b))
+
+    def hatching(self) -> list[Line]:
+        """Thin strokes in the similar triangles that lie apart from each other, large enough to hold some."""
+        kept: list[shapely.Polygon] = []
+        for corners in self.triangles:
+            area = shapely.Polygon([(z.real, z.imag) for z in corners])
+            if 2 * area.area > HATCHED_MM * area.length and all(
+                area.intersection(one).area < 0.1 * area.area for one in kept
+            ):
+                kept.append(area)
+        found = []
+        for area in kept:
+            points = tuple(complex(x, y) for x, y in area.exterior.coords[:-1])
+            inner = tuple(complex(x, y) for x, y in area.buffer(-HATCH_MM, join_style="mitre").exterior.coords[:-1])
+            if inner:
+                found += [Line(z, "thin", "hatch") for z in hatch_strokes(Hatch(inner, _across(points), HATCH_GAP_MM))]
+        return [one for one in found if abs(one.points[1] - one.points[0]) > HATCH_GAP_MM]
 
     def trace(self, start: complex, end: complex) -> None:
         """A construction line."""
@@ -181,3 +212,10 @@ def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> lis
             clusters.append((z, near := []))
         near.append(name)
     return clusters
+
+
+def _across(corners: Sequence[complex]) -> float:
+    """The angle of hatching: 45°, or the next that is not nearly along a side of the triangle, degrees."""
+    sides = [math.degrees(cmath.phase(b - a)) for a, b in pairwise((*corners, corners[0]))]
+    away = {turn: min(abs((turn - side + 90) % 180 - 90) for side in sides) for turn in (45.0, 135.0, 30.0, 60.0)}
+    return next((turn for turn, least in away.items() if least > ALONG_DEG), 45.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+import shapely
 
 from planes.cli import main
 from planes.documents import picture, view_of
@@ -13,7 +14,7 @@ from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
 from render.labels.footprints import bounds
-from render.paper.marks import Line, Text
+from render.paper.marks import Arrow, Line, Text
 from render.sheet.single import MARGIN_MM, traced
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts
@@ -104,3 +105,23 @@ def test_a_drawing_shows_itself_with_every_plan(name):
     lengths = {round(abs(a - b), 6) for a in ends for b in ends}
     assert round(abs(drawing["velocity:b"]), 6) in lengths  # in mm, as it was drawn
     assert drawing._repr_svg_().startswith("<svg ")
+
+
+@pytest.mark.parametrize(("view", "corners"), [("velocity-plan", "b c l"), ("acceleration-plan", "b' c' l'")])
+def test_the_similar_triangle_of_a_plan_is_hatched_and_its_letters_are_not_struck(view, corners):
+    """The strokes keep clear of the triangle's sides, so that none is taken for a side; nothing else is hatched."""
+    scene = load(SAMPLES["six-link"])
+    found = view_of(scene, view)
+    drawn = solve(replace(scene, find=None)).positions[0].drawing
+    arrows = {m.name: m for m in found.marks if isinstance(m, Arrow)}
+    tip, mark = next((m.end, z) for n, z in (("v_B", "b"), ("a_B", "b'")) for k, m in arrows.items() if k == n)
+    plan = view.partition("-")[0]
+    mu = abs(arrows[f"{plan[0]}_B"].end - arrows[f"{plan[0]}_B"].start) / abs(drawn[f"{plan}:{mark}"])
+    ends = [tip + mu * (drawn[f"{plan}:{c}"] - drawn[f"{plan}:{mark}"]) for c in corners.split()]
+    inside = shapely.Polygon([(z.real, z.imag) for z in ends]).buffer(-0.9)
+    strokes = [m.points for m in found.marks if isinstance(m, Line) and m.layer == "hatch"]
+    assert len(strokes) > 5
+    assert all(inside.covers(shapely.Point(z.real, z.imag)) for ends in strokes for z in ends)
+    letters = [m for m in found.marks if isinstance(m, Text) and m.height == 5.0]
+    assert conflicts(letters, [m for m in found.marks if m.layer == "hatch"]) == ()
+    assert not [m for m in view_of(scene, "force-2-3").marks if m.layer == "hatch"]
