@@ -35,7 +35,7 @@ from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.typeset import plain
-from render.sheet import Sheet, module_of
+from render.sheet import Sheet, stacking_of
 from render.views.moments import MomentLines
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts, described
@@ -143,7 +143,7 @@ def clashes(sheet: Sheet) -> list[str]:
 
 def off_the_module(sheet: Sheet) -> list[str]:
     """Views that do not begin at the edge of a unit of the sheet."""
-    module = module_of(sheet.paper)
+    module = stacking_of([], sheet.paper).module
     units = [(v.key, (left - module.left(0)) / module.pitch) for v, left, _ in sheet.views]
     return [f"view {key} begins between units" for key, unit in units if abs(unit - round(unit)) > 1e-6]
 

@@ -111,7 +111,7 @@ def enlarged(
     x0, y0, x1, y1 = paper.field
     most = LARGEST * min(x1 - x0, y1 - y0)
 
-    stacking = Stacking(module_of(paper))
+    stacking = stacking_of(views(sizes), paper)
     order = columns_of(views(sizes), stacking).arranged()[0]
 
     def fits(sizes: Sizes) -> bool:
@@ -132,9 +132,9 @@ def enlarged(
     return [(shown[k], spot.x, spot.top) for k, spot in zip(order, best.spots, strict=True)]
 
 
-def module_of(paper: Paper) -> Module:
+def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:
     """What views may fill."""
-    return Module(paper.field, paper.taken)
+    return Stacking(Module(paper.field, paper.taken, max((v.width for v in views), default=0.0)))
 
 
 def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
@@ -144,7 +144,7 @@ def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
 
 def packed(views: Sequence[View], paper: Paper) -> bool:
     """Whether there is room for all views on the paper."""
-    return columns_of(views, Stacking(module_of(paper))).arranged()[1].cost < OVER
+    return columns_of(views, stacking_of(views, paper)).arranged()[1].cost < OVER
 
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:

@@ -69,7 +69,7 @@ class Columns:
     @property
     def cost(self) -> float:
         """How far they are from being filled well; less than ``OVER`` where every view has room."""
-        return float(self._broken[0][-1, -1])
+        return float(self._ended.min())
 
     @cached_property
     def spots(self) -> list[Spot]:
@@ -86,11 +86,17 @@ class Columns:
     @cached_property
     def _columns(self) -> list[Column]:
         """The columns, over all units."""
-        (last, end), found = (len(self.items), self.stacking.module.units), list[Column]()
+        (last, end), found = (len(self.items), int(self._ended.argmin())), list[Column]()
         while last:
             first, unit = map(int, self._broken[1][last, end])
             found.insert(0, (self.piece[first:last], unit, end))
             last, end = first, unit
+        return found
+
+    @cached_property
+    def _ended(self) -> Array:
+        """What all columns cost, by the unit where they end: those after it are white."""
+        found: Array = self._broken[0][-1] + numpy.arange(self.stacking.module.units, -1, -1) / UNITS
         return found
 
     def _spaced(self) -> list[Column]:

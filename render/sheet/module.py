@@ -16,15 +16,16 @@ Indices = NDArray[numpy.intp]
 
 GAP_MM = 7.0  # least distance of views from each other and from the frame
 MODULE_MM = 185.0  # the width of the title block, over which a column of tables stands
-UNITS, WIDEST = 12, 2  # units to a module, modules to the widest column
+UNITS, WIDEST = 12, 2  # units to a module, modules to the widest column, unless a view is wider
 
 
 @dataclass(frozen=True)
 class Module:
-    """The units of a field: the inside of a frame, and what stands in it already."""
+    """The units of a field: the inside of a frame, what stands in it already, and the widest of the views to come."""
 
     inside: Bounds
     taken: tuple[Bounds, ...]
+    wide: float = 0.0
 
     @property
     def height(self) -> float:
@@ -45,7 +46,7 @@ class Module:
     @property
     def widest(self) -> int:
         """How many a column may span."""
-        return min(WIDEST * UNITS, self.units)
+        return min(max(WIDEST * UNITS, self.span(self.wide)), self.units)
 
     @cached_property
     def pitch(self) -> float:

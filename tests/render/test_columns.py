@@ -8,7 +8,7 @@ from itertools import pairwise, product
 import pytest
 
 from render.sheet.columns import OVER, TORN, Columns, Item
-from render.sheet.module import GAP_MM, Module
+from render.sheet.module import GAP_MM, UNITS, Module
 from render.sheet.stacking import Stacking
 
 A2 = Module((20.0, 5.0, 589.0, 415.0), ((404.0, 5.0, 589.0, 60.0), (20.0, 401.0, 90.0, 415.0)))
@@ -86,7 +86,7 @@ def test_no_other_breaking_is_cheaper(seed: int) -> None:
 
     def price(first: int, unit: int) -> float:
         if first == len(items):
-            return 0.0 if unit == SMALL.units else float("inf")
+            return (SMALL.units - unit) / UNITS
         ends = product(range(first + 1, len(items) + 1), range(unit + 1, SMALL.units + 1))
         return min(
             (columns.price(columns.piece[first:k])[e, e - unit] + torn(k) + price(k, e) for k, e in ends), default=9e9
@@ -96,3 +96,9 @@ def test_no_other_breaking_is_cheaper(seed: int) -> None:
         return TORN * (k < len(items) and items[k].step == items[k - 1].step)
 
     assert columns.cost == pytest.approx(price(0, 0)) or columns.cost > OVER
+
+
+def test_a_view_wider_than_two_modules_has_a_column_where_the_field_is_wide_enough() -> None:
+    field = (0.0, 0.0, 800.0, 500.0)
+    assert broken([Item(420.0, 100.0)], Module(field, ())).cost >= OVER
+    assert broken([Item(420.0, 100.0)], Module(field, (), 420.0)).cost < OVER
