@@ -12,12 +12,14 @@ from dataclasses import dataclass, replace
 from planes.solving import Position
 from planes.words import say
 from planes.words.names import POLE, at, kind_of, links_of, mu_of
+from render.labels.footprints import bounds
 from render.paper.letters import decimal
 from render.paper.marks import Mark, Text
 from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
 from render.views.diagrams import DiagramCurve, Diagrams, section_mm
+from render.views.dimensions import driver_angle, frame_sizes
 from render.views.hodographs import Hodograph, hodograph_view
 from render.views.loading import Loading
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
@@ -60,7 +62,10 @@ class Project:
 
         def make() -> View:
             many, title = ManyPositions(position.plans, self.numbered, self.turn, mu), c.titled(position, "scheme")
-            drawn = Scheme(position, c.naming).drawn(True, many.marks(), many.labels())
+            scheme, thin = Scheme(position, c.naming), many.marks()
+            angle, named = driver_angle(scheme.places, c.naming)
+            sizes = frame_sizes(scheme.places, mu, bounds(thin), c.lang)
+            drawn = scheme.drawn(True, [*thin, *angle, *sizes], [*named, *many.labels()])
             return view("scheme", title, drawn, True, many.unseen(title, c.lang), "position")
 
         return c.once(("many", mu), make)

@@ -14,7 +14,7 @@ from planes.words import Lang, say
 from render.labels import Label
 from render.paper.marks import Line, Mark
 from render.paper.typeset import plain
-from render.views.dimensions import dimension
+from render.views.dimensions import stroke
 from render.views.plotted import NEAR_MM, outline_of
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
@@ -201,7 +201,8 @@ class ManyPositions:
         found, shown = list[Mark](), [r for r in self.turn if r]
         if not all(map(self.near, shown)):
             return found
-        shapes = [shape for _, r in self.shown() for x in self.links for shape in self.outlines(x, r)]
+        moving = self.plans.mechanism.links.values()
+        shapes = [shape for _, r in self.shown() for x in moving for shape in self.outlines(x, r)]
         drawn = [a + k / FINE * (b - a) for shape in shapes for a, b in pairwise(shape) for k in range(FINE + 1)]
         for link, slides in ((link, link.slides) for link, _ in self.followers() if shown):
             if not slides:
@@ -213,5 +214,5 @@ class ManyPositions:
             off = min(min(beside) - BELOW_MM, max(beside) + BELOW_MM, key=abs)
             if max(at) - min(at) > LEAST_MM:
                 ends = (through + min(at) * along, through + max(at) * along)
-                found += dimension(*ends, 1j * off * along, f"{1000 * (max(at) - min(at)) / self.mu:.3g}")
+                found += stroke(*ends, 1j * off * along, f"{1000 * (max(at) - min(at)) / self.mu:.3g}")
         return found

@@ -187,8 +187,10 @@ def test_a_line_from_a_name_may_stop_short_of_its_mark_and_is_of_the_nearest_nam
 def test_a_line_from_a_name_of_a_force_leads_to_its_vector() -> None:
     words = [Words("F_21", 10 + 20j, 5.0, 8.0), Words("G_2", 16 + 2j, 5.0, 8.0)]
     strokes = [(0j, 40 + 0j), (40 + 0j, 40 + 30j), (14 + 19.4j, 16 + 0j), (40 + 30j, 41 + 30j)]
-    found = list(led_to_vectors(ReadDrawing(strokes=strokes, words=words, ways=[1, 1, 0, 0])))
-    assert [(w.text, w.place) for w in found] == [("F_21", 16 + 0j)]
+    sketch = ReadDrawing(strokes=strokes, words=words, ways=[1, 1, 0, 0])
+    assert [(w.text, w.place) for w in led_to_vectors(sketch, ())[2:]] == [("F_21", 16 + 0j)]
+    dotted = led_to_vectors(sketch, [16 + 0j])  # then it stands nowhere else
+    assert [(w.text, w.place, w.led) for w in dotted] == [("G_2", 16 + 2j, False), ("F_21", 16 + 0j, True)]
 
 
 def test_a_row_of_names_written_in_pieces_is_one_word() -> None:

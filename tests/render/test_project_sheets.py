@@ -14,6 +14,7 @@ import shapely
 from planes.diagrams.turn import unwound
 from planes.documents import draw_sheet
 from planes.documents.cycle import known
+from planes.plans.structure import analyse
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
@@ -160,9 +161,9 @@ def test_sheet_1_shows_many_positions_and_the_stroke_unless_they_are_not_wanted(
     marks = scheme_of(name).marks
     numbers = {m.text for m in marks if isinstance(m, Text) and m.name.startswith("position ")}
     assert {str(k) for k in range(12)} <= numbers
-    (size,) = [m for m in marks if isinstance(m, Text) and m.layer == "dimension"]
-    one, other = [m for m in marks if isinstance(m, Arrow) and m.layer == "dimension"]
-    assert size.text == stroke and one.start == other.start
+    (k,) = [k for k, m in enumerate(marks) if isinstance(m, Text) and m.name == "stroke"]
+    one, other = marks[k - 2 : k]
+    assert marks[k].text == stroke and one.start == other.start
     (title,) = [m.text for m in marks if isinstance(m, Text) and m.name == "title scheme"]
     mu = float(re.search(r"= (\d+) мм/м", title)[1])
     assert f"{1000 * abs(one.end - other.end) / mu:.3g}" == stroke
@@ -179,4 +180,28 @@ def test_sliders_and_rockers_are_numbered_those_of_one_place_together():
 
 
 def test_a_stroke_that_is_not_drawn_whole_is_not_measured():
-    assert not [m for m in scheme_of("six-link").marks if isinstance(m, Text) and m.layer == "dimension"]
+    assert not [m for m in scheme_of("six-link").marks if isinstance(m, Text) and m.name == "stroke"]
+
+
+@pytest.mark.few(4)
+@pytest.mark.parametrize("name", ALL)
+def test_what_holds_a_mechanism_is_measured_on_its_scheme_and_so_is_the_drivers_angle(name):
+    """Every size is a distance of the frame's points or guides, none of which is left out that can be drawn."""
+    path = ALL[name]
+    scene, marks = load(path), scheme_of(str(path.relative_to(ROOT / "samples").with_suffix(""))).marks
+    mechanism, (title,) = scene.mechanism, [m.text for m in marks if isinstance(m, Text) and m.name == "title scheme"]
+    mu = float(re.search(r"= ([\d,]+) мм/м", title)[1].replace(",", "."))
+    base = analyse(mechanism).drive_pair.point
+    held = [p for p in mechanism.frame.points if any(p in link.points for link in mechanism.links.values())]
+    if base not in held:
+        return
+    ways = [mechanism.frame.points[p] - mechanism.frame.points[base] for p in held]
+    used = {x.slides.guide for x in mechanism.links.values() if x.slides} & set(mechanism.frame.guides)
+    rails = [(g.through - mechanism.frame.points[base], g.angle_deg % 180) for g in map(mechanism.guide, used)]
+    level = [w.real for w in ways] + [w.real for w, turn in rails if turn == 90]
+    upright = [w.imag for w in ways] + [w.imag for w, turn in rails if turn == 0]
+    wanted = {f"{1000 * abs(t):.4g}" for t in (*level, *upright) if abs(t) * mu > 9.01}
+    sizes = {m.text.replace(",", ".") for m in marks if isinstance(m, Text) and m.name == "size"}
+    assert sizes == wanted
+    turned = mechanism.drive.kind == "phi" and mechanism.drive.position % 360 != 0
+    assert (f"φ_{{{mechanism.drive.link}}}" in {m.text for m in marks if isinstance(m, Text)}) == turned

@@ -19,6 +19,7 @@ REVERSED = 0.25  # how unlike a vector is its opposite
 NAMED = 2.0  # what unlikeness counts for where names are written: they stand beside their own arrows
 ALIKE, LEAST = 1.03, 0.2  # sizes worth trying differ by so much; the smallest, to what is stated
 OTHER = 3.0  # what it costs for the size to be other than it seems
+LED = 4.0  # how much farther another vector is from a name with a line to its own
 HEADLESS_MM = 2.0  # a shorter vector may be drawn without a head
 
 Costs = list[dict[str, float]]
@@ -80,7 +81,7 @@ def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, k
     for a, b in arrows:
         near = {n: NO_WORD if n not in written else FAR_WORD for n in known}
         for name, word in words:
-            far = word.beside((a, b))
+            far = word.beside((a, b)) * (LED if word.led else 1)
             if name in near and far <= NEAR_MM:
                 near[name] = min(near[name], far)
         fits = (n for n, t in known.items() if abs(b - a) >= HEADLESS_MM or abs(t) < HEADLESS_MM)  # or has no head

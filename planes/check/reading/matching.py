@@ -31,7 +31,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of a plan found on a sketch."""
     paper = ReadPaper(sketch.file, whole=False)
     sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
-    kind, vectors = kind_of(bench.asked.plan), list[int]()
+    kind, vectors, dots = kind_of(bench.asked.plan), list[int](), [z for z, _ in sketch.rounds]
     if kind == "position":
         sketch = hinged(sketch)
         middles = [z for z, _ in sketch.rounds]
@@ -51,7 +51,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
     if kind == "force":
-        sketch.words += led_to_vectors(sketch) if headed(sketch) else ()
+        sketch.words = led_to_vectors(sketch, dots) if headed(sketch) else sketch.words
         found = vectors_named(sketch, bench, true_vectors(bench), others(bench).values())
         return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):

@@ -44,6 +44,7 @@ class Words:
     height: float = 3.5
     width: float = 0.0
     along: complex = 1 + 0j
+    led: bool = False  # whether a line with a dot leads from it there
 
     def listed(self) -> list[Words]:
         """One for each name where several are written in a row: p, a, d, or F = R."""

@@ -56,13 +56,20 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
 
 
 def put(words: Sequence[Words], begin: complex, end: complex) -> list[Words]:
-    """The words a line begins at, the nearest or all in its row, put where the line ends."""
+    """The words a line begins at put where the line ends."""
+    return [replace(w, place=end, height=0.1, width=0.1) for w in begun(words, begin)]
+
+
+def begun(words: Sequence[Words], begin: complex) -> list[Words]:
+    """The words a line begins at: the nearest or all in its row."""
     far = min([LEADER_MM, *(w.distance(begin) for w in words)])
-    return [replace(w, place=end, height=0.1, width=0.1) for w in words if w.distance(begin) <= far < LEADER_MM]
+    return [w for w in words if w.distance(begin) <= far < LEADER_MM]
 
 
-def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
-    """Words with a line from them to the vector they name, as if they stood on it."""
+def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex]) -> list[Words]:
+    """All words, those with a line from them to the vector they name as if they stood on it too, and on nothing else
+    where the line ends in a dot."""
+    found, gone = list[Words](), list[Words]()
     vectors = [s for k, s in enumerate(sketch.strokes) if sketch.ways[k]]
     ends = [z for s in vectors for z in s]
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
@@ -70,7 +77,10 @@ def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
     for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
         clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
         if clear and any(_on(b, *s, -ON_MM) for s in vectors):
-            yield from put(sketch.words, a, b)
+            dotted = any(abs(b - z) < ON_MM for z in dots)
+            found += [replace(w, led=dotted) for w in put(sketch.words, a, b)]
+            gone += begun(sketch.words, a) if dotted else ()
+    return [*(w for w in sketch.words if w not in gone), *found]
 
 
 def _on(z: complex, a: complex, b: complex, within: float) -> bool:

@@ -24,16 +24,14 @@ from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain, gues
 from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares
 from planes.words.names import POLE
 
-TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet
-MOST_HIDDEN = 3.5
+TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden where two others meet
 MOST_COST = 60.0  # of a chain that explains a picture at all
 POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for each vector, is not surely one
-HIDDEN = 1.5  # what it costs to believe in an end that is not seen, for a vector of a millimetre
-NO_INK = 5.0  # what it costs if no ink is on its way
+HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of a millimetre; if no ink is on its way
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
-UNSURE = 2.6  # a mistake is one only if the right polygon costs so much more
+UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 1500
 
@@ -196,9 +194,11 @@ class LaidPolygon:
         self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
 
     def cost(self, plainly: bool = False) -> float:
-        """What it costs to believe in it, or in the plan rightly drawn on such a sheet."""
+        """What it costs to believe in it, or in the plan rightly drawn on such a sheet, if by a poor hand."""
         chain = self.plain if plainly else self.best
-        return (chain.cost if chain else math.inf) + UNLIKELY * (self.share != 1)
+        if chain is None or (plainly and chain.astray(self.right, self.polygon.pole.z) > HAND_MM):
+            return math.inf
+        return chain.cost + UNLIKELY * (self.share != 1)
 
 
 def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], bool, float, tuple[str, ...]]:

@@ -53,6 +53,11 @@ class LaidChain:
         """By how many of its vectors their names stand, as surely as they were read."""
         return sum(words.told(n, a, b) for (n, _, _), (a, b) in zip(self.rows, self.routes(pole), strict=True))
 
+    def astray(self, right: Guess, pole: complex) -> float:
+        """How far the end of a known vector is from where it should be, seen from its start, at the most."""
+        ends = zip(self.rows, self.routes(pole), strict=True)
+        return max((abs(b - a - right.known[n]) for (n, _, _), (a, b) in ends if n in right.known), default=0.0)
+
     def left_out(self, name: str, right: Guess, pole: complex) -> bool:
         """Whether a known vector of some length is laid with none: nobody drew it."""
         k = next(i for i, row in enumerate(self.rows) if row[0] == name)
