@@ -1,0 +1,75 @@
+"""What a teacher would circle on a sheet though nothing overlaps: small letters, names that read as one word, figures
+out of the order of the calculation, forces drawn upon each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+import shapely
+
+from render.paper.marks import Arrow, Text
+from render.paper.typeset import layout, plain
+from render.sheet import Sheet
+from render.views import View
+
+LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304
+APART = 0.6  # of a letter between names that stand side by side
+LARGEST_MM = 7.0
+BESIDE_MM, ASKEW = 4.0, 0.05  # two arrows on one line may share no more; lines that only cross, in radians
+
+
+def small_letters(sheet: Sheet) -> Iterator[str]:
+    """Texts with letters or indices beneath the smallest of the standard."""
+    for text in (m for m in sheet.marks if isinstance(m, Text)):
+        if any(run.height < LEAST_MM - 1e-9 for run in layout(text).runs):
+            yield f"{text.text!r} has letters under {LEAST_MM} mm"
+
+
+def one_word(sheet: Sheet) -> Iterator[str]:
+    """Names in a row that read as one word."""
+    for view, _, _ in sheet.views:
+        yield from _joined([m for m in view.marks if isinstance(m, Text)])
+
+
+def _joined(texts: Sequence[Text]) -> Iterator[str]:
+    signs = {round(m.place.imag, 6) for m in texts if m.text in "=+" or m.text.startswith("Σ")}  # of equations
+    named = [m for m in texts if m.name and not m.turn_deg and round(m.place.imag, 6) not in signs]
+    boxes = [layout(m).box for m in named]
+    tree = shapely.STRtree([shapely.box(b[0].real, b[0].imag, b[2].real, b[2].imag) for b in boxes])
+    for i, j in sorted(map(tuple, tree.query(tree.geometries, "dwithin", APART * LARGEST_MM).T.tolist())):
+        level = min(boxes[i][2].imag, boxes[j][2].imag) - max(boxes[i][0].imag, boxes[j][0].imag)
+        gap, high = boxes[j][0].real - boxes[i][2].real, min(named[i].height, named[j].height)
+        if level > high / 2 and 0 < gap < APART * high - 1e-3:
+            yield f"{plain(named[i].text)!r} and {plain(named[j].text)!r} read as one word, {gap:.2f} mm apart"
+
+
+def out_of_order(sheet: Sheet) -> Iterator[str]:
+    """Figures that stand before an earlier one, and steps of the calculation begun again."""
+    figures = [(v, left, top) for v, left, top in sheet.views if v.figure]
+    for (one, x, y), (two, u, v) in combinations(figures, 2):
+        if u + two.width < x and v - two.height > y - one.height:
+            yield f"{two.key} stands before {one.key}"
+    steps = [v.step for v, _, _ in figures]
+    again = [s for k, s in enumerate(steps) if s and s in steps[:k] and steps[k - 1] != s]
+    yield from (f"the step {s} is begun again" for s in again)
+
+
+def superposed(sheet: Sheet) -> Iterator[str]:
+    """Forces that are drawn upon each other, in one view."""
+    for view, _, _ in sheet.views:
+        yield from _upon(view)
+
+
+def _upon(view: View) -> Iterator[str]:
+    arrows = [m for m in view.marks if isinstance(m, Arrow) and m.layer == "force"]
+    lines = [shapely.LineString([(z.real, z.imag) for z in (m.start, m.end)]) for m in arrows]
+    for (one, a), (two, b) in combinations(zip(arrows, lines, strict=True), 2):
+        turn = (one.end - one.start) * (two.end - two.start).conjugate()
+        if abs(turn.imag) < ASKEW * abs(turn) and a.buffer(0.3).intersection(b).length > BESIDE_MM:
+            yield f"{one.name} and {two.name} are drawn upon each other in {view.key}"
+
+
+def unsightly(sheet: Sheet) -> list[str]:
+    """All of them."""
+    return [*small_letters(sheet), *one_word(sheet), *out_of_order(sheet), *superposed(sheet)]
