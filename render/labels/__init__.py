@@ -7,9 +7,10 @@ places.  A label that finds no room beside what it names goes farther away, with
 from collections.abc import Iterable, Sequence
 
 from render.labels.board import Board
-from render.labels.candidates import Label, Placed
+from render.labels.candidates import BETWEEN, CLEAR_MM, Label, Placed
 from render.labels.footprints import Bounds, ink
-from render.paper.marks import Mark
+from render.paper.marks import Line, Mark, Text
+from render.paper.typeset import box_of
 
 __all__ = ["Label", "Placed", "place"]
 
@@ -23,9 +24,18 @@ def place(
     """
     if not labels:
         return Placed((), ())
-    board = Board(labels, ink(marks), field, ink(yielding))
+    marks = list(marks)
+    board = Board(labels, ink([*marks, *map(_beside, (m for m in marks if isinstance(m, Text)))]), field, ink(yielding))
     board.choose()
     board.repair()
     while board.widen():
         board.repair()
     return board.placed()
+
+
+def _beside(text: Text) -> Line:
+    """A line through a text that stands already, so far beyond it that no label beside it reads as one word with it."""
+    box, past = box_of(text), max(BETWEEN[0] * text.height - CLEAR_MM, 0.0)
+    left, right = (box[0] + box[3]) / 2, (box[1] + box[2]) / 2
+    way = (right - left) / abs(right - left) if right != left else 0j
+    return Line((left - past * way, right + past * way), "thin")

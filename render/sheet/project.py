@@ -19,7 +19,7 @@ from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
 from render.views.diagrams import DiagramCurve, Diagrams, section_mm
-from render.views.dimensions import driver_angle, frame_sizes
+from render.views.dimensions import driver_angle, frame_sizes, sizes_drawn
 from render.views.hodographs import Hodograph, hodograph_view
 from render.views.loading import Loading
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
@@ -49,7 +49,7 @@ class Project:
         t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together)
         steps = {
             "motion": (self.many(position), self.diagrams(position, size), self.hodographs()),
-            "rates": (*plans, t.plan("velocity"), t.plan("acceleration"), t.links()),
+            "rates": (*plans, t.plan("velocity"), t.plan("acceleration"), t.links(), t.transfers()),
             "structure": (self.groups(position, letter), t.given()),
         }
         return [replace(v, step=step) for step, views in steps.items() for v in views if v]
@@ -64,7 +64,9 @@ class Project:
             many, title = ManyPositions(position.plans, self.numbered, self.turn, mu), c.titled(position, "scheme")
             scheme, thin = Scheme(position, c.naming), many.marks()
             angle, named = driver_angle(scheme.places, c.naming)
-            sizes = frame_sizes(scheme.places, mu, bounds(thin), c.lang)
+            strokes = many.strokes(c.lang)
+            about = bounds([*thin, *sizes_drawn(strokes)])
+            sizes = sizes_drawn([*strokes, *frame_sizes(scheme.places, mu, about, c.lang)])
             drawn = scheme.drawn(True, [*thin, *angle, *sizes], [*named, *many.labels()])
             return view("scheme", title, drawn, True, many.unseen(title, c.lang), "position")
 

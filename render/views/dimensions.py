@@ -1,14 +1,16 @@
 """Sizes on a scheme: two arrows that part from the middle, lines that lead to what is measured, the size over them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
 from planes.words import Lang
 from planes.words.lettering import Naming
+from planes.words.units import number
 from render.labels import Label
 from render.labels.footprints import Bounds
 from render.paper import symbols
-from render.paper.letters import decimal
 from render.paper.marks import Arrow, Line, Mark, Text
+from render.paper.typeset import ink_width
 from render.views.plotted import Places, degrees
 
 PAST_MM = 1.5  # of a leading line beyond the arrow
@@ -17,41 +19,76 @@ LETTER_MM = 3.5
 APART_MM, BESIDE_MM = 8.0, 14.0  # of sizes from each other, and from what is drawn
 LEAST_MM = 9.0  # the shortest that has room for its arrows and its number
 ANGLE_MM, AXIS_MM = 16.0, 21.0  # the radius at which the driver's angle is shown, and the axis it is measured from
+PARTING = (0.5, 0.35, 0.65, 0.25, 0.75)  # of a size's length, where its text may stand
 SQUARE = 1e-6
 
 
-def stroke(one: complex, other: complex, off: complex, text: str) -> list[Mark]:
+@dataclass(frozen=True)
+class Size:
+    """A size between two ``places``, with the ends of its arrows, ``aside`` of them."""
+
+    places: tuple[complex, complex]
+    ends: tuple[complex, complex]
+    aside: complex
+    text: str
+    name: str = "size"
+
+    def leading(self) -> list[Line]:
+        """The lines that lead to its arrows from what is measured."""
+        pairs = zip(self.places, self.ends, strict=True)
+        return [Line((z, end + PAST_MM * self.aside), "thin", "dimension") for z, end in pairs]
+
+    def marks(self, others: Sequence[Line] = ()) -> list[Mark]:
+        """All of it; its arrows part, beneath the text, where no line that leads to others comes near."""
+        (a, b), turn = self.ends, degrees(self.ends[1] - self.ends[0])
+        turn -= 180 * round(turn / 180 - 1e-9)  # read from below or from the right
+        free = (z for t in PARTING if self.clear(z := a + t * (b - a), others))
+        parting = next(free, (a + b) / 2)
+        arrows = [Arrow(parting, end, "thin", "dimension") for end in self.ends]
+        place = parting + OVER_MM * 1j * symbols.unit(turn)
+        return [*self.leading(), *arrows, Text(self.text, place, LETTER_MM, "middle", turn, "dimension", self.name)]
+
+    def clear(self, z: complex, others: Iterable[Line]) -> bool:
+        """Whether a text over a place is clear of the lines that lead to other sizes."""
+        way, half = self.ends[1] - self.ends[0], ink_width(self.text, LETTER_MM) / 2 + OVER_MM
+        beside = ([(w - z) * abs(way) / way for w in line.points] for line in others)
+        return not any(
+            abs(a.real) < half and abs(a.imag + b.imag) < abs(a.imag - b.imag) + 2 * LETTER_MM for a, b in beside
+        )
+
+
+def sizes_drawn(sizes: Sequence[Size]) -> list[Mark]:
+    """Sizes whose texts no line that leads to another one crosses."""
+    leading = [line for one in sizes for line in one.leading()]
+    return [m for one in sizes for m in one.marks(leading)]
+
+
+def stroke(one: complex, other: complex, off: complex, text: str) -> Size:
     """The way of a slider between two places, drawn so far off, square to it."""
-    return _size((one, one + off), (other, other + off), off / abs(off), text, "stroke")
+    return Size((one, other), (one + off, other + off), off / abs(off), text, "stroke")
 
 
-def _size(
-    one: tuple[complex, complex], other: tuple[complex, complex], aside: complex, text: str, name: str
-) -> list[Mark]:
-    """The size between two places, each with the end of its arrow."""
-    middle, turn = (one[1] + other[1]) / 2, degrees(other[1] - one[1])
-    turn -= 180 * round(turn / 180 - 1e-9)  # read from below or from the right
-    leading = [Line((z, end + PAST_MM * aside), "thin", "dimension") for z, end in (one, other)]
-    arrows = [Arrow(middle, end, "thin", "dimension") for _, end in (one, other)]
-    place = middle + OVER_MM * 1j * symbols.unit(turn)
-    return [*leading, *arrows, Text(text, place, LETTER_MM, "middle", turn, "dimension", name)]
-
-
-def frame_sizes(places: Places, mu: float, drawn: Bounds, lang: Lang) -> list[Mark]:
+def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Size]:
     """How far the frame's hinges, level and upright guides are from the driver's pair, in mm as they are: level sizes
     beneath everything drawn, upright ones at its left."""
-    found, pair = list[Mark](), places.position.plans.structure.drive_pair.point
+    found, pair = list[Size](), places.position.plans.structure.drive_pair.point
     if not places.has(pair):
         return found
-    for way, aside, edge in ((1 + 0j, -1j, -drawn[1]), (1j, -1 + 0j, -drawn[0])):
+    for way, aside, edge in ((1 + 0j, -1j, -about[1]), (1j, -1 + 0j, -about[0])):
         base = places.at(pair)
         ways = {round(((z - base) / way).real, 2): z for z in _held(places, way)}
-        long = sorted((t for t in ways if abs(t) > LEAST_MM), key=abs)
+        texts = {t: in_mm(abs(t) / mu, lang) for t in ways}
+        long = sorted((t for t in ways if abs(t) > max(LEAST_MM, ink_width(texts[t], LETTER_MM) + 2)), key=abs)
         for k, t in enumerate(long):
             off = (edge + BESIDE_MM + k * APART_MM) * aside
-            one, other = ((x, (x / way).real * way + off) for x in (base, ways[t]))
-            found += _size(one, other, aside, decimal(f"{1000 * abs(t) / mu:.4g}", lang), "size")
+            ends = ((base / way).real * way + off, (ways[t] / way).real * way + off)
+            found.append(Size((base, ways[t]), ends, aside, texts[t]))
     return found
+
+
+def in_mm(metres: float, lang: Lang) -> str:
+    """A size as a drawing has it."""
+    return number(round(1000 * metres, 1), lang, 7)
 
 
 def _held(places: Places, way: complex) -> Iterator[complex]:

@@ -14,7 +14,7 @@ from planes.words import Lang, say
 from render.labels import Label
 from render.paper.marks import Line, Mark
 from render.paper.typeset import plain
-from render.views.dimensions import stroke
+from render.views.dimensions import Size, in_mm, stroke
 from render.views.plotted import NEAR_MM, outline_of
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
@@ -87,7 +87,7 @@ class ManyPositions:
             style = "thin" if one.extreme else "construction"
             shapes = (x for link in self.plans.mechanism.links.values() for x in self.outlines(link, result))
             found += (Line(tuple(shape), style, "construction", len(shape) > 2) for shape in shapes)
-        return [*found, *self.paths(), *self.strokes()]
+        return [*found, *self.paths()]
 
     def shown(self) -> Iterator[tuple[Numbered, PlacedMechanism]]:
         """The numbered positions that are drawn, with their places."""
@@ -195,10 +195,10 @@ class ManyPositions:
             return -1j * cmath.rect(1, math.radians(self.plans.mechanism.guide(link.slides.guide).angle_deg))
         return z - next(frame.points[p] for p in link.points if p in frame.points) * self.mu
 
-    def strokes(self) -> list[Mark]:
+    def strokes(self, lang: Lang) -> list[Size]:
         """How far sliders go on the frame's guides, in mm as they are, beyond everything that is drawn beside; nothing
         where the ends of the range are not drawn."""
-        found, shown = list[Mark](), [r for r in self.turn if r]
+        found, shown = list[Size](), [r for r in self.turn if r]
         if not all(map(self.near, shown)):
             return found
         moving = self.plans.mechanism.links.values()
@@ -214,5 +214,5 @@ class ManyPositions:
             off = min(min(beside) - BELOW_MM, max(beside) + BELOW_MM, key=abs)
             if max(at) - min(at) > LEAST_MM:
                 ends = (through + min(at) * along, through + max(at) * along)
-                found += stroke(*ends, 1j * off * along, f"{1000 * (max(at) - min(at)) / self.mu:.3g}")
+                found.append(stroke(*ends, 1j * off * along, in_mm((max(at) - min(at)) / self.mu, lang)))
         return found

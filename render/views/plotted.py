@@ -148,12 +148,14 @@ class Places:
 
 
 def upon(one: Ends, other: Ends, near: float) -> bool:
-    """Whether two lines are nearer than so many mm side by side, over more than a millimetre of their length."""
+    """Whether two lines run side by side for more than a millimetre, nowhere there farther apart than so many mm."""
     way = (other[1] - other[0]) / abs(other[1] - other[0])
-    a, b = ((z - other[0]) * way.conjugate() for z in one)
-    if max(abs(a.imag), abs(b.imag)) > near:
+    a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
+    low, high = max(a.real, 0.0), min(b.real, abs(other[1] - other[0]))
+    if high - low <= 1.0:
         return False
-    return min(max(a.real, b.real), abs(other[1] - other[0])) - max(min(a.real, b.real), 0.0) > 1.0
+    slope = (b.imag - a.imag) / (b.real - a.real)
+    return max(abs(a.imag + slope * (t - a.real)) for t in (low, high)) <= near
 
 
 def set_apart(ends: Ends, others: Iterable[Ends], step: float, near: float) -> Ends:
@@ -161,7 +163,7 @@ def set_apart(ends: Ends, others: Iterable[Ends], step: float, near: float) -> E
     side, others = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0]), list(others)
     if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
         side = -side
-    places = ((ends[0] + k * step * side, ends[1] + k * step * side) for k in (0, 1, -1, 2, -2, 3, -3))
+    places = ((ends[0] + k * step * side, ends[1] + k * step * side) for k in (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5))
     return next((two for two in places if not any(upon(two, other, near) for other in others)), ends)
 
 

@@ -215,6 +215,6 @@ class Scheme:
             clear = HINGE_MM if hinged else 0.8
             self.named.append(labels.Label(self.naming.point(p), z, LETTER_MM, clear=clear, priority=1, name=p))
         for guide in (g for link in self.links for g in link.guides.values() if g.mark):
-            for foot, _ in map(self.places.foot, self.places.sliders(guide.name)):
+            for foot, _ in (self.places.foot(x) for x in self.places.sliders(guide.name) if x in self.links):
                 name = str(guide.mark)
                 self.named.append(labels.Label(self.naming.point(name), foot, LETTER_MM, clear=HINGE_MM, name=name))

@@ -23,6 +23,7 @@ from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
 from render.views.given import GivenTable
 from render.views.plotted import of_position
+from render.views.transfers import TransferFunctions
 
 Row = Sequence[str]
 CLEAR_MM = 0.65  # least distance of a text from the middle of the lines above and beneath it
@@ -186,6 +187,11 @@ class Tables:
                 rows.append([self.naming.link(name), *cells])
         head = [self.say("column_link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
         return self.table("links", self.say("links_table"), head, rows)
+
+    def transfers(self) -> View | None:
+        """Transfer functions by segments of the velocity plan."""
+        rows = list(TransferFunctions(self.position, self.naming).rows())
+        return self.table("transfers", self.say("transfers_table"), ["", "", "", ""], rows)
 
     def turning(self, value: float) -> str:
         """A signed value and the curved arrow of its sense."""

@@ -33,7 +33,7 @@ def one_word(sheet: Sheet) -> Iterator[str]:
 
 
 def _joined(texts: Sequence[Text]) -> Iterator[str]:
-    signs = {round(m.place.imag, 6) for m in texts if m.text in "=+" or m.text.startswith("Σ")}  # of equations
+    signs = {round(m.place.imag, 6) for m in texts if set("=+Σ") & set(m.text)}  # of equations
     named = [m for m in texts if m.name and not m.turn_deg and round(m.place.imag, 6) not in signs]
     boxes = [layout(m).box for m in named]
     tree = shapely.STRtree([shapely.box(b[0].real, b[0].imag, b[2].real, b[2].imag) for b in boxes])
@@ -62,7 +62,7 @@ def superposed(sheet: Sheet) -> Iterator[str]:
 
 
 def _upon(view: View) -> Iterator[str]:
-    arrows = [m for m in view.marks if isinstance(m, Arrow) and m.layer == "force"]
+    arrows = [m for m in view.marks if isinstance(m, Arrow) and m.layer == "force" and m.name]
     lines = [shapely.LineString([(z.real, z.imag) for z in (m.start, m.end)]) for m in arrows]
     for (one, a), (two, b) in combinations(zip(arrows, lines, strict=True), 2):
         turn = (one.end - one.start) * (two.end - two.start).conjugate()
