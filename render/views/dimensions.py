@@ -17,7 +17,7 @@ PAST_MM = 1.5  # of a leading line beyond the arrow
 OVER_MM = 0.9  # of the size over the line of its arrows
 LETTER_MM = 3.5
 APART_MM, BESIDE_MM = 8.0, 14.0  # of sizes from each other, and from what is drawn
-LEAST_MM = 9.0  # the shortest that has room for its arrows and its number
+LEAST_MM, HEADS_MM = 9.0, 8.0  # the shortest that has room for its arrows; their heads, beside the text
 ANGLE_MM, AXIS_MM = 16.0, 21.0  # the radius at which the driver's angle is shown, and the axis it is measured from
 PARTING = (0.5, 0.35, 0.65, 0.25, 0.75)  # of a size's length, where its text may stand
 SQUARE = 1e-6
@@ -78,7 +78,7 @@ def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Si
         base = places.at(pair)
         ways = {round(((z - base) / way).real, 2): z for z in _held(places, way)}
         texts = {t: in_mm(abs(t) / mu, lang) for t in ways}
-        long = sorted((t for t in ways if abs(t) > max(LEAST_MM, ink_width(texts[t], LETTER_MM) + 2)), key=abs)
+        long = sorted((t for t in ways if abs(t) > max(LEAST_MM, ink_width(texts[t], LETTER_MM) + HEADS_MM)), key=abs)
         for k, t in enumerate(long):
             off = (edge + BESIDE_MM + k * APART_MM) * aside
             ends = ((base / way).real * way + off, (ways[t] / way).real * way + off)
