@@ -9,7 +9,7 @@ from itertools import pairwise
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
 from planes.words.lettering import Naming, lowered
-from planes.words.names import ends_of
+from planes.words.names import POLE, ends_of, label_of
 from render import labels
 from render.labels.footprints import ink
 from render.paper import symbols
@@ -213,8 +213,15 @@ class Scheme:
             if not hinged and p != first[p].centre:
                 self.hinges += symbols.dot(z)
             clear = HINGE_MM if hinged else 0.8
-            self.named.append(labels.Label(self.naming.point(p), z, LETTER_MM, clear=clear, priority=1, name=p))
-        for guide in (g for link in self.links for g in link.guides.values() if g.mark):
-            for foot, _ in (self.places.foot(x) for x in self.places.sliders(guide.name) if x in self.links):
-                name = str(guide.mark)
-                self.named.append(labels.Label(self.naming.point(name), foot, LETTER_MM, clear=HINGE_MM, name=name))
+            text = ", ".join(map(self.naming.point, (p, *self.images(p))))
+            self.named.append(labels.Label(text, z, LETTER_MM, clear=clear, priority=1, name=p))
+
+    def images(self, point: str) -> list[str]:
+        """Letters of the places on guides that coincide with a slider's point, as the plans call them: L, B3."""
+        plans, drawn = self.position.plans, {x.name for x in self.links}
+        known, found = {POLE, *(label_of(x.velocity) for x in plans.points.values())}, list[str]()
+        for link in (x for x in self.links if x.slides and x.first_point == point and x.name in plans.velocity_slides):
+            reading = plans.velocity_slides[link.name]
+            if self.mechanism.owner(reading.guide) in drawn:
+                found += (x.upper() for x in map(label_of, reading.ends) if x not in known)
+        return found

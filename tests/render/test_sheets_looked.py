@@ -4,19 +4,38 @@ from __future__ import annotations
 
 import random
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from planes.documents.sheets import sheet_of
 from render.labels import Label, place
 from render.paper.marks import Arc, Line, Mark, Text, moved
+from render.paper.typeset import plain
 from tests import sheets_run
-from tests.sheets_run import Job, clashes, crossings, jobs, leaders, look, omissions, scene_of, unlettered, untranslated
+from tests.sheets_run import (
+    Job,
+    at_random,
+    clashes,
+    crossings,
+    jobs,
+    leaders,
+    look,
+    omissions,
+    scene_of,
+    unlettered,
+    untranslated,
+)
 
 SEED, COUNT = 5, 8
 SOME = random.Random(SEED).sample(jobs(True, True), COUNT)
 SOME += random.Random(SEED + 1).sample(jobs(True, True, lang="en"), COUNT // 2)
+SCENES = [path for path in (*sheets_run.SAMPLES, *sheets_run.ASSIGNMENTS) if path.stem != "vectors"]
+EVERY = [Job(path, number) for path in SCENES for number in (1, 2)]
 SIX_LINK = next(p for p in sheets_run.SAMPLES if p.stem == "six-link")
+
+STRICT = ("letters under", "stands before", "begun again", "begins between", "meets", "is not lettered", "is nowhere")
+KINDS_OF_FAULTS = (*STRICT, " lies on ", "overlaps the label", "read as one word", "upon each other", "crosses")
 
 
 @pytest.mark.slow
@@ -27,6 +46,31 @@ def test_a_sheet_has_no_fault(job: Job) -> None:
     assert found.faults == ()
     refused = any(why in found.failed for why in ("φ = ", "s = ", "μ"))  # no such position, or no paper for a stated μ
     assert refused or found.full > 0.4
+
+
+@pytest.mark.slow
+@pytest.mark.few(0)
+@pytest.mark.parametrize("job", EVERY, ids=str)
+def test_every_sheet_of_a_project_is_without_fault(job: Job) -> None:
+    """No ink on ink, names apart, letters of the standard, left edges on the module, figures in the order of the
+    calculation, no force upon another, nothing left out unsaid."""
+    found = look(job)
+    assert (found.faults, found.failed) == ((), "")
+
+
+@pytest.mark.long
+def test_faults_of_sheets_of_random_mechanisms_are_few_and_told(tmp_path: Path) -> None:
+    """Three groups with all their loads are more than a sheet may hold: what lies on other ink is named by it."""
+    found = [look(job) for job in at_random(100, tmp_path) if job.number]
+    faults = [(one, fault) for one in found for fault in one.faults]
+    unsaid = [
+        (str(one.job), f) for one, f in faults if " lies on " in f and plain(f.split("'")[1]) not in " ".join(one.said)
+    ]
+    assert unsaid == []
+    kinds = {kind: sum(kind in f for _, f in faults) for kind in KINDS_OF_FAULTS}
+    assert sum(kinds.values()) == len(faults), faults
+    assert all(kinds[kind] == 0 for kind in STRICT), kinds
+    assert sum(bool(one.faults) for one in found) <= 0.1 * len(found), kinds
 
 
 def test_the_looking_sees_what_is_wrong() -> None:
