@@ -122,6 +122,7 @@ def test_a_picture_upon_another_carries_no_drawing() -> None:
 
 
 ANEW = (
+    ("assignments/36", "position", "right"),  # two points nearer to each other than their signs are wide
     ("six-link", "velocity", "right"),
     ("sliding-driver", "acceleration", "right"),
     ("kind-1-rrr", "position", "right"),
