@@ -16,6 +16,8 @@ from render.paper.marks import Arc, Hatch, Layer, Line, Mark, Shape
 from render.paper.style import BASE_MM, BLOCK_MM, DOT_MM, HATCH_GAP_MM, HATCH_MM, HINGE_MM, LEG_MM, head_size, pen
 
 Marks = tuple[Mark, ...]
+PLATE_GAP_MM, GUSSET_MM = 3.0, 4.5
+ALIKE = 0.2  # the sine of an angle at which lines run alike
 
 
 def unit(angle_deg: float) -> complex:
@@ -78,11 +80,18 @@ def bar(*points: complex) -> Marks:
     return (Line(tuple(points)),)
 
 
-def plate(points: Sequence[complex], gap: float = 2.5) -> Marks:
-    """A rigid link with three or more hinges: a polygon, hatched thinly to show it is one piece."""
-    a, b = max(pairwise((*points, points[0])), key=lambda ends: abs(ends[1] - ends[0]))
-    slope = math.degrees(cmath.phase(b - a)) + 45
-    return (Hatch(tuple(points), slope, gap), Line(tuple(points), closed=True))
+def plate(points: Sequence[complex]) -> Marks:
+    """A rigid link with three or more hinges: a polygon, hatched as ГОСТ 2.306 does, the other way where an edge runs
+    alike."""
+    edges = (b - a for a, b in pairwise((*points, points[0])))
+    alike = any(abs((way * unit(-45)).imag) < ALIKE * abs(way) for way in edges)
+    return (Hatch(tuple(points), 135.0 if alike else 45.0, PLATE_GAP_MM), Line(tuple(points), closed=True))
+
+
+def rigid(at: complex, one: complex, other: complex) -> Marks:
+    """The sign that two rods of a link are fixed to each other where they meet: a gusset in their angle."""
+    u, v = ((z - at) / abs(z - at) for z in (one, other))
+    return (Shape((at, at + GUSSET_MM * u, at + GUSSET_MM * v)),) if abs((u * v.conjugate()).imag) > ALIKE else ()
 
 
 def dot(at: complex, radius: float = DOT_MM, layer: Layer = "scheme") -> Marks:

@@ -79,7 +79,7 @@ class Scheme:
         outline = outline_of(joints)
         self.number(link, outline)
         if len(outline) > 2:
-            self.bars += symbols.plate(outline, max(2.5, max(abs(a - b) for a in outline for b in outline) / 16))
+            self.bars += symbols.plate(outline)
         elif len(outline) == 2:
             self.bars += symbols.bar(*outline)
         self.offside(link, outline)
@@ -151,8 +151,18 @@ class Scheme:
         if not stops or not reach:
             return []
         low, high = self.rod(reach, stops)
-        self.guides += symbols.bar(through + low * along, through + high * along)
+        ends = through + low * along, through + high * along
+        self.guides += symbols.bar(*ends)
+        off = [z for z, w in zip(joints, ways, strict=True) if abs(w.imag) >= NEAR_MM]
+        self.corner(through + reach[0] * along, ends, off[:1])
         return [] if on else [through + reach[0] * along]
+
+    def corner(self, z: complex, rod: Sequence[complex], joints: Sequence[complex]) -> None:
+        """The sign of a rigid joint where the rod of a guide stands on the link's own bar."""
+        far = [end for end in rod if abs(end - z) > symbols.GUSSET_MM]
+        for joint in joints if far else ():
+            nearer = max(far, key=lambda end: math.cos(cmath.phase((end - z) / (joint - z))))
+            self.bars += symbols.rigid(z, nearer, joint)
 
     def rod(self, reach: list[float], stops: list[float]) -> tuple[float, float]:
         """From where the link holds the guide to beyond its sliders; no more than that on the holding side."""

@@ -19,7 +19,7 @@ from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
-from render.paper.marks import Arrow, Line, Text
+from render.paper.marks import Arrow, Line, Shape, Text
 from render.paper.style import BASE_MM
 from render.paper.typeset import plain
 from render.views.diagrams import runs
@@ -205,3 +205,11 @@ def test_what_holds_a_mechanism_is_measured_on_its_scheme_and_so_is_the_drivers_
     assert {text for text, mm in every.items() if mm > 16} <= sizes <= {text for text, mm in every.items() if mm > 9}
     turned = mechanism.drive.kind == "phi" and mechanism.drive.position % 360 != 0
     assert (f"φ_{{{mechanism.drive.link}}}" in {m.text for m in marks if isinstance(m, Text)}) == turned
+
+
+@pytest.mark.parametrize("name", ["six-link", "25", "41", "50", "52", "65"])
+def test_two_rods_of_one_link_have_the_sign_of_a_rigid_joint(name):
+    scheme = Scheme(solve(replace(load(ALL[name]), find=None)).positions[0], Naming("en"))
+    scheme.drawn()
+    gussets = [m for m in scheme.bars if isinstance(m, Shape)]
+    assert gussets and all(min(abs(m.points[0] - scheme.places.at(p)) for p in scheme.shared) < 0.1 for m in gussets)

@@ -8,7 +8,20 @@ import pytest
 
 from render.paper.ink import cut, uncovered
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.paper.symbols import bar, base, block, dot, fixed_hinge, hatching, hinge, plate, rail, turn_arrow, unit
+from render.paper.symbols import (
+    bar,
+    base,
+    block,
+    dot,
+    fixed_hinge,
+    hatching,
+    hinge,
+    plate,
+    rail,
+    rigid,
+    turn_arrow,
+    unit,
+)
 
 
 def lines(marks: tuple[Mark, ...]) -> list[Line]:
@@ -73,6 +86,9 @@ def test_small_signs() -> None:
     assert bar(0j, 1j) == (Line((0j, 1j)),)
     hatch, outline = plate((0j, 10 + 0j, 5j))
     assert isinstance(hatch, Hatch) and isinstance(outline, Line) and outline.closed
+    assert hatch.angle_deg == 45 and plate((0j, 10 + 10j, 10j))[0].angle_deg == 135  # type: ignore[union-attr]
+    (gusset,) = rigid(0j, 20 + 0j, 30j)
+    assert isinstance(gusset, Shape) and gusset.fill == "ink" and rigid(0j, 20 + 0j, -30 + 1j) == ()
     assert dot(0j)[0].fill == "ink"  # type: ignore[union-attr]
     assert len(base(0j)) > 4
 
