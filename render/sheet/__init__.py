@@ -37,12 +37,18 @@ class Contents:
     views: Callable[[Sizes, float, bool], tuple[list[View], list[View]]]
     extents: Extents = lambda sizes: {}
     leaders: Mapping[str, str] = field(default_factory=dict)
+    extras: bool = False
 
     def lettered(self, sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         """The views with titles as high as their equations."""
         wanted, spare = self.views(sizes, letter, together)
+        wanted = [v for v in wanted if self.extras or not v.extra]
         wanted, spare = ([replace(v, heading=LARGER[letter]) for v in some] for some in (wanted, spare))
         return wanted, spare
+
+    def extra(self, sizes: Sizes, letter: float, together: bool) -> list[View]:
+        """The views that wait for room."""
+        return [] if self.extras else [v for v in self.views(sizes, letter, together)[0] if v.extra]
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -68,9 +74,11 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
         for whole, name in product((True, False), formats):
             how = fitted(contents, name, name == formats[-1], whole)
             if how:
+                contents, how = with_extras(contents, how, name, whole)
                 wanted, spare = contents.lettered(*how)
                 places = enlarged(contents, *how, whole, Paper(name))
-                left_out = () if whole else (without(spare, wanted, Paper(name), number, lang),)
+                missing = [*contents.extra(*how), *(() if whole else spare)]
+                left_out = (without(missing, wanted, Paper(name), number, lang),) if missing else ()
                 return finished(scene, Paper(name), places, lang, number, left_out)
     raise no_room(contents, Paper(formats[-1]), lang)
 
@@ -89,6 +97,16 @@ def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None
             if not knotted:  # rather is left out what may be than all drawn too small for its letters
                 return how
     return None
+
+
+def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
+    """The same with the views that wait for room, where there is some for plans no smaller."""
+    more = replace(contents, extras=True)
+    for other in (w for w in _tries(name, False, False) if w[0] == how[0]):
+        wanted, spare = more.lettered(*other)
+        if packed([*wanted, *spare] if whole else wanted, Paper(name)):
+            return more, other
+    return contents, how
 
 
 def _tries(name: str, free: bool, last: bool) -> list[Way]:

@@ -20,6 +20,7 @@ from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
 from render.views.diagrams import DiagramCurve, Diagrams, section_mm
 from render.views.dimensions import driver_angle, frame_sizes, sizes_drawn
+from render.views.directions import Directions
 from render.views.hodographs import Hodograph, hodograph_view
 from render.views.loading import Loading
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
@@ -49,7 +50,14 @@ class Project:
         t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together)
         steps = {
             "motion": (self.many(position), self.diagrams(position, size), self.hodographs()),
-            "rates": (*plans, t.plan("velocity"), t.plan("acceleration"), t.links(), t.transfers()),
+            "rates": (
+                *plans,
+                t.plan("velocity"),
+                t.plan("acceleration"),
+                t.links(),
+                self.directions(position),
+                t.transfers(),
+            ),
             "structure": (self.groups(position, letter), t.given()),
         }
         return [replace(v, step=step) for step, views in steps.items() for v in views if v]
@@ -71,6 +79,11 @@ class Project:
             return view("scheme", title, drawn, True, many.unseen(title, c.lang), "position")
 
         return c.once(("many", mu), make)
+
+    def directions(self, position: Position) -> View | None:
+        """The small figures of directions."""
+        c = self.composer
+        return c.once(("directions",), lambda: Directions(position, c.naming).view(say("directions", c.lang)))
 
     def groups(self, position: Position, letter: float) -> View | None:
         """The primary mechanism and the groups of Assur apart, with W, q and the formula of structure."""

@@ -29,6 +29,7 @@ class View:
     plan: str = ""
     step: str = ""
     heading: float = TITLE_MM
+    extra: bool = False  # shown only where the format that holds all others has room for it too
 
     @cached_property
     def titled(self) -> tuple[tuple[Mark, ...], Bounds]:

@@ -16,7 +16,7 @@ from render.views.plotted import Places, degrees
 PAST_MM = 1.5  # of a leading line beyond the arrow
 OVER_MM = 0.9  # of the size over the line of its arrows
 LETTER_MM = 3.5
-APART_MM, BESIDE_MM = 8.0, 14.0  # of sizes from each other, and from what is drawn
+APART_MM, BESIDE_MM = 7.0, 10.0  # of sizes from each other, and from what is drawn
 LEAST_MM, HEADS_MM = 9.0, 8.0  # the shortest that has room for its arrows; their heads, beside the text
 ANGLE_MM, AXIS_MM = 16.0, 21.0  # the radius at which the driver's angle is shown, and the axis it is measured from
 PARTING = (0.5, 0.35, 0.65, 0.25, 0.75)  # of a size's length, where its text may stand

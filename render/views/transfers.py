@@ -3,23 +3,21 @@ plan."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
 
 from planes.diagrams.curves import analogue_units, ratio_name
-from planes.drafting.steps import Step
-from planes.drafting.steps.reckoning import Calculate, Measure
-from planes.solving import Position
+from planes.drafting.steps.reckoning import Measure
 from planes.words.lettering import Naming, greek, lettered_curve
 from planes.words.names import POLE, label_of
 from planes.words.read_off import measured
 from render.paper.letters import unit
 from render.views.formulas import NOISE_MM
+from render.views.reckoned import Reckoned
 
 PLAN = "velocity"
 
 
 @dataclass(frozen=True)
-class TransferFunctions:
+class TransferFunctions(Reckoned):
     """What the velocities of a position are to the driver's, from its plan: v_qC = pc·l_AB/pb,
     u_21 = bc·l_AB/(pb·l_BC).
 
@@ -27,7 +25,6 @@ class TransferFunctions:
     and another.
     """
 
-    position: Position
     naming: Naming
 
     def rows(self) -> Iterator[list[str]]:
@@ -71,17 +68,6 @@ class TransferFunctions:
             alike = [link for link, names in links.items() if names.omega == rate]
             if alike and isinstance(step := self.steps.get(vector), Measure):
                 yield alike, self.ends(step.start, step.end), length
-
-    def products(self, power: int) -> dict[str, tuple[str, str]]:
-        """Values that are one other times, or through, a length: both by name."""
-        plain = (s for s in self.steps.values() if isinstance(s, Calculate) and len(s.terms) == 1)
-        factors = ((s.makes, s.terms[0].factors) for s in plain)
-        return {name: (f[0][0], f[1][0]) for name, f in factors if [p for _, p in f] == [1, power]}
-
-    @cached_property
-    def steps(self) -> dict[str, Step]:
-        """The steps of the program by what they make."""
-        return {s.makes: s for s in self.position.drawing.program.steps}
 
     def ends(self, start: str, end: str) -> str:
         """The letters of a segment of the plan."""

@@ -1,0 +1,99 @@
+"""Small figures of directions, as they stand beside the plans: a relative vector carried over to its point tells the
+sense in which its link turns; a relative velocity turned with its guide by a right angle, Coriolis' acceleration."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from planes.drafting.steps import LayOff, Through, Turn
+from planes.drafting.steps.reckoning import Calculate, Measure
+from planes.words.lettering import Naming
+from planes.words.names import label_of, parts_of
+from render.labels import Label
+from render.paper import symbols
+from render.paper.marks import Arrow, Line, Mark
+from render.views import View, beside, stacked, view
+from render.views.formulas import NOISE_MM
+from render.views.plotted import degrees
+from render.views.reckoned import Reckoned
+from render.views.senses import labelled
+
+ROD_MM, ARROW_MM, SENSE_MM = 13.0, 8.0, 5.5  # of a figure: its rod, its vectors, the radius of its curved arrow
+LETTER_MM = 3.5
+SWEEP_DEG, FROM_DEG = 65.0, 15.0  # of a curved arrow, and from its rod
+A_ROW = 5  # figures
+
+
+@dataclass(frozen=True)
+class Directions(Reckoned):
+    """The figures of a position."""
+
+    naming: Naming
+
+    def view(self, title: str) -> View | None:
+        """All figures in rows; none where nothing turns."""
+        cells = [view("direction", "", cell) for cell in (*self.turned(), *self.coriolis())]
+        rows = [beside(cells[k : k + A_ROW], 6.0) for k in range(0, len(cells), A_ROW)]
+        found = view("directions", title, stacked("directions", rows).marks) if rows else None
+        return found and replace(found, extra=True)
+
+    def turned(self) -> Iterator[Sequence[Mark]]:
+        """A rod with the vector of its far end, and the sense of ω or ε that this gives."""
+        links = self.position.plans.links.values()
+        rates = {name for x in links for name in (x.omega, x.epsilon)}
+        for rate, (vector, _) in self.products(-1).items():
+            step = self.steps.get(vector) if rate in rates else None
+            if isinstance(step, Measure) and (rod := self.rod(step.along)) and (way := self.way(step.start, step.end)):
+                yield self.turning(rod, way, vector, rate)
+
+    def rod(self, across: str | None) -> Through | None:
+        """The line of the scheme that a direction is square to."""
+        turn = self.steps.get(across or "")
+        line = self.steps.get(turn.of) if isinstance(turn, Turn) else None
+        return line if isinstance(line, Through) else None
+
+    def way(self, start: str, end: str) -> complex:
+        """The direction of a segment; 0 where it is too short to have one."""
+        z = complex(self.position.drawing[end]) - complex(self.position.drawing[start])
+        return z / abs(z) if abs(z) > NOISE_MM else 0j
+
+    def turning(self, rod: Through, way: complex, vector: str, rate: str) -> Sequence[Mark]:
+        """One rod."""
+        tip = ROD_MM * self.way(rod.start, rod.end)
+        ground = [*symbols.bar(0j, tip), *symbols.hinge(0j), *symbols.hinge(tip)]
+        ends = ((rod.start, 0j), (rod.end, tip))
+        letters = [Label(self.naming.point(label_of(x)), z, LETTER_MM, clear=1.6, name=x) for x, z in ends]
+        vectors = [Arrow(tip, tip + ARROW_MM * way, "vector", "plan", vector)]
+        return self.figure(ground, vectors, rate, degrees(tip), letters)
+
+    def coriolis(self) -> Iterator[Sequence[Mark]]:
+        """A guide with the relative velocity on it, and the acceleration to which the guide's turning leads."""
+        for laid in (s for s in self.steps.values() if isinstance(s, LayOff) and parts_of(s.length)[2] == "k"):
+            made = self.steps[laid.length]
+            rate, velocity = (name for name, _ in made.terms[0].factors) if isinstance(made, Calculate) else ("", "")
+            slid, across = self.steps.get(velocity), self.way(laid.start, laid.makes)
+            if isinstance(slid, Measure) and (way := self.way(slid.start, slid.end)) and across:
+                yield self.led(way, across, rate, (velocity, laid.length))
+
+    def led(self, way: complex, across: complex, rate: str, names: tuple[str, str]) -> Sequence[Mark]:
+        """One guide."""
+        vectors = [
+            Arrow(0j, length * z, "vector", "plan", name)
+            for length, z, name in zip((ROD_MM, ARROW_MM), (way, across), names, strict=True)
+        ]
+        guide = Line((-ARROW_MM / 2 * way, 1.2 * ROD_MM * way), "axis", "axis")
+        return self.figure([guide], vectors, rate, degrees(way), ())
+
+    def figure(
+        self, ground: Sequence[Mark], vectors: Sequence[Arrow], rate: str, from_deg: float, letters: Sequence[Label]
+    ) -> Sequence[Mark]:
+        """A figure with its vectors and the curved arrow of a rate, and all letters."""
+        sense, (kind, link, _) = math.copysign(1.0, float(self.position.drawing[rate])), parts_of(rate)
+        turning = symbols.turn_arrow(0j, SENSE_MM, from_deg + sense * FROM_DEG, sense * SWEEP_DEG)
+        middle = SENSE_MM * symbols.unit(from_deg + sense * (FROM_DEG + SWEEP_DEG / 2))
+        rates = f"{'ω' if kind == 'omega' else 'ε'}_{{{self.naming.link(link)}}}"
+        named = [
+            Label(self.naming.vector(a.name), (a.end, (a.start + a.end) / 2), LETTER_MM, name=a.name) for a in vectors
+        ]
+        turns = Label(rates, middle, LETTER_MM, side=middle, clear=0.5, name=rate)
+        return labelled([*letters, *named, turns], [*ground, *vectors, *turning])
