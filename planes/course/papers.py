@@ -9,10 +9,11 @@ from planes.drafting.drawing import Drawing
 from planes.lesson.formulas import unit
 from planes.lesson.note import Note
 from planes.plans import Plans
+from planes.plans.law_words import law_said
 from planes.plans.measuring import say_plan
 from planes.plans.scales import drawn_in_si
 from planes.scene import Scene
-from planes.scene.mechanism import Load, Mechanism
+from planes.scene.mechanism import Drive, Load, Mechanism
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.words import Lang, decimal, say
@@ -70,7 +71,7 @@ def conditions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     """Axes, loads, weight and friction in words."""
     if origin := next((name for name, place in mechanism.frame.points.items() if place == 0), None):
         yield say("task_axes", lang, point=f"⟨{origin}⟩")
-    yield from (_load(load, lang) for load in mechanism.loads)
+    yield from (_load(load, mechanism.drive, lang) for load in mechanism.loads)
     masses = any(link.mass for link in mechanism.links.values())
     if masses and mechanism.gravity:
         yield say("task_weight", lang, g=number(mechanism.gravity, lang))
@@ -80,14 +81,14 @@ def conditions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
         yield say("task_friction", lang, guide=guide, f=number(f, lang))
 
 
-def _load(load: Load, lang: Lang) -> str:
+def _load(load: Load, drive: Drive, lang: Lang) -> str:
     """One force or moment: its size, and which way it acts."""
-    what = {"link": load.link, "point": f"⟨{load.point}⟩", "value": number(load.value, lang, 6)}
+    size, angle = (law_said(x or 0.0, drive, "⟨{}⟩".format, lang) for x in (load.value, load.direction_deg))
+    what = {"link": load.link, "point": f"⟨{load.point}⟩", "value": size}
     if load.kind == "moment":
         return say(f"task_moment_{load.sense}" if load.sense else "task_moment", lang, **what)
     if load.sense:
         return say(f"task_force_{load.sense}", lang, **what)
-    angle = number(load.direction_deg or 0.0, lang)
     if load.direction_link:
         return say("task_force_link", lang, **what, angle=angle, other=load.direction_link)
     return say("task_force", lang, **what, angle=angle)

@@ -2,10 +2,12 @@
 
 from dataclasses import dataclass, field
 
+from planes.drafting.steps import Aim, Turn
 from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
+from planes.plans.following import LawValues
 from planes.plans.kinematics import Rates
-from planes.scene.mechanism import FRAME, Link, Load
+from planes.scene.mechanism import FRAME, Link, Load, LoadLaw
 from planes.words.names import POLE, Meaning, Quantity, at
 
 
@@ -51,6 +53,7 @@ class Acting:
     b: Bodies
     motion: Rates  # the velocities that tell "along" from "against" motion
     accelerations: Rates
+    laws: LawValues
     forces: dict[str, list[Force]] = field(default_factory=dict)
     couples: dict[str, list[Couple]] = field(default_factory=dict)
 
@@ -101,7 +104,7 @@ class Acting:
     def _force(self, load: Load, suffix: str) -> str:
         d, point = self.b.draft, load.point or ""
         name = f"P_{load.link}{suffix}"
-        size = d.give(f"{name}_given", load.value, means=Meaning("load", name, link=load.link))
+        size = self.laws.value(f"{name}_given", load.value, Meaning("load", name, link=load.link))
         if load.sense:
             ends = at(self.motion.plan, POLE), self.motion.mark(point)
             moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
@@ -109,22 +112,30 @@ class Acting:
             means = Meaning("with" if load.sense == "along" else "against", f"v_{point}")
             along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends, means)
             size = d.product(name, **{size: 1, moving: 1})
-        elif load.direction_link and load.direction_link != FRAME:
-            axis, angle = self.b.known[load.direction_link].axis, load.direction_deg or 0.0
-            along = d.turn(f"∠{name}", axis, angle, 0.0, Meaning("given", name))
         else:
-            along = d.aim(f"∠{name}", load.direction_deg or 0.0, Meaning("given", name))
+            along = self._direction(name, load)
         if not load.sense:
             size = d.product(name, **{size: 1})
         acting = Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point))
         self.forces[load.link].append(acting)
         return size
 
+    def _direction(self, name: str, load: Load) -> str:
+        d, means, angle = self.b.draft, Meaning("given", name), load.direction_deg or 0.0
+        turned = bool(load.direction_link) and load.direction_link != FRAME
+        axis = self.b.known[load.direction_link or FRAME].axis
+        if isinstance(angle, LoadLaw):
+            found = self.laws.amount(f"∠{name}_given", angle, Meaning("angle", name, link=load.link))
+            return d.step(
+                Turn(f"∠{name}", axis, 0, found, means=means) if turned else Aim(f"∠{name}", found, means=means)
+            )
+        return d.turn(f"∠{name}", axis, angle, 0.0, means) if turned else d.aim(f"∠{name}", angle, means)
+
     def _couple(self, load: Load, suffix: str) -> str:
         d, link = self.b.draft, load.link
         letter = "MP" if link == self.b.mechanism.drive.link else "M"
         name = f"{letter}_{link}{suffix}"
-        value = d.give(f"{name}_given", load.value, means=Meaning("couple", name, link=link))
+        value = self.laws.value(f"{name}_given", load.value, Meaning("couple", name, link=link))
         if not load.sense:
             self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
             return name
