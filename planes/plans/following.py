@@ -7,8 +7,10 @@ from planes.drafting.steps.reckoning import Protractor, Sense
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.kinematics import Rates
 from planes.scene.expressions import names_in
-from planes.scene.load_laws import Coordinate, coordinates
-from planes.scene.mechanism import FRAME, Amount, LoadLaw, StrokeLoad
+from planes.scene.load_laws import Coordinate, check_law, coordinates
+from planes.scene.mechanism import FRAME, Amount, Load, LoadLaw, StrokeLoad
+from planes.words import Phrase
+from planes.words.errors import ExpressionError, SceneError, choices
 from planes.words.names import POLE, Meaning, at
 
 
@@ -22,27 +24,41 @@ class LawValues:
     accelerations: Rates
     said: dict[str, LoadLaw | StrokeLoad] = field(default_factory=dict)
 
-    def value(self, name: str, value: Amount | StrokeLoad, means: Meaning) -> str:
+    def value(self, name: str, load: Load, means: Meaning) -> str:
         """The name of a load's value: given, or found in every position."""
+        value = load.value
         if not isinstance(value, StrokeLoad):
-            return self.amount(name, value, means)
+            return self.amount(name, load, value, means)
         self.said[name] = value
-        slid = self.motion.slides[value.slider]
+        slid = self.motion.slides.get(value.slider)
+        if slid is None:
+            what = Phrase("load", number=self.b.mechanism.loads.index(load) + 1)
+            why = Phrase("law_slider", what=what, link=value.slider, valid=choices("", self.motion.slides))
+            raise SceneError(why, self.b.file, self._line(load))
         sense = 1 if value.stroke == "ahead" else -1
         stroke = self.b.draft.step(Sense(f"moves_{value.slider}", *slid.ends, slid.along, tuple(self.motion.driven)))
-        working = self.amount(f"‖{name}", value.working, means, stroke, sense)
-        idle = self.amount(f"|{name}", value.idle, means, stroke, -sense)
+        working = self.amount(f"‖{name}", load, value.working, means, stroke, sense)
+        idle = self.amount(f"|{name}", load, value.idle, means, stroke, -sense)
         return self.b.draft.step(ByStroke(name, stroke, sense, working, idle, means=means))
 
-    def amount(self, name: str, amount: Amount, means: Meaning, stroke: str = "", sense: int = 1) -> str:
+    def amount(self, name: str, load: Load, amount: Amount, means: Meaning, stroke: str = "", sense: int = 1) -> str:
         """A given number, or a law at work in the stroke it belongs to."""
         if not isinstance(amount, LoadLaw):
             return self.b.draft.give(name, amount, means=None if stroke else means)
         if not stroke:
             self.said[name] = amount
         known = coordinates(self.b.mechanism.links, self.b.mechanism.drive)
+        try:  # what was not read of a file is as anybody made it
+            check_law(amount.text, known)
+        except ExpressionError as error:
+            raise SceneError(error.phrase, self.b.file, self._line(load)) from None
         of = tuple((n, self._found(known[n][0])) for n in dict.fromkeys(names_in(amount.text)))
-        return self.b.draft.step(Follow(name, amount, of, stroke, sense, means=None if stroke else means))
+        line, told = str(self._line(load) or ""), None if stroke else means
+        return self.b.draft.step(Follow(name, amount, of, stroke, sense, line, means=told))
+
+    def _line(self, load: Load) -> int | None:
+        m = self.b.mechanism
+        return m.where.get(("loads", str(m.loads.index(load))))
 
     def _found(self, c: Coordinate) -> str:
         """The name of a coordinate's value."""

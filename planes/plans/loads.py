@@ -104,7 +104,7 @@ class Acting:
     def _force(self, load: Load, suffix: str) -> str:
         d, point = self.b.draft, load.point or ""
         name = f"P_{load.link}{suffix}"
-        size = self.laws.value(f"{name}_given", load.value, Meaning("load", name, link=load.link))
+        size = self.laws.value(f"{name}_given", load, Meaning("load", name, link=load.link))
         if load.sense:
             ends = at(self.motion.plan, POLE), self.motion.mark(point)
             moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
@@ -125,7 +125,7 @@ class Acting:
         turned = bool(load.direction_link) and load.direction_link != FRAME
         axis = self.b.known[load.direction_link or FRAME].axis
         if isinstance(angle, LoadLaw):
-            found = self.laws.amount(f"∠{name}_given", angle, Meaning("angle", name, link=load.link))
+            found = self.laws.amount(f"∠{name}_given", load, angle, Meaning("angle", name, link=load.link))
             return d.step(
                 Turn(f"∠{name}", axis, 0, found, means=means) if turned else Aim(f"∠{name}", found, means=means)
             )
@@ -135,7 +135,7 @@ class Acting:
         d, link = self.b.draft, load.link
         letter = "MP" if link == self.b.mechanism.drive.link else "M"
         name = f"{letter}_{link}{suffix}"
-        value = self.laws.value(f"{name}_given", load.value, Meaning("couple", name, link=link))
+        value = self.laws.value(f"{name}_given", load, Meaning("couple", name, link=link))
         if not load.sense:
             self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
             return name

@@ -1,7 +1,7 @@
 """Loads that change with the position: what a scene writes under ``force``, ``moment`` and their angles, as laws of
 what is known of the motion. A parameter that is the drive's own place stands for it in every position."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
@@ -58,6 +58,18 @@ def _named(links: Mapping[str, Link], drive: Drive) -> Iterator[tuple[str, Coord
             yield f"{letter}_{link.name}", own if (letter, link.name) == (drive.kind, drive.link) else here
         for point in link.points:
             yield from ((f"{letter}_{point}", Coordinate(letter, "point", point)) for letter in ("x", "y", "v", "a"))
+
+
+def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iterable[str] = ()) -> None:
+    """:class:`ExpressionError` for an expression that cannot be worked out of names that are known for sure."""
+    for name in names_in(text):
+        meanings = known.get(name, ())
+        if len(meanings) > 1:
+            one, two = (m.phrase for m in meanings[:2])
+            raise ExpressionError(Phrase("law_ambiguous", name=name, one=one, two=two))
+        if not meanings and letter_of(name) in FORCES:
+            raise ExpressionError(Phrase("law_later", name=name, valid=choices("", known)))
+    LawParser(text, dict.fromkeys(known, 1.0), Arithmetic(), [*known, *parameters]).value()
 
 
 class LawReader:
@@ -137,14 +149,10 @@ class LawReader:
             return self.reader.number(node, what)
         try:
             text = self._text(node.text)
-            names = names_in(text)
-            for name in names:
-                self._check(name)
-            valid = [*self.known, *self.reader.parameters]
-            LawParser(text, dict.fromkeys(self.known, 1.0), Arithmetic(), valid).value()
+            check_law(text, self.known, self.reader.parameters)
         except ExpressionError as error:
             raise self.reader.error(Phrase("about", what=what, why=error.phrase), node) from None
-        return LoadLaw(text) if names else self.reader.number(node, what)
+        return LoadLaw(text) if names_in(text) else self.reader.number(node, what)
 
     def _moves(self, name: str) -> bool:
         """Whether a name changes with the position, or is none at all and so hardly a number's."""
@@ -162,7 +170,10 @@ class LawReader:
 
     def _text(self, text: str, depth: int = 0) -> str:
         """An expression with the drive's own place by its letter, and numbers for parameters."""
-        said = "".join(self._word(kind, word, depth) for kind, word in tokens_of(text))
+        said, before = "", "sign"
+        for kind, word in tokens_of(text):
+            said += " " * ("sign" not in (kind, before)) + self._word(kind, word, depth)
+            before = kind
         if len(said) > MAX_LENGTH:
             raise ExpressionError(Phrase("about", what=shown(text), why=Phrase("expression_long", most=MAX_LENGTH)))
         return said
@@ -184,12 +195,3 @@ class LawReader:
 
     def _means(self, name: str, sort: Sort) -> bool:
         return any(meaning.sort == sort for meaning in self.known.get(name, ()))
-
-    def _check(self, name: str) -> None:
-        """Refuse a name that could stand for two things, or for what is found from the loads."""
-        meanings = self.known.get(name, ())
-        if len(meanings) > 1:
-            one, two = (m.phrase for m in meanings[:2])
-            raise ExpressionError(Phrase("law_ambiguous", name=name, one=one, two=two))
-        if not meanings and letter_of(name) in FORCES:
-            raise ExpressionError(Phrase("law_later", name=name, valid=choices("", self.known)))

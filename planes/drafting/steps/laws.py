@@ -1,6 +1,6 @@
 """Steps for numbers that a scene states as laws: worked out in every position from what is known there."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step, values
@@ -26,6 +26,7 @@ class Follow(Step):
     of: tuple[tuple[str, str], ...]
     stroke: str = ""
     sense: int = 1
+    line: str = field(default="", compare=False)  # of the scene, for whoever has to change the law
     kind: ClassVar[Kind] = "value"
 
     def reads(self) -> tuple[Read, ...]:
@@ -52,7 +53,13 @@ class Follow(Step):
             tool.require(inside, self, "law_beyond")
             return
         table = self.law.table
-        said = {"value": float(found), "first": table[0][0], "last": table[-1][0], "over": self.law.text}
+        said: dict[str, object] = {
+            "value": float(found),
+            "first": table[0][0],
+            "last": table[-1][0],
+            "over": self.law.text,
+        }
+        said["line"] = self.line
         raise PlanFailure("law_beyond", makes=name_in_words(self.makes), **said)
 
 
