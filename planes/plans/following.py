@@ -1,6 +1,7 @@
 """What the laws of loads are worked out from: values of the motion, drawn before any force is."""
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from planes.drafting.steps.laws import ByStroke, Follow
 from planes.drafting.steps.reckoning import Protractor, Sense
@@ -32,7 +33,7 @@ class LawValues:
         self.said[name] = value
         slid = self.motion.slides.get(value.slider)
         if slid is None:
-            what = Phrase("load", number=self.b.mechanism.loads.index(load) + 1)
+            what = Phrase("load", number=self.numbers[id(load)] + 1)
             why = Phrase("law_slider", what=what, link=value.slider, valid=choices("", self.motion.slides))
             raise SceneError(why, self.b.file, self._line(load))
         sense = 1 if value.stroke == "ahead" else -1
@@ -47,18 +48,26 @@ class LawValues:
             return self.b.draft.give(name, amount, means=None if stroke else means)
         if not stroke:
             self.said[name] = amount
-        known = coordinates(self.b.mechanism.links, self.b.mechanism.drive)
         try:  # what was not read of a file is as anybody made it
-            check_law(amount.text, known)
+            check_law(amount.text, self.known)
         except ExpressionError as error:
             raise SceneError(error.phrase, self.b.file, self._line(load)) from None
-        of = tuple((n, self._found(known[n][0])) for n in dict.fromkeys(names_in(amount.text)))
+        of = tuple((n, self._found(self.known[n][0])) for n in dict.fromkeys(names_in(amount.text)))
         line, told = str(self._line(load) or ""), None if stroke else means
         return self.b.draft.step(Follow(name, amount, of, stroke, sense, line, means=told))
 
+    @cached_property
+    def known(self) -> dict[str, list[Coordinate]]:
+        """The names a law may use."""
+        return coordinates(self.b.mechanism.links, self.b.mechanism.drive)
+
+    @cached_property
+    def numbers(self) -> dict[int, int]:
+        """Where each load stands among the loads."""
+        return {id(load): k for k, load in enumerate(self.b.mechanism.loads)}
+
     def _line(self, load: Load) -> int | None:
-        m = self.b.mechanism
-        return m.where.get(("loads", str(m.loads.index(load))))
+        return self.b.mechanism.where.get(("loads", str(self.numbers[id(load)])))
 
     def _found(self, c: Coordinate) -> str:
         """The name of a coordinate's value."""
