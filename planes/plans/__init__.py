@@ -194,7 +194,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
 
 def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
     """What is said of a number that holds where the drive stands in the file alone."""
-    drive, key = mechanism.drive, law.path[-1]
+    drive, key = mechanism.drive, "table" if "table" in law.path else law.path[-1]
     what = Phrase("part", key=key, what=Phrase("section", name=law.path[0]))
     if law.path[0] == "loads":
         what = Phrase("part", key=key, what=Phrase("load", number=int(law.path[1]) + 1))

@@ -15,8 +15,9 @@ Letter = Callable[[str], str]
 def law_said(value: Amount | StrokeLoad, drive: Drive, letter: Letter, lang: Lang, pairs: bool = True) -> str:
     """A number of a load in words: ``letter`` writes a name, ``pairs`` says whether a table's are told."""
     if isinstance(value, StrokeLoad):
-        both = (law_said(x, drive, letter, lang, pairs) for x in (value.working, value.idle))
-        return say("law_of_strokes", lang, **dict(zip(("working", "idle"), both, strict=True)))
+        working, idle = (law_said(x, drive, letter, lang, pairs) for x in (value.working, value.idle))
+        way = say(f"stroke_{value.stroke}", lang)
+        return say("law_of_strokes", lang, working=working, idle=idle, slider=value.slider, way=way)
     if not isinstance(value, LoadLaw):
         return number(value, lang, DIGITS)
     text = _expression(value.text, drive, letter, lang)
