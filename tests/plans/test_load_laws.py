@@ -43,6 +43,7 @@ def motion(rng: random.Random, scene: dict[str, Any], sol: Solution) -> str:
     for p, (r, v, a) in sol.points.items():
         if any(p in link["points"] for link in scene["links"].values()):
             sizes |= {f"x_{p}": r.real, f"y_{p}": r.imag, f"v_{p}": abs(v), f"a_{p}": abs(a)}
+    sizes = {n: v if abs(v) > 1e-9 else 0.0 for n, v in sizes.items()}  # what only rounding moves stands
     largest = {x: max(abs(v) for n, v in sizes.items() if n[0] == x) for x in {n[0] for n in sizes}}
     name = rng.choice(sorted(sizes))
     ratio = f"({name}/{largest[name[0]] or 1.0!r})"
