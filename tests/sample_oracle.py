@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -46,9 +47,10 @@ SKETCHES: dict[str, dict[str, Pose]] = {
     "kind-3-rpr": {"1": (0, 0, 20), "2": (0.11, 0.04, 71), "3": (0, -0.28, 71)},
     "kind-4-prp": {"1": (0, 0, -5), "2": (0.31, 0.05, 15), "3": (0.31, 0.05, 80)},
     "kind-5-rpp": {"1": (0, 0, 50), "2": (0.06, 0.08, 75), "3": (0.04, 0, 0)},
+    "shaper": {"1": (0, 0, 60), "2": (0.06, 0.1, 83), "3": (0, -0.4, 83), "4": (0.09, 0.34, -2), "5": (0.39, 0.33, 0)},
     "sliding-driver": {"1": (0.15, 0, 0), "2": (0.15, 0, 65), "3": (0.45, 0.12, 128)},
 }
-UNPUBLISHED = ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp", "sliding-driver")
+UNPUBLISHED = ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp", "shaper", "sliding-driver")
 WORDS = ("title", "note", "plans", "assembly", "parameters", "variants", "planes", "find", "sheet")
 
 
@@ -76,16 +78,20 @@ def numeric(name: str, variant: str | None = None) -> dict[str, Any]:
     given = dict(scene.get("parameters", {})) | dict(scene.get("variants", {}).get(variant, {}))
     known = dict(FUNCTIONS)
     for key, value in given.items():
-        known[key] = eval(value, known)
+        known[key] = eval(value.replace("^", "**"), known)
     return {key: worked_out(value, known) for key, value in scene.items() if key not in WORDS}
 
 
 def worked_out(node: Any, known: dict[str, Any]) -> Any:
     """Expressions of known parameters as numbers; all other texts (names) as they are."""
     if isinstance(node, dict):
-        named = ("link", "point", "centre", "slides", "guide", "through", "mark", "against", "along")
+        named = ("link", "point", "centre", "slides", "guide", "through", "mark", "against", "along", "stroke")
         return {k: v if k in named and isinstance(v, str) else worked_out(v, known) for k, v in node.items()}
-    return [worked_out(v, known) for v in node] if isinstance(node, list) else float(eval(node, known))
+    if isinstance(node, list):
+        return [worked_out(v, known) for v in node]
+    text = re.sub(r"[^\W\d]\w*", lambda m: repr(known.get(m[0], m[0])) if m[0] not in FUNCTIONS else m[0], node)
+    moving = set(re.findall(r"'(\w+)'", text))  # what only the position tells
+    return text.replace("'", "") if moving else float(eval(node, known))
 
 
 def sketch(name: str) -> dict[str, Pose]:

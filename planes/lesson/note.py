@@ -8,6 +8,7 @@ from itertools import count, groupby
 
 from planes.lesson import Frame, Teller, mu_said, value_of
 from planes.lesson.formulas import fill, unit
+from planes.plans.law_words import law_said
 from planes.plans.measuring import say_plan
 from planes.plans.quantities import Measured
 from planes.scene import Scene
@@ -70,7 +71,15 @@ class Note:
         shown = {n: float(size) for n, size in plain.items() if n in acting or parts_of(n)[0] in LETTERS}
         rows = [(f"⟨{n}⟩", number(size, self.lang), unit(n, self.lang)) for n, size in shown.items()]
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
-        yield from self.table("note_given_table", head, rows)
+        yield from self.table("note_given_table", head, [*rows, *self.laws()])
+
+    def laws(self) -> Iterator[tuple[str, ...]]:
+        """Loads that are laws, each with what it is in this position."""
+        plans, drawing = self.position.plans, self.position.drawing
+        for name, law in plans.acting.laws.said.items():
+            told = law_said(law, plans.mechanism.drive, "⟨{}⟩".format, self.lang)
+            now = number(float(drawing[name]), self.lang) if name in drawing else "—"
+            yield f"⟨{name}⟩ = {told}", now, unit(name, self.lang) or "°"
 
     def structure(self) -> Iterator[Block]:
         """Degree of freedom, groups, formula."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy
 
@@ -13,6 +14,7 @@ from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure, Product
 from planes.lesson.formulas import formula, sides, slot, unit
 from planes.plans import Plans
+from planes.plans.law_words import law_said
 from planes.words import Lang, say
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
 from planes.words.units import number
@@ -126,13 +128,21 @@ class StepWords:
         if any(m.unknown == step.length for m in self.plans.moments):
             return "found", "found", shown
         if step.quantity == "load":
-            return "load", "load", shown
+            return "load", self.why_load(step.length), shown
         if isinstance(source, Calculate):
             told: Names = {**named, "formula": lambda lang: formula(source, lang)}
             return "lay_off", _kind_of_vector(step, kind, source), told
         if isinstance(source, Measure):
             return "carried", "carried", shown
         return "given", "slide_v", shown
+
+    def why_load(self, value: str) -> str | Callable[[Lang], str]:
+        """That a force is given; where it is a law, which."""
+        law = self.plans.acting.laws.said.get(f"{value}_given")
+        if law is None:
+            return "load"
+        read = partial(law_said, law, self.plans.mechanism.drive, "⟨{}⟩".format)
+        return lambda lang: say("why_load_law", lang, name=value, law=read(lang))
 
     def vector(self, step: s.LayOff) -> str:
         """The name of the vector a step lays off."""

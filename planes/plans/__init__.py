@@ -13,6 +13,7 @@ from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Real
 from planes.plans.assembly import resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
+from planes.plans.following import LawValues
 from planes.plans.kinematics import Rates, SlideReading
 from planes.plans.lever import draw_lever
 from planes.plans.loads import Acting
@@ -159,7 +160,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     if at_rest:
         motion = Rates(bodies, "motion")
         motion.draw_all()
-    acting = Acting(bodies, motion, acceleration)
+    acting = Acting(bodies, motion, acceleration, LawValues(bodies, motion, velocity, acceleration))
     acting.gather()
     statics = Statics(bodies, acting)
     draw_forces(statics)
@@ -193,7 +194,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
 
 def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
     """What is said of a number that holds where the drive stands in the file alone."""
-    drive, key = mechanism.drive, law.path[-1]
+    drive, key = mechanism.drive, "table" if "table" in law.path else law.path[-1]
     what = Phrase("part", key=key, what=Phrase("section", name=law.path[0]))
     if law.path[0] == "loads":
         what = Phrase("part", key=key, what=Phrase("load", number=int(law.path[1]) + 1))

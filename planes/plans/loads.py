@@ -1,11 +1,14 @@
 """What acts on the links from outside the pairs: weights, inertia, and the scene's forces and couples."""
 
+from collections import Counter
 from dataclasses import dataclass, field
 
+from planes.drafting.steps import Aim, Turn
 from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
+from planes.plans.following import LawValues
 from planes.plans.kinematics import Rates
-from planes.scene.mechanism import FRAME, Link, Load
+from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism
 from planes.words.names import POLE, Meaning, Quantity, at
 
 
@@ -39,6 +42,17 @@ class Couple:
     handed: bool = False
 
 
+def load_names(mechanism: Mechanism) -> list[str]:
+    """What the loads are called, in their order: P_5, a second force on that link P_5_2; couples M_3, on the driver
+    MP_1."""
+    found, counts = [], Counter[tuple[str, str]]()
+    for load in mechanism.loads:
+        counts[key := (load.link, load.kind)] += 1
+        letter = "P" if load.kind == "force" else "MP" if load.link == mechanism.drive.link else "M"
+        found.append(f"{letter}_{load.link}" + (f"_{counts[key]}" if counts[key] > 1 else ""))
+    return found
+
+
 def force_name(on: str, by: str) -> str:
     """F_21 acts on 2 from 1; longer names are parted: F_11_10."""
     return f"F_{on}{by}" if len(on) == len(by) == 1 else f"F_{on}_{by}"
@@ -51,6 +65,7 @@ class Acting:
     b: Bodies
     motion: Rates  # the velocities that tell "along" from "against" motion
     accelerations: Rates
+    laws: LawValues
     forces: dict[str, list[Force]] = field(default_factory=dict)
     couples: dict[str, list[Couple]] = field(default_factory=dict)
 
@@ -60,12 +75,9 @@ class Acting:
             self.forces[link.name], self.couples[link.name] = [], []
             self._weight(link)
             self._inertia(link)
-        counts: dict[tuple[str, str], int] = {}
-        for number, load in enumerate(self.b.mechanism.loads):
-            key = (load.link, load.kind)
-            counts[key] = counts.get(key, 0) + 1
-            suffix = f"_{counts[key]}" if counts[key] > 1 else ""
-            name = self._force(load, suffix) if load.kind == "force" else self._couple(load, suffix)
+        m = self.b.mechanism
+        for number, (name, load) in enumerate(zip(load_names(m), m.loads, strict=True)):
+            name = self._force(load, name) if load.kind == "force" else self._couple(load, name)
             for path, law in self.b.mechanism.laws.items():
                 if path[:2] == ("loads", str(number)):
                     self.b.draft.law(name, law)
@@ -98,10 +110,9 @@ class Acting:
         back = d.through(f"-a_{link.mass_centre}", mark, pole, Meaning("against", f"a_{link.mass_centre}"))
         self.forces[link.name].append(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
 
-    def _force(self, load: Load, suffix: str) -> str:
+    def _force(self, load: Load, name: str) -> str:
         d, point = self.b.draft, load.point or ""
-        name = f"P_{load.link}{suffix}"
-        size = d.give(f"{name}_given", load.value, means=Meaning("load", name, link=load.link))
+        size = self.laws.value(f"{name}_given", load, Meaning("load", name, link=load.link))
         if load.sense:
             ends = at(self.motion.plan, POLE), self.motion.mark(point)
             moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
@@ -109,22 +120,28 @@ class Acting:
             means = Meaning("with" if load.sense == "along" else "against", f"v_{point}")
             along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends, means)
             size = d.product(name, **{size: 1, moving: 1})
-        elif load.direction_link and load.direction_link != FRAME:
-            axis, angle = self.b.known[load.direction_link].axis, load.direction_deg or 0.0
-            along = d.turn(f"∠{name}", axis, angle, 0.0, Meaning("given", name))
         else:
-            along = d.aim(f"∠{name}", load.direction_deg or 0.0, Meaning("given", name))
+            along = self._direction(name, load)
         if not load.sense:
             size = d.product(name, **{size: 1})
         acting = Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point))
         self.forces[load.link].append(acting)
         return size
 
-    def _couple(self, load: Load, suffix: str) -> str:
+    def _direction(self, name: str, load: Load) -> str:
+        d, means, angle = self.b.draft, Meaning("given", name), load.direction_deg or 0.0
+        turned = bool(load.direction_link) and load.direction_link != FRAME
+        axis = self.b.known[load.direction_link or FRAME].axis
+        if isinstance(angle, LoadLaw):
+            found = self.laws.amount(f"∠{name}_given", load, angle, Meaning("angle", name, link=load.link))
+            return d.step(
+                Turn(f"∠{name}", axis, 0, found, means=means) if turned else Aim(f"∠{name}", found, means=means)
+            )
+        return d.turn(f"∠{name}", axis, angle, 0.0, means) if turned else d.aim(f"∠{name}", angle, means)
+
+    def _couple(self, load: Load, name: str) -> str:
         d, link = self.b.draft, load.link
-        letter = "MP" if link == self.b.mechanism.drive.link else "M"
-        name = f"{letter}_{link}{suffix}"
-        value = d.give(f"{name}_given", load.value, means=Meaning("couple", name, link=link))
+        value = self.laws.value(f"{name}_given", load, Meaning("couple", name, link=link))
         if not load.sense:
             self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
             return name

@@ -174,7 +174,7 @@ def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
 
 
 def _results(plans: Plans) -> Iterator[Quantity]:
-    for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing):
+    for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing, _of_laws):
         yield from part(plans)
 
 
@@ -232,6 +232,13 @@ def _balancing(plans: Plans) -> Iterator[Quantity]:
     for by, sign, value in (("balancing", "", plans.balancing), ("zhukovsky", "Z", plans.zhukovsky)):
         for name in (f"{letter}{sign}_{drive.link}", f"{by}_{what}"):
             yield Quantity(name, (Column(name, unit, value),), f"{by}_{what}")
+
+
+def _of_laws(plans: Plans) -> Iterator[Quantity]:
+    for name in plans.acting.laws.said:
+        load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
+        if unit and load in plans.program.made:
+            yield Quantity(load, (Column(load, unit, load),), "loads", load)
 
 
 def _segments(plans: Plans) -> Iterator[Quantity]:

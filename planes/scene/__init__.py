@@ -12,6 +12,7 @@ from typing import Any
 from planes.scene import source
 from planes.scene.doubts import read_doubts
 from planes.scene.links import read_frame, read_links
+from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_friction, read_loads
 from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
@@ -228,7 +229,7 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
         frame,
         MappingProxyType(links),
         drive,
-        () if loads is None else read_loads(reader, loads, links),
+        () if loads is None else read_loads(LawReader(reader, links, drive, table, stated), loads, links),
         None if (gravity := given["gravity"]) is None else reader.positive(gravity, Phrase("gravity")),
         MappingProxyType({} if friction is None else read_friction(reader, friction, frame, links)),
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),

@@ -9,7 +9,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 
-from planes.geometry.arithmetic import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
+from planes.geometry.arithmetic import Real, acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
 
@@ -43,7 +43,7 @@ def evaluate(text: str, names: Mapping[str, float], valid: Iterable[str] | None 
     ``valid`` are the names a message offers, if they are more than ``names``.
     """
     plain = len(text) <= 30 and _NUMBER.fullmatch(text)
-    value = float(text.replace("−", "-")) if plain else _Parser(text, names, valid or names).value()
+    value = float(text.replace("−", "-")) if plain else ExpressionParser(text, names, valid or names).value()
     if not math.isfinite(value):
         raise _refusal(text, Phrase("value_large"))
     return value
@@ -56,14 +56,15 @@ def is_name(text: str) -> bool:
 
 def names_in(text: str) -> list[str]:
     """The names an expression uses, functions and pi left out."""
-    return [word for kind, word in _tokens(text) if kind == "name" and word not in RESERVED]
+    return [word for kind, word in tokens_of(text) if kind == "name" and word not in RESERVED]
 
 
 def _refusal(text: str, why: Phrase) -> ExpressionError:
     return ExpressionError(Phrase("about", what=shown(text), why=why))
 
 
-def _tokens(text: str) -> list[tuple[str, str]]:
+def tokens_of(text: str) -> list[tuple[str, str]]:
+    """The text cut up: each piece with its kind, "number", "name" or "sign"."""
     if len(text) > MAX_LENGTH:
         raise _refusal(text, Phrase("expression_long", most=MAX_LENGTH))
     text = unicodedata.normalize("NFC", text).strip().replace("−", "-")
@@ -91,19 +92,19 @@ def _stray(char: str, before: list[tuple[str, str]]) -> Phrase:
     return Phrase("stray", char=shown(char))
 
 
-class _Parser:
+class ExpressionParser:
     """A recursive descent over the tokens that calculates as it goes."""
 
-    def __init__(self, text: str, names: Mapping[str, float], valid: Iterable[str]) -> None:
+    def __init__(self, text: str, names: Mapping[str, Real], valid: Iterable[str]) -> None:
         self.text, self.names, self.valid = text, names, valid
-        self.tokens = [*_tokens(text), ("end", "")]
+        self.tokens = [*tokens_of(text), ("end", "")]
         self.at = self.depth = 0
 
     def fail(self, why: Phrase) -> ExpressionError:
         """An error that quotes the expression."""
         return _refusal(self.text, why)
 
-    def value(self) -> float:
+    def value(self) -> Real:
         """The value of the whole text."""
         if len(self.tokens) == 1:
             raise self.fail(Phrase("number_absent"))
@@ -137,21 +138,21 @@ class _Parser:
             return word
         return ""
 
-    def sum(self) -> float:
+    def sum(self) -> Real:
         """Terms with + and - between them."""
         value = self.product()
         while sign := self.sign("+", "-"):
             value = value + self.product() if sign == "+" else value - self.product()
         return value
 
-    def product(self) -> float:
+    def product(self) -> Real:
         """Factors with * and / between them."""
         value = self.signed()
         while sign := self.sign("*", "/"):
-            value = value * self.signed() if sign == "*" else value / self.signed()
+            value = value * self.signed() if sign == "*" else self.divided(value, self.signed())
         return value
 
-    def signed(self) -> float:
+    def signed(self) -> Real:
         """A power, with signs before it: -2^2 is -4."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
@@ -161,18 +162,25 @@ class _Parser:
         self.depth -= 1
         return value
 
-    def power(self) -> float:
+    def power(self) -> Real:
         """An atom, raised to a power if one follows: 2^3^2 is 2^9."""
         base = self.atom()
         if not self.sign("^", "**"):
             return base
-        exponent = self.signed()
+        return self.raised(base, self.signed())
+
+    def divided(self, value: Real, by: Real) -> Real:
+        """A quotient."""
+        return value / by
+
+    def raised(self, base: Real, exponent: Real) -> Real:
+        """A power."""
         try:
             return math.pow(base, exponent)
         except ValueError:
             raise self.fail(Phrase("no_power", base=base, exponent=exponent)) from None
 
-    def atom(self) -> float:
+    def atom(self) -> Real:
         """A number, a name, a function of something, or something in brackets."""
         kind, word = self.tokens[self.at]
         if kind == "number":
@@ -192,7 +200,7 @@ class _Parser:
         if not self.sign(")"):
             raise self.fail(Phrase("bracket_absent") if self.tokens[self.at][0] == "end" else self._unexpected())
 
-    def named(self, name: str) -> float:
+    def named(self, name: str) -> Real:
         """A parameter or pi."""
         if name in self.names:
             return self.names[name]
@@ -203,7 +211,7 @@ class _Parser:
         valid = choices(name, [*self.valid, *RESERVED])
         raise self.fail(Phrase("not_defined", name=shown(name), valid=valid))
 
-    def call(self, name: str) -> float:
+    def call(self, name: str) -> Real:
         """A function of the arguments in brackets."""
         function, least, most = _FUNCTIONS[name]
         if not self.sign("("):
@@ -216,6 +224,10 @@ class _Parser:
             key = "takes_more" if least < most else ("takes_one" if most == 1 else "takes_count")
             hint = Phrase("hint_point") if len(given) > most else ""
             raise self.fail(Phrase(key, name=name, count=least, hint=hint))
+        return self.called(name, function, given)
+
+    def called(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
+        """What a function makes of its arguments."""
         try:
             return function(*given)
         except ValueError:

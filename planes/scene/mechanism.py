@@ -77,6 +77,35 @@ class Drive:
 
 
 @dataclass(frozen=True)
+class LoadLaw:
+    """A number of a load that holds in every position anew: ``text``, an expression of numbers and of what is known
+    before forces are (``phi``, ``s_5``, ``v_H``; SI, degrees), or what a ``table`` of pairs, linear between them, has
+    for it. A table over ``phi`` of 360° repeats itself."""
+
+    text: str
+    table: tuple[tuple[float, float], ...] = ()
+
+    @property
+    def turning(self) -> bool:
+        """Whether the table goes over a whole turn of the driver."""
+        return self.text == "phi" and bool(self.table) and abs(self.table[-1][0] - self.table[0][0] - 360.0) < 1e-9
+
+
+Amount = float | LoadLaw
+
+
+@dataclass(frozen=True)
+class StrokeLoad:
+    """What a load is in the working stroke of a ``slider``, in which it goes ``ahead`` or ``behind`` along its guide,
+    and in the idle one."""
+
+    working: Amount
+    idle: Amount
+    slider: str
+    stroke: Literal["ahead", "behind"] = "ahead"
+
+
+@dataclass(frozen=True)
 class Load:
     """One force (``kind`` "force", N, at ``point``) or couple (``kind`` "moment", N·m) on ``link``.
 
@@ -86,9 +115,9 @@ class Load:
 
     link: str
     kind: Literal["force", "moment"]
-    value: float
+    value: Amount | StrokeLoad
     point: str | None = None
-    direction_deg: float | None = None
+    direction_deg: Amount | None = None
     direction_link: str | None = None
     sense: Sense | None = None
 

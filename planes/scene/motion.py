@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from typing import cast
 
-from planes.scene.mechanism import FRAME, RATES, Assembly, Drive, Link, Load, Order, Sense
+from planes.scene.load_laws import LawReader
+from planes.scene.mechanism import FRAME, RATES, Amount, Assembly, Drive, Link, Load, Order, Sense, StrokeLoad
 from planes.scene.reader import Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
@@ -66,17 +67,18 @@ def _moving(reader: Reader, node: Node, what: Phrase, links: Links) -> str:
     return reader.known(node, what, links, Phrase("links_all"))
 
 
-def read_loads(reader: Reader, node: Node, links: Links) -> tuple[Load, ...]:
+def read_loads(laws: LawReader, node: Node, links: Links) -> tuple[Load, ...]:
     """Forces and couples in the order of the file."""
-    entries = enumerate(reader.items(node, "loads"), 1)
-    return tuple(_load(reader, entry, Phrase("load", number=number), links) for number, entry in entries)
+    entries = enumerate(laws.reader.items(node, "loads"), 1)
+    return tuple(_load(laws, entry, Phrase("load", number=number), links) for number, entry in entries)
 
 
-def _load(reader: Reader, node: Node, what: Phrase, links: Links) -> Load:
+def _load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
+    reader = laws.reader
     table = reader.table(node, what, ("link", "point", "force", "moment", *_DIRECTIONS))
     link = _moving(reader, reader.required(table, "link", what), part("link", what), links)
     kind = reader.one_of(table, ("force", "moment"), what)
-    value = reader.number(reader.required(table, kind, what), part(kind, what))
+    value = laws.value(reader.required(table, kind, what), part(kind, what), link)
     if kind == "moment":
         return _moment(reader, table, what, link, value)
     if "point" not in table.entries:
@@ -89,11 +91,11 @@ def _load(reader: Reader, node: Node, what: Phrase, links: Links) -> Load:
     form = reader.one_of(table, _DIRECTIONS, what)
     if form != "direction":
         return Load(link, "force", value, point, sense=_sense(reader, table, form, what))
-    degrees, owner = _direction(reader, reader.required(table, form, what), part("direction", what), links)
+    degrees, owner = _direction(laws, reader.required(table, form, what), part("direction", what), links)
     return Load(link, "force", value, point, degrees, owner)
 
 
-def _moment(reader: Reader, table: SourceTable, what: Phrase, link: str, value: float) -> Load:
+def _moment(reader: Reader, table: SourceTable, what: Phrase, link: str, value: Amount | StrokeLoad) -> Load:
     for key in ("direction", "point"):
         if key in table.entries:
             raise reader.error(Phrase("moment_has_no", what=what, key=key), table.lines[key])
@@ -108,13 +110,14 @@ def _sense(reader: Reader, table: SourceTable, form: str, what: Phrase) -> Sense
     return "along" if form == "along" else "against"
 
 
-def _direction(reader: Reader, node: Node, what: Phrase, links: Links) -> tuple[float, str | None]:
+def _direction(laws: LawReader, node: Node, what: Phrase, links: Links) -> tuple[Amount, str | None]:
+    reader = laws.reader
     if not isinstance(node, SourceTable):
-        return reader.number(node, what), None
+        return laws.amount(node, what), None
     table = reader.table(node, what, ("link", "angle"))
     said, known = reader.required(table, "link", what), {FRAME: None, **links}
     owner = reader.known(said, part("link", what), known, Phrase("links_all"))
-    degrees = reader.number(reader.required(table, "angle", what), part("angle", what))
+    degrees = laws.amount(reader.required(table, "angle", what), part("angle", what))
     return degrees, None if owner == FRAME else owner
 
 

@@ -116,7 +116,7 @@ def _cycle(path: list[str], name: str) -> Phrase:
     return Phrase("circle_of_one", name=name) if len(loop) == 2 else Phrase("circle", names=tuple(words))
 
 
-_GIVEN = ("force", "moment", "direction", "angle")  # numbers of a load
+_GIVEN = ("force", "moment", "direction", "angle", "working", "idle", "over")  # numbers of a load, beside tables
 _RATES = ("omega", "epsilon", "velocity", "acceleration")
 Uses = Mapping[str, list[str]]
 
@@ -130,10 +130,14 @@ def read_laws(table: SourceTable, parameters: Mapping[str, Node]) -> dict[Keys, 
     moving = _leaves(names_of(place), uses)
     shape = (node for key in ("frame", "links") for _, node in texts(table.entries[key]))
     fixed = _leaves((name for node in shape for name in names_of(node)), uses) if moving else set()
-    with_drive = _users(moving - fixed or moving, uses)
+    with_drive = users_of(moving - fixed or moving, uses)
+    own = place.text.strip() if isinstance(place, SourceScalar) else ""  # in a load it is no number, but a law
+    others = {name: [one for one in used if one != own] for name, used in uses.items()}
+    besides = users_of((moving - fixed or moving) - {own}, others) - {own}
     found = {}
     for path, node in _numbers(table) if with_drive else ():
-        if shared := next((name for name in names_of(node) if name in with_drive), None):
+        names = besides if path[0] == "loads" and "table" not in path else with_drive
+        if shared := next((name for name in names_of(node) if name in names), None):
             found[path] = Law(path, shared, node.line)
     return found
 
@@ -142,7 +146,7 @@ def _numbers(table: SourceTable) -> Iterator[tuple[Keys, SourceScalar]]:
     for path, node in texts(
         SourceTable({k: v for k, v in table.entries.items() if k in ("loads", "drive", "friction")}, 0)
     ):
-        if path[0] == "friction" or path[-1] in (_GIVEN if path[0] == "loads" else _RATES):
+        if path[0] == "friction" or "table" in path or path[-1] in (_GIVEN if path[0] == "loads" else _RATES):
             yield path, node
 
 
@@ -159,7 +163,7 @@ def _leaves(names: Iterable[str], uses: Uses) -> set[str]:
     return {name for name in reached(names, uses) if name in uses and not uses[name]}
 
 
-def _users(names: Iterable[str], uses: Uses) -> set[str]:
+def users_of(names: Iterable[str], uses: Uses) -> set[str]:
     """These parameters, and all that are made of them."""
     users: dict[str, list[str]] = {}
     for name, used in uses.items():

@@ -5,7 +5,7 @@ from contextlib import suppress
 
 import yaml
 
-from planes.scene.mechanism import RATES, Drive, Guide, Link, Load, Mechanism, Slide
+from planes.scene.mechanism import RATES, Amount, Drive, Guide, Link, Load, LoadLaw, Mechanism, Slide, StrokeLoad
 from planes.scene.source import Items, SourceScalar, SourceTable
 from planes.words.records import Json
 
@@ -104,10 +104,20 @@ def _drive(drive: Drive) -> Json:
 
 
 def _load(load: Load) -> Json:
-    said: Json = {"link": load.link, "point": load.point, load.kind: load.value}
+    said: Json = {"link": load.link, "point": load.point, load.kind: _amount(load.value)}
     if load.sense:
         said[load.sense] = "motion"
     elif load.direction_deg is not None:
-        turned = {"link": load.direction_link, "angle": load.direction_deg}
-        said["direction"] = turned if load.direction_link else load.direction_deg
+        angle = _amount(load.direction_deg)
+        said["direction"] = {"link": load.direction_link, "angle": angle} if load.direction_link else angle
     return {key: value for key, value in said.items() if value is not None}
+
+
+def _amount(value: Amount | StrokeLoad) -> object:
+    """A number of a load, or the law it follows."""
+    if isinstance(value, StrokeLoad):
+        both = {"working": _amount(value.working), "idle": _amount(value.idle)}
+        return {**both, "stroke": value.stroke, "slider": value.slider}
+    if isinstance(value, LoadLaw):
+        return {"over": value.text, "table": [list(pair) for pair in value.table]} if value.table else value.text
+    return value

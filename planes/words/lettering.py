@@ -156,7 +156,7 @@ def name_in_words(name: str) -> Told:
     label = written(label_of(name).rstrip("′"))
     found = _HELPER.fullmatch(label)
     if found is None:
-        return label.strip("|‖∠→") or label
+        return label.strip("|‖∠→").removesuffix("_given") or label
     if found["guide"] == "s" and found["point"]:
         return Phrase("start_of_stroke", point=found["point"])
     if found["point"]:

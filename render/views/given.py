@@ -5,8 +5,10 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from planes.scene.mechanism import Guide, Link
+from planes.plans.law_words import law_said
+from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
 from planes.solving import Position
+from planes.words import say
 from planes.words.lettering import Naming, greek
 from planes.words.names import index_of, letter_of
 from planes.words.units import number, unit_of_parameter
@@ -15,6 +17,7 @@ from render.paper.letters import unit
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
 SAME = 1e-9
+LONGEST = 60  # signs of a law in a cell
 
 
 @dataclass(frozen=True)
@@ -40,7 +43,8 @@ class GivenTable:
         plain = dict.fromkeys(r for r in self.unnamed() if r.value and not self.known(r))
         found = sorted([*self.drive(), *self.named(), *plain], key=lambda r: (not r.of_drive, RANK.index(r.unit)))
         lang = self.naming.lang
-        return [[r.name, number(r.value, lang), unit(r.unit, lang) or "—"] for r in found]
+        told = [[r.name, number(r.value, lang), unit(r.unit, lang) or "—"] for r in found]
+        return [*told, *self.laws()]
 
     def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""
@@ -122,6 +126,27 @@ class GivenTable:
             if name in plans.given and m.quantity in ("load", "couple"):
                 unit = "N" if m.quantity == "load" else "N·m"
                 yield GivenRow(self.naming.vector(m.of), float(plans.given[name]), unit)
+
+    def laws(self) -> Iterator[list[str]]:
+        """Loads that are laws, each with what it is in this position."""
+        plans, drawing, lang = self.position.plans, self.position.drawing, self.naming.lang
+        for name, law in plans.acting.laws.said.items():
+            m = plans.means[name]
+            sign = self.naming.vector(m.of)
+            key = {"load": "N", "couple": "N·m"}.get(m.quantity, "°")
+            sign = f"∠{sign}" if key == "°" else sign
+            now = number(float(drawing[name]), lang) if name in drawing else "—"
+            if isinstance(law, StrokeLoad):
+                for word, part in (("stroke_working", law.working), ("stroke_idle", law.idle)):
+                    yield [f"{sign} = {self.law(part)}, {say(word, lang)}", "", unit(key, lang)]
+            row = sign if isinstance(law, StrokeLoad) else f"{sign} = {self.law(law)}"
+            yield [row, now, unit(key, lang)]
+
+    def law(self, law: Amount) -> str:
+        """A law, as far as there is room for it in a cell."""
+        drive = self.position.plans.mechanism.drive
+        told = law_said(law, drive, self.naming.vector, self.naming.lang, pairs=False)
+        return told if len(told) <= LONGEST else "…"
 
 
 def _equal(a: float, b: float) -> bool:

@@ -22,6 +22,7 @@ from planes.check.reading.pdf import read_pdf
 from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing, Words
 from planes.check.reading.svg import read_carried, read_svg
 from planes.check.reading.whole_page import paper_on
+from planes.cli import main
 from planes.documents import _mechanism_views
 from planes.documents.sheets import DrawnPosition
 from planes.scene import Scene, load
@@ -268,3 +269,9 @@ def test_what_stands_apart_on_a_page_is_another_part() -> None:
     strokes = [(0j, 30 + 0j), (30 + 0j, 30 + 20j), (100 + 0j, 130 + 0j), (130 + 0j, 130 + 30j), (130 + 30j, 100 + 0j)]
     found = parts(ReadDrawing(strokes=strokes, words=[Words("b", 31 + 21j)]))
     assert [len(p.strokes) for p in found] == [3, 2] and [len(p.words) for p in found] == [0, 1]
+
+
+def test_the_polygon_of_a_law_is_right_in_its_own_position_alone(tmp_path: Path) -> None:
+    scene, plan, file = str(SAMPLES / "shaper.yaml"), ["--plan", "force:4-5"], str(tmp_path / "idle.svg")
+    assert main(["sheet", scene, "--phi", "270", "-o", file]) == 0
+    assert [main(["check", scene, file, *plan, "--phi", phi]) for phi in ("270", "60")] == [0, 1]

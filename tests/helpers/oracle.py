@@ -94,7 +94,7 @@ class Solution:
     its first point on the guide; `guides`: sliding link -> (guide, its link, its direction now); `hinges`:
     (i, j) -> place. `motion`: link -> (velocity of the origin, omega) that directs loads and
     friction: the true one, or with the driver at rest that of a unit positive drive; `speeds`: sliding link
-    -> its speed along the guide in that motion. `condition`: of the
+    -> its speed along the guide in that motion; `slid`: -> its place along it. `condition`: of the
     scaled Jacobian; `residual`: largest constraint error, scaled; `consistent`: choices of signs of the
     normal forces that fit (1 unless friction is near locking).
     """
@@ -115,6 +115,7 @@ class Solution:
     guides: dict[str, tuple[str, str, complex]]
     hinges: dict[tuple[str, str], complex]
     speeds: dict[str, float]
+    slid: dict[str, float]
 
 
 def place(value: Any) -> complex:
@@ -329,7 +330,7 @@ def solve(scene: Scene, guess: Mapping[str, Pose], *, balancing_at: str = "foot"
                 vel[n][0] + 1j * vel[n][1] * e,
                 eps[n][0] + (1j * eps[n][1] - vel[n][1] ** 2) * e,
             )
-    slides, guides, feet, speeds = {}, {}, {}, {}
+    slides, guides, feet, speeds, slid = {}, {}, {}, {}, {}
     for s in m.slides:
         z, row, z2 = gap(m, s, q, w)
         assert s.u is not None
@@ -339,7 +340,7 @@ def solve(scene: Scene, guess: Mapping[str, Pose], *, balancing_at: str = "foot"
         guides[s.i] = (s.name, s.j, u)
         first = s.p * m.size * cmath.rect(1.0, pos[s.i][1]) + pos[s.i][0]
         feet[s.i] = first - 1j * u * s.offset * m.size
-        speeds[s.i] = float((row @ moved).real) * m.size
+        speeds[s.i], slid[s.i] = float((row @ moved).real) * m.size, float(z.real) * m.size
     turns = {n: -math.degrees(math.remainder(-pos[n][1], math.tau)) for n in m.links}
     sol = Solution(
         {n: (pos[n][0].real, pos[n][0].imag, pos[n][1]) for n in m.links},
@@ -358,6 +359,7 @@ def solve(scene: Scene, guess: Mapping[str, Pose], *, balancing_at: str = "foot"
         guides,
         {(h.i, h.j): points[h.name][0] for h in m.hinges},
         speeds,
+        slid,
     )
     sol.actions = list(applied(scene, sol))
     find_forces(m, sol, balancing_at)

@@ -49,6 +49,32 @@ def velocity(sol: Solution, link: str, at: complex) -> complex:
     return v + 1j * omega * (at - complex(x, y))
 
 
+def worked_out(scene: Mapping[str, Any], sol: Solution, said: Any, link: str) -> float:
+    """A number of a load in this position: a number, an expression, a table over one, or one for each stroke."""
+    if isinstance(said, Mapping) and "working" in said:
+        speed = sol.speeds[str(said.get("slider", link))] * (-1 if said.get("stroke") == "behind" else 1)
+        if abs(speed) <= 1e-12 * max(abs(v) for v in sol.speeds.values()):
+            return 0.0
+        return worked_out(scene, sol, said["working" if speed > 0 else "idle"], link)
+    if isinstance(said, Mapping):
+        x, (xs, ys) = worked_out(scene, sol, said["over"], link), zip(*said["table"], strict=True)
+        whole = said["over"] == "phi" and abs(xs[-1] - xs[0] - 360) < 1e-9
+        return float(np.interp(xs[0] + (x - xs[0]) % 360 if whole else x, xs, ys))
+    if not isinstance(said, str):
+        return float(said)
+    names: dict[str, Any] = {k: float(v) for k, v in scene["drive"].items() if k in ("phi", "s")}
+    for n, (angle, omega, epsilon) in sol.links.items():
+        names |= {f"phi_{n}": angle, f"omega_{n}": omega, f"epsilon_{n}": epsilon}
+    for n, (v, a, _) in sol.slides.items():
+        names |= {f"s_{n}": sol.slid[n], f"v_{n}": v, f"a_{n}": a}
+    for p, (r, v_p, a_p) in sol.points.items():
+        names |= {f"x_{p}": r.real, f"y_{p}": r.imag, f"v_{p}": abs(v_p), f"a_{p}": abs(a_p)}
+    names |= {f"{k}_{scene['drive']['link']}": names[k] for k in ("phi", "s") if k in names}
+    turned = {f: (lambda x, f=f: getattr(math, f)(math.radians(x))) for f in ("sin", "cos", "tan")}
+    others = {"abs": abs, "min": min, "max": max, "sqrt": math.sqrt, "hypot": math.hypot}
+    return float(eval(said.replace("^", "**"), {**turned, **others}, names))
+
+
 def applied(scene: Mapping[str, Any], sol: Solution) -> Iterator[Action]:
     """Loads, weights and inertia of the scene as actions, SI."""
     fastest = max([abs(velocity(sol, n, r)) for n in sol.links for r, _, _ in sol.points.values()])
@@ -62,20 +88,21 @@ def applied(scene: Mapping[str, Any], sol: Solution) -> Iterator[Action]:
         name = str(load["link"])
         sign = 1 if load.get("along") == "motion" else -1 if load.get("against") == "motion" else 0
         if "moment" in load:
-            omega, value = sol.motion[name][1], float(load["moment"])
+            omega, value = sol.motion[name][1], worked_out(scene, sol, load["moment"], name)
             quick = max(abs(w) for _, w in sol.motion.values())
             if sign:
                 value *= sign * math.copysign(1.0, omega) if abs(omega) > 1e-12 * quick else 0
             yield Action("load", name, 0j, 0j, value)
             continue
-        r, value = sol.points[str(load["point"])][0], float(load["force"])
+        r, value = sol.points[str(load["point"])][0], worked_out(scene, sol, load["force"], name)
         v = velocity(sol, name, r)
         if sign:
             yield Action("load", name, r, value * sign * v / abs(v) if abs(v) > 1e-12 * fastest else 0j)
         else:
             to = load["direction"]
-            fixed = isinstance(to, Mapping)
-            angle = float(to["angle"]) + sol.links[str(to["link"])][0] if fixed else float(to)
+            fixed = isinstance(to, Mapping) and "link" in to
+            turned = sol.links[str(to["link"])][0] if fixed else 0.0
+            angle = turned + worked_out(scene, sol, to["angle"] if fixed else to, name)
             yield Action("load", name, r, cmath.rect(value, math.radians(angle)))
 
 

@@ -263,7 +263,7 @@ def test_zones_say_where_and_why() -> None:
 
 def test_a_load_that_holds_in_one_position_leaves_the_lesson_standing_there() -> None:
     """A force of the drive's own parameter is not known elsewhere: the page shows one position and says why."""
-    text = SIX.read_text("utf-8").replace("force: 6000", "force: 40*phi_1")
+    text = SIX.read_text("utf-8").replace("force: 6000", "force: 40*phi_1").replace("phi: phi_1", "phi: 1*phi_1")
     exported = lesson_data(loads(text, "s.yaml"))
     assert exported["drive"]["values"] == [150.0] and exported["drive"]["at"] == 0 and not exported["failed"]
     assert all(len(x) == len(y) == 1 for x, y in exported["marks"].values())
@@ -273,6 +273,14 @@ def test_a_load_that_holds_in_one_position_leaves_the_lesson_standing_there() ->
     same = data(SIX)
     assert [f["key"] for f in exported["frames"]] == [f["key"] for f in same["frames"]]
     assert exported["marks"]["acceleration:b'"][0] == [same["marks"]["acceleration:b'"][0][150]]
+
+
+def test_a_lesson_of_a_law_turns_and_says_the_law() -> None:
+    exported = data(HERE / "shaper.yaml")
+    assert len(exported["drive"]["values"]) == 360
+    frame = next(f for f in exported["frames"] if f["makes"] == ("force:4-5:P_5",))
+    assert "⟨P_5⟩ = table over (⟨s_5⟩−0.0744865)/0.45 (0 → 0; 0.05 → 0;" in frame["why"]["en"]
+    assert [exported["values"]["P_5"][k] for k in (0, 60, 270)] == pytest.approx([0.0, 2400.0, 150.0])
 
 
 def test_the_lesson_of_a_machine_at_rest_has_no_empty_plans() -> None:

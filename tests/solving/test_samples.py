@@ -34,6 +34,7 @@ from tests.sample_oracle import (
 from tests.sample_oracle import scales as sizes
 
 PUBLISHED = ("six-link", "assignment-12", "bntu-1", "bntu-2", "bntu-3", "bntu-4", "bntu-5")
+OF_ONE_GROUP = tuple(name for name in UNPUBLISHED if name != "shaper")
 NEAR = 1e-9
 
 
@@ -277,7 +278,7 @@ def test_texts_are_in_two_languages_and_comments_in_russian(name: str) -> None:
     assert said and all(any("а" <= c <= "я" for c in comment) for comment in said)
 
 
-@pytest.mark.parametrize("name", UNPUBLISHED)
+@pytest.mark.parametrize("name", OF_ONE_GROUP)
 def test_plans_of_the_kinds_look_well(name: str) -> None:
     """No vector under 1 mm (but those that are zero), no plan above 130 mm, no blunt crossing, no warning."""
     found = solved(name).positions[0].results
@@ -294,7 +295,7 @@ def test_plans_of_the_kinds_look_well(name: str) -> None:
 
 
 def test_both_links_of_the_five_groups_are_loaded() -> None:
-    for name in UNPUBLISHED:
+    for name in OF_ONE_GROUP:
         mechanism = scene(name).mechanism
         assert mechanism and mechanism.gravity == 9.81 and {load.link for load in mechanism.loads} == {"2", "3"}
         assert all(link.mass for link in mechanism.links.values())

@@ -1,0 +1,80 @@
+"""Steps for numbers that a scene states as laws: worked out in every position from what is known there."""
+
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from planes.drafting.steps import Kind, Read, Step, values
+from planes.drafting.tools import Env, Thing, Tool
+from planes.geometry.arithmetic import Real, Truth
+from planes.scene.law_expressions import LawParser, between, folded, within
+from planes.scene.mechanism import LoadLaw
+from planes.scene.reader import MOST
+from planes.words.errors import PlanFailure
+from planes.words.lettering import name_in_words
+
+SLACK, SLACK_BY_HAND = 1e-9, 0.05  # of a table's length: dead points are its ends
+
+
+@dataclass(frozen=True)
+class Follow(Step):
+    """A law at work: ``of`` are the names in its text, each with the value it stands for.
+
+    Where it is of one stroke only, the value ``stroke`` times ``sense`` is positive there, and nothing else is asked.
+    """
+
+    law: LoadLaw
+    of: tuple[tuple[str, str], ...]
+    stroke: str = ""
+    sense: int = 1
+    line: str = field(default="", compare=False)  # of the scene, for whoever has to change the law
+    kind: ClassVar[Kind] = "value"
+
+    def reads(self) -> tuple[Read, ...]:
+        return values(*dict.fromkeys([value for _, value in self.of] + [self.stroke]))
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        idle: Truth = env[self.stroke] * self.sense <= 0 if self.stroke else False
+        parser = LawParser(self.law.text, {name: env[value] for name, value in self.of}, tool.ar)
+        found = parser.value()
+        table, ok = self.law.table, parser.ok
+        tool.require(ok | idle, self, "law_no_value")
+        if table:
+            found = folded(table, found, tool.ar) if self.law.turning else found
+            inside = within(table, found, SLACK_BY_HAND if tool.doubt_mm else SLACK)
+            self._told(inside | idle, found, tool)
+            found, ok = between(table, found, tool.ar), ok & inside
+        small = abs(found) <= MOST
+        tool.require(small | idle, self, "law_no_value")
+        return tool.ar.where(ok & small, found, 0.0)
+
+    def _told(self, inside: Truth, found: Real, tool: Tool) -> None:
+        """Fail beyond the table: of one position with its numbers, which have signs."""
+        if tool.many or inside:
+            tool.require(inside, self, "law_beyond")
+            return
+        table = self.law.table
+        said: dict[str, object] = {
+            "value": float(found),
+            "first": table[0][0],
+            "last": table[-1][0],
+            "over": self.law.text,
+        }
+        said["line"] = self.line
+        raise PlanFailure("law_beyond", makes=name_in_words(self.makes), **said)
+
+
+@dataclass(frozen=True)
+class ByStroke(Step):
+    """One value while a slider goes one way, another while it comes back, nothing while it stands; ``sense`` is the
+    sign of ``stroke`` in the first."""
+
+    stroke: str
+    sense: int
+    working: str
+    idle: str
+    kind: ClassVar[Kind] = "value"
+    needs = values("stroke", "working", "idle")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        way: Real = env[self.stroke] * self.sense
+        return (env[self.working] * (abs(way) + way) + env[self.idle] * (abs(way) - way)) * 0.5

@@ -1,0 +1,41 @@
+"""The law of a load as people read it: 3000·sin(φ₁), a table over s₅, so much in the working stroke."""
+
+from collections.abc import Callable
+
+from planes.scene.expressions import tokens_of
+from planes.scene.mechanism import Amount, Drive, LoadLaw, StrokeLoad
+from planes.words import Lang, say
+from planes.words.units import number
+
+DIGITS = 6
+_POWERS = {"2": "²", "3": "³"}
+Letter = Callable[[str], str]
+
+
+def law_said(value: Amount | StrokeLoad, drive: Drive, letter: Letter, lang: Lang, pairs: bool = True) -> str:
+    """A number of a load in words: ``letter`` writes a name, ``pairs`` says whether a table's are told."""
+    if isinstance(value, StrokeLoad):
+        working, idle = (law_said(x, drive, letter, lang, pairs) for x in (value.working, value.idle))
+        way = say(f"stroke_{value.stroke}", lang)
+        return say("law_of_strokes", lang, working=working, idle=idle, slider=value.slider, way=way)
+    if not isinstance(value, LoadLaw):
+        return number(value, lang, DIGITS)
+    text = _expression(value.text, drive, letter, lang)
+    if not value.table:
+        return text
+    told = "; ".join(f"{number(x, lang, DIGITS)} → {number(y, lang, DIGITS)}" for x, y in value.table)
+    return say("law_of_table", lang, over=text) + (f" ({told})" if pairs else "")
+
+
+def _expression(text: str, drive: Drive, letter: Letter, lang: Lang) -> str:
+    said: list[str] = []
+    for kind, word in tokens_of(text):
+        if said[-1:] == ["^"] and word in _POWERS:
+            said[-1] = _POWERS[word]
+        elif kind == "number":
+            said.append(number(float(word), lang, DIGITS))
+        elif kind == "name" and ("_" in word or word == drive.kind):
+            said.append(letter(f"{word}_{drive.link}" if word == drive.kind else word))
+        else:
+            said.append({"*": "·", "**": "^", "-": "−", ",": "; ", "pi": "π"}.get(word, word))
+    return "".join(said)

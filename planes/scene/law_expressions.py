@@ -1,0 +1,106 @@
+"""Expressions that are worked out in every position: the same grammar, in the arithmetic of whatever draws.
+
+What has no value (a root of less than nothing, a division by zero) is remembered, not raised: of many positions some
+may have one.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import reduce
+from itertools import pairwise
+
+from planes.geometry.arithmetic import Arithmetic, Real, Truth
+from planes.scene.expressions import ExpressionParser
+from planes.words import Phrase
+
+STEEPEST = 20  # a power of what moves is multiplied out
+
+
+class LawParser(ExpressionParser):
+    """Calculates with single numbers, arrays or those of a tape; ``ok`` says where all of it has a value."""
+
+    def __init__(self, text: str, names: Mapping[str, Real], ar: Arithmetic, valid: Iterable[str] = ()) -> None:
+        super().__init__(text, names, valid or names)
+        self.ar = ar
+        self.ok: Truth = True
+        self.read = 0  # how many names so far
+
+    def named(self, name: str) -> Real:
+        self.read += name in self.names
+        return super().named(name)
+
+    def where(self, ok: Truth, x: Real, instead: float) -> Real:
+        """A number where it may be used; anything where it may not."""
+        self.ok = ok & self.ok
+        return self.ar.where(ok, x, instead)
+
+    def divided(self, value: Real, by: Real) -> Real:
+        return value / self.where(abs(by) > 0, by, 1.0)
+
+    def power(self) -> Real:
+        """A number to any power; what moves to a whole one, or to halves."""
+        before = self.read
+        base = self.atom()
+        if not self.sign("^", "**"):
+            return base
+        moves, before = self.read > before, self.read
+        exponent = self.signed()
+        if not moves and self.read == before:
+            return super().raised(float(base), float(exponent))
+        halves = 0.0 if self.read > before else 2 * float(exponent)
+        if self.read > before or not halves.is_integer() or abs(halves) > 2 * STEEPEST:
+            raise self.fail(Phrase("law_power", most=STEEPEST))
+        odd = halves % 2 == 1
+        found = self.ar.power(self._root(base) if odd else base, int(abs(halves)) // (1 if odd else 2))
+        return found if halves >= 0 else self.divided(1.0, found)
+
+    def _root(self, x: Real) -> Real:
+        return self.ar.sqrt(self.where(x >= 0, x, 0.0))
+
+    def _sine(self, x: Real) -> tuple[Real, Real]:
+        """A sine, and its cosine."""
+        x = self.where(abs(x) <= 1, x, 0.0)
+        return x, self.ar.sqrt(1 - x * x)
+
+    def called(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
+        ar, x = self.ar, given[0]
+        match name:
+            case "sqrt":
+                return self._root(x)
+            case "min" | "max":
+                return reduce(ar.minimum if name == "min" else ar.maximum, given)
+            case "hypot":
+                return reduce(lambda a, b: abs(a + 1j * b), given)
+            case "sin":
+                return ar.cis_deg(x).imag
+            case "cos":
+                return ar.cis_deg(x).real
+            case "tan":
+                turn = ar.cis_deg(x)
+                return self.divided(turn.imag, turn.real)
+            case "asin" | "acos":
+                one, other = self._sine(x)
+                return ar.angle_deg(other + 1j * one if name == "asin" else one + 1j * other)
+            case "atan" | "atan2":
+                return ar.angle_deg(given[1] + 1j * x if name == "atan2" else 1 + 1j * x)
+        return abs(x)
+
+
+def between(table: tuple[tuple[float, float], ...], x: Real, ar: Arithmetic) -> Real:
+    """What a table has for x, linear between its pairs; beyond its ends the end's."""
+    found: Real = table[0][1]
+    for (x0, y0), (x1, y1) in pairwise(table):
+        share = ar.maximum(ar.minimum((x - x0) * (1 / (x1 - x0)), 1.0), 0.0)
+        found = found + share * (y1 - y0)
+    return found
+
+
+def within(table: tuple[tuple[float, float], ...], x: Real, slack: float) -> Truth:
+    """Whether a table has x, by ``slack`` of its length at most outside."""
+    beside = slack * (table[-1][0] - table[0][0])
+    return (x >= table[0][0] - beside) & (x <= table[-1][0] + beside)
+
+
+def folded(table: tuple[tuple[float, float], ...], phi: Real, ar: Arithmetic) -> Real:
+    """An angle brought to the turn a table goes over."""
+    start = table[0][0] + 180.0
+    return ar.angle_deg(ar.cis_deg(phi - start)) + start

@@ -1,0 +1,197 @@
+"""Loads that change with the position: what a scene writes under ``force``, ``moment`` and their angles, as laws of
+what is known of the motion. A parameter that is the drive's own place stands for it in every position."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+from planes.geometry.arithmetic import Arithmetic
+from planes.scene.expressions import MAX_DEPTH, MAX_LENGTH, is_name, names_in, tokens_of
+from planes.scene.law_expressions import LawParser
+from planes.scene.mechanism import Amount, Drive, Link, LoadLaw, StrokeLoad
+from planes.scene.parameters import names_of, reached, users_of
+from planes.scene.reader import Reader, part
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.words import Phrase
+from planes.words.errors import ExpressionError, choices, shown
+from planes.words.names import letter_of
+
+MOST_PAIRS = 400
+FORCES = ("F", "R", "M", "MZ", "Fb", "FZ", "P", "G", "I", "N")
+"""Letters of what is found after the loads, or is one of them."""
+Sort = Literal["drive", "link", "slider", "point"]
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """What a name of a law stands for: ``letter`` of a link, of a slider along its guide, or of a point."""
+
+    letter: str
+    sort: Sort
+    of: str
+
+    @property
+    def phrase(self) -> Phrase:
+        """What it is in words."""
+        return Phrase(f"law_{self.sort}_{self.letter}", name=self.of)
+
+
+def coordinates(links: Mapping[str, Link], drive: Drive) -> dict[str, list[Coordinate]]:
+    """Every name a law may use, with all it could stand for: two of them are one too many."""
+    found: dict[str, list[Coordinate]] = {}
+    for name, coordinate in _named(links, drive):
+        if is_name(name) and coordinate not in found.setdefault(name, []):
+            found[name].append(coordinate)
+    return found
+
+
+def _named(links: Mapping[str, Link], drive: Drive) -> Iterator[tuple[str, Coordinate]]:
+    own = Coordinate(drive.kind, "drive", drive.link)
+    yield drive.kind, own
+    for link in links.values():
+        for letter in ("phi", "omega", "epsilon"):
+            here = Coordinate(letter, "link", link.name)
+            yield f"{letter}_{link.name}", own if (letter, link.name) == (drive.kind, drive.link) else here
+        for letter in ("s", "v", "a") if link.slides else ():
+            here = Coordinate(letter, "slider", link.name)
+            yield f"{letter}_{link.name}", own if (letter, link.name) == (drive.kind, drive.link) else here
+        for point in link.points:
+            yield from ((f"{letter}_{point}", Coordinate(letter, "point", point)) for letter in ("x", "y", "v", "a"))
+
+
+def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iterable[str] = ()) -> None:
+    """:class:`ExpressionError` for an expression that cannot be worked out of names that are known for sure."""
+    for name in names_in(text):
+        meanings = known.get(name, ())
+        if len(meanings) > 1:
+            one, two = (m.phrase for m in meanings[:2])
+            raise ExpressionError(Phrase("law_ambiguous", name=name, one=one, two=two))
+        if not meanings and letter_of(name) in FORCES:
+            raise ExpressionError(Phrase("law_later", name=name, valid=choices("", known)))
+    LawParser(text, dict.fromkeys(known, 1.0), Arithmetic(), [*known, *parameters]).value()
+
+
+class LawReader:
+    """Reads numbers of loads that may be laws; ``stated`` are the parameters as they are written."""
+
+    def __init__(
+        self, reader: Reader, links: Mapping[str, Link], drive: Drive, table: SourceTable, stated: Mapping[str, Node]
+    ) -> None:
+        self.reader, self.links, self.drive, self.stated = reader, links, drive, stated
+        self.known = coordinates(links, drive)
+        assert isinstance(table.entries["drive"], SourceTable)
+        place = table.entries["drive"].entries[drive.kind]
+        self.own = {place.text.strip()} if isinstance(place, SourceScalar) else set()
+        if reader.parameters.get(drive.kind) == drive.position:
+            self.own.add(drive.kind)
+        uses = {name: names_of(node) for name, node in stated.items()}
+        self.following = users_of(self.own & stated.keys(), uses)  # the drive's place and all that is made of it
+        driven = [name for node in table.entries["drive"].entries.values() for name in names_of(node)]
+        self.driven = reached(driven, uses)  # parameters the drive itself is given by
+        self.written: dict[str, str] = {}  # parameters in terms of the drive's place
+
+    def value(self, node: Node, what: Phrase, link: str) -> Amount | StrokeLoad:
+        """The size of a load: a number, a law, or one for each stroke."""
+        if not isinstance(node, SourceTable) or not {"working", "idle"} & node.entries.keys():
+            return self.amount(node, what)
+        r = self.reader
+        table = r.table(node, what, ("working", "idle", "stroke", "slider"))
+        both = (self.amount(r.required(table, key, what), part(key, what)) for key in ("working", "idle"))
+        working, idle = both
+        sliders = [n for n, x in self.links.items() if x.slides]
+        if "slider" in table.entries:
+            of = Phrase("sliding_pairs")
+            slider = r.known(table.entries["slider"], part("slider", what), sliders, of)
+        elif link in sliders or len(sliders) == 1:
+            slider = link if link in sliders else sliders[0]
+        else:
+            valid = r.offer("", sliders, Phrase("sliding_pairs"))
+            raise r.error(Phrase("law_slider", what=what, link=link, valid=valid), table)
+        stroke = r.optional(table, "stroke")
+        order = "ahead" if stroke is None else r.word(stroke, part("stroke", what), ("ahead", "behind"))
+        return StrokeLoad(working, idle, slider, "behind" if order == "behind" else "ahead")
+
+    def amount(self, node: Node, what: Phrase) -> Amount:
+        """A number, a law, or a table over one."""
+        if not isinstance(node, SourceTable):
+            return self._law(node, what)
+        r = self.reader
+        table = r.table(node, what, ("over", "table"))
+        law = self._law(r.required(table, "over", what), part("over", what))
+        if not isinstance(law, LoadLaw):
+            valid = choices("", self.known)
+            raise r.error(Phrase("law_over", what=what, valid=valid), table.entries["over"])
+        return self._table(law.text, r.required(table, "table", what), part("table", what))
+
+    def _table(self, over: str, node: Node, what: Phrase) -> LoadLaw:
+        items = self.reader.items(node, what)
+        if not 2 <= len(items) <= MOST_PAIRS:
+            raise self.reader.error(Phrase("law_pairs", what=what, count=len(items), most=MOST_PAIRS), node)
+        pairs = [self._pair(item, what) for item in items]
+        for (one, two), item in zip(pairwise(pairs), items[1:], strict=True):
+            if two[0] <= one[0]:
+                raise self.reader.error(Phrase("law_order", what=what, one=one[0], two=two[0]), item)
+        law = LoadLaw(over, tuple(pairs))
+        if law.turning and abs(pairs[0][1] - pairs[-1][1]) > 1e-9 * max(abs(y) for _, y in pairs):
+            raise self.reader.error(Phrase("law_turn", what=what, first=pairs[0][1], last=pairs[-1][1]), items[-1])
+        return law
+
+    def _pair(self, node: Node, what: Phrase) -> tuple[float, float]:
+        if not isinstance(node, Items):
+            raise self.reader.error(Phrase("law_pair", what=what), node)
+        pair = self.reader.place(node, what)
+        return pair.real, pair.imag
+
+    def _law(self, node: Node, what: Phrase) -> Amount:
+        """A number; a law where a name of the motion stands in it."""
+        if not isinstance(node, SourceScalar) or node.absent or not any(map(self._moves, names_of(node))):
+            return self.reader.number(node, what)
+        try:
+            text = self._text(node.text)
+            check_law(text, self.known, self.reader.parameters)
+        except ExpressionError as error:
+            raise self.reader.error(Phrase("about", what=what, why=error.phrase), node) from None
+        return LoadLaw(text) if names_in(text) else self.reader.number(node, what)
+
+    def _moves(self, name: str) -> bool:
+        """Whether a name changes with the position, or is none at all and so hardly a number's."""
+        return name in self.following or name not in self.stated or name in self.known
+
+    def _written(self, name: str, depth: int) -> str:
+        """A parameter that follows the drive's place, as the law it is."""
+        if name not in self.written:
+            if depth > MAX_DEPTH:
+                raise ExpressionError(Phrase("expression_deep", most=MAX_DEPTH))
+            node = self.stated[name]
+            assert isinstance(node, SourceScalar)  # as every parameter that is made of others
+            self.written[name] = f"({self._text(node.text, depth + 1)})"
+        return self.written[name]
+
+    def _text(self, text: str, depth: int = 0) -> str:
+        """An expression with the drive's own place by its letter, and numbers for parameters."""
+        said, before = "", "sign"
+        for kind, word in tokens_of(text):
+            said += " " * ("sign" not in (kind, before)) + self._word(kind, word, depth)
+            before = kind
+        if len(said) > MAX_LENGTH:
+            raise ExpressionError(Phrase("about", what=shown(text), why=Phrase("expression_long", most=MAX_LENGTH)))
+        return said
+
+    def _word(self, kind: str, word: str, depth: int) -> str:
+        if kind != "name":
+            return word
+        if word in self.own or (word not in self.stated and self._means(word, "drive")):
+            return self.drive.kind
+        if word not in self.stated:
+            return word
+        if word in self.following:
+            return self._written(word, depth)
+        if word in self.known and word not in self.driven:
+            meant = self.known[word][0].phrase
+            raise ExpressionError(Phrase("law_parameter", name=word, meant=meant))
+        value = self.reader.parameters[word]
+        return repr(value) if value >= 0 else f"({value!r})"
+
+    def _means(self, name: str, sort: Sort) -> bool:
+        return any(meaning.sort == sort for meaning in self.known.get(name, ()))
