@@ -123,7 +123,8 @@ def structure(args: Namespace) -> int:
     if args.json:
         print(as_json({**found.json(), "self_aligning": variant and variant.json()}))
     else:
-        told = [structure_report(found, args.lang)] + ([alignment_report(variant, args.lang)] if variant else [])
+        told = [structure_report(found, args.lang, scene.frame_number)]
+        told += [alignment_report(variant, args.lang)] if variant else []
         print(*told, sep="\n\n")
     return 0
 

@@ -7,14 +7,11 @@ from itertools import combinations
 
 from planes.drafting.drawing import Drawing
 from planes.lesson.formulas import unit
-from planes.lesson.note import Note
+from planes.lesson.note import Note, conditions
 from planes.plans import Plans
-from planes.plans.law_words import law_said
-from planes.plans.loads import load_names
 from planes.plans.measuring import say_plan
 from planes.plans.scales import drawn_in_si
 from planes.scene import Scene
-from planes.scene.mechanism import Drive, Load, LoadLaw, Mechanism
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.words import Lang, decimal, say
@@ -66,42 +63,6 @@ def unit_of(name: str, lang: Lang) -> str:
     """The unit of a parameter, as far as its name tells."""
     key = unit_of_parameter(name)
     return say(key, lang) if key else ""
-
-
-def conditions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """Axes, loads, weight and friction in words."""
-    if origin := next((name for name, place in mechanism.frame.points.items() if place == 0), None):
-        yield say("task_axes", lang, point=f"⟨{origin}⟩")
-    for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
-        yield _load(load, name, mechanism.drive, lang)
-    masses = any(link.mass for link in mechanism.links.values())
-    if masses and mechanism.gravity:
-        yield say("task_weight", lang, g=number(mechanism.gravity, lang))
-    elif masses:
-        yield say("task_no_weight", lang)
-    for guide, f in mechanism.friction.items():
-        yield say("task_friction", lang, guide=guide, f=number(f, lang))
-
-
-def _load(load: Load, name: str, drive: Drive, lang: Lang) -> str:
-    """One force or moment: its size, and which way it acts; its law, if it is one, after that."""
-    size, angle = (law_said(x or 0.0, drive, "⟨{}⟩".format, lang) for x in (load.value, load.direction_deg))
-    if isinstance(load.direction_deg, LoadLaw):
-        angle = f"({angle})"
-    if isinstance(load.value, float | int):
-        return _acting(load, size, angle, lang)
-    return _acting(load, f"⟨{name}⟩", angle, lang) + " " + say("task_law", lang, name=name, law=size)
-
-
-def _acting(load: Load, size: str, angle: str, lang: Lang) -> str:
-    what = {"link": load.link, "point": f"⟨{load.point}⟩", "value": size}
-    if load.kind == "moment":
-        return say(f"task_moment_{load.sense}" if load.sense else "task_moment", lang, **what)
-    if load.sense:
-        return say(f"task_force_{load.sense}", lang, **what)
-    if load.direction_link:
-        return say("task_force_link", lang, **what, angle=angle, other=load.direction_link)
-    return say("task_force", lang, **what, angle=angle)
 
 
 def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:

@@ -21,7 +21,7 @@ from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.plans import Plans, mechanism_plans
-from planes.plans.measuring import BLUNT, lettering, say_plan
+from planes.plans.measuring import BLUNT, formula_of, lettering, say_plan
 from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.solving import failed
@@ -55,7 +55,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     names = needed(frames)
     return {
         "title": dict(scene.title),
-        "formula": plans.structure.formula.replace("->", "→"),
+        "formula": formula_of(plans.structure, scene.frame_number).replace("->", "→"),
         "lettering": lettering(scene, plans),
         "drive": {"symbol": "φ" if plans.mechanism.drive.kind == "phi" else "s", "values": values, "at": index},
         "mus": mus,

@@ -9,19 +9,21 @@ from itertools import count, groupby
 from planes.lesson import Frame, Teller, mu_said, value_of
 from planes.lesson.formulas import fill, unit
 from planes.plans.law_words import law_said
-from planes.plans.measuring import say_plan
+from planes.plans.loads import load_names
+from planes.plans.measuring import counted, formula_of, lettering, say_plan
 from planes.plans.quantities import Measured
 from planes.scene import Scene
-from planes.scene.mechanism import FRAME
+from planes.scene.mechanism import FRAME, Drive, Load, LoadLaw, Mechanism
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
+from planes.solving.given import GivenTable
 from planes.solving.tables import difference
 from planes.words import Lang, decimal, say
-from planes.words.names import kind_of, links_of, mu_of, parts_of
+from planes.words.lettering import Naming
+from planes.words.names import kind_of, links_of, mu_of
 from planes.words.units import number
 
 NOISE = 1e-12
-LETTERS = ("l", "e", "m", "J", "g", "omega", "epsilon", "f")  # of what is given, beside loads
 
 
 @dataclass
@@ -66,14 +68,13 @@ class Note:
         where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
         yield Paragraph(self.say("note_task", title=title, drive=where))
-        acting = {n for n, m in plans.means.items() if m.quantity in ("load", "couple")}
-        plain = {n: size for n, size in plans.given.items() if not isinstance(size, complex) and "°" not in n}
-        shown = {n: float(size) for n, size in plain.items() if n in acting or parts_of(n)[0] in LETTERS}
-        rows = [(f"⟨{n}⟩", number(size, self.lang), unit(n, self.lang)) for n, size in shown.items()]
+        naming = Naming(self.lang, **lettering(self.scene, plans))
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
+        rows = GivenTable(self.position, naming, self.scene.parameters).rows()
         yield from self.table("note_given_table", head, [*rows, *self.laws()])
+        yield from map(Paragraph, conditions(plans.mechanism, self.lang))
 
-    def laws(self) -> Iterator[tuple[str, ...]]:
+    def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""
         plans, drawing = self.position.plans, self.position.drawing
         for name, law in plans.acting.laws.said.items():
@@ -83,12 +84,13 @@ class Note:
 
     def structure(self) -> Iterator[Block]:
         """Degree of freedom, groups, formula."""
-        s, m = self.position.plans.structure, self.position.plans.mechanism
+        s, n = self.position.plans.structure, len(self.position.plans.mechanism.links)
+        freedom, redundant = counted(s)
         yield Heading(self.say("note_structure"))
-        yield Paragraph(self.say("note_freedom", n=len(m.links), p=len(s.pairs), W=s.W, q=s.q))
+        yield Paragraph(self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant))
         for g in s.groups:
             yield Paragraph(self.say("note_group_kind", links=", ".join(g.links), kind=g.kind, name=g.name))
-        yield Paragraph(self.say("note_formula", formula=s.formula.replace("->", "→")))
+        yield Paragraph(self.say("note_formula", formula=formula_of(s, self.scene.frame_number, True)))
 
     def plans(self) -> Iterator[Block]:
         """Every plan with its equations, its steps in words, and its figure."""
@@ -168,3 +170,39 @@ class Note:
 
     def number(self, found: Measured | None) -> str:
         return "—" if found is None else number(0.0 if abs(found.number) <= 1e-9 else found.number, self.lang)
+
+
+def conditions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """Axes, loads, weight and friction in words."""
+    if origin := next((name for name, place in mechanism.frame.points.items() if place == 0), None):
+        yield say("task_axes", lang, point=f"⟨{origin}⟩")
+    for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
+        yield _load(load, name, mechanism.drive, lang)
+    masses = any(link.mass for link in mechanism.links.values())
+    if masses and mechanism.gravity:
+        yield say("task_weight", lang, g=number(mechanism.gravity, lang))
+    elif masses:
+        yield say("task_no_weight", lang)
+    for guide, f in mechanism.friction.items():
+        yield say("task_friction", lang, guide=guide, f=number(f, lang))
+
+
+def _load(load: Load, name: str, drive: Drive, lang: Lang) -> str:
+    """One force or moment: its size, and which way it acts; its law, if it is one, after that."""
+    size, angle = (law_said(x or 0.0, drive, "⟨{}⟩".format, lang) for x in (load.value, load.direction_deg))
+    if isinstance(load.direction_deg, LoadLaw):
+        angle = f"({angle})"
+    if isinstance(load.value, float | int):
+        return _acting(load, size, angle, lang)
+    return _acting(load, f"⟨{name}⟩", angle, lang) + " " + say("task_law", lang, name=name, law=size)
+
+
+def _acting(load: Load, size: str, angle: str, lang: Lang) -> str:
+    what = {"link": load.link, "point": f"⟨{load.point}⟩", "value": size}
+    if load.kind == "moment":
+        return say(f"task_moment_{load.sense}" if load.sense else "task_moment", lang, **what)
+    if load.sense:
+        return say(f"task_force_{load.sense}", lang, **what)
+    if load.direction_link:
+        return say("task_force_link", lang, **what, angle=angle, other=load.direction_link)
+    return say("task_force", lang, **what, angle=angle)

@@ -1,5 +1,5 @@
-"""What is read off a drawing: results by name, in SI, with the segments they were measured on; and how its plans and
-their names are told."""
+"""What is read off a drawing: results by name, in SI, with the segments they were measured on; and how its plans,
+their names and the structure are told."""
 
 import math
 from collections.abc import Mapping
@@ -8,6 +8,7 @@ from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans
 from planes.plans.quantities import Column, Measured, Quantity
+from planes.plans.structure import Structure
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.words import Lang
@@ -93,6 +94,19 @@ class DrawingReader:
 def say_plan(plan: str, lang: Lang) -> str:
     """The name of a plan in words."""
     return plan_phrase(plan).told(lang)
+
+
+def formula_of(s: Structure, frame: str, kinds: bool = False) -> str:
+    """The formula of structure with the frame's number; ``kinds``: lettered, the kind of every group lowered."""
+    groups = (f"II{f'_{{{g.kind}}}' if kinds else ''}({';'.join(g.links)})" for g in s.groups)
+    return (" → " if kinds else " -> ").join([f"I({frame};{s.driver})", *groups])
+
+
+def counted(s: Structure) -> tuple[str, str]:
+    """W and q with the numbers put in; p_{1} are pairs of one freedom."""
+    n, p = 1 + 2 * len(s.groups), len(s.pairs)
+    redundant = f"q = W − 6n + 5p_{{1}} = {s.W} − 6·{n} + 5·{p} = {s.q}"
+    return f"W = 3n − 2p_{{1}} = 3·{n} − 2·{p} = {s.W}", redundant.replace("-", "−")
 
 
 def lettering(scene: Scene, plans: Plans | None = None) -> Json:

@@ -6,12 +6,14 @@ from collections.abc import Iterable
 
 from planes.drafting.drawing import Drawing
 from planes.plans.alignment import Aligned
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import counted, formula_of, lettering, say_plan
 from planes.plans.quantities import Measured
 from planes.plans.structure import Structure
+from planes.scene.mechanism import FRAME
 from planes.solving import Position, Solved, key_of
 from planes.solving.vectors import VectorResults
 from planes.words import Lang, say
+from planes.words.lettering import Naming, flat
 from planes.words.names import kind_of, mu_of
 from planes.words.records import Json
 from planes.words.units import UNIT, mu_text, quantity
@@ -35,15 +37,16 @@ def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> lis
 def report(solved: Solved, lang: Lang = "en") -> str:
     """The whole answer of ``planes solve`` as text."""
     s = solved.plans.structure
-    lines = [solved.scene.title.get(lang, ""), f"W = {s.W}, q = {s.q}, {s.formula}"]
+    naming = Naming(lang, **lettering(solved.scene, solved.plans))
+    lines = [solved.scene.title.get(lang, ""), f"W = {s.W}, q = {s.q}, {formula_of(s, naming.frame)}"]
     for p in solved.positions:
-        lines += _position(p, key_of(solved.plans), lang)
+        lines += _position(p, key_of(solved.plans), lang, naming)
     if some := next((p for p in solved.positions if "errors" in p.results), None):
         lines += errors_told(True, some.drawing, lang)
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
 
 
-def _position(p: Position, key: str, lang: Lang) -> list[str]:
+def _position(p: Position, key: str, lang: Lang, naming: Naming) -> list[str]:
     r = p.results
     head = f"φ = {p.at:.10g}°" if key == "phi_deg" else f"s = {p.at:.10g} {say('m', lang)}"
     lines = ["", f"— {head} —"]
@@ -52,11 +55,16 @@ def _position(p: Position, key: str, lang: Lang) -> list[str]:
     lines += _slides(p, lang, e)
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] for s in plan["segments"].values()):
-            lines += _plan(p, name, lang)
+            lines += _plan(p, name, lang, naming)
     forces = p.of("reactions")
     if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
-        lines += _reactions(forces, lang, e) + _balance(p, lang)
+        lines += _reactions(forces, lang, e, naming) + _balance(p, lang)
     return lines + [f"! {w}" for w in r["warnings"]]
+
+
+def _spelt(lettered: str) -> str:
+    """A lettered name as a terminal has it: F_{56}^{t} -> F_56^t."""
+    return lettered.replace("{", "").replace("}", "")
 
 
 def _number(value: float | None, beside: float = 0.0) -> str:
@@ -144,19 +152,21 @@ def _slides(p: Position, lang: Lang, e: Json | None) -> list[str]:
     return table(say("slides", lang), head, rows)
 
 
-def _plan(p: Position, name: str, lang: Lang) -> list[str]:
+def _plan(p: Position, name: str, lang: Lang, naming: Naming) -> list[str]:
     plan, e = p.results["plans"][name], p.results.get("errors")
     most = max((abs(s["value"]) for s in plan["segments"].values()), default=0.0)
     rows = []
-    for key, s in plan["segments"].items():
+    for vector, ends, s in p.measured_on(name):
+        key = ends.start + ends.end
         mm, value = (error_of(e, "plans", name, "segments", key, what) for what in ("mm", "value"))
-        rows.append([s["name"], key, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
+        shown = "".join(_spelt(naming.named(x, name)) for x in (ends.start, ends.end))
+        rows.append([_spelt(naming.vector(vector)), shown, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
     unit = say(UNIT[kind_of(name)], lang)
     title = f"{say_plan(name, lang)}, μ = {mu_text(p.scales[mu_of(name)], kind_of(name), lang)}"
     return table(title, ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
 
 
-def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None) -> list[str]:
+def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None, naming: Naming) -> list[str]:
     most = max((math.hypot(r.vector.real, r.vector.imag) for r in reactions.values()), default=0.0)
     rows, o = [], [""] * len(pm(e))
     for name, r in reactions.items():
@@ -165,7 +175,9 @@ def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None) -> li
         if r.slides:
             arm, moment = (error_of(e, "reactions", name, key) for key in ("arm", "moment"))
             more = [_number(r.arm, 1.0), *arm, _number(r.moment, most), *moment]
-        rows.append([name, *(_number(c, most) for c in r.numbers[:2]), *_vector(r, most), *force, *more])
+        rows.append(
+            [_spelt(naming.vector(name)), *(_number(c, most) for c in r.numbers[:2]), *_vector(r, most), *force, *more]
+        )
     n, reach, couple = say("N", lang), f"{say('arm', lang)}, {say('m', lang)}", f"M, {say('N·m', lang)}"
     o = pm(e)
     head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", *o, reach, *o, couple, *o]
@@ -193,11 +205,10 @@ def difference(found: float, check: float) -> float:
     return abs(found - check) / largest if largest else 0.0
 
 
-def structure_report(found: Structure, lang: Lang = "en") -> str:
-    """W and q with their numbers, the formula and the groups, one a line."""
-    n, p = 1 + sum(len(g.links) for g in found.groups), len(found.pairs)
-    counted = f"  W = 3n − 2p1 = 3·{n} − 2·{p} = {found.W};  q = W − 6n + 5p1 = {found.W} − 6·{n} + 5·{p} = {found.q}"
-    lines = [f"W = {found.W}, q = {found.q}", counted, found.formula]
+def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) -> str:
+    """W and q with their numbers, the formula and the groups, one a line; ``frame`` is the number of the frame."""
+    numbers = flat(";  ".join(counted(found)))
+    lines = [f"W = {found.W}, q = {found.q}", f"  {numbers}", formula_of(found, frame)]
     for g in found.groups:
         kind = say("class_kind", lang, kind=g.kind, name=g.name)
         lines.append(f"{say('group', lang)} {', '.join(g.links)}: {kind}")
@@ -206,10 +217,10 @@ def structure_report(found: Structure, lang: Lang = "en") -> str:
 
 def alignment_report(found: Aligned, lang: Lang = "en") -> str:
     """The self-aligning variant: the count of Somov and Malyshev, and what every pair becomes."""
-    p5, p4, p3 = found.counts
+    p1, p2, p3 = found.counts
     lines = [
-        say("alignment", lang, n=found.n, p5=p5, p4=p4, p3=p3),
-        say("alignment_W", lang, a=6 * found.n, b=5 * p5, c=4 * p4, d=3 * p3, W=found.W, q=found.q),
+        say("alignment", lang, n=found.n, p1=p1, p2=p2, p3=p3),
+        say("alignment_W", lang, a=6 * found.n, b=5 * p1, c=4 * p2, d=3 * p3, W=found.W, q=found.q),
     ]
     for pair, sign in found.pairs:
         name, links = pair.point or pair.guide, f"{pair.other}–{pair.link}"

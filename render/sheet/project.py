@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+from planes.plans.measuring import counted, formula_of
 from planes.solving import Position
 from planes.words import say
 from planes.words.names import POLE, at, kind_of, links_of, mu_of
 from render.labels.footprints import bounds
-from render.paper.letters import decimal
 from render.paper.marks import Mark, Text
 from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.sheet.sizes import Sizes
@@ -94,21 +94,13 @@ class Project:
             for g in structure.groups:
                 text = say("group_of_kind", c.lang, links="–".join(map(c.naming.link, g.links)), kind=g.kind)
                 parts.append(self.part(position, g.links, text, False, letter))
-            w, q = decimal(str(structure.W), c.lang), decimal(str(structure.q), c.lang)
-            lines = [f"W = 3n − 2p_{{1}} = {w};  q = W − 6n + 5p_{{1}} = {q}", self.formula(position)]
+            lines = [";  ".join(counted(structure)), formula_of(structure, c.naming.frame, True)]
             high = LARGER[letter]
             marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
             whole = stacked("structure", [beside(parts), view("formula", "", marks)])
             return view("structure", say("structure", c.lang), whole.marks, figure=True)
 
         return c.once(("groups", position.scales[mu_of("position")], letter), make)
-
-    def formula(self, position: Position) -> str:
-        """The formula of structure with the numbers of this sheet: I(0;1) → II(2;3)."""
-        c, s = self.composer, position.plans.structure
-        parts = [f"I({c.naming.link('0')};{c.naming.link(s.driver)})"]
-        parts += [f"II_{{{g.kind}}}({';'.join(c.naming.link(x) for x in g.links)})" for g in s.groups]
-        return " → ".join(parts)
 
     def part(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""
@@ -174,7 +166,7 @@ class ForceSheet:
             found += [replace(v, step=plan) for v in step if v]
         found.append(self.lever(position, letter))
         tables = c.tables(position, letter)
-        return [v for v in (*found, tables.reactions(), tables.check()) if v]
+        return [v for v in (*found, tables.loading(), tables.reactions(), tables.check()) if v]
 
     def loaded(self, position: Position) -> View | None:
         """The scheme with all outer loads."""

@@ -98,9 +98,9 @@ def alignment_view(position: Position, aligned: Aligned, naming: Naming, title: 
 
 def counted(aligned: Aligned, letter: float) -> list[Mark]:
     """The formula of Somov and Malyshev with its numbers."""
-    p5, p4, p3 = aligned.counts
-    numbers = f"6·{aligned.n} − 5·{p5} − 4·{p4} − 3·{p3} = {aligned.W};   q = {aligned.q}"
-    return [Text(f"W = 6n − 5p_{{5}} − 4p_{{4}} − 3p_{{3}} = {numbers}", 0j, letter * 1.4, "middle")]
+    p1, p2, p3 = aligned.counts
+    numbers = f"6·{aligned.n} − 5·{p1} − 4·{p2} − 3·{p3} = {aligned.W};   q = {aligned.q}"
+    return [Text(f"W = 6n − 5p_{{1}} − 4p_{{2}} − 3p_{{3}} = {numbers}", 0j, letter * 1.4, "middle")]
 
 
 def legend(aligned: Aligned, naming: Naming, letter: float) -> View:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from planes.plans.loads import force_name
 from planes.solving import Position
+from planes.solving.given import LOADING, GivenTable
 from planes.solving.tables import difference
 from planes.solving.vectors import VectorResults
 from planes.words import say
@@ -21,7 +22,6 @@ from render.paper.marks import Arc, Line, Mark, Shape, Text
 from render.paper.typeset import extent, ink_width
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
-from render.views.given import GivenTable
 from render.views.plotted import of_position
 from render.views.transfers import TransferFunctions
 
@@ -159,10 +159,16 @@ class Tables:
         rates = self.plan("velocity"), self.plan("acceleration")
         return [t for t in (self.given(), *rates, self.links(), self.reactions(), self.check()) if t]
 
-    def given(self) -> View | None:
-        """What the scene gives, each thing once."""
-        rows = GivenTable(self.position, self.naming, self.parameters).rows()
-        return self.table("given", self.say("given"), ["", "", ""], rows)
+    def given(self, *units: str) -> View | None:
+        """What the scene gives, each thing once; in some ``units`` alone, if any are named."""
+        given = GivenTable(self.position, self.naming, self.parameters)
+        return self.table(
+            "given", self.say("given"), ["", "", ""], [*given.rows(*([units] if units else [])), *given.laws()]
+        )
+
+    def loading(self) -> View | None:
+        """What a force calculation is given: masses, moments of inertia, loads."""
+        return self.given(*LOADING)
 
     def plan(self, plan: str) -> View | None:
         """What was measured on a plan: vector, segment, mm, value."""

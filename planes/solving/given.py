@@ -1,23 +1,26 @@
-"""What a scene gives, each thing once: its parameters as they are named, then every number written without a name."""
+"""What a scene gives, each thing once: its parameters as they are named, then every number of the mechanism that none
+of them names. Whoever has these can draw it again."""
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 from planes.plans.law_words import law_said
 from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
 from planes.solving import Position
 from planes.words import say
-from planes.words.lettering import Naming, greek
-from planes.words.names import index_of, letter_of
+from planes.words.lettering import Naming, flat, greek
+from planes.words.names import letter_of
 from planes.words.units import number, unit_of_parameter
-from render.paper.letters import unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
+LOADING = ("kg", "kgm2", "N", "N·m")
+"""Units of what a force calculation adds."""
 SAME = 1e-9
 LONGEST = 60  # signs of a law in a cell
+DIGITS = 6  # a given number is written as it was given
 
 
 @dataclass(frozen=True)
@@ -28,6 +31,14 @@ class GivenRow:
     value: float
     unit: str
     of_drive: bool = False
+    place: bool = False  # a coordinate, which is told even where it is 0
+
+    @property
+    def same(self) -> tuple[str, str]:
+        """What names of one thing have in common: l_{CD} and l_{DC} the letter and the points, J_{S2} and J_{2} the
+        unit and the link."""
+        spatial, index = self.unit in ("m", "°"), sorted(set(flat(self.name[1:])) - {"–"})
+        return self.name[0] if spatial else self.unit, "".join(x for x in index if spatial or x.isdigit())
 
 
 @dataclass(frozen=True)
@@ -38,13 +49,13 @@ class GivenTable:
     naming: Naming
     parameters: Mapping[str, float]
 
-    def rows(self) -> list[list[str]]:
-        """Name, value and unit of everything that is given."""
-        plain = dict.fromkeys(r for r in self.unnamed() if r.value and not self.known(r))
+    def rows(self, units: Collection[str] = RANK) -> list[tuple[str, str, str]]:
+        """Name, value and unit of everything that is given in some units."""
+        plain = dict.fromkeys(r for r in self.unnamed() if (r.value or r.place) and not self.known(r))
         found = sorted([*self.drive(), *self.named(), *plain], key=lambda r: (not r.of_drive, RANK.index(r.unit)))
         lang = self.naming.lang
-        told = [[r.name, number(r.value, lang), unit(r.unit, lang) or "—"] for r in found]
-        return [*told, *self.laws()]
+        unit = {key: say(key, lang) if key else "—" for key in RANK}
+        return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in found if r.unit in units]
 
     def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""
@@ -62,15 +73,14 @@ class GivenTable:
             row = GivenRow(greek(name), value, unit_of_parameter(name))
             moved = letter_of(name) == drive.kind and value == drive.position
             if row.name not in shown and not moved:
-                alike = (r for r in self.loads() if r.unit == row.unit and _equal(r.value, value))
-                other = [r.name for r in alike if index_of(r.name) == index_of(row.name)]
+                alike = (r for r in self.loads() if _equal(r.value, value))
+                other = [r.name for r in alike if r.same == row.same]
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
     def known(self, row: GivenRow) -> bool:
-        """Whether a parameter, or the sum or difference of two, has the value of a row."""
-        alike = [abs(v) for name, v in self.parameters.items() if unit_of_parameter(name) in (row.unit, "")]
-        sums = [abs(a + sign * b) for k, a in enumerate(alike) for b in alike[:k] for sign in (1, -1)]
-        return any(_equal(abs(row.value), v) for v in (*alike, *sums))
+        """Whether a parameter says the same of the same thing: l_CD of l_DC, J_S2 of J_2."""
+        named = (GivenRow(greek(name), v, unit_of_parameter(name)) for name, v in self.parameters.items())
+        return any(r.same == row.same and _equal(r.value, row.value) for r in named)
 
     def unnamed(self) -> Iterator[GivenRow]:
         """Every number of the mechanism."""
@@ -87,34 +97,42 @@ class GivenTable:
         yield from self.loads()
         yield GivenRow("g", m.gravity or 0.0, "m/s²")
         for name, f in m.friction.items():
-            yield GivenRow(f"f_{{{name}}}", f, "")
+            yield GivenRow(f"f_{{{dashed(name)}}}", f, "")
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:
         """The coordinates of a place."""
-        yield GivenRow(f"x_{{{name}}}", z.real, "m")
-        yield GivenRow(f"y_{{{name}}}", z.imag, "m")
+        if not z:
+            yield GivenRow(f"x_{{{name}}} = y_{{{name}}}", 0.0, "m", place=True)
+            return
+        yield GivenRow(f"x_{{{name}}}", z.real, "m", place=True)
+        yield GivenRow(f"y_{{{name}}}", z.imag, "m", place=True)
 
     def frame_guide(self, guide: Guide) -> Iterator[GivenRow]:
         """Where a guide of the frame lies and how it is turned."""
-        name = guide.name.replace("-", "–")
+        name = dashed(guide.name)
+        upright = guide.through_point is None and {0.0: "y", 90.0: "x"}.get(guide.angle_deg)
+        if upright:  # its coordinate tells how it is turned
+            z = guide.through
+            yield GivenRow(f"{upright}_{{{name}}}", z.real if upright == "x" else z.imag, "m", place=True)
+            return
         if guide.through_point is None:
             yield from self.place(name, guide.through)
-        if guide.angle_deg % 90:
-            yield GivenRow(f"∠{name}", guide.angle_deg, "°")
+        yield GivenRow(f"∠{name}", guide.angle_deg, "°", place=True)
 
     def lengths(self, link: Link) -> Iterator[GivenRow]:
         """Places of a link's points in its axes, its guides, its place on the guide it slides on."""
         first = link.first_point
         for point, z in link.points.items():
             way = z - link.points[first]
-            length, turn = (abs(way), round(math.degrees(cmath.phase(way)), 9)) if way.imag else (way.real, 0.0)
-            if way:
-                yield GivenRow(f"l_{{{first}{point}}}", length, "m")
-                yield GivenRow(f"∠{first}{point}", turn, "°")
+            if way.imag and f"l_{first}{point}" in self.parameters:  # which may be one of its coordinates
+                yield from self.place(first + point, way)
+                continue
+            yield GivenRow(f"l_{{{first}{point}}}", abs(way), "m")
+            yield GivenRow(f"∠{first}{point}", round(math.degrees(cmath.phase(way)), 9), "°")
         for guide in link.guides.values():
-            yield GivenRow(f"∠{guide.name}", guide.angle_deg, "°")
+            yield GivenRow(f"∠{dashed(guide.name)}", guide.angle_deg, "°")
             if guide.through_point is None:
-                yield from self.place(guide.name, guide.through)
+                yield from self.place(dashed(guide.name), guide.through)
         if link.slides:
             yield GivenRow(f"e_{{{self.naming.link(link.name)}}}", link.slides.offset or 0.0, "m")
             yield GivenRow(f"∠{self.naming.link(link.name)}", link.slides.angle_deg or 0.0, "°")
@@ -127,7 +145,7 @@ class GivenTable:
                 unit = "N" if m.quantity == "load" else "N·m"
                 yield GivenRow(self.naming.vector(m.of), float(plans.given[name]), unit)
 
-    def laws(self) -> Iterator[list[str]]:
+    def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""
         plans, drawing, lang = self.position.plans, self.position.drawing, self.naming.lang
         for name, law in plans.acting.laws.said.items():
@@ -138,15 +156,20 @@ class GivenTable:
             now = number(float(drawing[name]), lang) if name in drawing else "—"
             if isinstance(law, StrokeLoad):
                 for word, part in (("stroke_working", law.working), ("stroke_idle", law.idle)):
-                    yield [f"{sign} = {self.law(part)}, {say(word, lang)}", "", unit(key, lang)]
+                    yield f"{sign} = {self.law(part)}, {say(word, lang)}", "", say(key, lang)
             row = sign if isinstance(law, StrokeLoad) else f"{sign} = {self.law(law)}"
-            yield [row, now, unit(key, lang)]
+            yield row, now, say(key, lang)
 
     def law(self, law: Amount) -> str:
         """A law, as far as there is room for it in a cell."""
         drive = self.position.plans.mechanism.drive
         told = law_said(law, drive, self.naming.vector, self.naming.lang, pairs=False)
         return told if len(told) <= LONGEST else "…"
+
+
+def dashed(name: str) -> str:
+    """The name of a guide as it is printed."""
+    return name.replace("-", "–")
 
 
 def _equal(a: float, b: float) -> bool:
