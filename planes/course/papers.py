@@ -17,7 +17,7 @@ from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, He
 from planes.words import Lang, decimal, say
 from planes.words.errors import PlanFailure
 from planes.words.names import kind_of, mu_of, parts_of
-from planes.words.units import mu_text, number, unit_of_parameter
+from planes.words.units import Convention, mu_text, number, unit_of_parameter
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -91,7 +91,7 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
         yield from note.compared()
     yield Heading(say("key_plans", lang))
     for name in drawn.results.get("plans", ()):
-        if name != "position" and (table := segments(drawn, name, lang)):
+        if name != "position" and (table := segments(drawn, name, lang, scene.mu_convention)):
             yield table
     if drawn.drawing.sharpness:  # how bluntly lines meet at the worst, for who grades the drawing
         least = min(drawn.drawing.sharpness.values())
@@ -99,7 +99,7 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
         yield Paragraph(say("key_sharpness", lang, angle=number(angle, lang, 3)))
 
 
-def segments(drawn: Position, name: str, lang: Lang) -> DocumentTable | None:
+def segments(drawn: Position, name: str, lang: Lang, convention: Convention) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
     rows = []
     for vector, s, found in drawn.measured_on(name):
@@ -107,7 +107,7 @@ def segments(drawn: Position, name: str, lang: Lang) -> DocumentTable | None:
         rows.append((f"⟨{vector}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", decimal(f"{found['mm']:.1f}", lang), value))
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
-    mu = decimal(mu_text(drawn.scales[mu_of(name)], kind_of(name), lang), lang)
+    mu = decimal(mu_text(drawn.scales[mu_of(name)], kind_of(name), lang, convention), lang)
     return DocumentTable(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
 
 

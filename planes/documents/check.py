@@ -41,7 +41,7 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     is, by the names of the scene if ``mark`` does not tell."""
     bench = prepare(asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
-    mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang), lang)
+    mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang, asked.scene.mu_convention), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
     squares.append((code_centre(), code_cells((mark or SheetMark.of(asked)).text), CODE_MM))
     texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]

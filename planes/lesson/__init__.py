@@ -21,7 +21,7 @@ from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
 from planes.plans import Plans
 from planes.words import Lang, decimal, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of
-from planes.words.units import mu_text, number
+from planes.words.units import Convention, mu_text, number
 
 NOTHING: Names = {}
 One = TypeVar("One")
@@ -55,8 +55,14 @@ class Teller:
     counts as nothing."""
 
     def __init__(
-        self, plans: Plans, drawing: Drawing, scales: Mapping[str, float], cycle: Drawing | None = None
+        self,
+        plans: Plans,
+        drawing: Drawing,
+        scales: Mapping[str, float],
+        cycle: Drawing | None = None,
+        convention: Convention = "mm_per_unit",
     ) -> None:
+        self.convention: Convention = convention
         self.plans, self.drawing, self.scales = plans, drawing, scales
         self.cycle = cycle or drawing
         self.made = drawing.program.makers
@@ -114,7 +120,7 @@ class Teller:
     ) -> Frame:
         """A frame with its words in both languages; what is callable is asked per language."""
         index, found = self.equation_of(plan, makes)
-        names = {**names, "mu": partial(mu_said, self.scales[mu_of(plan)], plan)}
+        names = {**names, "mu": partial(mu_said, self.scales[mu_of(plan)], plan, convention=self.convention)}
 
         def told(lang: Lang) -> str:
             return say(f"lesson_{key}", lang, **{k: v(lang) if callable(v) else v for k, v in names.items()})
@@ -185,8 +191,12 @@ class Teller:
             return f"⟨{name}⟩ = 0"
         read, mu = f"‖{name}‖", mu_of(plan)
         self.spans[read] = (*span, mu)
-        names = {"mm": slot(read, "mm", mu), "mu": number(self.scales[mu], lang), "value": slot(read)}
+        names = {"mm": slot(read, "mm", mu), "by": self.divided(self.scales[mu], lang), "value": slot(read)}
         return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
+
+    def divided(self, mu: float, lang: Lang) -> str:
+        """How a length on paper becomes a value."""
+        return f"/ {number(mu, lang)}" if self.convention == "mm_per_unit" else f"· {number(1 / mu, lang, 3)}"
 
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read off a force plan that has closed."""
@@ -213,9 +223,9 @@ def shown_on(step: s.Step) -> str:
     return plan_of(step.makes) or "position"
 
 
-def mu_said(mu: float, plan: str, lang: Lang) -> str:
+def mu_said(mu: float, plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
     """The scale of a plan as the language writes it; the lever is drawn as velocities are."""
-    return decimal(mu_text(mu, "velocity" if plan == "lever" else kind_of(plan), lang), lang)
+    return decimal(mu_text(mu, "velocity" if plan == "lever" else kind_of(plan), lang, convention), lang)
 
 
 def needed(frames: list[Frame]) -> list[str]:

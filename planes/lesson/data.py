@@ -29,6 +29,7 @@ from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import at, lettered, mu_of, plan_of
 from planes.words.records import Json
+from planes.words.units import Convention
 
 POSITIONS = 360
 Progress = Callable[[int, int], None]
@@ -50,7 +51,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         values, index, held = [plans.mechanism.drive.position], 0, [zone(0, 0, "blunt", PlanesError(law.phrase).told)]
         moved = plans.at(numpy.array(values))
     cycle = run(plans.program, {**given, **moved})
-    teller = Teller(plans, drawing, mus, cycle)
+    teller = Teller(plans, drawing, mus, cycle, scene.mu_convention)
     frames = teller.frames()
     names = needed(frames)
     return {
@@ -59,7 +60,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "lettering": lettering(scene, plans),
         "drive": {"symbol": "φ" if plans.mechanism.drive.kind == "phi" else "s", "values": values, "at": index},
         "mus": mus,
-        "plans": [_plan(plans, p, mus) for p in plans.drawn if p != "motion"],
+        "plans": [_plan(plans, p, mus, scene.mu_convention) for p in plans.drawn if p != "motion"],
         "segments": _segments(plans, drawing),
         "traces": _traces(drawing),
         "scheme": scheme(plans, cycle),
@@ -88,13 +89,13 @@ def _values(plans: Plans) -> tuple[list[float], int]:
     return [drive.position + plans.reach * (i - half) / half for i in range(POSITIONS + 1)], half
 
 
-def _plan(plans: Plans, plan: str, mus: Mapping[str, float]) -> Json:
+def _plan(plans: Plans, plan: str, mus: Mapping[str, float], convention: Convention) -> Json:
     """A plan with its scale, its title and the letters of the fixed points of the scheme that stand in its pole."""
     prime = {"velocity": "", "acceleration": "'"}.get(plan)
     fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
     return {
         "key": plan,
-        "mu": in_both(partial(mu_said, mus[mu_of(plan)], plan)),
+        "mu": in_both(partial(mu_said, mus[mu_of(plan)], plan, convention=convention)),
         "title": in_both(lambda lang: (told := say_plan(plan, lang))[:1].upper() + told[1:]),
         "fixed": fixed,
     }

@@ -35,7 +35,8 @@ class Note:
     lang: Lang
 
     def __post_init__(self) -> None:
-        self.teller = Teller(self.position.plans, self.position.drawing, self.position.scales)
+        p = self.position
+        self.teller = Teller(p.plans, p.drawing, p.scales, convention=self.scene.mu_convention)
         self.frames = self.teller.frames()
         self.tables = self.figures = 0
         self.given: set[str] = set()  # reasons given already
@@ -121,7 +122,7 @@ class Note:
         return self.say("note_group" if len(links) > 1 else "note_driver", links=", ".join(links))
 
     def caption(self, plan: str) -> str:
-        mu = mu_said(self.position.scales[mu_of(plan)], plan, self.lang)
+        mu = mu_said(self.position.scales[mu_of(plan)], plan, self.lang, self.scene.mu_convention)
         if plan == "position":
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)

@@ -117,5 +117,6 @@ def lettering(scene: Scene, plans: Plans | None = None) -> Json:
         "frame": scene.frame_number,
         "from_on": scene.sheet.get("reactions") == "from-on",
         "driver": scene.mechanism.drive.link if scene.mechanism else "",
+        "convention": scene.mu_convention,
         "grounded": [name for name, m in means.items() if m.quantity == "rate" and m.link == FRAME],
     }

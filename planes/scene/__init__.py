@@ -23,7 +23,7 @@ from planes.scene.vectors import VectorGiven, read_equations, read_vectors
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError, shown
 from planes.words.records import Pictured
-from planes.words.units import mu_text
+from planes.words.units import Convention, mu_text
 
 __all__ = ["ReadWith", "Scene", "VectorGiven", "load", "loads"]
 
@@ -97,6 +97,11 @@ class Scene(Pictured):
     def parameters(self) -> Mapping[str, float]:
         """The parameters it was read with."""
         return self.reading.parameters
+
+    @property
+    def mu_convention(self) -> Convention:
+        """How people are told μ."""
+        return "unit_per_mm" if self.sheet.get("mu_convention") == "unit_per_mm" else "mm_per_unit"
 
     def __repr__(self) -> str:
         what = "vectors" if self.mechanism is None else f"links {', '.join(self.mechanism.links)}"

@@ -3,7 +3,7 @@ of them names. Whoever has these can draw it again."""
 
 import cmath
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from planes.plans.law_words import law_said
@@ -16,8 +16,6 @@ from planes.words.units import number, unit_of_parameter
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
-LOADING = ("kg", "kgm2", "N", "N·m")
-"""Units of what a force calculation adds."""
 SAME = 1e-9
 LONGEST = 60  # signs of a law in a cell
 DIGITS = 6  # a given number is written as it was given
@@ -32,6 +30,11 @@ class GivenRow:
     unit: str
     of_drive: bool = False
     place: bool = False  # a coordinate, which is told even where it is 0
+
+    @property
+    def loading(self) -> bool:
+        """Whether only a force calculation needs it."""
+        return self.unit in ("kg", "kgm2", "N", "N·m") or self.name.partition("_")[0] in ("g", "f")
 
     @property
     def same(self) -> tuple[str, str]:
@@ -49,13 +52,13 @@ class GivenTable:
     naming: Naming
     parameters: Mapping[str, float]
 
-    def rows(self, units: Collection[str] = RANK) -> list[tuple[str, str, str]]:
-        """Name, value and unit of everything that is given in some units."""
+    def rows(self, loading: bool = False) -> list[tuple[str, str, str]]:
+        """Name, value and unit of everything that is given; of what a force calculation adds alone, if asked."""
         plain = dict.fromkeys(r for r in self.unnamed() if (r.value or r.place) and not self.known(r))
         found = sorted([*self.drive(), *self.named(), *plain], key=lambda r: (not r.of_drive, RANK.index(r.unit)))
         lang = self.naming.lang
         unit = {key: say(key, lang) if key else "—" for key in RANK}
-        return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in found if r.unit in units]
+        return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in found if r.loading or not loading]
 
     def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""

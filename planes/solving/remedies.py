@@ -50,7 +50,7 @@ def rescaled(solved: Solved, p: Position) -> Position:
     again = replace(solved, scene=_open(scene, large)).at(p.at)
     again.results["remedied"] = sorted(large)
     for kind, (plan, marks, angle, size) in large.items():
-        said, now = (mu_text(x[mu_of(plan)], kind, lang) for x in (p.scales, again.scales))
+        said, now = (mu_text(x[mu_of(plan)], kind, lang, scene.mu_convention) for x in (p.scales, again.scales))
         parts = {"marks": marks, "angle_deg": f"{angle:.2g}", "size_mm": f"{size:.0f}", "plan": say_plan(plan, lang)}
         again.results["warnings"].append(say("remedy_scale", lang, said=said, mu=now, **parts))
     return again

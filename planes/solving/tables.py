@@ -162,7 +162,7 @@ def _plan(p: Position, name: str, lang: Lang, naming: Naming) -> list[str]:
         shown = "".join(_spelt(naming.named(x, name)) for x in (ends.start, ends.end))
         rows.append([_spelt(naming.vector(vector)), shown, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
     unit = say(UNIT[kind_of(name)], lang)
-    title = f"{say_plan(name, lang)}, μ = {mu_text(p.scales[mu_of(name)], kind_of(name), lang)}"
+    title = f"{say_plan(name, lang)}, μ = {mu_text(p.scales[mu_of(name)], kind_of(name), lang, naming.convention)}"
     return table(title, ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
 
 
@@ -238,7 +238,7 @@ def vector_report(results: VectorResults, lang: Lang = "en") -> str:
         mm = [f"{read['mm']:.2f}", *error_of(e, "plans", "vectors", "segments", n, "mm")]
         rows.append([n, _number(read["value"], most), angle, *error_of(e, "vectors", n), *mm])
     head = ["", say(UNIT[results.quantity], lang), "∠°", *pm(e), say("mm", lang), *pm(e)]
-    lines = table(f"μ = {mu_text(results.mu, results.quantity, lang)}", head, rows)
+    lines = table(f"μ = {mu_text(results.mu, results.quantity, lang, results.scene.mu_convention)}", head, rows)
     lines += [f"! {warning}" for warning in results.warnings(lang)] + errors_told(e, results.drawing, lang)
     return "\n".join([results.scene.title.get(lang, ""), *lines[1:]]).lstrip("\n")
 

@@ -9,8 +9,9 @@ import re
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from planes.words import Lang, Phrase, Told, say
+from planes.words import Lang, Phrase, Told, decimal, say
 from planes.words.names import kind_of, label_of, letter_of, links_of, parted, written
+from planes.words.units import Convention, mu_text
 
 PRIME = "′"
 _SPELT = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
@@ -22,13 +23,18 @@ _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°
 @dataclass(frozen=True)
 class Naming:
     """How this sheet names things: language, number of the frame, order of a reaction's indices, the driver, vectors
-    that end at a point of the frame under a slider."""
+    that end at a point of the frame under a slider, the convention of μ."""
 
     lang: Lang = "ru"
     frame: str = "0"
     from_on: bool = False
     driver: str = "1"
     grounded: Collection[str] = ()
+    convention: Convention = "mm_per_unit"
+
+    def mu(self, size: float, kind: str) -> str:
+        """μ of a kind of plans as it is written: 30 mm/(m/s)."""
+        return decimal(mu_text(size, kind, self.lang, self.convention), self.lang)
 
     def link(self, name: str) -> str:
         """A link's number; the frame's is the scene's."""

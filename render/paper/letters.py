@@ -78,7 +78,8 @@ def with_unit(name: str, key: str, lang: Lang) -> str:
     return ", ".join(filter(None, (name, unit(key, lang))))
 
 
-def scale(mu: float, key: str, lang: Lang) -> str:
-    """μ with its unit: 20 mm/(m/s); that of plain numbers in mm."""
-    per = unit(key, lang)
-    return f"{number(mu, lang)} {mm_per(per, lang) if per else say('mm', lang)}"
+def scale(mu: float, key: str, naming: Naming) -> str:
+    """μ with its unit: 20 mm/(m/s), or the inverse; that of plain numbers in mm."""
+    per, lang, inverse = unit(key, naming.lang), naming.lang, naming.convention == "unit_per_mm"
+    plain = f"1/{say('mm', lang)}" if inverse else say("mm", lang)
+    return f"{number(1 / mu if inverse else mu, lang)} {mm_per(per, lang, inverse) if per else plain}"

@@ -13,8 +13,6 @@ from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, say
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of, mu_of
-from planes.words.units import mu_text
-from render.paper.letters import decimal
 from render.views import View, stacked, view
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
@@ -90,9 +88,7 @@ class Composer:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
         kind = plotted.kind(plan)
         letter = {"position": "l", "velocity": "v", "acceleration": "a", "force": "F", "vectors": ""}[kind]
-        upside_down = self.scene.sheet.get("mu_convention") == "unit_per_mm"
-        text = mu_text(plotted.scales[mu_of(plan)], kind, self.lang, "unit_per_mm" if upside_down else "mm_per_unit")
-        return f"μ{letter and f'_{{{letter}}}'} = {decimal(text, self.lang)}"
+        return f"μ{letter and f'_{{{letter}}}'} = {self.naming.mu(plotted.scales[mu_of(plan)], kind)}"
 
     def scheme(self, position: Position) -> View | None:
         """The scheme in the calculated position."""

@@ -166,7 +166,7 @@ class ForceSheet:
             found += [replace(v, step=plan) for v in step if v]
         found.append(self.lever(position, letter))
         tables = c.tables(position, letter)
-        return [v for v in (*found, tables.loading(), tables.reactions(), tables.check()) if v]
+        return [v for v in (*found, tables.given(loading=True), tables.reactions(), tables.check()) if v]
 
     def loaded(self, position: Position) -> View | None:
         """The scheme with all outer loads."""

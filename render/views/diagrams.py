@@ -153,7 +153,7 @@ class Diagrams:
         names = [curve.name or f"{curve.letter}_{{{link}}}" for curve in panel]
         if self.to_read:
             names = [with_unit(name, curve.unit, lang) for name, curve in zip(names, panel, strict=True)]
-        scales = ", ".join(dict.fromkeys(f"μ_{{{c.letter}}} = {scale(mu, c.unit, lang)}" for c in panel))
+        scales = ", ".join(dict.fromkeys(f"μ_{{{c.letter}}} = {scale(mu, c.unit, self.naming)}" for c in panel))
         if len(panel) == 1:
             return [Text(f"{names[0]}, {scales}", place, 3.5)]
         marks: list[Mark] = []
@@ -187,7 +187,7 @@ class Diagrams:
         found: list[Mark] = [Text(str(k), z, 3.5, "middle") for k, z in enumerate(places)]
         (letter, key), lang = self.driver, self.naming.lang
         turning = key == "°"
-        text = f"μ_{{{letter}}} = {scale(self.wide / (self.angles[-1] - self.angles[0]), key, lang)}"
+        text = f"μ_{{{letter}}} = {scale(self.wide / (self.angles[-1] - self.angles[0]), key, self.naming)}"
         if self.to_read:
             told = [round(a, 1 if turning else 3) for a in self.angles]
             told = [a % FULL for a in told] if turning and self.whole else told

@@ -20,6 +20,11 @@ from render.paper.typeset import ink_width
 BETWEEN_MM = 15.0
 BEYOND_MM = 9.0  # of an axis past its last section
 SMOOTH = 8  # pieces of a drawn curve between two points
+FORMULAS = {
+    "mm_per_unit": ("H·μ_{{{0}}}/μ_{{t}}", "μ_{{{0}}}·μ_{{t}}/H"),
+    "unit_per_mm": ("μ_{{{0}}}/(H·μ_{{t}})", "H·μ_{{{0}}}·μ_{{t}}"),
+}
+"""μ of a diagram by differentiation and by integration, in either convention."""
 
 
 @dataclass(frozen=True)
@@ -86,14 +91,15 @@ class Graphical:
 
     def heading(self, stage: Stage, k: int) -> str:
         """The quantity and its scale, with the formula it follows from."""
-        c, lang, letters = self.construction, self.naming.lang, "sva" if self.construction.motion.slides else "φωε"
+        c, letters = self.construction, "sva" if self.construction.motion.slides else "φωε"
         own = letters[stage.rank]
         text = f"{own}_{{{self.naming.link(c.motion.link)}}};  μ_{{{own}}} = "
         if k:
             other = letters[c.stages[k - 1].rank]
-            text += f"H·μ_{{{other}}}/μ_{{t}} = " if c.kind == "differentiation" else f"μ_{{{other}}}·μ_{{t}}/H = "
-        text += scale(stage.mu, RATES[c.motion.slides][stage.rank], lang)
-        return text if k else f"{text};  μ_{{t}} = {scale(c.mu_t, 's', lang)}"
+            ways = FORMULAS[self.naming.convention]
+            text += f"{ways[c.kind != 'differentiation'].format(other)} = "
+        text += scale(stage.mu, RATES[c.motion.slides][stage.rank], self.naming)
+        return text if k else f"{text};  μ_{{t}} = {scale(c.mu_t, 's', self.naming)}"
 
     def pole(self, stage: Stage, zero: complex) -> list[Mark]:
         """The pole, its rays to the axis of ordinates, and its distance."""

@@ -47,7 +47,7 @@ def _one(loop: Hodograph, naming: Naming, to_read: bool) -> View:
     x, y = [z.real for z in known], [z.imag for z in known]
     mu = standard_mu(max(max(x) - min(x), max(y) - min(y)), WIDE_MM)
     name = say("path_of", lang, name=loop.point) if path else say("hodograph", lang, name=loop.name)
-    title = f"{name}, μ_{{{letter_of(loop.name)}}} = {scale(mu, loop.unit, lang)}"
+    title = f"{name}, μ_{{{letter_of(loop.name)}}} = {scale(mu, loop.unit, naming)}"
     low = complex(mu * min(x) - AXIS_MM, mu * min(y) - AXIS_MM)
     high = complex(mu * max(x) + AXIS_MM, mu * max(y) + AXIS_MM)
     pole = low if path else 0j

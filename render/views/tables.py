@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from planes.plans.loads import force_name
 from planes.solving import Position
-from planes.solving.given import LOADING, GivenTable
+from planes.solving.given import GivenTable
 from planes.solving.tables import difference
 from planes.solving.vectors import VectorResults
 from planes.words import say
@@ -159,16 +159,10 @@ class Tables:
         rates = self.plan("velocity"), self.plan("acceleration")
         return [t for t in (self.given(), *rates, self.links(), self.reactions(), self.check()) if t]
 
-    def given(self, *units: str) -> View | None:
-        """What the scene gives, each thing once; in some ``units`` alone, if any are named."""
+    def given(self, loading: bool = False) -> View | None:
+        """What the scene gives, each thing once; masses, moments of inertia and loads alone, if ``loading``."""
         given = GivenTable(self.position, self.naming, self.parameters)
-        return self.table(
-            "given", self.say("given"), ["", "", ""], [*given.rows(*([units] if units else [])), *given.laws()]
-        )
-
-    def loading(self) -> View | None:
-        """What a force calculation is given: masses, moments of inertia, loads."""
-        return self.given(*LOADING)
+        return self.table("given", self.say("given"), ["", "", ""], [*given.rows(loading), *given.laws()])
 
     def plan(self, plan: str) -> View | None:
         """What was measured on a plan: vector, segment, mm, value."""
