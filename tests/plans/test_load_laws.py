@@ -24,10 +24,10 @@ from planes.scene import Scene, loads
 from planes.scene.mechanism import LoadLaw, StrokeLoad
 from planes.solving import solve as planes_solve
 from planes.solving.document import DocumentTable
+from planes.solving.given import GivenTable
 from planes.words import say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.lettering import Naming
-from render.views.given import GivenTable
 from tests.helpers.comparing import against
 from tests.helpers.mechanisms import KINDS, Case, make, to_yaml
 from tests.helpers.oracle import Solution, follow, solve
