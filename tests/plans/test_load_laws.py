@@ -224,6 +224,7 @@ def test_law_and_value_are_told(lang) -> None:
     note = [row for b in Note(scene, here, lang).opening() if isinstance(b, DocumentTable) for row in b.rows]
     assert any(law in row[0] and row[1] == "1928" for row in note)
     assert any(law in line for line in conditions(here.plans.mechanism, lang))
-    rows = GivenTable(here, Naming(lang), scene.parameters).rows()
-    assert ["P_{3}", "1928", {"en": "N", "ru": "Н"}[lang]] in rows
+    given = GivenTable(here, Naming(lang), scene.parameters)
+    rows = [*given.rows(), *given.laws()]
+    assert ("P_{3}", "1928", {"en": "N", "ru": "Н"}[lang]) in rows
     assert any("(3000·sin(φ_{1}))" in row[0] and say("stroke_working", lang) in row[0] for row in rows)
