@@ -13,6 +13,7 @@ from render.paper.marks import Line, Mark, Text
 from render.paper.typeset import box_of
 
 __all__ = ["Label", "Placed", "place"]
+MANY = 5  # strokes, as a leader would see them
 
 
 def place(
@@ -25,7 +26,8 @@ def place(
     if not labels:
         return Placed((), ())
     marks = list(marks)
-    board = Board(labels, ink([*marks, *map(_beside, (m for m in marks if isinstance(m, Text)))]), field, ink(yielding))
+    beside = [line for m in marks if isinstance(m, Text) for line in _beside(m)]
+    board = Board(labels, ink([*marks, *beside]), field, ink(yielding))
     board.choose()
     board.repair()
     while board.widen():
@@ -33,9 +35,10 @@ def place(
     return board.placed()
 
 
-def _beside(text: Text) -> Line:
-    """A line through a text that stands already, so far beyond it that no label beside it reads as one word with it."""
-    box, past = box_of(text), max(BETWEEN[0] * text.height - CLEAR_MM, 0.0)
-    left, right = (box[0] + box[3]) / 2, (box[1] + box[2]) / 2
-    way = (right - left) / abs(right - left) if right != left else 0j
-    return Line((left - past * way, right + past * way), "thin")
+def _beside(text: Text) -> list[Line]:
+    """Lines through a text that stands already, so far beyond it that no label beside it reads as one word with it; and
+    so many that a leader rather crosses anything else."""
+    low, right, _, left = box_of(text)
+    past, way = max(BETWEEN[0] * text.height - CLEAR_MM, 0.0), (right - low) / (abs(right - low) or 1.0)
+    levels = ((left - low) * (k + 0.5) / MANY for k in range(MANY))
+    return [Line((low + z - past * way, right + z + past * way), "thin") for z in levels]

@@ -1,7 +1,7 @@
 """Sizes on a scheme: two arrows that part from the middle, lines that lead to what is measured, the size over them."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from planes.words import Lang
 from planes.words.lettering import Naming
@@ -17,7 +17,7 @@ PAST_MM = 1.5  # of a leading line beyond the arrow
 OVER_MM = 0.9  # of the size over the line of its arrows
 LETTER_MM = 3.5
 APART_MM, BESIDE_MM = 7.0, 10.0  # of sizes from each other, and from what is drawn
-LEAST_MM, HEADS_MM = 9.0, 8.0  # the shortest that has room for its arrows; their heads, beside the text
+HEADS_MM = 8.0  # of the arrows beside the text
 ANGLE_MM, AXIS_MM = 16.0, 21.0  # the radius at which the driver's angle is shown, and the axis it is measured from
 PARTING = (0.5, 0.35, 0.65, 0.25, 0.75)  # of a size's length, where its text may stand
 SQUARE = 1e-6
@@ -32,6 +32,11 @@ class Size:
     aside: complex
     text: str
     name: str = "size"
+
+    @property
+    def fits(self) -> bool:
+        """Whether it is long enough for its text and the heads beside that."""
+        return abs(self.ends[1] - self.ends[0]) > ink_width(self.text, LETTER_MM) + HEADS_MM
 
     def leading(self) -> list[Line]:
         """The lines that lead to its arrows from what is measured."""
@@ -77,12 +82,11 @@ def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Si
     for way, aside, edge in ((1 + 0j, -1j, -about[1]), (1j, -1 + 0j, -about[0])):
         base = places.at(pair)
         ways = {round(((z - base) / way).real, 2): z for z in _held(places, way)}
-        texts = {t: in_mm(abs(t) / mu, lang) for t in ways}
-        long = sorted((t for t in ways if abs(t) > max(LEAST_MM, ink_width(texts[t], LETTER_MM) + HEADS_MM)), key=abs)
-        for k, t in enumerate(long):
+        plain = ((base, ways[t], in_mm(abs(t) / mu, lang)) for t in sorted(ways, key=abs))
+        feet = (Size((a, b), ((a / way).real * way, (b / way).real * way), aside, text) for a, b, text in plain)
+        for k, one in enumerate(x for x in feet if x.fits):
             off = (edge + BESIDE_MM + k * APART_MM) * aside
-            ends = ((base / way).real * way + off, (ways[t] / way).real * way + off)
-            found.append(Size((base, ways[t]), ends, aside, texts[t]))
+            found.append(replace(one, ends=(one.ends[0] + off, one.ends[1] + off)))
     return found
 
 

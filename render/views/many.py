@@ -20,7 +20,7 @@ from render.views.plotted import NEAR_MM, outline_of
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
 TOGETHER_MM = 2.0  # places nearer than this are numbered together
 FINE = 10  # places of a line looked at
-BELOW_MM, LEAST_MM = 16.0, 8.0  # how far from everything else a stroke is measured, and the shortest that is
+BELOW_MM = 16.0  # how far from everything else a stroke is measured
 NEAR = 1.3  # and so many times where it grows beyond that: the positions farther off are not drawn
 
 
@@ -212,7 +212,6 @@ class ManyPositions:
             ways = ((z - through) * along.conjugate() for z in drawn)
             beside = [0.0, *(w.imag for w in ways if min(at) < w.real < max(at))]
             off = min(min(beside) - BELOW_MM, max(beside) + BELOW_MM, key=abs)
-            if max(at) - min(at) > LEAST_MM:
-                ends = (through + min(at) * along, through + max(at) * along)
-                found.append(stroke(*ends, 1j * off * along, in_mm((max(at) - min(at)) / self.mu, lang)))
-        return found
+            ends = (through + min(at) * along, through + max(at) * along)
+            found.append(stroke(*ends, 1j * off * along, in_mm((max(at) - min(at)) / self.mu, lang)))
+        return [one for one in found if one.fits]

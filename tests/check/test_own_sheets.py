@@ -271,7 +271,8 @@ def test_what_stands_apart_on_a_page_is_another_part() -> None:
     assert [len(p.strokes) for p in found] == [3, 2] and [len(p.words) for p in found] == [0, 1]
 
 
-def test_the_polygon_of_a_law_is_right_in_its_own_position_alone(tmp_path: Path) -> None:
+@pytest.mark.parametrize("phi", ["240", "280"])
+def test_the_polygon_of_a_law_is_right_in_its_own_position_alone(phi: str, tmp_path: Path) -> None:
     scene, plan, file = str(SAMPLES / "shaper.yaml"), ["--plan", "force:4-5"], str(tmp_path / "idle.svg")
-    assert main(["sheet", scene, "--phi", "270", "-o", file]) == 0
-    assert [main(["check", scene, file, *plan, "--phi", phi]) for phi in ("270", "60")] == [0, 1]
+    assert main(["sheet", scene, "--phi", phi, "-o", file]) == 0
+    assert [main(["check", scene, file, *plan, "--phi", at]) for at in (phi, "60")] == [0, 1]

@@ -152,6 +152,6 @@ def test_the_self_aligning_variant_names_every_pair(lang: str) -> None:
 
 def test_a_unit_is_said_in_one_way_everywhere():
     assert [unit(key, "ru") for key in ("°", "1", "", "kgm2", "1/m")] == ["°", "", "", "кг·м²", "1/м"]
-    told = [scale(20.0, key, "en") for key in ("m", "m/s²", "°", "1")]
+    told = [scale(20.0, key, Naming("en")) for key in ("m", "m/s²", "°", "1")]
     assert told == ["20 mm/m", "20 mm/(m/s²)", "20 mm/°", "20 mm"]
     assert (with_unit("u", "1", "en"), with_unit("v", "m/s", "ru")) == ("u", "v, м/с")
