@@ -13,7 +13,6 @@ from render.paper.marks import Line, Mark, Text
 from render.paper.typeset import box_of
 
 __all__ = ["Label", "Placed", "place"]
-MANY = 5  # strokes, as a leader would see them
 
 
 def place(
@@ -26,8 +25,9 @@ def place(
     if not labels:
         return Placed((), ())
     marks = list(marks)
-    beside = [line for m in marks if isinstance(m, Text) for line in _beside(m)]
-    board = Board(labels, ink([*marks, *beside]), field, ink(yielding))
+    standing = [m for m in marks if isinstance(m, Text)]
+    ground = ink([*marks, *map(_beside, standing)])
+    board = Board(labels, ground, field, ink(yielding), ink(standing))
     board.choose()
     board.repair()
     while board.widen():
@@ -35,10 +35,9 @@ def place(
     return board.placed()
 
 
-def _beside(text: Text) -> list[Line]:
-    """Lines through a text that stands already, so far beyond it that no label beside it reads as one word with it; and
-    so many that a leader rather crosses anything else."""
+def _beside(text: Text) -> Line:
+    """A line through a text that stands already, so far beyond it that no label beside it reads as one word with it."""
     low, right, _, left = box_of(text)
     past, way = max(BETWEEN[0] * text.height - CLEAR_MM, 0.0), (right - low) / (abs(right - low) or 1.0)
-    levels = ((left - low) * (k + 0.5) / MANY for k in range(MANY))
-    return [Line((low + z - past * way, right + z + past * way), "thin") for z in levels]
+    middle = (left - low) / 2
+    return Line((low + middle - past * way, right + middle + past * way), "thin")

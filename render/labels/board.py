@@ -31,10 +31,11 @@ OUTSIDE = 1000.0  # cost of leaving the field
 TIGHT = 1.5  # cost of standing closer than ROOM_MM to ink
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
 CROSSING = 8.0  # cost of a leader's crossing with a stroke
+THROUGH = 80.0  # cost of its going through a text
 BROKEN = 4.0  # cost of a thin line that is broken for a label
 ROOM_MM = 1.3
 CLOSE = 3.0  # cost of standing beside another label, farther off than it must
-PATIENCE = 1000  # how often labels are asked to make room for others, on one board
+PATIENCE = 1000  # how often labels of one board are asked to make room for others
 FAR_PLACES = 160  # of a label that needs a leader line: the nearest free ones
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 AT_ONCE = 5000  # candidates looked at together: what lies near them is held for so many
@@ -58,16 +59,20 @@ class Board:
     """
 
     def __init__(
-        self, labels: Sequence[Label], ground: InkedShapes, field: Bounds | None, yielding: InkedShapes
+        self,
+        labels: Sequence[Label],
+        ground: InkedShapes,
+        field: Bounds | None,
+        yielding: InkedShapes,
+        standing: InkedShapes,
     ) -> None:
-        self.labels, self.ground, self.field, self.yielding = labels, ground, field, yielding
+        self.labels, self.ground, self.field = labels, ground, field
+        self.yielding, self.standing = yielding, standing
         self.options = [beside(label, NEAR) for label in labels]
         self.costs = self._judged(self.options)
         for k in range(len(labels)):
             self.costs[k] += AMBIGUOUS * self._strays(k)
-        self.chosen: dict[int, int] = {}
-        self.wide: set[int] = set()
-        self.moves = 0
+        self.chosen, self.wide, self.moves = dict[int, int](), set[int](), 0
         self._list()
 
     def _list(self) -> None:
@@ -124,11 +129,16 @@ class Board:
             cost += BROKEN * _bounded(np.bincount(broken, minlength=len(boxes)))
         return cost
 
-    def _crossings(self, leaders: Complexes) -> Array:
-        """How many strokes each leader crosses, thin ones that yield for less."""
+    def _crossing(self, leaders: Complexes) -> Array:
+        """What it costs that leaders cross strokes, thin ones that yield for less, and texts that stand already."""
+        strokes = self._crossings(leaders, (self.ground, 1.0), (self.yielding, 0.25))
+        return CROSSING * _bounded(strokes) + THROUGH * self._crossings(leaders, (self.standing, 1.0))
+
+    def _crossings(self, leaders: Complexes, *layers: tuple[InkedShapes, float]) -> Array:
+        """How many shapes each leader crosses, each counted by its weight."""
         lines = shapely.linestrings(np.stack([leaders.real, leaders.imag], axis=-1))
         counts = np.zeros(len(leaders))
-        for inked, weight in ((self.ground, 1.0), (self.yielding, 0.25)):
+        for inked, weight in layers:
             if len(inked.shapes) and len(leaders):
                 pairs = inked.tree.query(lines, predicate="intersects")
                 counts += weight * np.bincount(pairs[0], minlength=len(leaders))
@@ -225,8 +235,7 @@ class Board:
             free = best[cost[best] < HARD]
             some = option.some(free)
             self.options[k] = union([self.options[k], some])
-            led = cost[free] + CROSSING * _bounded(self._crossings(some.leaders))
-            self.costs[k] = np.concatenate([self.costs[k], led])
+            self.costs[k] = np.concatenate([self.costs[k], cost[free] + self._crossing(some.leaders)])
         self._list()
         return True
 
