@@ -98,4 +98,4 @@ def test_a_format_that_is_said_to_hold_all_does_and_what_is_blamed_is_to_blame(
     advised = re.search(r"поместится на формате (\w+)$", said)
     assert advised
     found = sheet_of(scene(text, format=advised[1]), None, number=number)
-    assert not [w for w in found.warnings if "опущены" in w]
+    assert not [w for w in found.warnings if "опущены" in w and "«Направления»" not in w]  # which wait for room
