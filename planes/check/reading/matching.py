@@ -24,6 +24,7 @@ WORDED = 0.6  # the share of marks with words from which on one without was not 
 USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
 DENSE = 80  # so many ends near one word leave nothing to choose by
 LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
+DOT_MM = 0.8  # a line from a name ends in no larger dot
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
 
 
@@ -31,7 +32,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of a plan found on a sketch."""
     paper = ReadPaper(sketch.file, whole=False)
     sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
-    kind, vectors, dots = kind_of(bench.asked.plan), list[int](), [z for z, _ in sketch.rounds]
+    kind, vectors, dots = kind_of(bench.asked.plan), list[int](), [z for z, r in sketch.rounds if r < DOT_MM]
     if kind == "position":
         sketch = hinged(sketch)
         middles = [z for z, _ in sketch.rounds]
@@ -51,8 +52,10 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
     if kind == "force":
-        sketch.words = led_to_vectors(sketch, dots) if headed(sketch) else sketch.words
-        found = vectors_named(sketch, bench, true_vectors(bench), others(bench).values())
+        sides, beside = true_vectors(bench), others(bench)
+        known = bench.written({**beside, **sides})
+        sketch.words = led_to_vectors(sketch, dots, known) if headed(sketch) else sketch.words
+        found = vectors_named(sketch, bench, sides, beside.values())
         return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))

@@ -7,6 +7,7 @@ from typing import Any
 import numpy
 from shapely import STRtree, distance, linestrings, multilinestrings, points
 
+from planes.check.reading.hatching import without_hatching
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.geometry.arrays import Booleans, Complexes
 from planes.geometry.plane import corners
@@ -72,17 +73,17 @@ def without_letters(sketch: ReadDrawing) -> None:
         held = (local.real > -over) & (local.real < word.width + over) & (local.imag > -over - 0.35 * high)
         small = abs(ends[:, 1] - ends[:, 0]) < LETTER * high
         letter[near] |= (held & (local.imag < high + 2 * over)).all(axis=1) & small
-    kept = _touched(every, letter, [head.tip for head in sketch.heads]) | ~letter
+    kept = _touched(every, letter, [(h.tip, h.tip - h.way * h.length) for h in sketch.heads]) | ~letter
     count = len(sketch.strokes)
     sketch.strokes = [s for s, good in zip(sketch.strokes, kept[:count], strict=True) if good]
     sketch.short = [s for s, good in zip(sketch.short, kept[count:], strict=True) if good]
 
 
-def _touched(ends: Complexes, inside: Booleans, tips: Sequence[complex]) -> Booleans:
-    """Which strokes meet one that is no letter, or an arrowhead."""
-    others = numpy.concatenate([ends[~inside].ravel(), numpy.array(list(tips), complex)])
+def _touched(ends: Complexes, inside: Booleans, heads: Sequence[Stroke]) -> Booleans:
+    """Which strokes meet one that is no letter, or end within an arrowhead."""
+    others = numpy.concatenate([_dots(ends[~inside].ravel()), _lines(heads)])
     found = numpy.zeros(len(ends), bool)
-    near = STRtree(_dots(others)).query(_dots(ends[inside].ravel()), predicate="dwithin", distance=TOUCH_MM)[0]
+    near = STRtree(others).query(_dots(ends[inside].ravel()), predicate="dwithin", distance=TOUCH_MM)[0]
     found[numpy.flatnonzero(inside)[near // 2]] = True
     return found
 
@@ -94,7 +95,7 @@ def _dots(places: Complexes) -> Any:  # shapely has no types of its own for many
 
 def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
     """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
-    if not 0 < len(sketch.strokes) <= MOST:
+    if len(sketch.strokes) > MOST or not (sketch := without_hatching(sketch)).strokes:
         return []
     shapes = [*_lines(sketch.strokes), *(points(z.real, z.imag).buffer(r) for z, r in sketch.rounds)]
     group = numpy.arange(len(shapes))
@@ -111,10 +112,9 @@ def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
     return sorted((p for p in found if p is not None), key=lambda p: -len(p.strokes))
 
 
-def _lines(strokes: Sequence[Stroke]) -> Sequence[object]:
+def _lines(strokes: Sequence[Stroke]) -> Any:  # shapely has no types of its own for many lines
     """Strokes as lines."""
-    found: Sequence[object] = linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes])
-    return found
+    return linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes]) if strokes else numpy.array([])
 
 
 def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:

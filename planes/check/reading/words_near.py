@@ -66,20 +66,21 @@ def begun(words: Sequence[Words], begin: complex) -> list[Words]:
     return [w for w in words if w.distance(begin) <= far < LEADER_MM]
 
 
-def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex]) -> list[Words]:
-    """All words, those with a line from them to the vector they name as if they stood on it too, and on nothing else
-    where the line ends in a dot."""
-    found, gone = list[Words](), list[Words]()
+def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex], known: Names) -> list[Words]:
+    """All words, those ``known`` with a line from them to the vector they name as if they stood on it too, and on
+    nothing else where the line ends in a dot."""
+    found, gone, words = list[Words](), list[Words](), [w for w in sketch.words if known.find(w.text)]
     vectors = [s for k, s in enumerate(sketch.strokes) if sketch.ways[k]]
     ends = [z for s in vectors for z in s]
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
     vectors += [s for s in plain if abs(s[1] - s[0]) < LEADER_MM]  # too short for a head
+    own = {min((b for _, b in plain), key=lambda b: abs(b - z)) for z in dots if plain}  # a dot is of one line
     for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
         clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
         if clear and any(_on(b, *s, -ON_MM) for s in vectors):
-            dotted = any(abs(b - z) < ON_MM for z in dots)
-            found += [replace(w, led=dotted) for w in put(sketch.words, a, b)]
-            gone += begun(sketch.words, a) if dotted else ()
+            dotted = b in own and any(abs(b - z) < ON_MM for z in dots)
+            found += [replace(w, led=dotted) for w in put(words, a, b)]
+            gone += begun(words, a) if dotted else ()
     return [*(w for w in sketch.words if w not in gone), *found]
 
 
