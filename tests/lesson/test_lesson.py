@@ -280,7 +280,7 @@ def test_a_lesson_of_a_law_turns_and_says_the_law() -> None:
     assert len(exported["drive"]["values"]) == 360
     frame = next(f for f in exported["frames"] if f["makes"] == ("force:4-5:P_5",))
     assert "⟨P_5⟩ = table over (⟨s_5⟩−0.0744865)/0.45 (0 → 0; 0.05 → 0;" in frame["why"]["en"]
-    assert [exported["values"]["P_5"][k] for k in (0, 60, 270)] == pytest.approx([0.0, 2400.0, 150.0])
+    assert [exported["values"]["P_5"][k] for k in (0, 60, 270)] == pytest.approx([0.0, 800.0, 150.0])
 
 
 def test_the_lesson_of_a_machine_at_rest_has_no_empty_plans() -> None:

@@ -6,6 +6,7 @@ from planes.check.grading.paper import MISREAD
 from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, Stroke, headed
 
 UPON_MM = 0.1  # a vector is drawn upon its line
+ASKEW = 0.02  # radians, by which lines along each other may part
 MEETING = 0.5  # of the ends of lines that are drawn from end to end, how many meet others
 ALONG_MM = 0.9  # a stroke no farther off runs along a way
 CONFUSED = 0.0005  # for which share of the marks of such lines, without heads, another place is taken
@@ -31,13 +32,15 @@ def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
 
 
 def _is_line(strokes: Sequence[Stroke], k: int, closed: bool) -> bool:
-    """Whether a stroke runs on from a shorter one upon it to where no other begins or ends."""
+    """Whether a stroke runs on from a shorter one upon it to where no other begins or ends, but for lines along it."""
+    c, d = strokes[k]
+    along = [i for i, (a, b) in enumerate(strokes) if abs(((b - a) / (d - c)).imag) < ASKEW * abs((b - a) / (d - c))]
     for i, vector in enumerate(strokes):
         if i == k or not _upon(vector, strokes[k]):
             continue
         beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_MM for w in vector)]
         inner = [w for w in vector if all(abs(z - w) > SNAPPED_MM for z in strokes[k])]
-        if beyond and not any(_met(strokes, z, (k,)) for z in beyond):
+        if beyond and not any(_met(strokes, z, along) for z in beyond):
             return not closed or all(_met(strokes, w, (i, k)) for w in inner)
     return False
 

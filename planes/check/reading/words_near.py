@@ -14,6 +14,7 @@ from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, h
 from planes.words.names import POLE, Names, kind_of
 
 LEADER_MM = 2.5  # a line from a word ends so near it
+INDEX = 0.3  # how far an index reaches below its letter, in heights of the letter
 SHY_MM = 1.0  # and so near what it names: it stops at the sign or the arrow that stands there
 ON_MM = 0.3
 BUSY_MM = 4.0
@@ -61,9 +62,11 @@ def put(words: Sequence[Words], begin: complex, end: complex) -> list[Words]:
 
 
 def begun(words: Sequence[Words], begin: complex) -> list[Words]:
-    """The words a line begins at: the nearest or all in its row."""
-    far = min([LEADER_MM, *(w.distance(begin) for w in words)])
-    return [w for w in words if w.distance(begin) <= far < LEADER_MM]
+    """The words a line begins at, beside them or under their indices: the nearest or all in its row."""
+    lower = [replace(w, place=w.place - 1j * w.along * INDEX * w.height, height=(1 + INDEX) * w.height) for w in words]
+    far = [w.distance(begin) for w in lower]
+    least = min([LEADER_MM, *far])
+    return [w for w, mm in zip(words, far, strict=True) if mm <= least < LEADER_MM]
 
 
 def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex], known: Names) -> list[Words]:
