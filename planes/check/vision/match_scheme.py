@@ -26,6 +26,7 @@ BEYOND_MM = 30.0  # guides are drawn that far past a slider
 HIDDEN_MM = 2.6  # of a line, within the signs at its ends
 ORIGIN_MM = 1.5
 AT_SIGNS = 0.7  # the share of points that must stand at signs for these to tell where the origin is
+ALONG = 0.1  # radians, by which two lines along each other part: where they meet cannot be seen
 NO_POINT = 16.0  # what it costs that a point of a link is nowhere; a mass centre need not be drawn
 
 
@@ -91,6 +92,14 @@ class SoughtScheme(Search):
         told = [p.z for p in way.found.values() if p.tip or p is self.pole]
         near = (min((abs(p.z - z) for z in told), default=HINGE_MM) for p in way.found.values())
         return {*self.bench.marks} == {*way.found} and all(off < HINGE_MM for off in near)
+
+    def lost(self, mark: str, way: LaidPlan) -> bool:
+        """Whether no sign tells where on its guide a slider is, and all its link's lines run along that guide."""
+        z, guide = way.found[mark], dict(self.fixed_guides).get(label_of(mark))
+        links = [z.z - way.found[m].z for m in self.mates.get(mark, ()) if m in way.found]
+        if z.tip or guide is None or not links:
+            return False
+        return all(abs((v / guide).imag) < ALONG * abs(v) for v in links)
 
     @property
     def fair(self) -> float:
@@ -176,7 +185,7 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
     if search is None or way is None or not way.found:
         return [], 0.0
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
-    spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items()]
+    spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items() if not search.lost(m, way)]
     explained = 1.0 if search.at_signs(way) else ink.explained(search.routes(way))
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained
 
