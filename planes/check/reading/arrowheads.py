@@ -120,7 +120,7 @@ def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int])
         near = min(NEAR_MM, 0.4 * abs(b - a))
         for end, sign in ((b, 1), (a, -1)):
             off, turn = (end - tip) * way.conjugate(), sign * (b - a) * way.conjugate()
-            inside = -long < off.real < -near and abs(off.imag) < SLIM * long  # nothing but its own shaft ends there
+            inside = -long - SAME_MM < off.real < -near and abs(off.imag) < SLIM * long  # only its own shaft ends there
             if (inside or abs(off) < near) and turn.real > STRAIGHT * abs(turn):
                 aside = TURNED * abs(turn.imag) / abs(turn)
                 found.append((aside - NEAR_MM if inside else abs(off) + aside, k, sign))

@@ -1,0 +1,62 @@
+"""Lines on a plan that are none of its vectors: hatching, lines along each other, letters beside shafts."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from planes.check.reading.arrowheads import settle
+from planes.check.reading.construction_lines import vectors_of
+from planes.check.reading.hatching import FEWEST, without_hatching
+from planes.check.reading.parts import without_letters
+from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke, Words, headed
+
+TRIANGLE: list[Stroke] = [(0j, 40 + 0j), (40 + 0j, 10 + 30j), (0j, 10 + 30j)]
+
+
+def hatched(rows: int, gap: float, uneven: float = 0.0) -> list[Stroke]:
+    """Strokes side by side within the triangle, one of them in two pieces around a letter."""
+    starts = [12 + 2j + 1j * (gap * k + uneven * (k % 2)) for k in range(rows)]
+    return [(starts[0], starts[0] + 3), (starts[0] + 5, starts[0] + 9), *((z, z + 9) for z in starts[1:])]
+
+
+@pytest.mark.parametrize("gap", [1.0, 3.5])
+def test_hatching_is_no_line_of_a_plan(gap: float) -> None:
+    sketch = ReadDrawing(strokes=[*TRIANGLE, *hatched(6, gap)], ways=[1, 1, 1, *[0] * 7])
+    left = without_hatching(sketch)
+    assert left.strokes == TRIANGLE and headed(left) == [0, 1, 2]
+
+
+@pytest.mark.parametrize(("rows", "gap", "uneven"), [(FEWEST - 1, 3.0, 0.0), (6, 3.0, 0.8), (6, 9.0, 0.0)])
+def test_few_or_uneven_lines_side_by_side_are_no_hatching(rows: int, gap: float, uneven: float) -> None:
+    sketch = ReadDrawing(strokes=[*TRIANGLE, *hatched(rows, gap, uneven)])
+    assert without_hatching(sketch) is sketch
+
+
+def test_lines_that_join_others_are_no_hatching() -> None:
+    """Forces of one direction, each from the end of the one beside it."""
+    rungs: list[Stroke] = [(2j * k, 30 + 2j * k) for k in range(6)]
+    rails: list[Stroke] = [(s[k % 2], t[k % 2]) for k, (s, t) in enumerate(pairwise(rungs))]
+    sketch = ReadDrawing(strokes=[*rungs[1:-1], *rails])
+    assert without_hatching(sketch) is sketch
+
+
+@pytest.mark.parametrize("back", [0.0, 0.5, 1.0])
+def test_a_short_shaft_beside_a_name_is_no_letter(back: float) -> None:
+    """A program draws it to the tip, into the head or to its back."""
+    head = Arrowhead(5.5j, 1j, 2.75)
+    shaft = (0j, 5.5j - 2.75j * back)
+    sketch = ReadDrawing(strokes=[shaft, (1 + 0.5j, 1 + 3.5j)], words=[Words("F", 0.9 + 0.5j, 3.5, 2.0)], heads=[head])
+    without_letters(sketch)
+    settle(sketch)
+    assert sketch.strokes == [(0j, 5.5j)] and sketch.ways == [1]
+
+
+@pytest.mark.parametrize("turned", [0.0, 0.01])
+def test_construction_lines_along_each_other_run_on_from_their_vectors(turned: float) -> None:
+    """Two vectors lie on one ray from the pole; their lines overshoot it alike."""
+    u, w = 1 + 0j, 1 + 1j * turned
+    vectors: list[Stroke] = [(0j, 30 * u), (0j, 50 * w), (0j, 30j), (30j, 30 * u), (30j, 50 * w)]
+    lines: list[Stroke] = [(-5 * u, 38 * u), (-5 * w, 61 * w)]
+    assert vectors_of(ReadDrawing(strokes=[*vectors, *lines])) == [0, 1, 2, 3, 4]
