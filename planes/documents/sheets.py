@@ -3,7 +3,7 @@ its range from an extreme position of the driven link, for sheet 1."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -19,7 +19,7 @@ from planes.documents.cycle import check_names, known, over_cycle
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.quantities import results_of
-from planes.plans.scales import FIT_MM, extent, fitting
+from planes.plans.scales import extent, fits_on, fitting
 from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
@@ -33,7 +33,7 @@ from render.paper.outlines import face_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
 from render.sheet.frame import form_of
-from render.sheet.project import ForceSheet, Project, group_extents
+from render.sheet.project import GROUPS, ForceSheet, Project, group_size
 from render.sheet.sizes import Sizes
 from render.views import View
 from render.views.diagrams import SECTIONS, DiagramCurve, section_mm
@@ -62,12 +62,7 @@ def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: 
         now = drawn.at(sizes)
         return composer.views(now, letter, together), [v for v in (composer.moments(now, letter),) if v]
 
-    return compose(scene, Contents(views, drawn.extents, drawn.leaders), lang)
-
-
-ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn at its μ
-KINDS = {1: ("position", "velocity", "acceleration"), 2: ("position", "velocity", "motion", "force")}
-"""Kinds of plans on either sheet of a project; the lever is drawn like the velocity plan."""
+    return compose(scene, Contents(views, free=drawn.free), lang)
 
 
 def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
@@ -78,17 +73,20 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
 
     def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         if number == 2:
-            return forces.views(drawn.at, sizes, letter), []
+            return forces.views(drawn.at(sizes), grouped(sizes), letter), []
         return project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), []
 
-    def extents(sizes: Sizes) -> dict[str, float]:
-        """What may grow: the plans; on sheet 1 the diagrams, on sheet 2 the groups apart."""
-        plans = drawn.extents(sizes, KINDS[number])
-        if project.turn:
-            return {**plans, "diagrams": section_mm(sizes.of("diagrams")) * SECTIONS}
-        return {**plans, **(group_extents(drawn.at, sizes) if number == 2 and "position" in plans else {})}
+    def grouped(sizes: Sizes) -> Position:
+        """The position by which groups apart are drawn, whose μ is their own."""
+        return drawn.at(sizes, sizes.of(GROUPS) / sizes.factor)
 
-    return compose(scene, Contents(views, extents, drawn.leaders), composer.lang, number)
+    def extents(sizes: Sizes) -> dict[str, float]:
+        """What may grow: the diagrams, the groups apart."""
+        if number == 1:
+            return {"diagrams": section_mm(sizes.of("diagrams")) * SECTIONS} if project.turn else {}
+        return {} if scene.mu.get("position") else {GROUPS: group_size(grouped(sizes))}
+
+    return compose(scene, Contents(views, extents, free=drawn.free), composer.lang, number)
 
 
 @dataclass(frozen=True)
@@ -112,50 +110,35 @@ class DrawnPosition:
             raise PlanesError(Phrase("one_position", count=len(chosen)))
         return chosen[0]
 
-    def at(self, sizes: Sizes) -> Position:
-        """The position with plans of those sizes; :class:`PlanesError` where it cannot be drawn."""
-        mus = tuple(self.mus(sizes).items())
-        if mus not in self.kept:
-            self.kept[mus] = self._drawn(self.fits(sizes))
-        return self.kept[mus]
+    @property
+    def free(self) -> bool:
+        """Whether the scene leaves the μ of any plan open."""
+        return any(self.scene.mu.get(kind_of(p)) is None for p in self.stated[0].drawn if p != "lever")
+
+    def at(self, sizes: Sizes, larger: float = 1.0) -> Position:
+        """The position at the scene's scales, or smaller where no paper holds its plans so, each drawn once; its
+        scheme so much ``larger``. :class:`PlanesError` where it cannot be drawn."""
+        fits = {kind: sizes.factor * mm for kind, mm in fits_on(self.scene.sheet).items()}
+        fits["position"] *= larger
+        key = sizes.factor, self.scene.mu.get("position") or fitting("position", self.wide, fits["position"])
+        if key not in self.kept:
+            self.kept[key] = self._drawn(fits)
+        return self.kept[key]
 
     @cached_property
-    def kept(self) -> dict[tuple[tuple[str, float], ...], Position]:
-        """The position by the μ of its plans, where the scene leaves them open: drawn once at each."""
-        own = {plan: self.first.scales[mu_of(plan)] for plan in self.largest}
-        return {tuple(own.items()): self.first}
+    def kept(self) -> dict[tuple[float, float], Position]:
+        """The position by the factor of its plans and μ of its scheme."""
+        return {(1.0, self.first.scales[mu_of("position")]): self.first}
 
     @cached_property
     def first(self) -> Position:
-        """The position with its plans as large as usual."""
-        return self._drawn(FIT_MM)
+        """The position at the scene's scales."""
+        return self._drawn(fits_on(self.scene.sheet))
 
-    @cached_property
-    def largest(self) -> dict[str, float]:
-        """How large, in SI, the plans are whose μ is open."""
-        first = self.first
-        open_ = [p for p in first.plans.drawn if p != "lever" and self.scene.mu.get(kind_of(p)) is None]
-        return {p: extent(first.drawing, p) / first.scales[mu_of(p)] for p in open_}
-
-    @cached_property
-    def leaders(self) -> dict[str, str]:
-        """By plan the largest of those that have one μ with it: forces are carried from one to another of these."""
-        found: dict[str, str] = {}
-        for plan in sorted(self.largest, key=lambda p: -self.largest[p]):
-            like = (p for p in found.values() if kind_of(p) == kind_of(plan) == "force")
-            near = (p for p in like if self.largest[p] <= ONE_MU * self.largest[plan])
-            found[plan] = next(near, plan)
-        return found
-
-    def fits(self, sizes: Sizes) -> dict[str, float]:
-        """How many mm each plan may be large."""
-        open_ = {plan: mu * self.largest[plan] * (1 + 1e-9) for plan, mu in self.mus(sizes).items()}
-        return {kind: sizes.of(kind) * mm for kind, mm in FIT_MM.items()} | open_
-
-    def mus(self, sizes: Sizes) -> dict[str, float]:
-        """The μ that plans of those sizes have, where the scene leaves them open."""
-        by_leader = {p: sizes.of(p) * FIT_MM[kind_of(p)] for p in self.leaders.values()}
-        return {p: fitting(p, self.largest[q], by_leader[q]) for p, q in self.leaders.items()}
+    @property
+    def wide(self) -> float:
+        """How large the scheme is, m."""
+        return extent(self.first.drawing, "position") / self.first.scales[mu_of("position")]
 
     def _drawn(self, fits: Mapping[str, float]) -> Position:
         plans, wanted = self.stated
@@ -164,11 +147,6 @@ class DrawnPosition:
         except PlanFailure as failure:
             said = failed(failure, self.value, plans.mechanism.drive.kind, nearest(plans, self.value))
             raise SceneError(said, self.scene.file) from None
-
-    def extents(self, sizes: Sizes, kinds: Collection[str] = FIT_MM) -> dict[str, float]:
-        """The size in mm of the plans of some kinds whose μ is open; of those with one μ, of the largest."""
-        mus = self.mus(sizes)
-        return {p: self.largest[p] * mus[p] for p in dict.fromkeys(self.leaders.values()) if kind_of(p) in kinds}
 
 
 FINE = 360  # places of the driver for curves and paths

@@ -22,7 +22,7 @@ from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.plans import Plans, mechanism_plans
 from planes.plans.measuring import BLUNT, formula_of, lettering, say_plan
-from planes.plans.scales import scales
+from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.solving import failed
 from planes.words import Lang, Phrase, decimal, say
@@ -39,7 +39,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
     plans = mechanism_plans(scene)
     try:
-        mus = scales(plans, scene.mu)
+        mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet))
         given = {**plans.given, **mus}
         drawing = run(plans.program, given)
     except PlanFailure as failure:

@@ -1,4 +1,7 @@
-"""The scale μ of every plan: as the scene says, or the largest standard one that fits its part of the paper."""
+"""The scale μ of every plan: as the scene says, or the largest standard one that fits its part of the paper.
+
+One choice for a scene and a position, which needs no sheet: results, note, lesson, blanks and sheets all have it.
+"""
 
 import cmath
 from collections.abc import Mapping
@@ -12,6 +15,25 @@ from planes.words.units import standard_mu, standard_scale
 
 FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 110.0, "motion": 100.0}
 """How large a plan may be on the paper when nothing else is said."""
+SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
+"""How large plans are on a format that a scene names, against the usual: as its sides are."""
+ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn at its μ
+
+
+def fits_on(sheet: Mapping[str, object]) -> dict[str, float]:
+    """How large each kind of plans may be on the format that is named for the sheets of a scene."""
+    share = SHARES.get(str(sheet.get("format", ""))[:2], 1.0)
+    return {kind: share * mm for kind, mm in FIT_MM.items()}
+
+
+def leaders(sizes: Mapping[str, float]) -> dict[str, str]:
+    """By plan the largest of those that have one μ with it: forces are carried from one to another of these."""
+    found: dict[str, str] = {}
+    for plan in sorted(sizes, key=lambda p: -sizes[p]):
+        like = (p for p in found.values() if kind_of(p) == kind_of(plan) == "force")
+        near = (p for p in like if sizes[p] <= ONE_MU * sizes[plan])
+        found[plan] = next(near, plan)
+    return found
 
 
 def unit_scales(plans: Plans) -> dict[str, float]:
@@ -32,17 +54,16 @@ def scales(
 ) -> dict[str, float]:
     """μ of every plan of one position (names to mm per SI unit). Raises what drawing that position raises.
 
-    ``fit_mm`` says how large each plan, or each kind of plans, may be.
+    ``fit_mm`` says how large each kind of plans may be.
     """
     fixed = {p: said.get(kind_of(p)) for p in plans.drawn if p != "lever"}
     chosen = {mu_of(p): mu for p, mu in fixed.items() if mu}
     if len(chosen) < len(fixed):
         now = {**plans.given, **unit_scales(plans), **(given or {})}
         drawing, failed = reached(plans.program, now)
-        for plan in fixed:
-            if mu_of(plan) not in chosen:
-                size, fit = extent(drawing, plan), fit_mm.get(plan) or fit_mm[kind_of(plan)]
-                chosen[mu_of(plan)] = fitting(plan, size, fit)
+        sizes = {plan: extent(drawing, plan) for plan, mu in fixed.items() if not mu}
+        for plan, leader in leaders(sizes).items():
+            chosen[mu_of(plan)] = fitting(plan, sizes[leader], fit_mm[kind_of(plan)])
         if failed:  # tell it in millimetres of the paper
             run(plans.program, {**now, **chosen})
             raise failed

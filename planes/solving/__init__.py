@@ -12,7 +12,7 @@ from planes.drafting.tools import Thing
 from planes.plans import Plans, mechanism_plans, sliced
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
-from planes.plans.scales import FIT_MM, scales
+from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.solving.nearest import nearest
 from planes.solving.warned import warnings
@@ -203,11 +203,12 @@ def position(
     value: float,
     instrument: Instrument | None,
     lang: Lang,
-    fit_mm: Mapping[str, float] = FIT_MM,
+    fit_mm: Mapping[str, float] | None = None,
 ) -> Position:
-    """One position drawn at its scales (an open μ: the largest with which the plan fits ``fit_mm``) and measured."""
+    """One position drawn at its scales (an open μ: the largest with which the plan fits
+    ``fit_mm``, or the sheet the scene names) and measured."""
     moved = plans.at(value)
-    mus = scales(plans, scene.mu, moved, fit_mm)
+    mus = scales(plans, scene.mu, moved, fit_mm or fits_on(scene.sheet))
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)
     exact = drawing if is_exact(instrument) else None

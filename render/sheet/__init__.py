@@ -1,8 +1,8 @@
 """One sheet: views composed, the smallest format that holds them, places, frame and title block."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from itertools import product
 
 from planes.scene import Scene
@@ -14,13 +14,12 @@ from render.sheet.columns import OVER, Columns, Item
 from render.sheet.composer import LARGER
 from render.sheet.frame import FORMATS, Paper, said_cells
 from render.sheet.module import Module
-from render.sheet.sizes import LARGEST, Extents, Sizes, grown, relieved
+from render.sheet.sizes import LARGEST, Extents, Sizes, grown
 from render.sheet.stacking import Stacking
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
-"""How small, against the usual, plans may become where the scene leaves μ open; all but the first on the largest
-format, or the one the scene names, alone."""
+"""How small, against the scene's choice, plans may become where μ is open and no paper holds them; it is said."""
 LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5), "A0": (5.0, 3.5)}
 """Letter heights of tables to try on a format, or on several of it side by side, in mm; equations are a step larger."""
 
@@ -30,14 +29,19 @@ class Contents:
     """What a sheet shows.
 
     ``views`` are those it must hold, and those that may be left out, for sizes of plans, a letter height of tables,
-    and whether equations stand under their plans; ``extents`` the plans whose μ is open, with their sizes in mm;
-    ``leaders`` tell by plan which one is made larger together with it, where that is another.
+    and whether equations stand under their plans; ``extents`` what may grow, with its size in mm; ``free``: the μ of
+    some plans is open.
     """
 
     views: Callable[[Sizes, float, bool], tuple[list[View], list[View]]]
     extents: Extents = lambda sizes: {}
-    leaders: Mapping[str, str] = field(default_factory=dict)
     extras: bool = False
+    free: bool = False
+
+    @property
+    def factors(self) -> tuple[float, ...]:
+        """How large plans may be, against the scene's choice."""
+        return (1.0, *SMALLER) if self.free else (1.0,)
 
     def lettered(self, sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         """The views with titles as high as their equations."""
@@ -70,30 +74,32 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     """
     chosen = str(scene.sheet.get("format", "auto"))
     *usual, largest = FORMATS
-    for formats in ([chosen],) if chosen != "auto" else (usual, [largest]):
+    papers = ([chosen],) if chosen != "auto" else (usual, [largest])
+    for factor, formats in product(contents.factors, papers):
         for whole, name in product((True, False), formats):
-            how = fitted(contents, name, name == formats[-1], whole)
+            how = fitted(contents, name, factor, whole)
             if how:
                 contents, how = with_extras(contents, how, name, whole)
                 wanted, spare = contents.lettered(*how)
                 places = enlarged(contents, *how, whole, Paper(name))
                 missing = [*contents.extra(*how), *(() if whole else spare)]
                 left_out = (without(missing, wanted, Paper(name), number, lang),) if missing else ()
-                return finished(scene, Paper(name), places, lang, number, left_out)
-    raise no_room(contents, Paper(formats[-1]), lang)
+                smaller = (say("smaller_mu", lang, format=name),) if factor < 1 else ()
+                return finished(scene, Paper(name), places, lang, number, left_out + smaller)
+    raise no_room(contents, Paper(papers[-1][-1]), lang)
 
 
 Way = tuple[Sizes, float, bool]
 """Sizes of plans, a letter height, and whether equations stand under their plans."""
 
 
-def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None:
+def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | None:
     """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
-    for how in _tries(name, bool(contents.extents(Sizes())), last):
+    for how in product((Sizes(factor),), LETTERS[name[:2]], (True, False)):
         wanted, spare = contents.lettered(*how)
         shown = [*wanted, *spare] if whole else wanted
         if (whole or spare) and packed(shown, Paper(name)):
-            knotted = whole and spare and how[0].factor < 1 and any(v.crowded for v in shown)
+            knotted = whole and spare and factor < 1 and any(v.crowded for v in shown)
             if not knotted:  # rather is left out what may be than all drawn too small for its letters
                 return how
     return None
@@ -102,19 +108,11 @@ def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None
 def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
     """The same with the views that wait for room, where there is some for plans no smaller."""
     more = replace(contents, extras=True)
-    for other in (w for w in _tries(name, False, False) if w[0] == how[0]):
+    for other in product((how[0],), LETTERS[name[:2]], (True, False)):
         wanted, spare = more.lettered(*other)
         if packed([*wanted, *spare] if whole else wanted, Paper(name)):
             return more, other
     return contents, how
-
-
-def _tries(name: str, free: bool, last: bool) -> list[Way]:
-    """Ways to fill a format, the best looking first."""
-    factors = (1.0, *SMALLER) if free else (1.0,)
-    usual = product(LETTERS[name[:2]], map(Sizes, factors[:2]), (True, False))
-    small = product(LETTERS[name[:2]], map(Sizes, factors[2:] if last else factors[2:3]), (True, False))
-    return [(sizes, letter, together) for letter, sizes, together in (*usual, *small)]
 
 
 def enlarged(
@@ -141,11 +139,7 @@ def enlarged(
         order = other if found.cost < OVER else order
         return found.cost < OVER
 
-    def crowded(sizes: Sizes) -> set[str]:
-        return {contents.leaders.get(v.plan, v.plan) for v in views(sizes) if v.crowded}
-
-    legible = relieved(sizes, contents.extents, crowded, fits)
-    shown = views(grown(legible, contents.extents, most, fits))
+    shown = views(grown(sizes, contents.extents, most, fits))
     order, best = columns_of(shown, stacking).arranged(order)
     return [(shown[k], spot.x, spot.top) for k, spot in zip(order, best.spots, strict=True)]
 
@@ -196,11 +190,11 @@ def unseen(one: View, lang: Lang) -> list[str]:
 
 def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
     """Which view is too large, or that all of them together are; and which format holds them, if one was found to."""
-    views = contents.lettered(*_tries(paper.name, bool(contents.extents(Sizes())), True)[-1])[0]
+    views = contents.lettered(Sizes(contents.factors[-1]), LETTERS[paper.name[:2]][-1], False)[0]
     largest = max(views, key=lambda v: v.width * v.height)
     key = "no_room" if not packed([largest], paper) else "no_room_together"
-    tried = (n for n in larger_than(paper) if fitted(contents, n, True, True))
-    fitting = next(tried, "")
+    tried = product(larger_than(paper), contents.factors)
+    fitting = next((n for n, factor in tried if fitted(contents, n, factor, True)), "")
     advice = say("room_on", lang, larger=fitting) if fitting else say("no_room_larger", lang)
     size = {"width": round(largest.width), "height": round(largest.height)}
     named = {"format": paper.name, "view": plain(largest.title or largest.key)}

@@ -6,7 +6,7 @@ driver; the lever.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from planes.plans.measuring import counted, formula_of
@@ -16,7 +16,6 @@ from planes.words.names import POLE, at, kind_of, links_of, mu_of
 from render.labels.footprints import bounds
 from render.paper.marks import Mark, Text
 from render.sheet.composer import LARGER, Composer, drawn_plans
-from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
 from render.views.diagrams import DiagramCurve, Diagrams, section_mm
 from render.views.dimensions import driver_angle, frame_sizes, sizes_drawn
@@ -122,25 +121,14 @@ class Project:
         return c.once(("hodographs",), lambda: hodograph_view(self.loops, c.naming)) if self.loops else None
 
 
-Drawer = Callable[[Sizes], Position]
-"""Draws the position with its plans so many times their usual size, where μ is open."""
-
-
 GROUPS = "groups"
-"""The name under which all groups apart grow: they have one μ."""
+"""The name under which all groups apart grow: they have one μ, which is not that of the scheme."""
 
 
-def group_sizes(sizes: Sizes) -> Sizes:
-    """Sizes at which the scheme, all that is shown of them, is as large as the groups apart are drawn."""
-    times = sizes.of("position") * sizes.of(GROUPS) / sizes.factor**2
-    return Sizes(sizes.factor).larger("position", times)
-
-
-def group_extents(at: Drawer, sizes: Sizes) -> dict[str, float]:
+def group_size(position: Position) -> float:
     """The size in mm of the largest group apart."""
-    plans = at(sizes).plans.drawn
-    places, groups = Places(at(group_sizes(sizes))), [links_of(p) for p in plans if kind_of(p) == "force"]
-    return {GROUPS: max((places.size(links) for links in groups), default=0.0)}
+    places, forces = Places(position), (p for p in position.plans.drawn if kind_of(p) == "force")
+    return max((places.size(links_of(plan)) for plan in forces), default=0.0)
 
 
 @dataclass
@@ -149,11 +137,10 @@ class ForceSheet:
 
     composer: Composer
 
-    def views(self, at: Drawer, sizes: Sizes, letter: float) -> list[View]:
-        """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables."""
-        c, position = self.composer, at(sizes)
-        plotted = of_position(position)
-        larger = at(group_sizes(sizes))
+    def views(self, position: Position, larger: Position, letter: float) -> list[View]:
+        """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables; groups apart as
+        on a ``larger`` scheme."""
+        c, plotted = self.composer, of_position(position)
         found: list[View | None] = [self.loaded(position)]
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)

@@ -19,7 +19,7 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.plans import Plans, mechanism_plans
-from planes.plans.scales import scales
+from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, choices
@@ -109,7 +109,7 @@ def prepare(asked: Asked) -> PreparedPlan:
     if asked.plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=choices(asked.plan, known)))
     moved = {} if asked.value is None else plans.at(asked.value)
-    given = {**plans.given, **scales(plans, asked.scene.mu, moved), **moved}
+    given = {**plans.given, **scales(plans, asked.scene.mu, moved, fits_on(asked.scene.sheet)), **moved}
     if asked.mu:
         given[mu_of(asked.plan)] = asked.mu
     marks = marks_of(plans, asked.plan)

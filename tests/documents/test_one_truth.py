@@ -1,0 +1,92 @@
+"""All papers of one scene agree: μ, millimetres and letters of results, note, answers, lesson, blanks and sheets."""
+
+from __future__ import annotations
+
+import pytest
+
+from planes.check.grading.prepared_plan import Asked, prepare
+from planes.course.papers import answers
+from planes.documents.lesson import placed
+from planes.documents.sheets import sheet_of
+from planes.lesson.data import lesson_data
+from planes.lesson.note import Note
+from planes.plans.measuring import formula_of, lettering
+from planes.scene import Scene, load
+from planes.solving import solve
+from planes.solving.document import Block, DocumentTable, Figure, Paragraph
+from planes.solving.given import GivenTable
+from planes.words import decimal
+from planes.words.lettering import Naming
+from planes.words.names import kind_of, mu_of
+from planes.words.units import mu_text
+from render.paper.marks import Text
+from render.sheet import Sheet
+from tests.helpers import ROOT
+
+SCENES = {p.stem: scene for p in sorted((ROOT / "samples").glob("*.yaml")) if (scene := load(p)).mechanism}
+SCENES.pop("crank-slider")
+SCENES["format A1"] = Scene(**{**vars(SCENES["kind-3-rpr"]), "sheet": {"format": "A1"}})
+SCHEMES = {"position": "scheme"}
+
+
+def told_mu(mu: float, plan: str) -> str:
+    return decimal(mu_text(mu, kind_of(plan), "ru"), "ru")
+
+
+def texts(sheet: Sheet) -> set[str]:
+    return {m.text for m in sheet.marks if isinstance(m, Text)}
+
+
+def told(blocks: list[Block]) -> str:
+    """All words and cells of a document, a line each."""
+    lines: list[str] = []
+    for block in blocks:
+        match block:
+            case Paragraph():
+                lines.append(block.text)
+            case Figure() | DocumentTable():
+                lines.append(block.caption)
+        if isinstance(block, DocumentTable):
+            lines += [" ".join(row) for row in block.rows]
+    return "\n".join(lines)
+
+
+@pytest.mark.few(3)
+@pytest.mark.parametrize("name", SCENES)
+def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
+    scene = SCENES[name]
+    position, drawn = solve(scene).positions[0], placed(scene, None, "ru")
+    assert position.scales == drawn.scales and position.results["plans"] == drawn.results["plans"]
+    lesson = lesson_data(scene)
+    sheets = {number: sheet_of(scene, None, "ru", number) for number in (None, 1, 2)}
+    naming = Naming("ru", **lettering(scene, drawn.plans))
+    key = told(list(answers(scene, drawn, ("",), (), "ru")))
+    for plan, mu in {p: drawn.scales[mu_of(p)] for p in drawn.plans.drawn if p not in ("lever", "motion")}.items():
+        assert prepare(Asked(scene, plan)).said_mu == mu
+        assert all(p["mu"]["ru"] == told_mu(mu, plan) for p in lesson["plans"] if p["key"] == plan)
+        titles = [v.title for sheet in sheets.values() for v, *_ in sheet.views if v.key in (plan, SCHEMES.get(plan))]
+        assert all(told_mu(mu, plan) in title for title in titles), (plan, titles)
+        if plan in ("velocity", "acceleration"):
+            for vector, _, found in drawn.measured_on(plan):
+                mm = f"{found['mm']:.1f}".replace(".", ",")
+                rows = [line for line in key.splitlines() if line.startswith(f"⟨{vector}⟩ ⟨")]
+                assert rows == [] or any(f" {mm} " in row or f" {mm.removesuffix(',0')} " in row for row in rows)
+    assert formula_of(drawn.plans.structure, naming.frame, True) in texts(sheets[1])
+    assert formula_of(drawn.plans.structure, naming.frame, True) in told(Note(scene, drawn, "ru").blocks())
+
+
+@pytest.mark.few(3)
+@pytest.mark.parametrize("name", SCENES)
+def test_every_given_number_is_on_paper(name: str) -> None:
+    scene = SCENES[name]
+    drawn = placed(scene, None, "ru")
+    rows = GivenTable(drawn, Naming("ru", **lettering(scene, drawn.plans)), scene.parameters)
+    note = told(Note(scene, drawn, "ru").blocks())
+    assert all(" ".join(row) in note for row in rows.rows())
+    for number, some in ((None, rows.rows()), (1, rows.rows()), (2, rows.rows(("kg", "kgm2", "N", "N·m")))):
+        shown = texts(sheet_of(scene, None, "ru", number))
+        assert {cell for row in some for cell in row} <= shown, (number, name)
+    m = drawn.plans.mechanism
+    places = {r.name: r.value for r in rows.unnamed() if r.place}
+    assert all(z == 0 or places[f"x_{{{p.replace('_', '')}}}"] == z.real for p, z in m.frame.points.items())
+    assert {link.mass for link in m.links.values() if link.mass} <= {r.value for r in rows.unnamed() if r.unit == "kg"}
