@@ -64,11 +64,10 @@ class Grading:
             return 0.5
         if self.left_out:
             return 1.0
-        gap = self.rebuilt.gap if self.rebuilt else None
-        if not (gap and self.gap_wrong and self.gap_sigma):
+        if not (self.gap_wrong and self.gap_sigma):
             return self.judgement.chance_wrong
         broad = breadth(extent(self.truth, plan_of(self.marks[0])))
-        closed = all_drawn({"": Miss(self.gap, (self.gap_sigma**2, 0.0, self.gap_sigma**2))}, broad, {"": gap.doubt})
+        closed = all_drawn({"": Miss(self.gap, (self.gap_sigma**2, 0.0, self.gap_sigma**2))}, broad, {"": 0.0})
         return max(self.judgement.chance_wrong, chance_wrong(closed, -math.inf, ()))
 
     def _confused(self) -> bool:
