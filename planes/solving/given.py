@@ -34,7 +34,7 @@ class GivenRow:
     @property
     def loading(self) -> bool:
         """Whether only a force calculation needs it."""
-        return self.unit in ("kg", "kgm2", "N", "N·m") or self.name.partition("_")[0] in ("g", "f")
+        return self.unit in ("kg", "kgm2", "N", "N·m") or letter_of(self.name) in ("g", "f")
 
     @property
     def same(self) -> tuple[str, str]:
