@@ -16,7 +16,7 @@ TOGETHER_MM = 2.3  # strokes no farther apart belong together: a force is drawn 
 NEAR_WORD_MM = 12.0  # a word farther off names something else
 NEAR_ROUND_MM = 7.0  # a point beside its link
 MOST = 4000  # a page with more strokes is not taken apart
-LEAST_MM = 6.0  # a smaller part is a sign or a letter
+LEAST_MM = 6.0  # a smaller part is a sign or a letter, if nothing says what it is
 LETTER = 1.4  # how long a stroke of a letter may be, in heights of its word
 AROUND = 0.35  # how far beyond a word's box its letters may reach, in heights
 TOUCH_MM = 0.05
@@ -93,7 +93,7 @@ def _dots(places: Complexes) -> Any:  # shapely has no types of its own for many
     return points(places.real, places.imag)
 
 
-def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
+def parts(sketch: ReadDrawing, least_mm: float = LEAST_MM) -> list[ReadDrawing]:
     """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
     if len(sketch.strokes) > MOST or not (sketch := without_hatching(sketch)).strokes:
         return []
@@ -108,7 +108,7 @@ def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
             break
         group = lower
     groups = [numpy.flatnonzero(group[: len(sketch.strokes)] == k) for k in numpy.unique(group)]
-    found = [_part(sketch, held.tolist()) for held in groups if len(held) > 1]
+    found = [_part(sketch, held.tolist(), least_mm) for held in groups if len(held) > 1]
     return sorted((p for p in found if p is not None), key=lambda p: -len(p.strokes))
 
 
@@ -117,11 +117,11 @@ def _lines(strokes: Sequence[Stroke]) -> Any:  # shapely has no types of its own
     return linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes]) if strokes else numpy.array([])
 
 
-def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
+def _part(sketch: ReadDrawing, held: list[int], least_mm: float) -> ReadDrawing | None:
     """Some of the strokes, each once, with the words and circles near them."""
     part = sketch.only({(sketch.strokes[k], sketch.way(k)): k for k in held}.values())
     strokes, (low, high) = part.strokes, corners(z for s in part.strokes for z in s)
-    if max((high - low).real, (high - low).imag) < LEAST_MM:
+    if max((high - low).real, (high - low).imag) < least_mm or _is_table(strokes, high - low):
         return None
     far = _distances(strokes, [w.middle for w in sketch.words])
     words = [w for w, d in zip(sketch.words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
@@ -130,6 +130,14 @@ def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
     far = _distances(strokes, sketch.passed)
     passed = [z for z, d in zip(sketch.passed, far, strict=True) if d < TOUCH_MM]
     return replace(part, words=words, rounds=rounds, passed=passed)
+
+
+def _is_table(strokes: Sequence[Stroke], size: complex) -> bool:
+    """Whether three strokes or more reach all across, and three all the way up."""
+    spans = [b - a for a, b in strokes]
+    across = sum(abs(abs(s.real) - size.real) < TOUCH_MM and abs(s.imag) < TOUCH_MM for s in spans)
+    up = sum(abs(abs(s.imag) - size.imag) < TOUCH_MM and abs(s.real) < TOUCH_MM for s in spans)
+    return across > 2 and up > 2
 
 
 def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> Sequence[float]:

@@ -23,23 +23,29 @@ NAMED = 0.1  # what a name of the plan beside a part is worth, in marks drawn ri
 FAR_MM = 40.0  # a title farther over a plan is that of something else
 BESIDE = 2.0  # a title stands over its plan sooner than beside it: a millimetre aside counts as so many
 GAP = 2.0  # how far a piece of a title may be from the piece before it, in heights
+OVER_DETAIL_MM = 25.0  # the sign of a detail is no farther over what is in its circle
+_DETAIL = re.compile(r"\((\d+):1\)$")
 _MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
 
 def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of the plan on a page that may show other things too."""
-    found = parts(sketch)
     force = kind_of(bench.asked.plan) == "force"
     known = bench.written(true_vectors(bench)) if force else bench.names
 
     def named(part: ReadDrawing) -> int:
         return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
 
+    def own(found: list[ReadDrawing]) -> list[ReadDrawing]:
+        return [p for p in found if mu_over(sketch.words, p, bench.asked.plan, plans)[1]]  # under the plan's title
+
     plans = known_plans(bench.plans)
     if elsewhere(sketch.words, bench.asked.plan, plans):
         return ReadPaper(sketch.file, whole=False)
-    likely = [p for p in found if mu_over(sketch.words, p, bench.asked.plan, plans)[1]]  # under the plan's own title
-    likely = sorted(likely or found, key=named, reverse=True)[:MOST]
+    found = parts(sketch)
+    titled, plain = own(found), [p for p in own(found) if _enlarged(sketch.words, p) == 1.0]
+    likely = plain or titled or [p for p in own(parts(sketch, 0.0)) if named(p)] or found
+    likely = sorted(likely, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
     papers = [(_paper_of(replace(part), bench, sketch.words), named(part)) for part in likely or [sketch]]
     return max(papers, key=lambda p: worth(bench, p[0]) + NAMED * p[1])[0] if len(papers) > 1 else papers[0][0]
@@ -47,10 +53,20 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 def _paper_of(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -> ReadPaper:
     """The marks of a plan on a part of a page, at the scale its title says."""
-    mu = None if bench.asked.mu else mu_over(words, part, bench.asked.plan, known_plans(bench.plans))[0]
+    said = None if bench.asked.mu else mu_over(words, part, bench.asked.plan, known_plans(bench.plans))[0]
+    mu = said and said * _enlarged(words, part)
     paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
     paper.mu = mu
     return paper
+
+
+def _enlarged(words: Sequence[Words], part: ReadDrawing) -> float:
+    """How many times a detail of a plan is enlarged, as the sign over its circle says: "А (10:1)"; 1 for no detail."""
+    low, high = corners(z for stroke in part.strokes for z in stroke)
+    signs = ((w.middle, float(said[1])) for w in words if (said := _DETAIL.search(w.text)))
+    over = [(abs(z - (low + high) / 2), times) for z, times in signs if z.imag > high.imag]
+    near, times = min(over, default=(OVER_DETAIL_MM, 1.0))
+    return times if near < OVER_DETAIL_MM else 1.0
 
 
 def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequence[str]) -> tuple[float | None, bool]:
