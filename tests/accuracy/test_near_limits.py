@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 import random
 from pathlib import Path
 
@@ -83,7 +84,8 @@ def test_a_slotted_lever_near_its_pivot_says_what_it_does_not_know(value: float,
 
 def test_a_force_that_is_nothing_beside_others_is_warned_of() -> None:
     (position,) = solve(loads(FAINT)).positions
-    assert position.results["reactions"]["F_10"]["force"] == [0.0, 0.0]
+    inertia = 775641 * 70990062700
+    assert math.hypot(*position.results["reactions"]["F_10"]["force"]) < 1e-15 * inertia  # to within rounding
     assert any("F_10: zero to within rounding, no digit of it is certain" in w for w in position.results["warnings"])
     assert not solve(loads(FAINT + "find: [F_20]\n")).positions[0].results["warnings"]
 

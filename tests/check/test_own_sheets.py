@@ -21,7 +21,7 @@ from planes.check.reading.parts import joined, parts, without_letters
 from planes.check.reading.pdf import read_pdf
 from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing, Words
 from planes.check.reading.svg import read_carried, read_svg
-from planes.check.reading.whole_page import paper_on
+from planes.check.reading.whole_page import enlarged, paper_on
 from planes.cli import main
 from planes.documents import _mechanism_views
 from planes.documents.sheets import DrawnPosition
@@ -269,6 +269,19 @@ def test_what_stands_apart_on_a_page_is_another_part() -> None:
     strokes = [(0j, 30 + 0j), (30 + 0j, 30 + 20j), (100 + 0j, 130 + 0j), (130 + 0j, 130 + 30j), (130 + 30j, 100 + 0j)]
     found = parts(ReadDrawing(strokes=strokes, words=[Words("b", 31 + 21j)]))
     assert [len(p.strokes) for p in found] == [3, 2] and [len(p.words) for p in found] == [0, 1]
+
+
+def test_a_table_is_no_drawing_and_a_small_part_is_one_where_it_is_asked_for() -> None:
+    rows, columns = [(8j * k, 60 + 8j * k) for k in range(4)], [(20.0 * k + 0j, 20 * k + 24j) for k in range(4)]
+    small = [(100 + 0j, 100 + 3j), (102 + 3j, 102 + 0j)]
+    page = ReadDrawing(strokes=[*rows, *columns, *small])
+    assert parts(page) == [] and [p.strokes for p in parts(page, 0.0)] == [small]
+
+
+def test_a_detail_is_as_much_enlarged_as_its_sign_says() -> None:
+    part = ReadDrawing(strokes=[(0j, 20j), (2 + 20j, 2 + 0j)])
+    signs = [Words("Д (20:1)", -8 + 25j, 5.0, 18.0), Words("Г (5:1)", 90 + 25j, 5.0, 18.0)]
+    assert enlarged(signs, part) == 20.0 and enlarged(signs[1:], part) == enlarged([], part) == 1.0
 
 
 @pytest.mark.parametrize("phi", ["240", "280"])

@@ -118,7 +118,8 @@ LED_ASTRAY = (
     ("assignments/38", None, "force:2-3", ".dxf"),  # a name with a line to a vector too short for a head
     ("assignments/01", 2, "force:4-5", ".svg"),  # two vectors there and back whose names are as near to either
     ("assignments/43", None, "force:4-5", ".svg"),  # names nearer to each other's vectors
-    ("assignments/01", 2, "force:1", ".svg"),  # what is left of the plan is small beside a table, and drawn enlarged
+    ("assignments/30", 2, "force:1", ".svg"),  # what is left of the plan is small, and drawn enlarged
+    ("assignments/06", 2, "force:4-5", ".svg"),  # a construction line that ends near a name
 )
 
 

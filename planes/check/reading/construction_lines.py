@@ -36,7 +36,7 @@ def _is_line(strokes: Sequence[Stroke], k: int, closed: bool) -> bool:
     c, d = strokes[k]
     along = [i for i, (a, b) in enumerate(strokes) if abs(((b - a) / (d - c)).imag) < ASKEW * abs((b - a) / (d - c))]
     for i, vector in enumerate(strokes):
-        if i == k or not _upon(vector, strokes[k]):
+        if i == k or not upon(vector, strokes[k]):
             continue
         beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_MM for w in vector)]
         inner = [w for w in vector if all(abs(z - w) > SNAPPED_MM for z in strokes[k])]
@@ -45,7 +45,7 @@ def _is_line(strokes: Sequence[Stroke], k: int, closed: bool) -> bool:
     return False
 
 
-def _upon(one: Stroke, line: Stroke) -> bool:
+def upon(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke lies upon a longer one."""
     a, b = line
     local = [(z - a) / (b - a) * abs(b - a) for z in one]

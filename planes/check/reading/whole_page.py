@@ -43,7 +43,7 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if elsewhere(sketch.words, bench.asked.plan, plans):
         return ReadPaper(sketch.file, whole=False)
     found = parts(sketch)
-    titled, plain = own(found), [p for p in own(found) if _enlarged(sketch.words, p) == 1.0]
+    titled, plain = own(found), [p for p in own(found) if enlarged(sketch.words, p) == 1.0]
     likely = plain or titled or [p for p in own(parts(sketch, 0.0)) if named(p)] or found
     likely = sorted(likely, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
@@ -54,13 +54,13 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 def _paper_of(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -> ReadPaper:
     """The marks of a plan on a part of a page, at the scale its title says."""
     said = None if bench.asked.mu else mu_over(words, part, bench.asked.plan, known_plans(bench.plans))[0]
-    mu = said and said * _enlarged(words, part)
+    mu = said and said * enlarged(words, part)
     paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
     paper.mu = mu
     return paper
 
 
-def _enlarged(words: Sequence[Words], part: ReadDrawing) -> float:
+def enlarged(words: Sequence[Words], part: ReadDrawing) -> float:
     """How many times a detail of a plan is enlarged, as the sign over its circle says: "А (10:1)"; 1 for no detail."""
     low, high = corners(z for stroke in part.strokes for z in stroke)
     signs = ((w.middle, float(said[1])) for w in words if (said := _DETAIL.search(w.text)))

@@ -9,6 +9,7 @@ from itertools import combinations
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import NEAR_MM, true_vectors
+from planes.check.reading.construction_lines import upon
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
 from planes.words.names import POLE, Names, kind_of
@@ -80,7 +81,7 @@ def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex], known: Names) -
     own = {min((b for _, b in plain), key=lambda b: abs(b - z)) for z in dots if plain}  # a dot is of one line
     for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
         clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
-        if clear and any(_on(b, *s, -ON_MM) for s in vectors):
+        if clear and any(_on(b, *s, -ON_MM) for s in vectors) and not any(upon(s, (a, b)) for s in vectors):
             dotted = b in own and any(abs(b - z) < ON_MM for z in dots)
             found += [replace(w, led=dotted) for w in put(words, a, b)]
             gone += begun(words, a) if dotted else ()
