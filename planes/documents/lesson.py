@@ -9,10 +9,9 @@ from pathlib import Path
 
 from planes.lesson.data import lesson_data
 from planes.lesson.note import Note
-from planes.plans import mechanism_plans
 from planes.scene import Scene
 from planes.scene.files import keep
-from planes.solving import Position, failed, position
+from planes.solving import Position, failed, plans_of, position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from render.page.lesson_page import page
@@ -62,12 +61,12 @@ def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> b
 
 def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
     """The position the note is about, all of it drawn."""
-    plans = mechanism_plans(scene)
+    plans, wanted = plans_of(scene, shown=True)
     if values and len(values) != 1:
         raise PlanesError(Phrase("note_one", count=len(values)))
     value = values[0] if values else plans.mechanism.drive.position
     try:
-        return position(scene, plans, None, value, None, lang)
+        return position(scene, plans, wanted, value, None, lang)
     except PlanFailure as failure:
         raise SceneError(failed(failure, value, plans.mechanism.drive.kind), scene.file) from None
 

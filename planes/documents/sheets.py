@@ -100,7 +100,7 @@ class DrawnPosition:
     @cached_property
     def stated(self) -> tuple[Plans, Any]:
         """The plans, and what the scene asks for."""
-        return plans_of(self.scene)
+        return plans_of(self.scene, shown=True)
 
     @cached_property
     def value(self) -> float:

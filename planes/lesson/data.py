@@ -20,11 +20,11 @@ from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
-from planes.plans import Plans, mechanism_plans
+from planes.plans import Plans
 from planes.plans.measuring import BLUNT, formula_of, lettering, say_plan
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
-from planes.solving import failed
+from planes.solving import failed, plans_of
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import at, lettered, mu_of, plan_of
@@ -37,7 +37,7 @@ Progress = Callable[[int, int], None]
 
 def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
-    plans = mechanism_plans(scene)
+    plans, _ = plans_of(scene, shown=True)
     try:
         mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet))
         given = {**plans.given, **mus}
@@ -160,7 +160,7 @@ def _acted(plans: Plans, t: Term) -> str:
 def _results(plans: Plans) -> list[Json]:
     """Rates and balancing loads shown beneath the plans at every position."""
     rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
-    names = [*dict.fromkeys(n for n in rates if n in plans.program.made), plans.balancing, plans.zhukovsky]
+    names = [n for n in dict.fromkeys([*rates, plans.balancing, plans.zhukovsky]) if n in plans.program.made]
     return [{"name": n, "value": n, "unit": in_both(partial(unit, n))} for n in names]
 
 

@@ -68,17 +68,18 @@ class Note:
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
-        yield Paragraph(self.say("note_task", title=title, drive=where))
+        asked = tuple(f"⟨{name}⟩" for name in self.scene.find or ())
+        yield Paragraph(self.say("note_task_find" if asked else "note_task", title=title, drive=where, names=asked))
         naming = Naming(self.lang, **lettering(self.scene, plans))
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
         rows = GivenTable(self.position, naming, self.scene.parameters).rows()
         yield from self.table("note_given_table", head, [*rows, *self.laws()])
-        yield from map(Paragraph, conditions(plans.mechanism, self.lang))
+        yield from map(Paragraph, conditions(plans.mechanism, self.lang, plans.forces))
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""
         plans, drawing = self.position.plans, self.position.drawing
-        for name, law in plans.acting.laws.said.items():
+        for name, law in plans.acting.laws.said.items() if plans.forces else ():
             told = law_said(law, plans.mechanism.drive, "⟨{}⟩".format, self.lang)
             now = number(float(drawing[name]), self.lang) if name in drawing else "—"
             yield f"⟨{name}⟩ = {told}", now, unit(name, self.lang) or "°"
@@ -105,7 +106,7 @@ class Note:
                 yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
             else:
                 yield from self.compared()
-        if not any(kind_of(f.plan) == "force" for f in self.frames):
+        if self.scene.find is None and not self.position.plans.forces:
             yield Paragraph(self.say("note_no_forces"))
 
     def placed(self) -> Iterator[tuple[str, Frame]]:
@@ -173,10 +174,12 @@ class Note:
         return "—" if found is None else number(0.0 if abs(found.number) <= 1e-9 else found.number, self.lang)
 
 
-def conditions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """Axes, loads, weight and friction in words."""
+def conditions(mechanism: Mechanism, lang: Lang, forces: bool = True) -> Iterator[str]:
+    """Axes; if there are ``forces``, loads, weight and friction in words."""
     if origin := next((name for name, place in mechanism.frame.points.items() if place == 0), None):
         yield say("task_axes", lang, point=f"⟨{origin}⟩")
+    if not forces:
+        return
     for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
         yield _load(load, name, mechanism.drive, lang)
     masses = any(link.mass for link in mechanism.links.values())

@@ -26,7 +26,7 @@ from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError
-from planes.words.names import HELPERS, Meaning, at, mu_of
+from planes.words.names import HELPERS, Meaning, at, kind_of, mu_of
 
 
 @dataclass(frozen=True)
@@ -118,6 +118,11 @@ class Plans:
     def drawn(self) -> tuple[str, ...]:
         """Plans in the order they are drawn: position, velocity, acceleration, force:2-3, …, force:1."""
         return tuple(self.program.marks)
+
+    @property
+    def forces(self) -> bool:
+        """Whether any forces are drawn."""
+        return any(kind_of(plan) == "force" for plan in self.drawn)
 
 
 def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
@@ -212,8 +217,11 @@ def _link_values(draft: Draft, body: Body, velocity: Rates, acceleration: Rates)
 
 
 def sliced(plans: Plans, wanted: list[str]) -> Plans:
-    """The same plans with a program that draws only what leads to the wanted names, and how the vectors drawn lie."""
+    """The same plans with a program that draws only what leads to the wanted names, how the vectors drawn lie, and
+    what is measured on it."""
     made = plans.program.sliced(wanted).made
     terms = ((e.plan, t) for e in plans.equations for t in e.terms)
     lying = [t.direction for plan, t in terms if t.direction and {at(plan, t.start), at(plan, t.end)} <= made]
-    return replace(plans, program=plans.program.sliced([*wanted, *lying]))
+    program = plans.program.sliced([*wanted, *lying])
+    segments = tuple(s for s in plans.segments if {at(s.plan, s.start), at(s.plan, s.end)} <= program.made)
+    return replace(plans, program=program, segments=segments)

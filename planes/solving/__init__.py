@@ -146,13 +146,14 @@ class Solved:
         }
 
 
-def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
-    """The plans of a scene, cut to what it asks for, and the quantities asked (None: all)."""
+def plans_of(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] | None]:
+    """The plans of a scene cut to what it asks for, ``shown`` on the whole scheme; and what it asks for (None: all)."""
     plans = mechanism_plans(scene)
     if scene.find is None:
         return plans, None
     wanted = asked(plans, scene.find, scene.file)
-    return sliced(plans, [n for q in wanted for n in q.needs]), wanted
+    scheme = [step.makes for step in plans.program.marks["position"] if shown]
+    return sliced(plans, [*(n for q in wanted for n in q.needs), *scheme]), wanted
 
 
 def solve(

@@ -53,12 +53,14 @@ class GivenTable:
     parameters: Mapping[str, float]
 
     def rows(self, loading: bool = False) -> list[tuple[str, str, str]]:
-        """Name, value and unit of everything that is given; of what a force calculation adds alone, if asked."""
+        """Name, value and unit of everything that is given, without what is for forces where none is drawn; of what a
+        force calculation adds alone, if asked."""
         plain = dict.fromkeys(r for r in self.unnamed() if (r.value or r.place) and not self.known(r))
         found = sorted([*self.drive(), *self.named(), *plain], key=lambda r: (not r.of_drive, RANK.index(r.unit)))
         lang = self.naming.lang
         unit = {key: say(key, lang) if key else "—" for key in RANK}
-        return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in found if r.loading or not loading]
+        shown = [r for r in found if (r.loading or not loading) and (self.position.plans.forces or not r.loading)]
+        return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in shown]
 
     def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""
@@ -151,7 +153,7 @@ class GivenTable:
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""
         plans, drawing, lang = self.position.plans, self.position.drawing, self.naming.lang
-        for name, law in plans.acting.laws.said.items():
+        for name, law in plans.acting.laws.said.items() if plans.forces else ():
             m = plans.means[name]
             sign = self.naming.vector(m.of)
             key = {"load": "N", "couple": "N·m"}.get(m.quantity, "°")

@@ -1,0 +1,53 @@
+"""What a scene asks for: its sheet, lesson and note show this on the whole scheme, and nothing that follows it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from planes.documents.lesson import note
+from planes.documents.sheets import sheet_of
+from planes.lesson.data import lesson_data
+from planes.plans import mechanism_plans
+from planes.scene import Scene, load
+from planes.solving import Position, plans_of, position
+from planes.words.lettering import Naming
+from planes.words.names import kind_of
+from render.views.scheme import Scheme
+from tests.helpers import ROOT
+
+SAMPLES = ("six-link", "kind-2-rrp", "kind-5-rpp", "sliding-driver", "shaper")
+
+
+def asks(scene: Scene) -> dict[str, tuple[str, ...]]:
+    """A question of each kind, by the last kind of plans it needs."""
+    plans = mechanism_plans(scene)
+    point = list(plans.points)[-1]
+    reaction = next(r.key for r in plans.reactions.values() if r.plan)
+    return {"position": (f"r_{point}",), "velocity": (f"v_{point}",), "force": (reaction,)}
+
+
+def shown(scene: Scene) -> Position:
+    """The position as it is drawn on paper."""
+    plans, wanted = plans_of(scene, shown=True)
+    return position(scene, plans, wanted, plans.mechanism.drive.position, None, "en")
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("kind", ["position", "velocity", "force"])
+@pytest.mark.parametrize("name", SAMPLES)
+def test_papers_show_what_is_asked_on_the_whole_scheme(name: str, kind: str) -> None:
+    every = load(ROOT / "samples" / f"{name}.yaml")
+    scene = replace(every, find=asks(every)[kind])
+    now, all_of_it = shown(scene), shown(replace(every, find=None))
+    naming = Naming("en", scene.frame_number)
+    assert len(Scheme(now, naming).drawn()) == len(Scheme(all_of_it, naming).drawn())
+    kinds = {kind_of(plan) for plan in now.plans.drawn}
+    assert kind in kinds and (kind == "force" or "force" not in kinds)
+    frames = lesson_data(scene)["frames"]
+    assert {kind_of(f["plan"]) for f in frames} <= kinds
+    assert len(frames) < len(lesson_data(replace(every, find=None))["frames"])
+    assert sheet_of(scene, None).marks
+    heavy = any(link.mass for link in now.plans.mechanism.links.values())
+    assert (">kg<" in note(scene, None, ".html", "en").decode()) == (kind == "force" and heavy)
