@@ -85,6 +85,8 @@ def write_kinematics(w: ChapterWriter, c: Calculation) -> None:
     w.write("points", v)
     w.write("plane", v)
     scene, solved = drawn_at(w, c, phi)
+    w.figure("f_centre", DrawnViews(scene, solved, (("centre 2",),)), phi=phi)
+    w.write("kinplans", v)
     plans = tuple((p, f"equations {p}") for p in ("velocity", "acceleration"))
     w.figure("f_kinplans", DrawnViews(scene, solved, plans, True), phi=phi)
     _results(w, c)
@@ -162,6 +164,9 @@ def _equations(w: ChapterWriter, c: Calculation) -> None:
     v.rub = rf"{'-' if f.rubbing > 0 else '+'}{w.tex(s.f)}\cdot{w.tex(abs(f.N))}" if rubs else ""
     v.count = len(c.motion.phi_deg)
     v.apart_forces, v.apart_torque, v.apart_lever = (w.number(x, 2) for x in (ways.forces, ways.torque, ways.lever))
+    scene, solved = drawn_at(w, c, worked(c))
+    shown = ("loaded", "loaded 3", "loaded 2", "loaded 1")
+    w.figure("f_loaded", DrawnViews(scene, solved, tuple((x,) for x in shown)), phi=v.phi)
     w.write("equations", v)
 
 

@@ -1,7 +1,8 @@
 """The chapters of balancing and of strength; the summary."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -23,6 +24,11 @@ def write_balance(w: ChapterWriter, c: Calculation) -> None:
     v = SimpleNamespace(b=b, weights=weights, s=c.given.shape, shaft=c.given.shaft, apart=b.left + b.right)
     (v.needed_1, v.needed_2), (v.chosen_1, v.chosen_2) = b.needed, b.chosen
     w.write("balance", v)
+    cw = w.say("sub_cw")
+    arms = {"a": "a", "b": "b", "r": "r", "R": f"R_{{{cw}}}"}
+    masses = {"pin": "m_{R}", "weight_0": f"m_{{1{cw}}}", "weight_1": f"m_{{2{cw}}}"}
+    forces = {("pin", "up"): "Φ_{R}", ("weight_0", "down"): f"Φ_{{1{cw}}}", ("weight_1", "down"): f"Φ_{{2{cw}}}"}
+    w.figure("f_masses", shaft_sketch(c, masses=masses, forces=forces, sizes=arms))
 
     def pair(found: float, expected: float) -> str:
         own, other = (w.number(force * KN, near=b.force * KN) for force in (found, expected))
@@ -37,7 +43,7 @@ def write_balance(w: ChapterWriter, c: Calculation) -> None:
     w.write("shaking", v)
     closed = [(x.name, np.append(x.curve, x.curve[0]) * KN) for x in b.cases]
     curves = tuple(PlottedLine(z.real, z.imag, names[name], i) for i, (name, z) in enumerate(closed))
-    w.figure("f_shaking", Chart(w.say("x_along"), w.say("y_across"), curves, equal=True, height_mm=90))
+    w.figure("f_shaking", Chart(w.say("x_along"), w.say("y_across"), curves, equal=True, height_mm=72))
 
 
 def write_strength(w: ChapterWriter, c: Calculation) -> None:
@@ -66,14 +72,23 @@ def cases(c: Calculation) -> dict[str, int]:
     return {"I": int(np.argmax(np.abs(c.forces.K))), "II": int(np.argmax(np.abs(c.forces.T)))}
 
 
+def shaft_sketch(c: Calculation, **shown: Mapping[Any, str]) -> ShaftSketch:
+    """The crankshaft, with masses, forces or sizes."""
+    shaft, weights, r = c.given.shaft, c.given.counterweights, c.given.shape.r
+    assert shaft
+    low = weights.radius if weights else r
+    return ShaftSketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, r, low, **shown)
+
+
 def _bearings(w: ChapterWriter, c: Calculation) -> None:
     """The bearings, and the moments along the shaft in both cases."""
-    shaft, held, weights, r = c.given.shaft, c.supports, c.given.counterweights, c.given.shape.r
+    shaft, held, cw = c.given.shaft, c.supports, w.say("sub_cw")
     assert shaft and held
-    cw = w.say("sub_cw")
-    labels = {"load": "N_{c1}, P_{t1}", "web": "Φ", "weight_0": f"Φ_{{1{cw}}}", "weight_1": f"Φ_{{2{cw}}}"}
-    radius = weights.radius if weights else r
-    sketch = ShaftSketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, r, radius, labels)
+    weights = {(f"weight_{k}", "down"): f"Φ_{{{k + 1}{cw}}}" for k in (0, 1)}
+    webs = {(f"web_{k}", "up"): "Φ" for k in (0, 1)}
+    pin = {("pin", "up"): "N_{c1}", ("pin", "across"): "P_{t1}"}
+    bearings = {(x, way): f"{x}{sign}" for x in "AB" for way, sign in (("up", "′"), ("across", "″"))}
+    sketch = shaft_sketch(c, forces=pin | webs | weights | bearings, sizes=dict(zip("mabnL", "mabnL", strict=True)))
     w.figure("f_sketch", sketch, a=shaft.left, b=shaft.right)
     at = [SimpleNamespace(name=name, phi=c.motion.phi_deg[k]) for name, k in cases(c).items()]
     w.write("reactions", SimpleNamespace(held=held, K=at[0], T=at[1]))

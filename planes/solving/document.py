@@ -4,7 +4,7 @@ In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from planes.geometry.arrays import Array
 from planes.scene import Scene
@@ -79,7 +79,9 @@ class Chart:
 class DrawnViews:
     """Views of one position, side by side where they fit, those of one tuple beneath each other.
 
-    A view is "scheme", a plan, or "equations …" of a plan; ``scales``: the caption goes on with every plan and its μ.
+    A view is "scheme", a plan, "equations …" of a plan, "loaded" (the mechanism with its loads), "loaded …" (a link
+    with all forces on it), "centre …" (of a link's velocities); ``scales``: the caption goes on with every plan and
+    its μ.
     """
 
     scene: Scene
@@ -90,14 +92,18 @@ class DrawnViews:
 
 @dataclass(frozen=True)
 class ShaftSketch:
-    """The crankshaft on its bearings; numbers in metres."""
+    """The crankshaft on its bearings; numbers in metres. ``masses`` are named by their places ("pin", "weight_0"),
+    ``forces`` by their places and ways ("up", "down" in the plane of the crank, "across" square to it), the ``sizes``
+    that are shown by their signs."""
 
     span: float
     pin: float
     webs: float
     r: float
     radius: float
-    labels: Mapping[str, str]
+    masses: Mapping[str, str] = field(default_factory=dict)
+    forces: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    sizes: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

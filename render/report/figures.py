@@ -1,10 +1,10 @@
-"""Figures of a report: charts, plans of positions side by side, the sketch of a crankshaft."""
+"""Figures of a report: charts, views of positions side by side, sketches of a crankshaft."""
 
 from __future__ import annotations
 
 import io
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
@@ -13,10 +13,11 @@ from render import charts
 from render.charts.strokes import Picture
 from render.files import Page, svg
 from render.files.pdf import POINTS_PER_MM, draw_marks, png_of
-from render.labels.footprints import bounds
-from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
+from render.report.shaft import shaft_view
 from render.sheet.composer import Composer
+from render.sheet.project import ForceSheet
 from render.views import View, beside, stacked, view
+from render.views.instant_centre import instant_centre
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
@@ -81,7 +82,7 @@ class Studio:
             case Chart() as chart:
                 return [charts.chart(chart, WIDTH_MM, self.lang)], figure.caption
             case ShaftSketch() as shaft:
-                return [sketch(shaft)], figure.caption
+                return [_row([shaft_view(shaft)])], figure.caption
             case DrawnViews() as drawn:
                 return self.drawn(drawn, figure.caption)
 
@@ -99,11 +100,16 @@ class Studio:
 
 
 def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
-    kind, _, plan = name.partition(" ")
-    if plan:
-        return composer.formulas(plotted, (plan,), LETTER_MM[alone], "")
+    kind, _, of = name.partition(" ")
+    if kind == "equations":
+        return composer.formulas(plotted, (of,), LETTER_MM[alone], "")
     if kind == "scheme":
         return view(name, "", Scheme(block.position, composer.naming).drawn())
+    if kind == "loaded":
+        forces = ForceSheet(composer)
+        return forces.alone(block.position, of) if of else replace(forces.loaded(block.position), title="")
+    if kind == "centre":
+        return instant_centre(block.position, of, composer.naming)
     if plotted.still(name):
         return None
     return view(name, "", Polygon(plotted, name, composer.naming, counted=composer.details).drawn())
@@ -129,46 +135,3 @@ def _row(views: list[View]) -> MarkedFigure:
     height = max(v.height for v in views) + 4
     row = beside(views, GAP_MM, height - 2, 2.0)
     return MarkedFigure(row.marks, (row.box[2] + 2, height))
-
-
-def sketch(block: ShaftSketch) -> MarkedFigure:
-    """The crankshaft as a broken bar: bearings, webs, pin, counterweights, lengths."""
-    scale = 105.0 / block.span
-    left, right = scale * block.webs, scale * (block.span - block.webs)
-    pin, end = scale * block.pin, scale * block.span
-    up, down = scale * block.r, -scale * block.radius
-    bar = (0j, complex(left, 0), complex(left, up), complex(right, up), complex(right, 0), complex(end, 0))
-    marks: list[Mark] = [Line((-12 + 0j, end + 12 + 0j), "axis", "axis"), Line(bar)]
-    for x in (left, right):
-        marks += [Line((complex(x, 0), complex(x, down)), "thin"), Arc(complex(x, down), 3.0)]
-    for z, aside, name in ((0j, -9, "A"), (complex(end, 0), 6, "B")):
-        marks += [Line((z - 5 - 8j, z, z + 5 - 8j), closed=True), Arc(z, 1.5, fill="paper")]
-        marks.append(Text(name, z + aside - 9j, 5))
-    marks += _loads(block, left, right, pin, up, down)
-    above = ((0, left, "m"), (right, end, "m"), (left, pin, "a"), (pin, right, "b"))
-    for k, sizes in enumerate((above, ((pin, end, "n"),), ((0, end, "L"),))):
-        for a, b, name in sizes:
-            marks += _size(a, b, down - 14 - 9 * k, name)
-    return _row([View("shaft", "", tuple(marks), bounds(marks))])
-
-
-def _loads(block: ShaftSketch, left: float, right: float, pin: float, up: float, down: float) -> list[Mark]:
-    said, top = block.labels, complex(pin, up)
-    found: list[Mark] = [Arrow(top, top + 18j, name="N_c"), Text(said["load"], top + 3 + 12j, 3.5)]
-    sides: tuple[tuple[int, float, Anchor], ...] = ((-1, left, "end"), (1, right, "start"))
-    for k, (side, x, anchor) in enumerate(sides):
-        found += [
-            Arrow(complex(x, up), complex(x, up + 13), name="Φ"),
-            Arrow(complex(x, down - 3), complex(x, down - 12), name="Φ_cw"),
-            Text(said["web"], complex(x + 2.5 * side, up + 7), 3.5, anchor),
-            Text(said[f"weight_{k}"], complex(x + 4.5 * side, down - 8), 3.5, anchor),
-        ]
-    return found
-
-
-def _size(a: float, b: float, y: float, name: str) -> list[Mark]:
-    ends = complex(a, y), complex(b, y)
-    middle = (ends[0] + ends[1]) / 2
-    ticks = (Line((z - 2j, z + 3j), "thin", "dimension") for z in ends)
-    arrows = (Arrow(middle, z, "thin", "dimension") for z in ends)
-    return [*ticks, *arrows, Text(name, middle + 1j, 3.5, "middle")]

@@ -22,6 +22,7 @@ from render.files.pdf import registered
 from render.paper.letters import tagged
 from render.paper.outlines import dejavu
 from render.report.figures import Shown, Studio
+from render.report.floats import Filled, PagePiece, floated, glued
 from render.report.html import is_number
 
 if TYPE_CHECKING:
@@ -31,6 +32,7 @@ LEFT, RIGHT, EDGE = 25 * mm, 10 * mm, 20 * mm
 PAGE = (210 * mm, 297 * mm)
 WIDTH = PAGE[0] - LEFT - RIGHT
 HEIGHT = 170 * mm  # of a figure
+PADDING = 12.0  # on both sides together, of reportlab's frame
 FACES = {"Note": "DejaVuSerif.ttf", "NoteBold": "DejaVuSerif-Bold.ttf", "NoteItalic": "DejaVuSerif-Italic.ttf"}
 LETTER = 10.5
 ROOMY = 85  # letters across a table; one with more has smaller ones
@@ -47,7 +49,9 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     told = {"title": title, "author": "", "creator": "planes", "lang": naming.lang}
     paper = _Paper(data, pagesize=PAGE, invariant=1, initialFontName="Note", **margins, **told)
     setter = _Setter(naming)
-    paper.build([f for b in blocks for f in setter.flow(b)], onFirstPage=_number, onLaterPages=_headed)
+    pieces = glued(PagePiece(setter.flow(b), isinstance(b, Figure) and bool(b.caption)) for b in blocks)
+    story = floated(pieces, Filled(WIDTH - PADDING, PAGE[1] - 2 * EDGE - PADDING))
+    paper.build(story, onFirstPage=_number, onLaterPages=_headed)
     return data.getvalue()
 
 

@@ -155,7 +155,7 @@ class ForceSheet:
         tables = c.tables(position, letter)
         return [v for v in (*found, tables.given(loading=True), tables.reactions(), tables.check()) if v]
 
-    def loaded(self, position: Position) -> View | None:
+    def loaded(self, position: Position) -> View:
         """The scheme with all outer loads."""
         c = self.composer
 
@@ -191,18 +191,21 @@ class ForceSheet:
             return None
         c = self.composer
 
-        def part(link: str) -> View:
-            loading = Loading(position, c.naming, (link,))
-            loading.loads(carried=False)
-            loading.whole_reactions()
-            alone = Scheme(position, c.naming, (link,), False)
-            return view("part", "", alone.drawn(False, loading.marks, loading.named))
-
         def make() -> View:
             title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
-            return view("apart", title, beside(list(map(part, links))).marks, True, plan=GROUPS)
+            return view("apart", title, beside([self.alone(position, x) for x in links]).marks, True, plan=GROUPS)
 
         return c.once(("apart", links, position.scales[mu_of("position")]), make)
+
+    def alone(self, position: Position, link: str) -> View:
+        """A link with its loads and all reactions on it."""
+        loading = Loading(position, self.composer.naming, (link,))
+        loading.loads(carried=False)
+        loading.whole_reactions()
+        if link == position.plans.structure.driver:
+            loading.balancing()
+        scheme = Scheme(position, self.composer.naming, (link,), False)
+        return view("part", "", scheme.drawn(False, loading.marks, loading.named))
 
     def lever(self, position: Position, letter: float) -> View | None:
         """Zhukovsky's lever with its moment equation."""

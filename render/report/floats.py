@@ -1,0 +1,81 @@
+"""Figures of a paged report float: one that has no room on its page stands at the head of the next, and what follows it
+fills the page before."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from reportlab.platypus import Flowable
+
+
+@dataclass(frozen=True)
+class PagePiece:
+    """What stands together: a figure with its caption, a heading with what follows it."""
+
+    parts: Sequence[Flowable]
+    floats: bool = False
+
+
+@dataclass
+class Filled:
+    """A page being filled as reportlab fills it: how much of it is used, and the room after what stands last."""
+
+    width: float
+    height: float
+    used: float = 0.0
+    after: float = 0.0
+
+    def holds(self, piece: PagePiece) -> bool:
+        """Whether a piece has room."""
+        return self.ended(piece.parts)[0] <= self.height
+
+    def ended(self, parts: Sequence[Flowable]) -> tuple[float, float]:
+        """How much is used, and the room after it, with these too."""
+        used, after = self.used, self.after
+        for part in parts:
+            used += (max(after, part.getSpaceBefore()) if used else 0.0) + part.wrap(self.width, self.height)[1]
+            after = part.getSpaceAfter()
+        return used, after
+
+    def put(self, piece: PagePiece) -> None:
+        """Fill it; what has no room begins the next page, of a paragraph what is left of it."""
+        if not self.holds(piece):
+            parts, room = piece.parts, self.height - self.used - max(self.after, piece.parts[0].getSpaceBefore())
+            rest = parts[0].split(self.width, room)[1:] if len(parts) == 1 else []
+            self.used = self.after = 0.0
+            piece = PagePiece(rest or parts)
+        self.used, self.after = self.ended(piece.parts)
+        self.used = min(self.used, self.height)
+
+
+def glued(blocks: Iterable[PagePiece]) -> list[PagePiece]:
+    """Pieces that are kept with what follows them, together with it; a figure right after its heading stays there."""
+    found: list[PagePiece] = []
+    held: list[Flowable] = []
+    for piece in blocks:
+        if piece.parts and piece.parts[-1].getKeepWithNext():
+            held += piece.parts
+        elif piece.parts:
+            found.append(PagePiece([*held, *piece.parts], piece.floats and not held))
+            held = []
+    return [*found, PagePiece(held)] if held else found
+
+
+def floated(pieces: Iterable[PagePiece], page: Filled) -> list[Flowable]:
+    """All that is set, in the order in which pages are full; figures keep their order."""
+    found, waiting = list[PagePiece](), list[PagePiece]()
+
+    def put(*those: PagePiece) -> None:
+        for one in those:
+            page.put(one)
+            found.append(one)
+
+    for piece in pieces:
+        full = not page.holds(piece)
+        if piece.floats and (full or waiting):
+            waiting.append(piece)
+            continue
+        if waiting and full:
+            put(*waiting)
+            waiting.clear()
+        put(piece)
+    return [part for piece in (*found, *waiting) for part in piece.parts]
