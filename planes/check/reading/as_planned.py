@@ -18,7 +18,7 @@ from planes.check.reading.chains import SURELY_MM, WIDE, alongside, back_and_for
 from planes.check.reading.lone_vectors import arrows_of
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
-from planes.check.reading.words_near import LEADER_MM, Candidates
+from planes.check.reading.words_near import LEADER_MM, Candidates, put
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of
 
@@ -41,9 +41,7 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.way(k) for way in (s, s[::-1])]
     plain = [(a, b) for a, b in plain if all(abs(a - z) > SHORT_MM for z in tips)]  # no leader begins at a mark
-    words += [
-        (n, replace(w, place=b, height=0.1, width=0.1)) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM
-    ]
+    words += [(n, there) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM for there in put([w], b)]
 
     def far_from(name: str, z: complex) -> float:
         far = min(w.distance(z) for n, w in words if n == name)
