@@ -10,7 +10,7 @@ from itertools import combinations
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import NEAR_MM, true_vectors
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
+from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Stroke, Words, headed
 from planes.words.names import POLE, Names, kind_of
 
 LEADER_MM = 2.5  # a line from a word ends so near it
@@ -56,6 +56,11 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
             yield from put(begun(sketch.words, z), nodes.places[at_node])
 
 
+def headless(sketch: ReadDrawing) -> list[Stroke]:
+    """The strokes without heads, each both ways: lines that may lead from words."""
+    return [way for k, s in enumerate(sketch.strokes) if not sketch.way(k) for way in (s, s[::-1])]
+
+
 def put(words: Iterable[Words], end: complex) -> list[Words]:
     """Words a line begins at put where the line ends."""
     return [replace(w, place=end, height=0.1, width=0.1) for w in words]
@@ -74,9 +79,9 @@ def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex], known: Names) -
     if len(sketch.strokes) > CROSSINGS:
         return sketch.words
     found, gone, words = list[Words](), list[Words](), [w for w in sketch.words if known.find(w.text)]
-    vectors = [s for k, s in enumerate(sketch.strokes) if sketch.ways[k]]
+    vectors = [s for k, s in enumerate(sketch.strokes) if sketch.way(k)]
     ends = [z for s in vectors for z in s]
-    plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
+    plain = headless(sketch)
     vectors += [s for s in plain if abs(s[1] - s[0]) < LEADER_MM]  # too short for a head
     own = {min((b for _, b in plain), key=lambda b: abs(b - z)) for z in dots if plain}  # a dot is of one line
     for a, b in plain:
