@@ -28,6 +28,16 @@ def test_hatching_is_no_line_of_a_plan(gap: float) -> None:
     assert left.strokes == TRIANGLE and headed(left) == [0, 1, 2]
 
 
+def test_level_hatching_drawn_a_little_up_and_down_is_of_one_direction() -> None:
+    rows: list[Stroke] = [(12 + 2j + 3j * k, 21 + 2j + 3j * k + (-1) ** k * 0.0002j) for k in range(FEWEST)]
+    assert without_hatching(ReadDrawing(strokes=[*TRIANGLE, *rows])).strokes == TRIANGLE
+
+
+def test_a_drawing_of_no_lines_has_no_hatching() -> None:
+    nothing = ReadDrawing()
+    assert without_hatching(nothing) is nothing
+
+
 @pytest.mark.parametrize(("rows", "gap", "uneven"), [(FEWEST - 1, 3.0, 0.0), (6, 3.0, 0.8), (6, 9.0, 0.0)])
 def test_few_or_uneven_lines_side_by_side_are_no_hatching(rows: int, gap: float, uneven: float) -> None:
     sketch = ReadDrawing(strokes=[*TRIANGLE, *hatched(rows, gap, uneven)])

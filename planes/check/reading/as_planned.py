@@ -10,7 +10,7 @@ from dataclasses import replace
 from itertools import combinations, pairwise
 from typing import TypeVar
 
-from planes.check.grading.grading import grade
+from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.readable import readable
@@ -18,7 +18,7 @@ from planes.check.reading.chains import SURELY_MM, WIDE, alongside, back_and_for
 from planes.check.reading.lone_vectors import arrows_of
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
-from planes.check.reading.words_near import LEADER_MM, Candidates
+from planes.check.reading.words_near import LEADER_MM, Candidates, headless, put
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of
 
@@ -39,11 +39,8 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     tips = [z for z, _ in sketch.rounds] if scheme else [z for arrow in arrows for z in arrow]
     names = bench.names
     words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
-    plain = [way for k, s in enumerate(sketch.strokes) if not sketch.way(k) for way in (s, s[::-1])]
-    plain = [(a, b) for a, b in plain if all(abs(a - z) > SHORT_MM for z in tips)]  # no leader begins at a mark
-    words += [
-        (n, replace(w, place=b, height=0.1, width=0.1)) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM
-    ]
+    plain = [(a, b) for a, b in headless(sketch) if all(abs(a - z) > SHORT_MM for z in tips)]  # none begins at a mark
+    words += [(n, there) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM for there in put([w], b)]
 
     def far_from(name: str, z: complex) -> float:
         far = min(w.distance(z) for n, w in words if n == name)
@@ -140,12 +137,17 @@ def named(
     )
 
 
+def _graded(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
+    """A paper's grading; none where it cannot be graded."""
+    try:
+        return grade(bench, paper)
+    except PlanesError:
+        return None
+
+
 def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
     """Whether a paper is right."""
-    try:
-        found = grade(bench, paper)
-    except PlanesError:
-        return False
+    found = _graded(bench, paper)
     return found is not None and not found.fault and readable(found) is None
 
 
@@ -173,10 +175,7 @@ def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> Re
 def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
     """How many marks of a paper are where their steps lead, less those that are not."""
     bench = bench.at(paper.mu, told=True) if paper.mu else bench
-    try:
-        found = grade(bench, paper) if paper.spots else None
-    except PlanesError:
-        found = None
+    found = _graded(bench, paper) if paper.spots else None
     if found is None:
         return -len(bench.marks)
     judged = found.judgement

@@ -33,16 +33,25 @@ def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
 
 def _is_line(strokes: Sequence[Stroke], k: int, closed: bool) -> bool:
     """Whether a stroke runs on from a shorter one upon it to where no other begins or ends, but for lines along it."""
-    c, d = strokes[k]
-    along = [i for i, (a, b) in enumerate(strokes) if abs(((b - a) / (d - c)).imag) < ASKEW * abs((b - a) / (d - c))]
     for i, vector in enumerate(strokes):
         if i == k or not upon(vector, strokes[k]):
             continue
         beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_MM for w in vector)]
         inner = [w for w in vector if all(abs(z - w) > SNAPPED_MM for z in strokes[k])]
-        if beyond and not any(_met(strokes, z, along) for z in beyond):
+        if beyond and not any(_stopped(strokes, z, strokes[k]) for z in beyond):
             return not closed or all(_met(strokes, w, (i, k)) for w in inner)
     return False
+
+
+def _stopped(strokes: Sequence[Stroke], z: complex, line: Stroke) -> bool:
+    """Whether a stroke that is not along a line begins or ends at a place."""
+    return any(any(abs(z - w) < SNAPPED_MM for w in stroke) and not _along(stroke, line) for stroke in strokes)
+
+
+def _along(one: Stroke, line: Stroke) -> bool:
+    """Whether a stroke has the direction of a line, either way."""
+    turn = (one[1] - one[0]) / (line[1] - line[0])
+    return abs(turn.imag) < ASKEW * abs(turn)
 
 
 def upon(one: Stroke, line: Stroke) -> bool:

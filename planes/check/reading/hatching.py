@@ -2,51 +2,59 @@
 
 import cmath
 import math
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy
+from shapely import STRtree, points
 
 from planes.check.reading.strokes import ReadDrawing, Stroke
+from planes.geometry.arrays import Booleans
 
 FEWEST = 4  # rows of strokes that make hatching
 WIDEST_MM, EVEN_MM = 6.0, 0.15  # how far apart the rows may be, and how much less or more than the rest
 PARALLEL_DEG = 0.5
 ROW_MM = 0.1  # strokes no farther off are pieces of one row, cut around a letter
 FREE_MM = 0.3  # an end is free where no other line ends so near
+AT_ONCE = 250  # ends whose neighbours are looked for: all of a scribble may be neighbours
 
 
 def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
     """The drawing without its hatching: it has no heads, and nothing of a plan begins or ends where it does."""
-    ends: dict[tuple[int, int], list[complex]] = defaultdict(list)
-    for z in (z for stroke in sketch.strokes for z in stroke):
-        ends[_cell(z)].append(z)
-    loose = [k for k, stroke in enumerate(sketch.strokes) if not sketch.way(k) and all(_free(z, ends) for z in stroke)]
+    loose = [k for k in _free(sketch.strokes) if not sketch.way(k)]
     gone: set[int] = set()
     for alike in _parallel(sketch.strokes, loose):
         gone.update(_even_rows(sketch.strokes, alike))
     return sketch.only(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
 
 
-def _cell(z: complex) -> tuple[int, int]:
-    return math.floor(z.real / FREE_MM), math.floor(z.imag / FREE_MM)
+def _free(strokes: Sequence[Stroke]) -> list[int]:
+    """The strokes with no end but their own where they begin and end."""
+    places = numpy.array(strokes, complex).ravel()
+    ends = points(places.real, places.imag)
+    tree = STRtree(ends)
+
+    def alone(some: Any) -> Booleans:
+        near = tree.query(some, predicate="dwithin", distance=FREE_MM)[0]
+        found: Booleans = numpy.bincount(near, minlength=len(some)) < 2  # an end is near itself
+        return found
+
+    free = numpy.concatenate([alone(part) for part in numpy.array_split(ends, 1 + len(ends) // AT_ONCE)])
+    return numpy.flatnonzero(free.reshape(-1, 2).all(axis=1)).tolist()
 
 
-def _free(z: complex, ends: dict[tuple[int, int], list[complex]]) -> bool:
-    """Whether no end but its own is where a stroke ends."""
-    x, y = _cell(z)
-    around = (w for i in (x - 1, x, x + 1) for j in (y - 1, y, y + 1) for w in ends.get((i, j), ()))
-    return sum(abs(z - w) < FREE_MM for w in around) < 2
-
-
-def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> Iterator[list[int]]:
+def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]:
     """Strokes of one direction each."""
     angles = {k: math.degrees(cmath.phase(strokes[k][1] - strokes[k][0])) % 180 for k in held}
-    group: list[int] = []
+    groups: list[list[int]] = []
     for k in sorted(held, key=lambda k: angles[k]):
-        if group and angles[k] - angles[group[-1]] > PARALLEL_DEG:
-            yield group
-            group = []
-        group.append(k)
-    yield group
+        if groups and angles[k] - angles[groups[-1][-1]] <= PARALLEL_DEG:
+            groups[-1].append(k)
+        else:
+            groups.append([k])
+    if len(groups) > 1 and angles[groups[0][0]] + 180 - angles[groups[-1][-1]] <= PARALLEL_DEG:
+        groups[0] += groups.pop()  # level strokes, some of them a little below 180°
+    return groups
 
 
 def _even_rows(strokes: Sequence[Stroke], held: Sequence[int]) -> Iterator[int]:

@@ -41,7 +41,6 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         sketch.rounds = []
         vectors = vectors_of(sketch, kind == "force")
         nodes = Nodes(sketch.strokes, vectors=vectors, passed=sketch.passed)
-    joined_mm = max(sketch.error_mm, LOOSE * nodes.near)
     if not nodes.places:
         paper.notes.append(Phrase("check_no_lines"))
         return paper
@@ -56,8 +55,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         known = bench.written({**beside, **sides})
         sketch.words = led_to_vectors(sketch, dots, known) if headed(sketch) else sketch.words
         found = vectors_named(sketch, bench, sides, beside.values())
-        return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper, joined_mm)
-    sketch.error_mm = joined_mm
+        return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)
+    sketch = _joined(sketch, nodes)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
@@ -74,10 +73,14 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     return paper
 
 
-def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: ReadPaper, joined_mm: float) -> ReadPaper:
-    """The vectors of a force plan: as the chain they make up, their ends off by ``joined_mm``, else each by its
-    arrowhead and name."""
-    paper = force_chain(replace(sketch, error_mm=joined_mm), nodes, bench, paper)
+def _joined(sketch: ReadDrawing, nodes: Nodes) -> ReadDrawing:
+    """The sketch with its ends no surer than they are joined."""
+    return replace(sketch, error_mm=max(sketch.error_mm, LOOSE * nodes.near))
+
+
+def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
+    """The vectors of a force plan: as the chain they make up, else each by its arrowhead and name."""
+    paper = force_chain(_joined(sketch, nodes), nodes, bench, paper)
     if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
         rows, every = lone_vectors(sketch, bench)
         lone, named = replace(paper, spots=rows, whole=every), sum(not s.name.startswith("?") for s in paper.spots[1:])

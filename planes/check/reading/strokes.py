@@ -56,11 +56,12 @@ class Words:
         """The middle of the text's box."""
         return self.place + self.along * complex(self.width or self.height, self.height) / 2
 
-    def distance(self, z: complex) -> float:
-        """From a place to the text's box."""
+    def distance(self, z: complex, below: float = 0.0) -> float:
+        """From a place to the text's box, if need be with what is ``below`` it, so deep."""
         local = (z - self.place) * self.along.conjugate()
         width = self.width or 0.7 * self.height * max(len(self.text), 1)
-        return math.hypot(max(-local.real, 0.0, local.real - width), max(-local.imag, 0.0, local.imag - self.height))
+        aside, above = max(-local.real, 0.0, local.real - width), local.imag - self.height
+        return math.hypot(aside, max(-local.imag - below, 0.0, above))
 
     def beside(self, stroke: Stroke) -> float:
         """How far it is from the middle part of a vector."""

@@ -11,7 +11,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import NEAR_MM, true_vectors
 from planes.check.reading.construction_lines import upon
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
+from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Stroke, Words, headed
 from planes.words.names import POLE, Names, kind_of
 
 LEADER_MM = 2.5  # a line from a word ends so near it
@@ -54,18 +54,22 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
             through = abs(stroke[1 - j] - places[at_node]) < ON_MM  # a line drawn on; one that stops short points there
             if through and any(_on(w, *stroke, LEADER_MM / 2) for i, w in enumerate(places) if i != at_node):
                 continue
-            yield from put(sketch.words, z, nodes.places[at_node])
+            yield from put(begun(sketch.words, z), nodes.places[at_node])
 
 
-def put(words: Sequence[Words], begin: complex, end: complex) -> list[Words]:
-    """The words a line begins at put where the line ends."""
-    return [replace(w, place=end, height=0.1, width=0.1) for w in begun(words, begin)]
+def headless(sketch: ReadDrawing) -> list[Stroke]:
+    """The strokes without heads, each both ways: lines that may lead from words."""
+    return [way for k, s in enumerate(sketch.strokes) if not sketch.way(k) for way in (s, s[::-1])]
+
+
+def put(words: Iterable[Words], end: complex) -> list[Words]:
+    """Words a line begins at put where the line ends."""
+    return [replace(w, place=end, height=0.1, width=0.1) for w in words]
 
 
 def begun(words: Sequence[Words], begin: complex) -> list[Words]:
     """The words a line begins at, beside them or under their indices: the nearest or all in its row."""
-    lower = [replace(w, place=w.place - 1j * w.along * INDEX * w.height, height=(1 + INDEX) * w.height) for w in words]
-    far = [w.distance(begin) for w in lower]
+    far = [w.distance(begin, below=INDEX * w.height) for w in words]
     least = min([LEADER_MM, *far])
     return [w for w, mm in zip(words, far, strict=True) if mm <= least < LEADER_MM]
 
@@ -73,18 +77,21 @@ def begun(words: Sequence[Words], begin: complex) -> list[Words]:
 def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex], known: Names) -> list[Words]:
     """All words, those ``known`` with a line from them to the vector they name as if they stood on it too, and on
     nothing else where the line ends in a dot."""
+    if len(sketch.strokes) > CROSSINGS:
+        return sketch.words
     found, gone, words = list[Words](), list[Words](), [w for w in sketch.words if known.find(w.text)]
-    vectors = [s for k, s in enumerate(sketch.strokes) if sketch.ways[k]]
+    vectors = [s for k, s in enumerate(sketch.strokes) if sketch.way(k)]
     ends = [z for s in vectors for z in s]
-    plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
+    plain = headless(sketch)
     vectors += [s for s in plain if abs(s[1] - s[0]) < LEADER_MM]  # too short for a head
     own = {min((b for _, b in plain), key=lambda b: abs(b - z)) for z in dots if plain}  # a dot is of one line
-    for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
+    for a, b in plain:
         clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
         if clear and any(_on(b, *s, -ON_MM) for s in vectors) and not any(upon(s, (a, b)) for s in vectors):
             dotted = b in own and any(abs(b - z) < ON_MM for z in dots)
-            found += [replace(w, led=dotted) for w in put(words, a, b)]
-            gone += begun(words, a) if dotted else ()
+            named = begun(words, a)
+            found += [replace(w, led=dotted) for w in put(named, b)]
+            gone += named if dotted else ()
     return [*(w for w in sketch.words if w not in gone), *found]
 
 

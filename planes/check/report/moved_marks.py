@@ -31,7 +31,7 @@ MARGIN_MM = 12.0  # about a drawing on a page
 def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
     """What a page needs to judge marks that are moved."""
     bench, plan, taken = found.bench, found.bench.asked.plan, grading.hand.taken
-    variants = variants_of(bench, grading.hand.taken, grading.mu)
+    variants = variants_of(bench, taken, grading.mu)
     tape, (misses, *supposed) = retrace(grading, variants)
     truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
     earlier = {m: pair(t.place) for m, t in taken.items() if plan_of(m) != plan}

@@ -36,7 +36,7 @@ class SoughtScheme(Search):
 
     mates: dict[str, list[str]] = field(default_factory=dict)  # by mark: marks of the same links
     bases: list[tuple[str, str]] = field(default_factory=list)  # sliders, and the points their guides go through
-    fixed_guides: list[tuple[str, complex]] = field(default_factory=list)  # sliders and directions of their guides
+    fixed_guides: dict[str, complex] = field(default_factory=dict)  # directions of guides, by slider
     supported: set[str] = field(default_factory=set)  # points at supports and in sliders
     centres: set[str] = field(default_factory=set)  # marks of mass centres, which need not be drawn
 
@@ -95,11 +95,11 @@ class SoughtScheme(Search):
 
     def lost(self, mark: str, way: LaidPlan) -> bool:
         """Whether no sign tells where on its guide a slider is, and all its link's lines run along that guide."""
-        z, guide = way.found[mark], dict(self.fixed_guides).get(label_of(mark))
-        links = [z.z - way.found[m].z for m in self.mates.get(mark, ()) if m in way.found]
-        if z.tip or guide is None or not links:
+        place, guide = way.found[mark], self.fixed_guides.get(label_of(mark))
+        lines = [place.z - way.found[mate].z for mate in self.mates.get(mark, ()) if mate in way.found]
+        if place.tip or guide is None or not lines:
             return False
-        return all(abs((v / guide).imag) < ALONG * abs(v) for v in links)
+        return all(abs((line / guide).imag) < ALONG * abs(line) for line in lines)
 
     @property
     def fair(self) -> float:
@@ -122,7 +122,7 @@ class SoughtScheme(Search):
             if slider in ends and base in ends and abs(ends[slider] - ends[base]) > 1:
                 u = (ends[slider] - ends[base]) / abs(ends[slider] - ends[base])
                 yield ends[base] - BEYOND_MM * u, ends[slider] + BEYOND_MM * u
-        for slider, u in self.fixed_guides:
+        for slider, u in self.fixed_guides.items():
             if slider in ends:
                 yield ends[slider] - BEYOND_MM * u, ends[slider] + BEYOND_MM * u
 
@@ -154,7 +154,7 @@ def scheme_search(bench: PreparedPlan, ink: InkCover, pole: Place, share: float 
             out.supported.add(slider)
             guide = mechanism.guide(link.slides.guide)
             if guide.name in mechanism.frame.guides:
-                out.fixed_guides.append((slider, cmath.rect(1.0, math.radians(guide.angle_deg))))
+                out.fixed_guides[slider] = cmath.rect(1.0, math.radians(guide.angle_deg))
             elif guide.through_point in labels:
                 out.bases.append((slider, str(guide.through_point)))
     for a, b in [*pairs, *out.bases]:
