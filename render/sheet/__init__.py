@@ -1,9 +1,9 @@
 """One sheet: views composed, the smallest format that holds them, places, frame and title block."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import accumulate, product
 
 from planes.scene import Scene
 from planes.words import Lang, say
@@ -13,15 +13,20 @@ from render.paper.typeset import plain
 from render.sheet.columns import OVER, Columns, Item
 from render.sheet.composer import LARGER
 from render.sheet.frame import FORMATS, Paper, said_cells
-from render.sheet.module import Module
+from render.sheet.module import GAP_MM, Module
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown
 from render.sheet.stacking import Stacking
-from render.views import View
+from render.views import View, plumbed
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
 """How small, against the scene's choice, plans may become where μ is open and no paper holds them; it is said."""
 LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5), "A0": (5.0, 3.5)}
 """Letter heights of tables to try on a format, or on several of it side by side, in mm; equations are a step larger."""
+
+
+Upright = tuple[str, ...]
+UPRIGHT: tuple[Upright, ...] = (("motion", "rates"), ("motion",), ("rates",), ())
+"""Blocks of views that are to stand beneath each other: as many as a format has room for."""
 
 
 @dataclass(frozen=True)
@@ -43,14 +48,17 @@ class Contents:
         """How large plans may be, against the scene's choice."""
         return (1.0, *SMALLER) if self.free else (1.0,)
 
-    def lettered(self, sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
-        """The views with titles as high as their equations."""
+    def lettered(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> tuple[list[View], list[View]]:
+        """The views with titles as high as their equations, in blocks if those stand ``upright``."""
         wanted, spare = self.views(sizes, letter, together)
         wanted = [v for v in wanted if self.extras or not v.extra]
-        wanted, spare = ([replace(v, heading=LARGER[letter]) for v in some] for some in (wanted, spare))
-        return wanted, spare
 
-    def extra(self, sizes: Sizes, letter: float, together: bool) -> list[View]:
+        def shown(v: View) -> View:
+            return replace(v, heading=LARGER[letter], block=v.block if v.block in upright else "")
+
+        return list(map(shown, wanted)), list(map(shown, spare))
+
+    def extra(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> list[View]:
         """The views that wait for room."""
         return [] if self.extras else [v for v in self.views(sizes, letter, together)[0] if v.extra]
 
@@ -89,13 +97,19 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     raise no_room(contents, Paper(papers[-1][-1]), lang)
 
 
-Way = tuple[Sizes, float, bool]
-"""Sizes of plans, a letter height, and whether equations stand under their plans."""
+Way = tuple[Sizes, float, bool, Upright]
+"""Sizes of plans, a letter height, whether equations stand under their plans, and which blocks stand upright."""
+
+
+def ways(sizes: Sizes, name: str) -> Iterator[Way]:
+    """The ways to fill a format, the best looking first."""
+    for upright, letter, together in product(UPRIGHT, LETTERS[name[:2]], (True, False)):
+        yield sizes, letter, together, upright
 
 
 def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | None:
     """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
-    for how in product((Sizes(factor),), LETTERS[name[:2]], (True, False)):
+    for how in ways(Sizes(factor), name):
         wanted, spare = contents.lettered(*how)
         shown = [*wanted, *spare] if whole else wanted
         if (whole or spare) and packed(shown, Paper(name)):
@@ -108,7 +122,7 @@ def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | N
 def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
     """The same with the views that wait for room, where there is some for plans no smaller."""
     more = replace(contents, extras=True)
-    for other in product((how[0],), LETTERS[name[:2]], (True, False)):
+    for other in ways(how[0], name):
         wanted, spare = more.lettered(*other)
         if packed([*wanted, *spare] if whole else wanted, Paper(name)):
             return more, other
@@ -116,12 +130,12 @@ def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[C
 
 
 def enlarged(
-    contents: Contents, sizes: Sizes, letter: float, together: bool, whole: bool, paper: Paper
+    contents: Contents, sizes: Sizes, letter: float, together: bool, upright: Upright, whole: bool, paper: Paper
 ) -> list[tuple[View, float, float]]:
     """Places of the views on the paper, its plans as large as there is room for without spoiling their order."""
 
     def views(sizes: Sizes) -> list[View]:
-        found, spare = contents.lettered(sizes, letter, together)
+        found, spare = contents.lettered(sizes, letter, together, upright)
         return [*found, *spare] if whole else found
 
     x0, y0, x1, y1 = paper.field
@@ -141,17 +155,36 @@ def enlarged(
 
     shown = views(grown(sizes, contents.extents, most, fits))
     order, best = columns_of(shown, stacking).arranged(order)
-    return [(shown[k], spot.x, spot.top) for k, spot in zip(order, best.spots, strict=True)]
+    found, every = [], blocks(shown)
+    for k, spot in zip(order, best.spots, strict=True):
+        tops = accumulate((-v.height - GAP_MM for v in every[k]), initial=spot.top)
+        found += [(v, spot.x, top) for v, top in zip(every[k], tops, strict=False)]
+    return found
+
+
+def blocks(views: Sequence[View]) -> list[list[View]]:
+    """Views that stand beneath each other, whatever is about them: those of one block."""
+    found: list[list[View]] = []
+    for v in views:
+        if v.block and found and found[-1][-1].block == v.block:
+            found[-1].append(v)
+        else:
+            found.append([v])
+    return [plumbed(block) for block in found]
 
 
 def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:
     """What views may fill."""
-    return Stacking(Module(paper.field, paper.taken, max((v.width for v in views), default=0.0)))
+    return Stacking(Module(paper.field, paper.taken, max((v.width for b in blocks(views) for v in b), default=0.0)))
 
 
 def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
     """The views in columns, in the order given."""
-    return Columns([Item(v.width, v.height, v.step, not v.figure) for v in views], stacking)
+    every = blocks(views)
+    high = [sum(v.height + GAP_MM for v in block) - GAP_MM for block in every]
+    wide = [max(v.width for v in block) for block in every]
+    items = [Item(w, h, b[0].step, not b[0].figure) for w, h, b in zip(wide, high, every, strict=True)]
+    return Columns(items, stacking)
 
 
 def packed(views: Sequence[View], paper: Paper) -> bool:
@@ -190,7 +223,7 @@ def unseen(one: View, lang: Lang) -> list[str]:
 
 def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
     """Which view is too large, or that all of them together are; and which format holds them, if one was found to."""
-    views = contents.lettered(Sizes(contents.factors[-1]), LETTERS[paper.name[:2]][-1], False)[0]
+    views = contents.lettered(Sizes(contents.factors[-1]), LETTERS[paper.name[:2]][-1], False, ())[0]
     largest = max(views, key=lambda v: v.width * v.height)
     key = "no_room" if not packed([largest], paper) else "no_room_together"
     tried = product(larger_than(paper), contents.factors)

@@ -47,8 +47,12 @@ class Project:
         c, plotted = self.composer, of_position(position)
         rates = [p for p in drawn_plans(plotted, position) if kind_of(p) != "force"]
         t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together)
+        for k, (plan, v) in enumerate(zip(rates, plans, strict=False)):
+            if v:
+                plans[k] = replace(v, block="rates", plumb=v.inked[0] - c.plan(plotted, plan).inked[0])  # of its pole
+        motion = [v and replace(v, block="motion") for v in (self.many(position), self.diagrams(position, size))]
         steps = {
-            "motion": (self.many(position), self.diagrams(position, size), self.hodographs()),
+            "motion": (*motion, self.hodographs()),
             "rates": (
                 *plans,
                 t.plan("velocity"),

@@ -18,7 +18,8 @@ class View:
     """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none), ``heading`` mm
     high; ``body`` and ``inked`` are what is beneath the title, and its box; ``unseen`` are sentences about what should
     be in it and is not; ``plan`` is whose μ makes it larger ("" for none), ``step`` the part of the calculation it
-    belongs to."""
+    belongs to; views of one ``block`` stand beneath each other where there is room, with their ``plumb`` lines, where
+    they have some, on one vertical."""
 
     key: str
     title: str
@@ -30,6 +31,8 @@ class View:
     step: str = ""
     heading: float = TITLE_MM
     extra: bool = False  # shown only where the format that holds all others has room for it too
+    block: str = ""
+    plumb: float | None = None  # x of the body
 
     @cached_property
     def titled(self) -> tuple[tuple[Mark, ...], Bounds]:
@@ -98,6 +101,14 @@ def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = F
     lefts, lows, rights, tops = zip(*boxes, strict=True)
     box, unseen = (min(lefts), min(lows), max(rights), max(tops)), tuple(s for v in views for s in v.unseen)
     return replace(views[0], key=key, body=tuple(marks), inked=box, unseen=unseen)
+
+
+def plumbed(views: Sequence[View]) -> list[View]:
+    """The views set in from a common left edge so far that their plumb lines are one."""
+    lines = [None if v.plumb is None else v.plumb - v.inked[0] for v in views]
+    far = max((x for x in lines if x is not None), default=0.0)
+    sets = [0.0 if x is None else far - x for x in lines]
+    return [replace(v, inked=(v.inked[0] - by, *v.inked[1:])) if by else v for v, by in zip(views, sets, strict=True)]
 
 
 def beside(views: Sequence[View], gap: float = 8.0, top: float | None = None, left: float = 0.0) -> View:
