@@ -24,6 +24,7 @@ LETTER_MM = 5.0
 SMALL_MM = (8.0, 4.6)  # a block held inside another
 ALONE_MM = 13.0  # of the axis of a guide that is not drawn, on each side of its slider
 LARGE_MM = (14.0, 10.5)  # the block that holds it
+CLEAR_MM = 0.8  # of the end of a rod from a rail
 
 
 @dataclass
@@ -120,10 +121,7 @@ class Scheme:
 
     def size(self, link: Link) -> tuple[float, float]:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
-        here, sliders = self.places.at(link.first_point), [x for x in self.mechanism.links.values() if x.slides]
-        there = (x for x in sliders if x is not link and self.places.has(x.first_point))
-        other = next((x for x in there if abs(self.places.at(x.first_point) - here) < NEAR_MM), None)
-        if other is None:
+        if (other := self.beside(link)) is None:
             return BLOCK_MM
         order = list(self.mechanism.links)
         rank, other_rank = (
@@ -131,6 +129,19 @@ class Scheme:
             for x in (link, other)
         )
         return LARGE_MM if rank > other_rank else SMALL_MM
+
+    def beside(self, link: Link) -> Link | None:
+        """The other slider in the place of one."""
+        here, others = self.places.at(link.first_point), (x for x in self.mechanism.links.values() if x is not link)
+        there = (x for x in others if x.slides and self.places.has(x.first_point))
+        return next((x for x in there if abs(self.places.at(x.first_point) - here) < NEAR_MM), None)
+
+    def beyond(self, link: Link, rod: complex) -> float:
+        """How far a rod runs on beyond a slider on it: no farther than to the rail of the block that holds this one."""
+        if (other := self.beside(link)) is None or self.size(other) != LARGE_MM:
+            return ROD_MM
+        across = abs((rod * self.places.foot(other)[1].conjugate()).imag)
+        return min(ROD_MM, max((LARGE_MM[1] / 2 - CLEAR_MM) / max(across, 1e-9), SMALL_MM[0] / 2 + CLEAR_MM))
 
     def rail_side(self, foot: complex, along: complex) -> int:
         """The side of the slider that is away from the rest of the mechanism."""
@@ -144,8 +155,10 @@ class Scheme:
             return []
         through, along = self.places.line(name)
         ways = [(z - through) * along.conjugate() for z in joints]
-        feet = [((self.places.foot(x)[0] - through) * along.conjugate()).real for x in self.places.sliders(name)]
-        stops = [t + beyond for t in feet for beyond in (-ROD_MM, ROD_MM)]
+        stops = []
+        for x in self.places.sliders(name):
+            foot, far = ((self.places.foot(x)[0] - through) * along.conjugate()).real, self.beyond(x, along)
+            stops += [foot - far, foot + far]
         on = [w.real for w in ways if abs(w.imag) < NEAR_MM]
         reach = on or [w.real for w in ways[:1]]
         if not stops or not reach:
