@@ -106,15 +106,14 @@ def _survey(args: Namespace) -> int:
 
 def structure(args: Namespace) -> int:
     """Links, pairs, groups of Assur, and the self-aligning variant."""
-    from planes.plans import mechanism_plans
+    from planes.plans import mechanism_plans, structure_of
     from planes.plans.alignment import aligned
-    from planes.plans.structure import analyse
     from planes.solving.tables import alignment_report, structure_report
 
     scene = scene_of(args)
     if scene.mechanism is None:
         raise PlanesError(Phrase("no_structure", file=args.scene))
-    found = analyse(scene.mechanism, scene.file)
+    found = structure_of(scene.mechanism, scene.file)
     try:
         variant = aligned(mechanism_plans(scene), scene.file)
     except PlanesError as error:  # the structure is known all the same

@@ -93,6 +93,8 @@ class Note:
         for g in s.groups:
             yield Paragraph(self.say("note_group_kind", links=", ".join(g.links), kind=g.kind, name=g.name))
         yield Paragraph(self.say("note_formula", formula=formula_of(s, self.scene.frame_number, True)))
+        if s.passive:
+            yield Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")
 
     def plans(self) -> Iterator[Block]:
         """Every plan with its equations, its steps in words, and its figure."""

@@ -17,15 +17,16 @@ from planes.plans.following import LawValues
 from planes.plans.kinematics import Rates, SlideReading
 from planes.plans.lever import draw_lever
 from planes.plans.loads import Acting
+from planes.plans.passive import without_passive
 from planes.plans.positions import place_all
 from planes.plans.proving import proofs_of
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.statics import draw_forces
 from planes.plans.structure import Structure, analyse
 from planes.scene import Scene
-from planes.scene.mechanism import FRAME, Law, Mechanism
+from planes.scene.mechanism import FRAME, Law, Link, Mechanism
 from planes.words import Phrase
-from planes.words.errors import ProgramError, SceneError
+from planes.words.errors import ProgramError, SceneError, StructureError
 from planes.words.names import HELPERS, Meaning, at, kind_of, mu_of
 
 
@@ -70,6 +71,7 @@ class Plans:
     laws: Mapping[str, SceneError]
     means: Mapping[str, Meaning]  # of the names whose makers say so
     off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
+    passive: tuple[Link, ...] = ()  # that hold what is held already: the mechanism is stated without them
 
     @property
     def drive_given(self) -> str:
@@ -131,13 +133,26 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
     Whatever is read of the plans, and however little: a proof of theirs that fails in the scene's own position is a
     :class:`Contradiction` here.
     """
-    structure = analyse(mechanism, file)
+    try:
+        structure = analyse(mechanism, file)
+    except StructureError:
+        if plans := without_passive(mechanism, plans_of):
+            return plans
+        raise
     try:
         plans = _state(mechanism, structure, file)
     except ProgramError as error:
         raise SceneError(error.phrase, file, mechanism.where.get(("links",))) from None
     proved(plans.program, {**plans.given, **{mu_of(plan): 1.0 for plan in plans.drawn}})
     return plans
+
+
+def structure_of(mechanism: Mechanism, file: str = "") -> Structure:
+    """The structure alone, without its passive links. :class:`StructureError` where it has none."""
+    try:
+        return analyse(mechanism, file)
+    except StructureError:
+        return plans_of(mechanism, file).structure
 
 
 def mechanism_plans(scene: Scene) -> Plans:

@@ -76,6 +76,7 @@ class Structure:
     drive_pair: Pair
     groups: tuple[Group, ...]
     driver: str
+    passive: tuple[str, ...] = ()  # links it is found without, which hold what is held already
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
@@ -85,7 +86,8 @@ class Structure:
     def json(self) -> Json:
         """W, q, formula and groups as the JSON has them."""
         groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in self.groups]
-        return {"W": self.W, "q": self.q, "formula": self.formula, "groups": groups}
+        passive = {"passive": list(self.passive)} if self.passive else {}
+        return {"W": self.W, "q": self.q, "formula": self.formula, "groups": groups, **passive}
 
     @property
     def formula(self) -> str:

@@ -15,8 +15,9 @@ def warnings(
     reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing], lang: Lang
 ) -> list[str]:
     """The sentences, those of a kind together."""
-    blunt = _blunt(reader, lang).items()
-    said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
+    blunt, passive = _blunt(reader, lang).items(), reader.stated.structure.passive
+    said = [say("passive", lang, links=", ".join(passive))] if passive else []
+    said += [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
     for reason, step, _ in reader.drawing.tool.notes:
         said.append(say(reason, lang, makes=index_of(str(getattr(step, "makes", "")))))
     rough, none = _doubts(reader, wanted, given)

@@ -98,6 +98,8 @@ class Project:
                 text = say("group_of_kind", c.lang, links="–".join(map(c.naming.link, g.links)), kind=g.kind)
                 parts.append(self.part(position, g.links, text, False, letter))
             lines = [";  ".join(counted(structure)), formula_of(structure, c.naming.frame, True)]
+            passive = ", ".join(map(c.naming.link, structure.passive))
+            lines += [say("passive_link", c.lang, links=passive)] if passive else []
             high = LARGER[letter]
             marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
             whole = stacked("structure", [beside(parts), view("formula", "", marks)])

@@ -92,11 +92,16 @@ class Places:
         """The mechanism that is drawn."""
         return self.position.plans.mechanism
 
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """The moving links, those too that only hold what is held already."""
+        return *self.mechanism.links.values(), *self.position.plans.passive
+
     @cached_property
     def shared(self) -> dict[str, list[str]]:
         """Points of more than one link, with those links: the hinges."""
         held: dict[str, list[str]] = {}
-        for link in (self.mechanism.frame, *self.mechanism.links.values()):
+        for link in (self.mechanism.frame, *self.links):
             for point in link.points:
                 held.setdefault(point, []).append(link.name)
         return {point: owners for point, owners in held.items() if len(owners) > 1}
@@ -132,6 +137,8 @@ class Places:
         """A point of a guide's line and its direction."""
         given = self.mechanism.guide(guide)
         label = given.through_point or f"°{guide}"
+        if f"∥{guide}" not in self.position.drawing:  # nothing that moves is placed by it
+            return self.position.scales[mu_of(SCHEME)] * given.through, cmath.rect(1.0, math.radians(given.angle_deg))
         along = complex(self.position.drawing[f"∥{guide}"])
         if self.has(label):
             return self.at(label), along

@@ -47,7 +47,7 @@ class Scheme:
     def __post_init__(self) -> None:
         self.places = Places(self.position)
         self.mechanism, self.shared = self.places.mechanism, self.places.shared
-        self.links = [x for n, x in self.mechanism.links.items() if not self.only or n in self.only]
+        self.links = [x for x in self.places.links if not self.only or x.name in self.only]
 
     def drawn(
         self, arrows: bool = True, marks: Sequence[Mark] = (), named: Sequence[labels.Label] = ()

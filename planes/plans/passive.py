@@ -1,0 +1,108 @@
+"""Passive constraints: links that hold what is held already, without which a mechanism moves the same.
+
+By Chebyshev's count such a mechanism has W < 1; it moves all the same, for the count does not know sizes (an
+ellipsograph with its crank, a double parallelogram). A link of two pairs that carries nothing is passive if what it
+holds keeps its distance as the mechanism moves without it, in one of its assemblies.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from itertools import combinations
+from types import MappingProxyType
+from typing import Any, TypeVar
+
+from planes.drafting.drawing import run
+from planes.geometry.arrays import Array
+from planes.scene.mechanism import FRAME, Assembly, Link, Mechanism
+from planes.words import Phrase
+from planes.words.errors import PlanesError, SceneError
+from planes.words.names import at
+
+Stated = TypeVar("Stated", bound=Any)  # the plans of a mechanism
+NEAR_DEG, NEAR = 20.0, 0.1  # how far the driver is moved to either side, of the mechanism's size if it slides
+PLACES = 21  # of the driver on a side, at which the distances are looked at
+LEAST = 5  # of them at which the mechanism must work
+SAME = 1e-9  # of the mechanism's size
+MOST = 2  # links that are left out together
+
+
+def without_passive(mechanism: Mechanism, stated: Callable[[Mechanism], Stated]) -> Stated | None:
+    """The plans of the mechanism without its passive links, as ``stated`` states them; None where it has none."""
+    links = [link for link in reversed(list(mechanism.links.values())) if _may_go(mechanism, link)]
+    for count in range(1, MOST + 1):
+        for gone in combinations(links, count):
+            for plans in _assembled(_without(mechanism, gone), stated):
+                if not plans.passive and all(_held(plans, link) for link in gone):
+                    named = replace(plans.structure, passive=tuple(link.name for link in gone))
+                    return replace(plans, structure=named, passive=gone)
+    return None
+
+
+def _assembled(mechanism: Mechanism, stated: Callable[[Mechanism], Stated]) -> Iterator[Stated]:
+    """The plans in every assembly of groups of which the scene says nothing: the link that goes would tell."""
+    try:
+        yield stated(mechanism)
+    except SceneError as error:
+        offers: Any = error.phrase.parts.get("offers", ()) if isinstance(error.phrase, Phrase) else ()
+        for offer in offers:
+            said = {offer.parts["key"]: Assembly(order=offer.parts["word"])}
+            yield from _assembled(replace(mechanism, assembly={**mechanism.assembly, **said}), stated)
+    except PlanesError:
+        return
+
+
+def _may_go(mechanism: Mechanism, link: Link) -> bool:
+    """Whether a link only holds: two pairs, no mass, no load, no guide of its own."""
+    loaded = any(link.name == load.link for load in mechanism.loads)
+    held = len(list(_hinges(mechanism, link))) + bool(link.slides)
+    on_frame = link.slides is None or mechanism.owner(link.slides.guide) == FRAME
+    idle = not (link.mass or link.inertia or link.guides or loaded)
+    return idle and held == 2 and on_frame and link.name != mechanism.drive.link
+
+
+def _hinges(mechanism: Mechanism, link: Link) -> Iterator[str]:
+    """The points of a link that are points of others too."""
+    others = [x for x in (mechanism.frame, *mechanism.links.values()) if x is not link]
+    return (p for p in link.points if any(p in x.points for x in others))
+
+
+def _without(mechanism: Mechanism, gone: Sequence[Link]) -> Mechanism:
+    """The mechanism without some links, and without the assemblies of points that go with them."""
+    links = {name: x for name, x in mechanism.links.items() if x not in gone}
+    points = {p for x in (mechanism.frame, *links.values()) for p in x.points}
+    kept = {name: how for name, how in mechanism.assembly.items() if name in points or name not in mechanism.names}
+    return replace(mechanism, links=MappingProxyType(links), assembly=MappingProxyType(kept))
+
+
+def _held(plans: Any, link: Link) -> bool:
+    """Whether what a link held keeps its distance without it."""
+    import numpy
+
+    drive, points = plans.mechanism.drive, [p for p in link.points if p in plans.mechanism.names]
+    program = plans.program.sliced([at("position", p) for p in points])
+    reach = NEAR_DEG if drive.kind == "phi" else NEAR * plans.reach
+    held = False
+    for side in (1.0, -1.0):  # a dead point, beyond which it is assembled otherwise, may be near
+        values = drive.position + side * numpy.linspace(0.0, reach, PLACES)
+        drawn = run(program, {**plans.given, "mu_position": 1.0, plans.drive_given: values})
+        spots = [numpy.broadcast_to(numpy.asarray(drawn[at("position", p)]), values.shape) for p in points]
+        off = _off(plans.mechanism, link, spots)
+        works = numpy.isfinite(off)
+        held |= bool(works.sum() >= LEAST and (abs(off[works]) <= SAME * plans.reach).all())
+    return held
+
+
+def _off(mechanism: Mechanism, link: Link, spots: Sequence[Array]) -> Array:
+    """How far what a link held is from where it held it."""
+    if link.slides:
+        guide = mechanism.guide(link.slides.guide)
+        along = cmath.rect(1.0, math.radians(guide.angle_deg))
+        across: Array = ((spots[0] - guide.through) * along.conjugate()).imag.astype(float)
+        return across - (link.slides.offset or 0.0)
+    one, other = (link.points[p] for p in link.points if p in mechanism.names)
+    apart: Array = abs(spots[1] - spots[0])
+    return apart - abs(other - one)

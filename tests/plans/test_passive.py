@@ -1,0 +1,92 @@
+"""Passive constraints: mechanisms that move though they are held too often are solved without what holds twice."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+import numpy as np
+import pytest
+
+from planes import solve
+from planes.batch import Cycle
+from planes.documents.sheets import sheet_of
+from planes.plans import mechanism_plans
+from planes.scene import loads
+from planes.words.errors import StructureError
+from render.paper.marks import Text
+
+TRAMMEL = """\
+planes: 1
+frame: {{points: {{O: [0, 0]}}, guides: {{x-x: {{y: 0}}, y-y: {{x: 0}}}}}}
+links:
+  1: {{points: {{O: 0, C: 0.1}}}}
+  2: {{points: {{C: 0, A: 0.1, B: {far}}}{more}}}
+  3: {{points: {{A: 0}}, slides: x-x}}
+  4: {{points: {{B: 0}}, slides: y-y}}
+drive: {{link: 1, phi: {phi}, omega: 10, epsilon: 3}}
+"""
+PARALLELOGRAM = """\
+planes: 1
+frame: {{points: {{O: [0, 0], D: [0.4, 0], E: [0.8, 0]}}}}
+links:
+  1: {{points: {{O: 0, A: 0.1}}}}
+  2: {{points: {{A: 0, B: 0.4, C: 0.8}}}}
+  3: {{points: {{D: 0, B: 0.1}}}}
+  4: {{points: {{E: 0, C: {crank}}}{mass}}}
+assembly: {{B: left}}
+drive: {{link: 1, phi: {phi}, omega: 10}}
+"""
+
+
+def trammel(phi: float = 40, far: float = -0.1, more: str = "") -> str:
+    return TRAMMEL.format(phi=phi, far=far, more=more)
+
+
+def parallelogram(phi: float = 40, crank: float = 0.1, mass: str = "") -> str:
+    return PARALLELOGRAM.format(phi=phi, crank=crank, mass=mass)
+
+
+@pytest.mark.parametrize("phi", [5.0, 40.0, 77.0, 130.0, 251.0, 300.0])
+def test_an_ellipsograph_with_its_crank_in_closed_form(phi: float) -> None:
+    """A = 2r cos φ on x, B = 2r sin φ on y; their rates are its derivatives."""
+    found = solve(loads(trammel(phi)))
+    angle, r, w, e = math.radians(phi), 0.1, 10.0, 3.0
+    sin, cos = math.sin(angle), math.cos(angle)
+    assert found.r["A"] == pytest.approx(2 * r * cos, abs=1e-12) and found.r["B"] == pytest.approx(
+        2j * r * sin, abs=1e-12
+    )
+    assert found.v["A"] == pytest.approx(-2 * r * w * sin, abs=1e-10)
+    assert found.v["B"] == pytest.approx(2j * r * w * cos, abs=1e-10)
+    assert found.a["A"] == pytest.approx(-2 * r * (w * w * cos + e * sin), abs=1e-8)
+    assert found.a["B"] == pytest.approx(-2j * r * (w * w * sin - e * cos), abs=1e-8)
+    assert "link 4 holds what is held already" in " ".join(found.results["warnings"])
+
+
+@pytest.mark.parametrize("phi", [2.0, 40.0, 120.0, 178.0])
+def test_a_double_parallelogram_goes_round_in_a_circle(phi: float) -> None:
+    found = solve(loads(parallelogram(phi)))
+    arm = 0.1 * cmath.exp(1j * math.radians(phi))
+    for point, start in zip("ABC", (0.0, 0.4, 0.8), strict=True):
+        assert found.r[point] == pytest.approx(start + arm, abs=1e-11)
+        assert found.v[point] == pytest.approx(10j * arm, abs=1e-9)
+
+
+@pytest.mark.parametrize("scene", [trammel(far=-0.1001), trammel(far=-0.1 - 1e-7), parallelogram(crank=0.1002)])
+def test_what_is_held_too_often_by_a_little_is_refused(scene: str) -> None:
+    with pytest.raises(StructureError, match="W = 3·4 - 2·6 = 0"):
+        mechanism_plans(loads(scene))
+
+
+def test_a_link_that_carries_something_is_not_the_one_left_out() -> None:
+    assert mechanism_plans(loads(parallelogram(mass=", mass: 3"))).structure.passive == ("3",)
+
+
+def test_every_reader_draws_or_tells_the_passive_link() -> None:
+    scene = loads(trammel())
+    plans = mechanism_plans(scene)
+    assert plans.structure.json()["passive"] == ["4"] and [x.name for x in plans.passive] == ["4"]
+    texts = {m.text for m in sheet_of(scene, None, number=1).marks if isinstance(m, Text)}
+    assert "4" in texts and any("пассивная связь" in t for t in texts)
+    (block,) = Cycle(plans, ["v_B"]).blocks(np.array([20.0, 40.0]))
+    assert np.allclose(block.table[:2].ravel(order="F")[:2], [0.0, 2 * math.cos(math.radians(20))], atol=1e-9)
