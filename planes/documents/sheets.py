@@ -118,7 +118,7 @@ class DrawnPosition:
     def at(self, sizes: Sizes, larger: float = 1.0) -> Position:
         """The position at the scene's scales, or smaller where no paper holds its plans so, each drawn once; its
         scheme so much ``larger``. :class:`PlanesError` where it cannot be drawn."""
-        fits = {kind: sizes.factor * mm for kind, mm in fits_on(self.scene.sheet).items()}
+        fits = {kind: sizes.factor * mm for kind, mm in fits_on(self.scene.sheet, self.stated[0]).items()}
         fits["position"] *= larger
         key = sizes.factor, self.scene.mu.get("position") or fitting("position", self.wide, fits["position"])
         if key not in self.kept:
@@ -133,7 +133,7 @@ class DrawnPosition:
     @cached_property
     def first(self) -> Position:
         """The position at the scene's scales."""
-        return self._drawn(fits_on(self.scene.sheet))
+        return self._drawn(fits_on(self.scene.sheet, self.stated[0]))
 
     @property
     def wide(self) -> float:

@@ -39,7 +39,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
     plans, _ = plans_of(scene, shown=True)
     try:
-        mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet))
+        mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
         given = {**plans.given, **mus}
         drawing = run(plans.program, given)
     except PlanFailure as failure:

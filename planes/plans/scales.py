@@ -17,12 +17,15 @@ FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 
 """How large a plan may be on the paper when nothing else is said."""
 SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 """How large plans are on a format that a scene names, against the usual: as its sides are."""
+USUAL_GROUPS = 2  # the plans of more need a larger format
 ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn at its μ
 
 
-def fits_on(sheet: Mapping[str, object]) -> dict[str, float]:
-    """How large each kind of plans may be on the format that is named for the sheets of a scene."""
-    share = SHARES.get(str(sheet.get("format", ""))[:2], 1.0)
+def fits_on(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
+    """How large each kind of plans may be on the format that is named for the sheets of a scene, or on one that holds
+    plans of so many groups."""
+    usual = SHARES["A1"] if len(plans.structure.groups) > USUAL_GROUPS else 1.0
+    share = SHARES.get(str(sheet.get("format", ""))[:2], usual)
     return {kind: share * mm for kind, mm in FIT_MM.items()}
 
 

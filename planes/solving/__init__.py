@@ -209,7 +209,7 @@ def position(
     """One position drawn at its scales (an open μ: the largest with which the plan fits
     ``fit_mm``, or the sheet the scene names) and measured."""
     moved = plans.at(value)
-    mus = scales(plans, scene.mu, moved, fit_mm or fits_on(scene.sheet))
+    mus = scales(plans, scene.mu, moved, fit_mm or fits_on(scene.sheet, plans))
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)
     exact = drawing if is_exact(instrument) else None

@@ -109,7 +109,7 @@ def prepare(asked: Asked) -> PreparedPlan:
     if asked.plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=choices(asked.plan, known)))
     moved = {} if asked.value is None else plans.at(asked.value)
-    given = {**plans.given, **scales(plans, asked.scene.mu, moved, fits_on(asked.scene.sheet)), **moved}
+    given = {**plans.given, **scales(plans, asked.scene.mu, moved, fits_on(asked.scene.sheet, plans)), **moved}
     if asked.mu:
         given[mu_of(asked.plan)] = asked.mu
     marks = marks_of(plans, asked.plan)
