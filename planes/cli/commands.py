@@ -109,7 +109,7 @@ def structure(args: Namespace) -> int:
     from planes.plans import mechanism_plans
     from planes.plans.alignment import aligned
     from planes.plans.structure import analyse
-    from planes.solving.tables import alignment_report, structure_report
+    from planes.solving.structure_text import alignment_report, structure_report
 
     scene = scene_of(args)
     if scene.mechanism is None:

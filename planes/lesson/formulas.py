@@ -23,6 +23,7 @@ _LETTERS = {
     "kgm2": "J",
     "N": "G I P F N T FZ Fb",
     "N·m": "M MI MR MP MZ",
+    "W": "PT",
 }
 UNITS = {letter: key for key, letters in _LETTERS.items() for letter in letters.split()}
 
