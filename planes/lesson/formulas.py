@@ -16,7 +16,7 @@ SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
 _LETTERS = {
     "rad/s": "omega",
     "rad/s²": "epsilon",
-    "m/s": "v vq",
+    "m/s": "v vq H",
     "m/s²": "a g",
     "m": "l h e r s arm",
     "kg": "m",

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count, groupby
 
-from planes.lesson import Frame, Teller, mu_said, value_of
+from planes.lesson import Teller, mu_said, value_of
 from planes.lesson.formulas import fill, unit
+from planes.lesson.frame import Frame
 from planes.plans.law_words import law_said
 from planes.plans.loads import load_names
 from planes.plans.measuring import counted, formula_of, lettering, say_plan

@@ -57,6 +57,8 @@ class Naming:
         letter, _, index = base.partition("_")
         if letter == "MR":
             return f"M({self.vector(index)})"
+        if letter == "arm":
+            return f"h_{{{flat(self.vector(index))}}}"
         if letter in ("MZ", "FZ"):
             letter, part = letter[0], "Ж" if self.lang == "ru" else "Z"
         letter, analogue = rate_of(letter)
