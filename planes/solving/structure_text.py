@@ -18,14 +18,15 @@ def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) ->
     return "\n".join(lines)
 
 
-def alignment_report(found: Aligned, lang: Lang = "en") -> str:
-    """The self-aligning variant: the count of Somov and Malyshev, and what every pair becomes."""
+def alignment_report(found: Aligned, lang: Lang = "en", frame: str = FRAME) -> str:
+    """The self-aligning variant: the count of Somov and Malyshev, and what every pair becomes; ``frame`` is the number
+    of the frame."""
     p1, p2, p3 = found.counts
     lines = [
         say("alignment", lang, n=found.n, p1=p1, p2=p2, p3=p3),
         say("alignment_W", lang, a=6 * found.n, b=5 * p1, c=4 * p2, d=3 * p3, W=found.W, q=found.q),
     ]
     for pair, sign in found.pairs:
-        name, links = pair.point or pair.guide, f"{pair.other}–{pair.link}"
+        name, links = pair.point or pair.guide, "–".join(frame if x == FRAME else x for x in (pair.other, pair.link))
         lines.append("  " + say("alignment_pair", lang, name=name, links=links, sign=say(f"sign_{sign}", lang)))
     return "\n".join(lines)

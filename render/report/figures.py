@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from planes.plans.alignment import aligned
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
 from render import charts
@@ -17,6 +18,7 @@ from render.labels.footprints import bounds
 from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.sheet.composer import Composer
 from render.views import View, beside, stacked, view
+from render.views.alignment import alignment_view
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
@@ -104,6 +106,9 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
         return composer.formulas(plotted, (plan,), LETTER_MM[alone], "")
     if kind == "scheme":
         return view(name, "", Scheme(block.position, composer.naming).drawn())
+    if kind == "self-aligning":
+        found = aligned(block.position.plans, block.scene.file)
+        return alignment_view(block.position, found, composer.naming, "", LETTER_MM[alone])
     if plotted.still(name):
         return None
     return view(name, "", Polygon(plotted, name, composer.naming, counted=composer.details).drawn())

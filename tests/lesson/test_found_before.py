@@ -13,7 +13,7 @@ from planes.lesson.note import Note
 from planes.plans.loads import load_names
 from planes.scene import load
 from planes.solving import solve
-from planes.solving.document import Paragraph
+from planes.solving.document import DocumentTable, Paragraph
 from tests.helpers import ROOT
 
 SCENES = sorted(p for f in ("", "assignments") for p in (ROOT / "samples" / f).glob("*.yaml") if p.stem != "vectors")
@@ -48,6 +48,18 @@ def test_the_second_example_has_its_printed_numbers():
     assert "⟨N_F_30⟩ = 18.7 mm / 0.025 = −746.7 N" in told
     assert "⟨T_F_30⟩ = 2.8 mm / 0.025 = 112 N" in told
     assert "⟨PT_F_30⟩ = ⟨T_F_30⟩ · ⟨v_slide_3⟩ = 112 · (−2.1) = −235.2 W" in told
+
+
+def test_relations_by_segments_the_self_aligning_variant_and_the_remark_are_told():
+    scene = load(ROOT / "samples" / "six-link.yaml")
+    blocks = Note(scene, solve(scene).positions[0], "en").blocks()
+    rows = [row for b in blocks if isinstance(b, DocumentTable) for row in b.rows]
+    assert ("v_{qC}", "pc·l_{AB}/pb", "0.120", "m") in rows
+    assert ("u_{31}", "pc·l_{AB}/(pb·l_{DC})", "0.801", "") in rows
+    told = sentences("six-link")
+    assert "W = 6n − 5p1 − 4p2 − 3p3 = 30 − 10 − 16 − 3 = 1, q = 0" in told and "C (2–3): spherical 3S" in told
+    assert "D (6–3)" in told
+    assert " ".join(scene.note["en"].split()) in told
 
 
 def test_inertia_arms_and_single_links_are_told():
