@@ -228,7 +228,7 @@ class Teller:
         plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
         found = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
-        return found + [self.seated(r) for r in seats if r.arm in self.drawing]
+        return found + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
 
 
 def shown_on(step: s.Step) -> str:
