@@ -20,7 +20,7 @@ from planes.drafting.instruments import Instrument, Pencil
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.measuring import DrawingReader
-from planes.plans.quantities import Column, Measured, Quantity, nested, results_of
+from planes.plans.quantities import Column, Measured, Quantity, nested, told_of
 from planes.solving import Position, Solved
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, mu_of
@@ -60,7 +60,7 @@ class Errors:
     """The ± of results of one mechanism: a bound for an exact drawing, one standard deviation for a pencil's."""
 
     def __init__(self, plans: Plans, wanted: Iterable[Quantity] | None, position: Position, by: Instrument | None):
-        self.quantities = results_of(plans, wanted)
+        self.quantities = told_of(plans, wanted)
         reader = DrawingReader(plans, position.drawing, position.scales)
         self.segments = {f"{p}:{k}": s for p in plans.drawn for k, s in reader.plan_segments(p).items()}
         columns = {c.name: c for q in self.quantities for c in q.columns}

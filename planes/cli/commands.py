@@ -108,7 +108,7 @@ def structure(args: Namespace) -> int:
     """Links, pairs, groups of Assur, and the self-aligning variant."""
     from planes.plans import mechanism_plans, structure_of
     from planes.plans.alignment import aligned
-    from planes.solving.tables import alignment_report, structure_report
+    from planes.solving.structure_text import alignment_report, structure_report
 
     scene = scene_of(args)
     if scene.mechanism is None:

@@ -4,10 +4,8 @@ One frame a mark; what is measured after an equation is drawn is a frame of its 
 Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
 """
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
 from functools import partial
-from typing import TypeVar
 
 from planes.drafting import steps as s
 from planes.drafting.draft import Moments
@@ -16,38 +14,17 @@ from planes.drafting.equations import Equation
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import formula, slot, slots, unit
+from planes.lesson.formulas import formula, slot, unit
+from planes.lesson.frame import Frame, in_both
+from planes.lesson.reckoning import Reckoning
 from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
 from planes.plans import Plans
+from planes.plans.reactions import Reaction
 from planes.words import Lang, decimal, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of
 from planes.words.units import Convention, mu_text, number
 
 NOTHING: Names = {}
-One = TypeVar("One")
-LANGS: tuple[Lang, ...] = ("ru", "en")
-
-
-def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
-    """What is told, in either language."""
-    return {lang: told(lang) for lang in LANGS}
-
-
-@dataclass(frozen=True)
-class Frame:
-    """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
-    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by
-    language; ``moments`` the index of the moment equation it states."""
-
-    key: str
-    plan: str
-    makes: tuple[str, ...]
-    uses: tuple[str, ...]
-    equation: int | None
-    terms: tuple[str, ...]
-    said: Mapping[Lang, str]
-    why: Mapping[Lang, str]
-    moments: int | None = None
 
 
 class Teller:
@@ -73,6 +50,7 @@ class Teller:
         marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials]
         self.ends = {shown_on(x): x.makes for x in marks if kind_of(shown_on(x)) == "force"}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
+        self.reckoning = Reckoning(plans, self.made, self.divided)
         self.words = StepWords(plans, drawing, self.made)
 
     def frames(self) -> list[Frame]:
@@ -91,7 +69,21 @@ class Teller:
             found.append(self.mark(step))
             if step.makes == self.ends.get(shown_on(step)):
                 found += self.closing(shown_on(step))
-        return found + self.readings(readings, found)
+        return self.in_order(found + self.readings(readings, found))
+
+    def in_order(self, frames: list[Frame]) -> list[Frame]:
+        """The frames, each after one that finds whatever number it needs and none before it told."""
+        reckoning, found = self.reckoning, list[Frame]()
+        for f in frames:
+            if steps := reckoning.missing(f.said["en"]):
+                arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
+                terms = tuple(force for force, arm in arms if arm in {step.makes for step in steps})
+                names: Names = {"readings": partial(reckoning.readings, steps)}
+                reason = "found_arms" if terms else "found_values"
+                found.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
+            reckoning.tell(f.said["en"])
+            found.append(f)
+        return found
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
@@ -191,11 +183,12 @@ class Teller:
             return f"⟨{name}⟩ = 0"
         read, mu = f"‖{name}‖", mu_of(plan)
         self.spans[read] = (*span, mu)
-        names = {"mm": slot(read, "mm", mu), "by": self.divided(self.scales[mu], lang), "value": slot(read)}
+        names = {"mm": slot(read, "mm", mu), "by": self.divided(mu, lang), "value": slot(read)}
         return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
 
-    def divided(self, mu: float, lang: Lang) -> str:
-        """How a length on paper becomes a value."""
+    def divided(self, scale: str, lang: Lang) -> str:
+        """How a length on paper becomes a value at a scale, by its name."""
+        mu = self.scales[scale]
         return f"/ {number(mu, lang)}" if self.convention == "mm_per_unit" else f"· {number(1 / mu, lang, 3)}"
 
     def closing(self, plan: str) -> list[Frame]:
@@ -205,7 +198,25 @@ class Teller:
         if drive.kind == "s" and plan == force_plan(drive.link):
             names.append(self.plans.balancing)
         names = list(dict.fromkeys(names))
-        return [self.read_off("closing", plan, names, [])] if names else []
+        found = [self.read_off("closing", plan, names, [])] if names else []
+        found += [self.frame("apart", plan, names=own, terms=(own["force"],)) for own in self.words.apart(plan)]
+        return found + [self.rubbing(plan, r) for r in self.plans.reactions.values() if r.plan == plan and r.friction]
+
+    def rubbing(self, plan: str, r: Reaction) -> Frame:
+        """Both parts of a reaction with friction, and the power of friction."""
+        readings = partial(self.reckoning.readings, [self.made[n] for n in (r.normal, r.friction, r.power)])
+        return self.frame("friction", plan, names={"force": r.key, "readings": readings}, terms=(r.key,))
+
+    def seated(self, r: Reaction) -> Frame:
+        """The arm at which a slider's reaction acts, from its couple."""
+        arm = self.made[r.arm]
+        assert isinstance(arm, Calculate)
+        names: Names = {
+            "force": r.key,
+            "formula": lambda lang: formula(arm, lang),
+            "mm": slot(r.arm, "mm", mu_of("position")),
+        }
+        return self.frame("seated", r.plan, names=names, terms=(r.key,))
 
     def moment(self, step: s.Step) -> list[Frame]:
         """A moment equation with its numbers."""
@@ -215,7 +226,9 @@ class Teller:
         m: Moments = self.plans.moments[index]
         key, names, terms = moment_words(m, step, self.cycle)
         plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
-        return [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
+        found = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
+        seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
+        return found + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
 
 
 def shown_on(step: s.Step) -> str:
@@ -226,11 +239,6 @@ def shown_on(step: s.Step) -> str:
 def mu_said(mu: float, plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
     """The scale of a plan as the language writes it; the lever is drawn as velocities are."""
     return decimal(mu_text(mu, "velocity" if plan == "lever" else kind_of(plan), lang, convention), lang)
-
-
-def needed(frames: list[Frame]) -> list[str]:
-    """Names of all values the sentences need, in order."""
-    return list(dict.fromkeys(name for f in frames for text in f.said.values() for name in slots(text)))
 
 
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:

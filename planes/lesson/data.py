@@ -15,8 +15,9 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.geometry.arrays import Array, Booleans, Floats
-from planes.lesson import Teller, in_both, mu_said, needed, value_of
+from planes.lesson import Teller, mu_said, value_of
 from planes.lesson.formulas import unit
+from planes.lesson.frame import in_both, needed
 from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole

@@ -16,13 +16,14 @@ SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
 _LETTERS = {
     "rad/s": "omega",
     "rad/s²": "epsilon",
-    "m/s": "v vq",
+    "m/s": "v vq H",
     "m/s²": "a g",
     "m": "l h e r s arm",
     "kg": "m",
     "kgm2": "J",
     "N": "G I P F N T FZ Fb",
     "N·m": "M MI MR MP MZ",
+    "W": "PT",
 }
 UNITS = {letter: key for key, letters in _LETTERS.items() for letter in letters.split()}
 

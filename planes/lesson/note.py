@@ -6,8 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count, groupby
 
-from planes.lesson import Frame, Teller, mu_said, value_of
+from planes.lesson import Teller, mu_said, value_of
 from planes.lesson.formulas import fill, unit
+from planes.lesson.frame import Frame
+from planes.lesson.transfers import TransferFunctions
+from planes.plans.alignment import aligned
 from planes.plans.law_words import law_said
 from planes.plans.loads import load_names
 from planes.plans.measuring import counted, formula_of, lettering, say_plan
@@ -17,8 +20,10 @@ from planes.scene.mechanism import FRAME, Drive, Load, LoadLaw, Mechanism
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.given import GivenTable
+from planes.solving.structure_text import alignment_report
 from planes.solving.tables import difference
 from planes.words import Lang, decimal, say
+from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of, mu_of
 from planes.words.units import number
@@ -38,6 +43,7 @@ class Note:
         p = self.position
         self.teller = Teller(p.plans, p.drawing, p.scales, convention=self.scene.mu_convention)
         self.frames = self.teller.frames()
+        self.naming = Naming(self.lang, **lettering(self.scene, p.plans))
         self.tables = self.figures = 0
         self.given: set[str] = set()  # reasons given already
 
@@ -70,11 +76,12 @@ class Note:
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
         asked = tuple(f"⟨{name}⟩" for name in self.scene.find or ())
         yield Paragraph(self.say("note_task_find" if asked else "note_task", title=title, drive=where, names=asked))
-        naming = Naming(self.lang, **lettering(self.scene, plans))
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
-        rows = GivenTable(self.position, naming, self.scene.parameters).rows()
+        rows = GivenTable(self.position, self.naming, self.scene.parameters).rows()
         yield from self.table("note_given_table", head, [*rows, *self.laws()])
         yield from map(Paragraph, conditions(plans.mechanism, self.lang, plans.forces))
+        if remark := self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""):
+            yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""
@@ -95,6 +102,18 @@ class Note:
         yield Paragraph(self.say("note_formula", formula=formula_of(s, self.scene.frame_number, True)))
         if s.passive:
             yield Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")
+        yield from self.self_aligning() if self.scene.find is None else ()
+
+    def self_aligning(self) -> Iterator[Block]:
+        """The variant without redundant constraints, where there is one."""
+        try:
+            found = aligned(self.position.plans, self.scene.file)
+        except PlanesError:
+            return
+        count, numbers, *pairs = alignment_report(found, self.lang, self.naming.frame).splitlines()
+        yield Paragraph(f"{self.say('note_self_aligning')} {count}.")
+        yield Paragraph(f"{numbers}: {'; '.join(pair.strip() for pair in pairs)}.")
+        yield self.figure("self-aligning", self.say("note_aligned"))
 
     def plans(self) -> Iterator[Block]:
         """Every plan with its equations, its steps in words, and its figure."""
@@ -104,12 +123,20 @@ class Note:
             if plan not in ("position", "lever"):
                 yield self.figure(f"equations {plan}")
             yield from [self.prose(frame, next(numbers)) for _, frame in frames]
-            if plan != "lever":
-                yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
-            else:
+            if plan == "lever":
                 yield from self.compared()
+                continue
+            yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
+            if plan == "velocity":
+                yield from self.transfers()
         if self.scene.find is None and not self.position.plans.forces:
             yield Paragraph(self.say("note_no_forces"))
+
+    def transfers(self) -> Iterator[Block]:
+        """Analogues of velocities and ratios by segments of the velocity plan."""
+        rows = [tuple(row) for row in TransferFunctions(self.position, self.naming).rows()]
+        head = tuple(map(self.say, ("quantity", "note_by_segments", "value", "note_unit")))
+        yield from self.table("transfers_table", head, rows)
 
     def placed(self) -> Iterator[tuple[str, Frame]]:
         """Frames with the plan they are told under: a moment equation under the plan it serves."""

@@ -20,8 +20,8 @@ from planes.drafting.steps import Image, LayOff, Similar, Step
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.geometry.arrays import Points
-from planes.lesson import Frame, in_both
 from planes.lesson.formulas import slots
+from planes.lesson.frame import Frame, in_both
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.errors import PlanesError

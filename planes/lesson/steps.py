@@ -15,8 +15,9 @@ from planes.drafting.steps.reckoning import Calculate, Choose, Measure, Product
 from planes.lesson.formulas import formula, sides, slot, unit
 from planes.plans import Plans
 from planes.plans.law_words import law_said
+from planes.plans.loads import force_name
 from planes.words import Lang, say
-from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
+from planes.words.names import Meaning, kind_of, label_of, lettered, links_of, plan_of
 from planes.words.units import number
 
 Said = str | Callable[[Lang], str]  # a text, or what is told in each language
@@ -144,6 +145,17 @@ class StepWords:
         read = partial(law_said, law, self.plans.mechanism.drive, "⟨{}⟩".format)
         return lambda lang: say("why_load_law", lang, name=value, law=read(lang))
 
+    def apart(self, plan: str) -> Iterator[dict[str, str]]:
+        """The equilibrium of one link of a group by itself, which gives the reaction inside the group."""
+        links, reactions = links_of(plan), self.plans.reactions.values()
+        for r in (r for r in reactions if r.plan == plan and {r.pair.link, r.pair.other} == set(links)):
+            link = links[-1]
+            others = (x.pair for x in reactions if x.plan == plan and x is not r and x.pair.joins(link))
+            outer = [force_name(link, pair.mate(link)) for pair in others]
+            loads = [f.name for f in self.plans.acting.forces[link] if f.quantity != "tangential"]
+            force = force_name(link, r.pair.mate(link))
+            yield {"link": link, "force": force, "sum": " + ".join(f"⟨{n}⟩" for n in (*outer, *loads, force))}
+
     def vector(self, step: s.LayOff) -> str:
         """The name of the vector a step lays off."""
         plan, label = plan_of(step.makes), label_of(step.makes)
@@ -184,10 +196,12 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     """The key of the sentence, what it says, and the forces it is about."""
     dropped = nothing(step, cycle)
     terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
-    names: Names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang)}
+    without = [f"⟨{name}⟩" for name, arm in m.terms if m.links != ("lever",) and passes(arm, cycle)]
+    through = lambda lang: say("lesson_through", lang, forces=", ".join(without)) if without else ""  # noqa: E731
+    names: Names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang), "through": through}
     if len(dropped) == len(step.terms):
         force = step.means.of if step.means else m.unknown
-        return "moments_none", {**names, "force": force}, (force,)
+        return "moments_none" if step.means else "moments_zero", {**names, "force": force}, (force,)
     # every term is divided by the arm of what is sought; a size that stands for a force has its name on this link
     over = next((name for name, power in step.terms[0].factors if power == -1), "")
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
@@ -207,6 +221,11 @@ def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
     sizes = [_largest(term, cycle) for term in step.terms]
     most = NOISE * max(sizes, default=0.0)
     return frozenset(i for i, size in enumerate(sizes) if size <= most)
+
+
+def passes(arm: str, cycle: Drawing) -> bool:
+    """Whether a force passes through the point of its moments in every position: its arm there is nothing."""
+    return bool(arm) and float(numpy.nanmax(numpy.abs(cycle[arm]))) <= NOISE
 
 
 def _largest(term: Product, cycle: Drawing) -> float:

@@ -4,6 +4,8 @@ N. E. Zhukovsky's theorem: the moments of the forces about the pole, with each c
 the check shares the loads and the velocity plan with the force plans, and none of their reactions but friction.
 """
 
+from dataclasses import replace
+
 from planes.drafting.draft import Moments
 from planes.drafting.steps import Carry
 from planes.drafting.steps.reckoning import Drop, Product
@@ -40,13 +42,16 @@ def draw_lever(s: Statics) -> str:
 
 
 def rubbing(s: Statics) -> list[tuple[str, str]]:
-    """Names of each friction force along its guide and of the speed of its sliding."""
+    """Names of each friction force along its guide and of the speed of its sliding; its power is a result."""
     found = []
-    for reaction in s.reactions.values():
+    for key, reaction in list(s.reactions.items()):
         guide = reaction.pair.guide
         if guide in s.b.mechanism.friction:
-            force = s.b.draft.measure(f"T_{reaction.key}", reaction.start, reaction.end, f"∥{guide}")
-            found.append((force, s.acting.motion.slides[reaction.pair.link].value))
+            force = s.b.draft.measure(f"T_{key}", reaction.start, reaction.end, f"∥{guide}")
+            speed = s.acting.motion.slides[reaction.pair.link].value
+            power = s.b.draft.product(f"PT_{key}", **{force: 1, speed: 1})
+            s.reactions[key] = replace(reaction, friction=force, power=power)
+            found.append((force, speed))
     return found
 
 

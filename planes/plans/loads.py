@@ -33,13 +33,14 @@ class Force:
 @dataclass(frozen=True)
 class Couple:
     """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``; ``handed`` over by
-    a sliding pair, or from outside."""
+    a sliding pair, or of ``inertia``, or from outside."""
 
     name: str
     link: str
     value: str
     sign: int = 1
     handed: bool = False
+    inertia: bool = False
 
 
 def load_names(mechanism: Mechanism) -> list[str]:
@@ -55,7 +56,12 @@ def load_names(mechanism: Mechanism) -> list[str]:
 
 def force_name(on: str, by: str) -> str:
     """F_21 acts on 2 from 1; longer names are parted: F_11_10."""
-    return f"F_{on}{by}" if len(on) == len(by) == 1 else f"F_{on}_{by}"
+    return f"F_{pair_index(on, by)}"
+
+
+def pair_index(on: str, by: str) -> str:
+    """The index of what acts on a link from another."""
+    return on + by if len(on) == len(by) == 1 else f"{on}_{by}"
 
 
 @dataclass
@@ -100,7 +106,7 @@ class Acting:
         if link.inertia is not None and root != FRAME:
             moment = d.give(f"J_{link.name}", link.inertia)
             value = d.product(f"MI_{link.name}", -1.0, **{moment: 1, rates.spin(root): 1})
-            self.couples[link.name].append(Couple(f"MI_{link.name}", link.name, value))
+            self.couples[link.name].append(Couple(f"MI_{link.name}", link.name, value, inertia=True))
         mark = rates.mark(link.mass_centre)
         pole = at(rates.plan, POLE)
         if link.mass is None or mark == pole:

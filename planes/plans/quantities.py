@@ -6,6 +6,7 @@ from typing import NamedTuple
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Real, Truth
 from planes.plans import Plans
+from planes.plans.derived import Derived, derived, of_laws
 from planes.plans.loads import force_name
 from planes.plans.reactions import Reaction
 from planes.scene.mechanism import FRAME
@@ -20,10 +21,8 @@ GROUPS = (*MOTION, "reactions")
 
 
 class Column(NamedTuple):
-    """One number: a value by its name, or the ``part`` ("x", "y", "size") of the segment from ``start`` to ``end``.
-
-    A value with ``beside`` (a normal force, then the marks of its plan) is empty where that force is nothing.
-    """
+    """One number: a value by its name, or the ``part`` ("x", "y", "size") of the segment from ``start`` to ``end``. A
+    value with ``beside`` (a normal force, then the marks of its plan) is empty where that force is nothing."""
 
     name: str
     unit: str
@@ -46,10 +45,9 @@ class Column(NamedTuple):
     def take(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
         """The column's number (or numbers) from the things drawn."""
         if self.part:
-            mu = things[mu_of(plan_of(self.start))]
             segment = things[self.end] - things[self.start]
             size = {"x": lambda: segment.real, "y": lambda: segment.imag, "size": lambda: abs(segment)}[self.part]()
-            return size / mu
+            return size / things[mu_of(plan_of(self.start))]
         if not self.value:
             return 0.0
         return ar.where(self.empty(things, ar), float("nan"), things[self.value]) if self.beside else things[self.value]
@@ -143,7 +141,7 @@ def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
 def catalogue(plans: Plans) -> dict[str, Quantity]:
     """Every quantity of a mechanism by the name a student writes: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
     found: dict[str, Quantity] = {}
-    for quantity in (*_results(plans), *_segments(plans)):
+    for quantity in (*_results(plans), *_plain(derived(plans)), *_segments(plans)):
         found.setdefault(quantity.name, quantity)
     return found
 
@@ -151,6 +149,11 @@ def catalogue(plans: Plans) -> dict[str, Quantity]:
 def results_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
     """The quantities wanted (None: all) that are not bare segments of plans, each once."""
     return once(_results(plans) if wanted is None else (q for q in wanted if q.group != "plans"))
+
+
+def told_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
+    """The same with what is reckoned on the way to them: what one position is told with."""
+    return results_of(plans, (*_results(plans), *_plain(derived(plans))) if wanted is None else wanted)
 
 
 def once(quantities: Iterable[Quantity]) -> list[Quantity]:
@@ -174,8 +177,9 @@ def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
 
 
 def _results(plans: Plans) -> Iterator[Quantity]:
-    for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing, _of_laws):
+    for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing):
         yield from part(plans)
+    yield from _plain(of_laws(plans))
 
 
 def _vector(name: str, unit: str, ends: tuple[str, str] | None) -> tuple[Column, ...]:
@@ -234,11 +238,9 @@ def _balancing(plans: Plans) -> Iterator[Quantity]:
             yield Quantity(name, (Column(name, unit, value),), f"{by}_{what}")
 
 
-def _of_laws(plans: Plans) -> Iterator[Quantity]:
-    for name in plans.acting.laws.said:
-        load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
-        if unit and load in plans.program.made:
-            yield Quantity(load, (Column(load, unit, load),), "loads", load)
+def _plain(values: Iterable[Derived]) -> Iterator[Quantity]:
+    for d in values:
+        yield from (Quantity(n, (Column(n, d.unit, d.value),), d.group, d.names[0]) for n in d.names)
 
 
 def _segments(plans: Plans) -> Iterator[Quantity]:

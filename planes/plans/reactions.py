@@ -20,7 +20,8 @@ from planes.words.names import Meaning, at, label_of, mu_of
 
 @dataclass(frozen=True)
 class Reaction:
-    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot."""
+    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot,
+    where it rubs the names of the friction force along the guide and of its power."""
 
     key: str
     plan: str
@@ -30,6 +31,8 @@ class Reaction:
     normal: str = ""
     arm: str = ""
     moment: str = ""
+    friction: str = ""
+    power: str = ""
 
 
 @dataclass

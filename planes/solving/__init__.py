@@ -11,7 +11,7 @@ from planes.drafting.program import Program
 from planes.drafting.tools import Thing
 from planes.plans import Plans, mechanism_plans, sliced
 from planes.plans.measuring import DrawingReader
-from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
+from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, told_of
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.solving.nearest import nearest
@@ -215,7 +215,7 @@ def position(
     exact = drawing if is_exact(instrument) else None
     proved(plans.program, given, exact)  # a pencil's errors prove nothing: what he was to draw must hold
     reader = DrawingReader(plans, drawing, mus)
-    found = tuple(map(reader.read, results_of(plans, wanted)))
+    found = tuple(map(reader.read, told_of(plans, wanted)))
     results = {key_of(plans): value, **as_json(plans, found, GROUPS if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
     errors = None

@@ -5,15 +5,12 @@ import math
 from collections.abc import Iterable
 
 from planes.drafting.drawing import Drawing
-from planes.plans.alignment import Aligned
-from planes.plans.measuring import counted, formula_of, lettering, say_plan
+from planes.plans.measuring import formula_of, lettering, say_plan
 from planes.plans.quantities import Measured
-from planes.plans.structure import Structure
-from planes.scene.mechanism import FRAME
 from planes.solving import Position, Solved, key_of
 from planes.solving.vectors import VectorResults
 from planes.words import Lang, say
-from planes.words.lettering import Naming, flat
+from planes.words.lettering import Naming
 from planes.words.names import kind_of, mu_of
 from planes.words.records import Json
 from planes.words.units import UNIT, mu_text, quantity
@@ -58,7 +55,7 @@ def _position(p: Position, key: str, lang: Lang, naming: Naming) -> list[str]:
             lines += _plan(p, name, lang, naming)
     forces = p.of("reactions")
     if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
-        lines += _reactions(forces, lang, e, naming) + _balance(p, lang)
+        lines += _reactions(forces, lang, e, naming) + _derived(p, lang, naming) + _balance(p, lang)
     return lines + [f"! {w}" for w in r["warnings"]]
 
 
@@ -184,6 +181,19 @@ def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None, namin
     return table(say("reactions", lang), head, rows)
 
 
+def _derived(p: Position, lang: Lang, naming: Naming) -> list[str]:
+    """Weights and inertia; normal forces, friction and its power: each with its ±."""
+    lines: list[str] = []
+    for group in ("loads", "friction"):
+        rows, e = [], p.results.get("errors")
+        for of, f in p.of(group).items():
+            name = _spelt(naming.vector(f.quantity.columns[0].value))
+            error = error_of(e, group, of)
+            rows.append([name, _number(f.number), *error, say(f.quantity.columns[0].unit, lang)])
+        lines += table(say(f"of_{group}", lang), ["", say("value", lang), *pm(e), ""], rows)
+    return lines
+
+
 def _balance(p: Position, lang: Lang) -> list[str]:
     lines: list[str] = []
     for what, unit in (("moment", "N·m"), ("force", "N")):
@@ -203,30 +213,6 @@ def difference(found: float, check: float) -> float:
     """How far two values are apart, relative to the larger."""
     largest = max(abs(found), abs(check))
     return abs(found - check) / largest if largest else 0.0
-
-
-def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) -> str:
-    """W and q with their numbers, the formula and the groups, one a line; ``frame`` is the number of the frame."""
-    numbers = flat(";  ".join(counted(found)))
-    lines = [f"W = {found.W}, q = {found.q}", f"  {numbers}", formula_of(found, frame)]
-    for g in found.groups:
-        kind = say("class_kind", lang, kind=g.kind, name=g.name)
-        lines.append(f"{say('group', lang)} {', '.join(g.links)}: {kind}")
-    lines += [say("passive", lang, links=", ".join(found.passive))] if found.passive else []
-    return "\n".join(lines)
-
-
-def alignment_report(found: Aligned, lang: Lang = "en") -> str:
-    """The self-aligning variant: the count of Somov and Malyshev, and what every pair becomes."""
-    p1, p2, p3 = found.counts
-    lines = [
-        say("alignment", lang, n=found.n, p1=p1, p2=p2, p3=p3),
-        say("alignment_W", lang, a=6 * found.n, b=5 * p1, c=4 * p2, d=3 * p3, W=found.W, q=found.q),
-    ]
-    for pair, sign in found.pairs:
-        name, links = pair.point or pair.guide, f"{pair.other}–{pair.link}"
-        lines.append("  " + say("alignment_pair", lang, name=name, links=links, sign=say(f"sign_{sign}", lang)))
-    return "\n".join(lines)
 
 
 def vector_report(results: VectorResults, lang: Lang = "en") -> str:

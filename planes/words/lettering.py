@@ -57,6 +57,8 @@ class Naming:
         letter, _, index = base.partition("_")
         if letter == "MR":
             return f"M({self.vector(index)})"
+        if letter == "arm":
+            return f"h_{{{flat(self.vector(index))}}}"
         if letter in ("MZ", "FZ"):
             letter, part = letter[0], "Ж" if self.lang == "ru" else "Z"
         letter, analogue = rate_of(letter)
@@ -66,8 +68,8 @@ class Naming:
             letter = "Φ"
         elif letter in ("MI", "MP"):
             letter, index = "M", ("Φ" if letter == "MI" else "P") + index
-        elif letter == "T" and index.startswith("F_"):
-            index = self.reaction(index[2:])
+        elif letter in ("N", "T", "PT") and index.startswith("F_"):  # of friction, by the reaction they are parts of
+            letter, index = letter[0], letter[1:] + self.reaction(index[2:])
         elif letter in ("v", "a"):
             index = self.driver if index == "drive" else index.removeprefix("slide_")
             index = analogue + (index[:-1] + self.frame if base in self.grounded else index)

@@ -3,7 +3,7 @@
 import html
 from collections.abc import Iterator
 
-from planes.lesson import in_both
+from planes.lesson.frame import in_both
 from planes.words import table, under
 from planes.words.names import lettered
 from planes.words.records import Json

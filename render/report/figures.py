@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from planes.plans.alignment import aligned
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
 from render import charts
@@ -17,6 +18,7 @@ from render.report.shaft import shaft_view
 from render.sheet.composer import Composer
 from render.sheet.project import ForceSheet
 from render.views import View, beside, stacked, view
+from render.views.alignment import alignment_view
 from render.views.instant_centre import instant_centre
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
@@ -110,6 +112,9 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
         return forces.alone(block.position, of) if of else replace(forces.loaded(block.position), title="")
     if kind == "centre":
         return instant_centre(block.position, of, composer.naming)
+    if kind == "self-aligning":
+        found = aligned(block.position.plans, block.scene.file)
+        return alignment_view(block.position, found, composer.naming, "", LETTER_MM[alone])
     if plotted.still(name):
         return None
     return view(name, "", Polygon(plotted, name, composer.naming, counted=composer.details).drawn())

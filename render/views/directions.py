@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from planes.drafting.steps import LayOff, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Measure
+from planes.lesson.reckoned import Reckoned
 from planes.words.lettering import Naming
 from planes.words.names import label_of, parts_of
 from render.labels import Label
@@ -15,7 +16,6 @@ from render.paper.marks import Arrow, Line, Mark
 from render.views import View, beside, stacked, view
 from render.views.formulas import NOISE_MM
 from render.views.plotted import degrees
-from render.views.reckoned import Reckoned
 from render.views.senses import labelled
 
 ROD_MM, ARROW_MM, SENSE_MM = 13.0, 8.0, 5.5  # of a figure: its rod, its vectors, the radius of its curved arrow

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from planes.lesson.transfers import TransferFunctions
 from planes.plans.loads import force_name
 from planes.solving import Position
 from planes.solving.given import GivenTable
@@ -23,7 +24,6 @@ from render.paper.typeset import extent, ink_width
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
 from render.views.plotted import of_position
-from render.views.transfers import TransferFunctions
 
 Row = Sequence[str]
 CLEAR_MM = 0.65  # least distance of a text from the middle of the lines above and beneath it

@@ -15,7 +15,7 @@ from planes.cli import main
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Pencil
 from planes.plans.measuring import DrawingReader
-from planes.plans.quantities import nested, results_of
+from planes.plans.quantities import nested, told_of
 from planes.scene import load
 from planes.solving import solve
 from tests.helpers import ROOT
@@ -43,7 +43,7 @@ def test_errors_have_the_shape_of_results_and_hold(name: str) -> None:
     assert {k for k in found if k[-1] != "guide"} == {k for k in errors if k[0] != "plans"}
     given = {**p.plans.given, **p.scales, p.plans.drive_given: p.at}
     reader = Exactly(p.plans, run(p.plans.program, given, Digits(50)), p.scales)
-    truth = leaves(nested(map(reader.read, results_of(p.plans))))
+    truth = leaves(nested(map(reader.read, told_of(p.plans))))
     for way, error in errors.items():
         if way[0] != "plans" and found[way] is not None:
             assert abs(found[way] - truth[way]) <= error <= 1e-9, way

@@ -127,7 +127,8 @@ def test_json_has_exactly_the_agreed_keys(cli: Run) -> None:
         "groups": [{"links": ["2", "3"], "kind": 1, "name": "RRR"}, {"links": ["4", "5"], "kind": 4, "name": "PRP"}],
     }
     (position,) = found["positions"]
-    assert set(position) == {*POSITION, "phi_deg", "reactions", "balancing_moment", "zhukovsky_moment", "warnings"}
+    forces = {"reactions", "loads", "balancing_moment", "zhukovsky_moment"}
+    assert set(position) == {*POSITION, "phi_deg", *forces, "warnings"}
     for part, want in POSITION.items():
         got = keys(position[part], of=part)
         if part == "plans":

@@ -11,9 +11,10 @@ from typing import Any
 import pytest
 
 from planes.drafting.drawing import run
-from planes.lesson import LANGS, Teller, value_of
+from planes.lesson import Teller, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
+from planes.lesson.frame import LANGS
 from planes.plans import plans_of
 from planes.plans.scales import scales
 from planes.scene import load

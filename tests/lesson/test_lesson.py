@@ -13,9 +13,10 @@ import pytest
 from planes import cli
 from planes.documents.lesson import Lesson, placed
 from planes.drafting.drawing import run
-from planes.lesson import LANGS, Teller, needed, value_of
+from planes.lesson import Teller, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
+from planes.lesson.frame import LANGS, needed
 from planes.lesson.note import Note
 from planes.plans import plans_of
 from planes.plans.measuring import DrawingReader

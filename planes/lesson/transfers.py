@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 from planes.diagrams.curves import analogue_units, ratio_name
 from planes.drafting.steps.reckoning import Measure
+from planes.lesson.reckoned import Reckoned
+from planes.words import say
 from planes.words.lettering import Naming, greek, lettered_curve
 from planes.words.names import POLE, label_of
 from planes.words.read_off import measured
-from render.paper.letters import unit
-from render.views.formulas import NOISE_MM
-from render.views.reckoned import Reckoned
 
 PLAN = "velocity"
+NOISE_MM = 1e-7  # a shorter vector is rounding noise
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class TransferFunctions(Reckoned):
 
     def row(self, name: str, relation: str, value: float, key: str) -> list[str]:
         """A row of the table."""
-        said = "" if key == "1" else unit(key, self.naming.lang)
+        said = "" if key == "1" else say(key, self.naming.lang)
         return [name, relation, measured(value, self.naming.lang), said]
 
     def driver(self) -> tuple[str, str] | None:

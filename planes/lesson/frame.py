@@ -1,0 +1,38 @@
+"""One frame of a lesson, told in both languages."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TypeVar
+
+from planes.lesson.formulas import slots
+from planes.words import Lang
+
+One = TypeVar("One")
+LANGS: tuple[Lang, ...] = ("ru", "en")
+
+
+def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
+    """What is told, in either language."""
+    return {lang: told(lang) for lang in LANGS}
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
+    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by
+    language; ``moments`` the index of the moment equation it states, or leads to."""
+
+    key: str
+    plan: str
+    makes: tuple[str, ...]
+    uses: tuple[str, ...]
+    equation: int | None
+    terms: tuple[str, ...]
+    said: Mapping[Lang, str]
+    why: Mapping[Lang, str]
+    moments: int | None = None
+
+
+def needed(frames: list[Frame]) -> list[str]:
+    """Names of all values the sentences need, in order."""
+    return list(dict.fromkeys(name for f in frames for text in f.said.values() for name in slots(text)))

@@ -1,0 +1,67 @@
+"""No number is used before it is found: what a sentence needs and none before it told, and how that is found."""
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+
+from planes.drafting.steps import Step
+from planes.drafting.steps.reckoning import Calculate, Drop, Measure
+from planes.lesson.formulas import formula, slot, slots, unit
+from planes.plans import Plans
+from planes.plans.loads import load_names
+from planes.words import Lang, say
+
+_FOUND = re.compile(r"(?:^|[:;.] )⟨([^⟩]+)⟩ =")  # a sentence, or a part of one, that says what a value is
+
+
+class Reckoning:
+    """Keeps which values have been told; ``divided`` says how a length on paper becomes a value at a scale."""
+
+    def __init__(self, plans: Plans, made: Mapping[str, Step], divided: Callable[[str, Lang], str]) -> None:
+        self.plans, self.made, self.divided = plans, made, divided
+        named = (value.removesuffix("_given") for value in load_names(plans.mechanism))
+        self.told = {*plans.given, *named, *(m.unknown for m in plans.moments)}
+
+    def tell(self, text: str) -> None:
+        """A sentence has been said."""
+        self.told |= {*map(plain, slots(text)), *_FOUND.findall(text)}
+
+    def missing(self, text: str) -> list[Step]:
+        """The steps that find what the sentence needs, in the order they can be told; they are told now."""
+        own, found = set(_FOUND.findall(text)), dict[str, Step]()
+        for name in slots(text):
+            if plain(name) not in own:
+                self._find(name, found)
+        return list(found.values())
+
+    def _find(self, name: str, found: dict[str, Step]) -> None:
+        step = self.made.get(name)
+        if plain(name) in self.told or not isinstance(step, Calculate | Drop | Measure):
+            return
+        self.told.add(plain(name))
+        if isinstance(step, Calculate):
+            for factor in factors(step):
+                self._find(factor, found)
+        found[name] = step
+
+    def readings(self, steps: list[Step], lang: Lang) -> str:
+        """How each is found: its formula, or its length on paper."""
+        return "; ".join(self.reading(step, lang) for step in steps)
+
+    def reading(self, step: Step, lang: Lang) -> str:
+        """One of them."""
+        if isinstance(step, Calculate):
+            return formula(step, lang)
+        assert isinstance(step, Drop | Measure)
+        name = plain(step.makes)
+        names = {"mm": slot(step.makes, "mm", step.mu), "by": self.divided(step.mu, lang), "value": slot(step.makes)}
+        return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
+
+
+def factors(step: Calculate) -> Iterator[str]:
+    """The values a sum of products is made of."""
+    return (name for term in step.terms for name, _ in term.factors)
+
+
+def plain(name: str) -> str:
+    """A value by the name it is told by."""
+    return name.strip("|‖")

@@ -1,0 +1,40 @@
+"""What is reckoned on the way to the reactions and is a result too: weights, inertia, loads that are laws, friction."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from planes.plans import Plans
+from planes.plans.loads import pair_index
+
+
+class Derived(NamedTuple):
+    """A value of the program that can be asked for by any of its ``names``; the first is its key in the JSON."""
+
+    names: tuple[str, ...]
+    unit: str
+    value: str
+    group: str
+
+
+def derived(plans: Plans) -> Iterator[Derived]:
+    """Weights, inertia forces and couples of every link, then normal force, friction and its power in every pair."""
+    loads = plans.acting
+    for link in plans.mechanism.links:
+        for f in (f for f in loads.forces[link] if f.quantity in ("weight", "inertia")):
+            names = (f"G_{link}",) if f.quantity == "weight" else (f"I_{link}", f"Φ_{link}")
+            yield Derived(names, "N", f.size, "loads")
+        for couple in (c for c in loads.couples[link] if c.inertia):
+            yield Derived((f"MI_{link}", f"M_I{link}", f"M_Φ{link}"), "N·m", couple.value, "loads")
+    for r in (r for r in plans.reactions.values() if r.friction):
+        index = pair_index(r.pair.link, r.pair.other)
+        yield Derived((f"N_{index}",), "N", r.normal, "friction")
+        yield Derived((f"T_{index}",), "N", r.friction, "friction")
+        yield Derived((f"P_T{index}",), "W", r.power, "friction")
+
+
+def of_laws(plans: Plans) -> Iterator[Derived]:
+    """Loads that are laws, each what it is in the position."""
+    for name in plans.acting.laws.said:
+        load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
+        if unit and load in plans.program.made:
+            yield Derived((load,), unit, load, "loads")

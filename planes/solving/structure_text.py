@@ -1,0 +1,33 @@
+"""The structure of a mechanism as text: mobility, groups, the self-aligning variant."""
+
+from planes.plans.alignment import Aligned
+from planes.plans.measuring import counted, formula_of
+from planes.plans.structure import Structure
+from planes.scene.mechanism import FRAME
+from planes.words import Lang, say
+from planes.words.lettering import flat
+
+
+def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) -> str:
+    """W and q with their numbers, the formula and the groups, one a line; ``frame`` is the number of the frame."""
+    numbers = flat(";  ".join(counted(found)))
+    lines = [f"W = {found.W}, q = {found.q}", f"  {numbers}", formula_of(found, frame)]
+    for g in found.groups:
+        kind = say("class_kind", lang, kind=g.kind, name=g.name)
+        lines.append(f"{say('group', lang)} {', '.join(g.links)}: {kind}")
+    lines += [say("passive", lang, links=", ".join(found.passive))] if found.passive else []
+    return "\n".join(lines)
+
+
+def alignment_report(found: Aligned, lang: Lang = "en", frame: str = FRAME) -> str:
+    """The self-aligning variant: the count of Somov and Malyshev, and what every pair becomes; ``frame`` is the number
+    of the frame."""
+    p1, p2, p3 = found.counts
+    lines = [
+        say("alignment", lang, n=found.n, p1=p1, p2=p2, p3=p3),
+        say("alignment_W", lang, a=6 * found.n, b=5 * p1, c=4 * p2, d=3 * p3, W=found.W, q=found.q),
+    ]
+    for pair, sign in found.pairs:
+        name, links = pair.point or pair.guide, "–".join(frame if x == FRAME else x for x in (pair.other, pair.link))
+        lines.append("  " + say("alignment_pair", lang, name=name, links=links, sign=say(f"sign_{sign}", lang)))
+    return "\n".join(lines)

@@ -1,0 +1,71 @@
+"""No number of a note is used before it is found, in any sample; and what the manuals tell on the way is told."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from planes.drafting.steps.reckoning import Calculate, Drop, Measure
+from planes.lesson import Teller
+from planes.lesson.formulas import SLOT
+from planes.lesson.note import Note
+from planes.plans.loads import load_names
+from planes.scene import load
+from planes.solving import solve
+from planes.solving.document import DocumentTable, Paragraph
+from tests.helpers import ROOT
+
+SCENES = sorted(p for f in ("", "assignments") for p in (ROOT / "samples" / f).glob("*.yaml") if p.stem != "vectors")
+
+
+@pytest.mark.few(8)
+@pytest.mark.parametrize("path", SCENES, ids=lambda p: p.stem)
+def test_every_number_is_found_before_it_is_used(path):
+    position = solve(load(path)).positions[0]
+    plans = position.plans
+    teller = Teller(plans, position.drawing, position.scales)
+    zero = {m.unknown for m in plans.moments if m.arm}  # told by its equation, a number or nothing
+    told = {*plans.given, *load_names(plans.mechanism)}
+    for frame in teller.frames():
+        text = frame.said["en"]
+        own = set(re.findall(r"(?:^|[:;.] )⟨([^⟩]+)⟩ =", text))
+        for how, name, _ in SLOT.findall(text):
+            value, step = name.strip("|‖"), teller.made.get(name)
+            used = how != "s" and isinstance(step, Calculate | Drop | Measure)
+            assert not used or value in told | own or (frame.key == "found" and value in zero), (value, text)
+        told |= {name.strip("|‖") for _, name, _ in SLOT.findall(text)} | own
+
+
+def sentences(name: str) -> str:
+    scene = load(ROOT / "samples" / f"{name}.yaml")
+    blocks = Note(scene, solve(scene).positions[0], "en").blocks()
+    return "\n".join(b.text for b in blocks if isinstance(b, Paragraph))
+
+
+def test_the_second_example_has_its_printed_numbers():
+    told = sentences("bntu-2")
+    assert "⟨N_F_30⟩ = 18.7 mm / 0.025 = −746.7 N" in told
+    assert "⟨T_F_30⟩ = 2.8 mm / 0.025 = 112 N" in told
+    assert "⟨PT_F_30⟩ = ⟨T_F_30⟩ · ⟨v_slide_3⟩ = 112 · (−2.1) = −235.2 W" in told
+
+
+def test_relations_by_segments_the_self_aligning_variant_and_the_remark_are_told():
+    scene = load(ROOT / "samples" / "six-link.yaml")
+    blocks = Note(scene, solve(scene).positions[0], "en").blocks()
+    rows = [row for b in blocks if isinstance(b, DocumentTable) for row in b.rows]
+    assert ("v_{qC}", "pc·l_{AB}/pb", "0.120", "m") in rows
+    assert ("u_{31}", "pc·l_{AB}/(pb·l_{DC})", "0.801", "") in rows
+    told = sentences("six-link")
+    assert "W = 6n − 5p1 − 4p2 − 3p3 = 30 − 10 − 16 − 3 = 1, q = 0" in told and "C (2–3): spherical 3S" in told
+    assert "D (6–3)" in told
+    assert " ".join(scene.note["en"].split()) in told
+
+
+def test_inertia_arms_and_single_links_are_told():
+    told = sentences("six-link")
+    assert "⟨MI_2⟩ = −⟨J_2⟩ · ⟨epsilon_2⟩ = −2 · 125.1 = −250.3 N·m" in told
+    assert "⟨h_G_2_C⟩ = 20.5 mm / 250 = −0.08218 m" in told
+    assert "Link 3 apart: ⟨F_30⟩ + ⟨G_3⟩ + ⟨F_32⟩ = 0" in told
+    assert "Link 5 apart: ⟨F_50⟩ + ⟨G_5⟩ + ⟨I_5⟩ + ⟨P_5⟩ + ⟨F_54⟩ = 0" in told
+    assert "its arm is zero and it gives no moment" in told
