@@ -83,6 +83,8 @@ def _held(plans: Any, link: Link) -> bool:
     import numpy
 
     drive, points = plans.mechanism.drive, [p for p in link.points if p in plans.mechanism.names]
+    if len(points) != (1 if link.slides else 2):  # it hangs on another that is left out
+        return False
     program = plans.program.sliced([at("position", p) for p in points])
     reach = NEAR_DEG if drive.kind == "phi" else NEAR * plans.reach
     held = False

@@ -40,7 +40,7 @@ class Contents:
 
     views: Callable[[Sizes, float, bool], tuple[list[View], list[View]]]
     extents: Extents = lambda sizes: {}
-    extras: bool = False
+    extras: tuple[str, ...] = ()  # those of the views that wait for room that have found some
     free: bool = False
 
     @property
@@ -51,7 +51,7 @@ class Contents:
     def lettered(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> tuple[list[View], list[View]]:
         """The views with titles as high as their equations, in blocks if those stand ``upright``."""
         wanted, spare = self.views(sizes, letter, together)
-        wanted = [v for v in wanted if self.extras or not v.extra]
+        wanted = [v for v in wanted if v.key in self.extras or not v.extra]
 
         def shown(v: View) -> View:
             return replace(v, heading=LARGER[letter], block=v.block if v.block in upright else "")
@@ -60,7 +60,7 @@ class Contents:
 
     def extra(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> list[View]:
         """The views that wait for room."""
-        return [] if self.extras else [v for v in self.views(sizes, letter, together)[0] if v.extra]
+        return [v for v in self.views(sizes, letter, together)[0] if v.extra and v.key not in self.extras]
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -120,12 +120,14 @@ def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | N
 
 
 def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
-    """The same with the views that wait for room, where there is some for plans no smaller."""
-    more = replace(contents, extras=True)
-    for other in ways(how[0], name):
-        wanted, spare = more.lettered(*other)
-        if packed([*wanted, *spare] if whole else wanted, Paper(name)):
-            return more, other
+    """The same with as many of the views that wait for room as there is some for, with plans no smaller."""
+    for key in [v.key for v in contents.extra(*how)]:
+        more = replace(contents, extras=(*contents.extras, key))
+        for other in ways(how[0], name):
+            wanted, spare = more.lettered(*other)
+            if packed([*wanted, *spare] if whole else wanted, Paper(name)):
+                contents, how = more, other
+                break
     return contents, how
 
 

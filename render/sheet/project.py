@@ -9,14 +9,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from planes.plans.alignment import aligned
 from planes.plans.measuring import counted, formula_of
 from planes.solving import Position
 from planes.words import say
+from planes.words.errors import PlanesError
 from planes.words.names import POLE, at, kind_of, links_of, mu_of
 from render.labels.footprints import bounds
 from render.paper.marks import Mark, Text
 from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.views import View, beside, stacked, view
+from render.views.alignment import alignment_told
 from render.views.diagrams import DiagramCurve, Diagrams, section_mm
 from render.views.dimensions import driver_angle, frame_sizes, sizes_drawn
 from render.views.directions import Directions
@@ -61,7 +64,7 @@ class Project:
                 self.directions(position),
                 t.transfers(),
             ),
-            "structure": (self.groups(position, letter), t.given()),
+            "structure": (self.groups(position, letter), self.self_aligning(position, letter), t.given()),
         }
         return [replace(v, step=step) for step, views in steps.items() for v in views if v]
 
@@ -106,6 +109,20 @@ class Project:
             return view("structure", say("structure", c.lang), whole.marks, figure=True)
 
         return c.once(("groups", position.scales[mu_of("position")], letter), make)
+
+    def self_aligning(self, position: Position, letter: float) -> View | None:
+        """The variant without redundant constraints: its count, and the signs of its pairs."""
+        c = self.composer
+
+        def make() -> View | None:
+            try:
+                found = aligned(position.plans, c.scene.file)
+            except PlanesError:
+                return None
+            told = alignment_told(found, c.naming, say("self_aligning", c.lang), letter)
+            return replace(told, extra=True)
+
+        return c.once(("self-aligning", letter), make)
 
     def part(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""

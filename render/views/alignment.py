@@ -92,8 +92,13 @@ def alignment_view(position: Position, aligned: Aligned, naming: Naming, title: 
     """Scheme, count and signs, one beneath the other."""
     scheme = AlignedScheme(position, naming, aligned=aligned)
     drawn = view("self-aligning", title, scheme.drawn(False), figure=True)
-    count, signs = view("count", "", counted(aligned, letter)), legend(aligned, naming, letter)
-    return stacked("self-aligning", [drawn, count, signs])
+    return stacked("self-aligning", [drawn, alignment_told(aligned, naming, "", letter)])
+
+
+def alignment_told(aligned: Aligned, naming: Naming, title: str, letter: float) -> View:
+    """Count and signs."""
+    count, signs = view("self-aligning", title, counted(aligned, letter)), legend(aligned, naming, letter)
+    return stacked("self-aligning", [count, signs])
 
 
 def counted(aligned: Aligned, letter: float) -> list[Mark]:

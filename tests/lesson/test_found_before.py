@@ -45,8 +45,8 @@ def sentences(name: str) -> str:
 
 def test_the_second_example_has_its_printed_numbers():
     told = sentences("bntu-2")
-    assert "⟨N_F_30⟩ = 18.7 mm / 0.025 = −746.7 N" in told
-    assert "⟨T_F_30⟩ = 2.8 mm / 0.025 = 112 N" in told
+    assert "⟨N_F_30⟩ = 29.9 mm / 0.04 = −746.7 N" in told
+    assert "⟨T_F_30⟩ = 4.5 mm / 0.04 = 112 N" in told
     assert "⟨PT_F_30⟩ = ⟨T_F_30⟩ · ⟨v_slide_3⟩ = 112 · (−2.1) = −235.2 W" in told
 
 
