@@ -22,6 +22,7 @@ from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError, shown
+from planes.words.names import latin
 from planes.words.records import Pictured
 from planes.words.units import Convention, mu_text
 
@@ -225,6 +226,7 @@ def _check_required(reader: Reader, table: SourceTable, of_vectors: bool) -> Non
 
 
 def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping[str, Node]) -> Mechanism:
+    reader.taken = {latin(path[-1]) for path in where if path[-2:-1] == ("points",)}
     frame = read_frame(reader, table.entries["frame"])
     links = read_links(reader, table.entries["links"], frame)
     given = {key: reader.optional(table, key) for key in _MECHANISM}

@@ -3,15 +3,16 @@
 from collections.abc import Iterable
 from types import MappingProxyType
 
-from planes.scene.mechanism import FRAME, Guide, Link, Slide
+from planes.scene.mechanism import FRAME, Guide, Link, RoundGuide, Slide
 from planes.scene.reader import Reader, line_of, part
+from planes.scene.round_guides import parted, read_round, turning
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.names import latin
 
 _LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
 _FRAME_KEYS = ("points", "guides", "number")
-_GUIDE_KEYS = ("x", "y", "through", "angle", "mark")
+_GUIDE_KEYS = ("x", "y", "through", "angle", "mark", "centre", "radius")
 
 
 def read_frame(reader: Reader, node: Node) -> Link:
@@ -19,10 +20,10 @@ def read_frame(reader: Reader, node: Node) -> Link:
     what = Phrase("the_frame")
     table = reader.table(node, what, _FRAME_KEYS)
     points = _points(reader, reader.optional(table, "points"), what)
-    guides = _guides(reader, reader.optional(table, "guides"), points, what)
+    guides, round_guides = parted(_guides(reader, reader.optional(table, "guides"), points, what))
     if not points and not guides:
         raise reader.error(Phrase("frame_empty"), table)
-    return Link(FRAME, MappingProxyType(points), MappingProxyType(guides))
+    return Link(FRAME, MappingProxyType(points), guides, round_guides=round_guides)
 
 
 def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
@@ -38,7 +39,13 @@ def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
     for link in links.values():
         if link.slides:
             _check_slide(reader, table, link, owners)
-    return links
+    round_guides = {name: g for link in (frame, *links.values()) for name, g in link.round_guides.items()}
+    for name, link in links.items():
+        if link.slides and link.slides.guide in round_guides and round_guides[link.slides.guide].centre in link.points:
+            raise reader.error(
+                Phrase("round_held", name=name, guide=link.slides.guide), line_of(table, (name, "slides"))
+            )
+    return {name: turning(link, round_guides) for name, link in links.items()}
 
 
 def _link(reader: Reader, name: str, node: Node) -> Link:
@@ -47,16 +54,17 @@ def _link(reader: Reader, name: str, node: Node) -> Link:
     points = _points(reader, reader.required(table, "points", what), what)
     if not points:
         raise reader.error(Phrase("no_points", what=what), table.lines["points"])
-    guides = _guides(reader, reader.optional(table, "guides"), points, what)
+    guides, round_guides = parted(_guides(reader, reader.optional(table, "guides"), points, what))
     slides, centre = reader.optional(table, "slides"), reader.optional(table, "centre")
     return Link(
         name,
         MappingProxyType(points),
-        MappingProxyType(guides),
+        guides,
         None if slides is None else _slide(reader, slides, what),
         _mass(reader, table, "mass", what),
         _mass(reader, table, "inertia", what),
         None if centre is None else reader.known(centre, part("centre", what), points, Phrase("points_of", owner=what)),
+        round_guides,
     )
 
 
@@ -77,17 +85,23 @@ def _points(reader: Reader, node: Node | None, what: Phrase) -> dict[str, comple
     }
 
 
-def _guides(reader: Reader, node: Node | None, points: dict[str, complex], what: Phrase) -> dict[str, Guide]:
+def _guides(
+    reader: Reader, node: Node | None, points: dict[str, complex], what: Phrase
+) -> dict[str, Guide | RoundGuide]:
     if node is None:
         return {}
     table = reader.names(node, part("guides", what), Phrase("a_guide"))
     return {name: _guide(reader, name, entry, points, what) for name, entry in table.entries.items()}
 
 
-def _guide(reader: Reader, name: str, node: Node, points: dict[str, complex], owner: Phrase) -> Guide:
+def _guide(reader: Reader, name: str, node: Node, points: dict[str, complex], owner: Phrase) -> Guide | RoundGuide:
     what = Phrase("guide_named", name=name)
     table = reader.table(node, what, _GUIDE_KEYS)
-    form = reader.one_of(table, ("x", "y", "through"), what)
+    form = reader.one_of(table, ("x", "y", "through", "centre"), what)
+    if form == "centre":
+        return read_round(reader, name, table, points, owner)
+    if "radius" in table.entries:
+        raise reader.error(Phrase("radius_without_centre", what=what), table.lines["radius"])
     entry = reader.required(table, form, what)
     mark = None
     if (given := reader.optional(table, "mark")) is not None:
@@ -132,9 +146,9 @@ def _check_alike(reader: Reader, table: SourceTable, links: Iterable[Link]) -> N
 
 
 def _owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: Link) -> dict[str, str]:
-    owners = dict.fromkeys(frame.guides, FRAME)
+    owners = dict.fromkeys((*frame.guides, *frame.round_guides), FRAME)
     for name, link in links.items():
-        for guide in link.guides:
+        for guide in (*link.guides, *link.round_guides):
             if guide in owners:
                 line = line_of(table, (name, "guides", guide))
                 raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=_owner(owners[guide])), line)

@@ -33,6 +33,15 @@ class Guide:
 
 
 @dataclass(frozen=True)
+class RoundGuide:
+    """A guide along a circle about a point of its link: what slides on it turns about that point."""
+
+    name: str
+    centre: str
+    radius: float
+
+
+@dataclass(frozen=True)
 class Slide:
     """This link slides on ``guide``: its x axis is turned by ``angle_deg`` from the guide's direction and
     its first point lies ``offset`` metres to the left of the guide. ``None`` means not written, that is 0."""
@@ -53,6 +62,8 @@ class Link:
     mass: float | None = None
     inertia: float | None = None
     centre: str | None = None
+    round_guides: Mapping[str, RoundGuide] = field(default_factory=lambda: MappingProxyType({}))
+    slides_round: Slide | None = None  # on a round guide, whose centre is one of its points then
 
     @property
     def first_point(self) -> str:
@@ -168,6 +179,17 @@ class Mechanism:
     def guide(self, name: str) -> Guide:
         """The guide of that name, wherever it is."""
         return self._owners[name].guides[name]
+
+    def round_guide(self, link: Link) -> tuple[RoundGuide, str] | None:
+        """The guide along a circle that a link slides on, and the link that carries it."""
+        name = link.slides_round.guide if link.slides_round else ""
+        owners = (self.frame, *self.links.values())
+        return next(((x.round_guides[name], x.name) for x in owners if name in x.round_guides), None)
+
+    def joined(self, link: Link) -> list[str]:
+        """The points of a link that are its own: not the centre of the circle it slides on."""
+        found = self.round_guide(link)
+        return [p for p in link.points if not found or p != found[0].centre]
 
     @cached_property
     def names(self) -> tuple[str, ...]:

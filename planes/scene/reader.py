@@ -21,6 +21,7 @@ class Reader:
     def __init__(self, file: str, parameters: Mapping[str, float] | None = None) -> None:
         self.file = file
         self.parameters: Mapping[str, float] = parameters or {}
+        self.taken: set[str] = set()  # names of points, in Latin letters
 
     def error(self, phrase: Told, where: Node | int) -> SceneError:
         """A refusal at a node or a line."""

@@ -72,11 +72,13 @@ def _as_written(node: object) -> object:
 
 
 def _link(link: Link) -> Json:
-    on_axis = link.name != "0"
+    on_axis, slides = link.name != "0", link.slides or link.slides_round
+    points = dict(list(link.points.items())[:-1]) if link.slides_round else link.points  # the last is the centre
+    round_guides = {g.name: {"centre": g.centre, "radius": g.radius} for g in link.round_guides.values()}
     said = {
-        "points": {name: z.real if on_axis and not z.imag else z for name, z in link.points.items()},
-        "guides": {name: _guide(guide) for name, guide in link.guides.items()},
-        "slides": None if link.slides is None else _slide(link.slides),
+        "points": {name: z.real if on_axis and not z.imag else z for name, z in points.items()},
+        "guides": {name: _guide(guide) for name, guide in link.guides.items()} | round_guides,
+        "slides": None if slides is None else _slide(slides),
         "centre": link.centre,
         "mass": link.mass,
         "inertia": link.inertia,

@@ -11,6 +11,7 @@ from render.paper.typeset import extent, plain
 TITLE_MM = 5.0  # letter height of titles
 REMARK_MM = 2.5
 TITLE_GAP = 4.0  # from a title to its view
+SET_IN_MM = 35.0  # no view begins farther to the right of its title
 
 
 @dataclass(frozen=True)
@@ -104,10 +105,13 @@ def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = F
 
 
 def plumbed(views: Sequence[View]) -> list[View]:
-    """The views set in from a common left edge so far that their plumb lines are one."""
+    """The views set in from a common left edge so far that their plumb lines are one; none, if one would be too far
+    from its title."""
     lines = [None if v.plumb is None else v.plumb - v.inked[0] for v in views]
     far = max((x for x in lines if x is not None), default=0.0)
     sets = [0.0 if x is None else far - x for x in lines]
+    if max(sets, default=0.0) > SET_IN_MM:
+        return list(views)
     return [replace(v, inked=(v.inked[0] - by, *v.inked[1:])) if by else v for v, by in zip(views, sets, strict=True)]
 
 

@@ -96,7 +96,8 @@ class ManyPositions:
     def outlines(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
         """The bar or plate of a link, as the scheme shows it, and the rods of its guides as far as their sliders."""
         hinged = {p for x in self.links if x is not link for p in x.points}
-        joints = [self.place(result, p) for p in link.points if p in hinged or p != link.centre]
+        own = self.plans.mechanism.joined(link)
+        joints = [self.place(result, p) for p in own if p in hinged or p != link.centre]
         if link.slides:
             joints.append(self.foot(link, link.slides.guide, result))
         rods = []

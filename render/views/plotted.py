@@ -102,7 +102,7 @@ class Places:
         """Points of more than one link, with those links: the hinges."""
         held: dict[str, list[str]] = {}
         for link in (self.mechanism.frame, *self.links):
-            for point in link.points:
+            for point in self.mechanism.joined(link):
                 held.setdefault(point, []).append(link.name)
         return {point: owners for point, owners in held.items() if len(owners) > 1}
 
@@ -123,7 +123,9 @@ class Places:
     def rods(self, name: str) -> list[Ends]:
         """The bars between a link's points, and from its hinge to a slider on its guide."""
         link = self.mechanism.links[name]
-        joints = [self.at(p) for p in link.points if self.has(p) and (p in self.shared or p != link.centre)]
+        joints = [
+            self.at(p) for p in self.mechanism.joined(link) if self.has(p) and (p in self.shared or p != link.centre)
+        ]
         joints += [self.foot(x)[0] for x in (*self.sliders(*link.guides), *([link] if link.slides else ()))]
         outline = outline_of(joints)
         return list(pairwise((*outline, outline[0])))[: len(outline) if len(outline) > 2 else len(outline) - 1]

@@ -11,11 +11,12 @@ from planes.solving import Position
 from planes.words.lettering import Naming, lowered
 from planes.words.names import POLE, ends_of, label_of
 from render import labels
-from render.labels.footprints import ink
 from render.paper import symbols
 from render.paper.marks import Line, Mark
 from render.paper.style import BLOCK_MM, HINGE_MM
+from render.views.hinges import base_angle
 from render.views.plotted import NEAR_MM, Places, degrees, nearest, outline_of
+from render.views.round_guides import round_slider
 from render.views.senses import driver_arrows, labelled
 
 RAIL_MM = 17.0  # of a guide shown on each side of its slider
@@ -70,7 +71,10 @@ class Scheme:
 
     def link(self, link: Link) -> None:
         """A link's bar or plate, its own guides, and its slider if it slides."""
-        joints = [self.places.at(p) for p in link.points if p in self.shared or p != link.centre]
+        if found := self.mechanism.round_guide(link):
+            self.blocks += round_slider(self.places, link, *found)
+        own = self.mechanism.joined(link)
+        joints = [self.places.at(p) for p in own if p in self.shared or p != link.centre]
         if link.slides:
             foot, along = self.places.foot(link)
             self.slider(link, foot, along)
@@ -84,7 +88,7 @@ class Scheme:
         elif len(outline) == 2:
             self.bars += symbols.bar(*outline)
         self.offside(link, outline)
-        for p in link.points:
+        for p in own:
             if p in self.shared:
                 self.ways.setdefault(p, []).extend(z - self.places.at(p) for z in outline)
 
@@ -198,6 +202,8 @@ class Scheme:
             at, clear = (foot - long / 2 * along, foot + long / 2 * along), wide / 2
             if long < BLOCK_MM[0]:
                 at, clear = foot + (long / 2 + 1j * wide / 2) * along, 0.0
+        elif link.slides_round:
+            at, clear = self.places.at(link.first_point), BLOCK_MM[0] / 2
         elif slider := next(self.places.sliders(*link.guides), None):  # a hinge and a guide: the rod between them
             at = self.places.at(link.first_point), self.places.foot(slider)[0]
         if at is not None:
@@ -212,21 +218,9 @@ class Scheme:
             if not self.places.has(point) or not any(link.name in owners for link in self.links):
                 continue
             z, fixed = self.places.at(point), FRAME in owners and self.framed
-            self.hinges += symbols.fixed_hinge(z, self.base_angle(point)) if fixed else symbols.hinge(z)
-
-    def base_angle(self, point: str) -> float:
-        """The turn of a fixed hinge's base that keeps clear of its own bars and then of others: upright if it can."""
-        z, ways = self.places.at(point), [w / abs(w) for w in self.ways.get(point, []) if abs(w) > NEAR_MM]
-        bars = ink([*self.bars, *self.guides])
-
-        def hits(turn: int) -> tuple[int, int]:
-            leg = -1j * symbols.unit(turn)
-            room = min((math.degrees(abs(cmath.phase(w / leg))) for w in ways), default=180.0)
-            own = 3 if room < 25 else 1 if room < 50 else 0
-            feet = [m for m in symbols.fixed_hinge(z, turn) if isinstance(m, Line)]
-            return own, len(set(bars.within(ink(feet).shapes, 0.5)[1])) if len(bars.shapes) else 0
-
-        return float(min((0, 90, 270, 180), key=lambda turn: (sum(hits(turn)), hits(turn))))
+            ways = [w / abs(w) for w in self.ways.get(point, []) if abs(w) > NEAR_MM]
+            turn = base_angle(z, ways, [*self.bars, *self.guides]) if fixed else 0.0
+            self.hinges += symbols.fixed_hinge(z, turn) if fixed else symbols.hinge(z)
 
     def letters(self) -> None:
         """Letters of all points."""

@@ -37,14 +37,15 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
 
     def own(found: list[ReadDrawing]) -> list[ReadDrawing]:
-        return [p for p in found if mu_over(sketch.words, p, bench.asked.plan, plans)[1]]  # under the plan's title
+        """Those under the plan's title that name something of it, as a diagram of the same quantity does not."""
+        return [p for p in found if named(p) and mu_over(sketch.words, p, bench.asked.plan, plans)[1]]
 
     plans = known_plans(bench.plans)
     if elsewhere(sketch.words, bench.asked.plan, plans):
         return ReadPaper(sketch.file, whole=False)
     found = parts(sketch)
     titled, plain = own(found), [p for p in own(found) if enlarged(sketch.words, p) == 1.0]
-    likely = plain or titled or [p for p in own(parts(sketch, 0.0)) if named(p)] or found
+    likely = plain or titled or own(parts(sketch, 0.0)) or found
     likely = sorted(likely, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
     papers = [(_paper_of(replace(part), bench, sketch.words), named(part)) for part in likely or [sketch]]
