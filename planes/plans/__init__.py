@@ -135,8 +135,9 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
     """
     try:
         structure = analyse(mechanism, file)
-    except StructureError:
-        if plans := without_passive(mechanism, plans_of):
+    except StructureError as error:
+        freedom = error.phrase.parts.get("freedom") if isinstance(error.phrase, Phrase) else None
+        if isinstance(freedom, int) and (plans := without_passive(mechanism, freedom, plans_of)):
             return plans
         raise
     try:

@@ -11,7 +11,7 @@ import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, islice
 from types import MappingProxyType
 from typing import Any, TypeVar
 
@@ -27,18 +27,19 @@ NEAR_DEG, NEAR = 20.0, 0.1  # how far the driver is moved to either side, of the
 PLACES = 21  # of the driver on a side, at which the distances are looked at
 LEAST = 5  # of them at which the mechanism must work
 SAME = 1e-9  # of the mechanism's size
-MOST = 2  # links that are left out together
+MOST, TRIED = 2, 40  # links that are left out together, and how many such choices are tried
 
 
-def without_passive(mechanism: Mechanism, stated: Callable[[Mechanism], Stated]) -> Stated | None:
-    """The plans of the mechanism without its passive links, as ``stated`` states them; None where it has none."""
+def without_passive(mechanism: Mechanism, freedom: int, stated: Callable[[Mechanism], Stated]) -> Stated | None:
+    """The plans of a mechanism of W = ``freedom`` without its passive links, as ``stated`` states them; None where it
+    has none. Each link that goes gives it one freedom."""
     links = [link for link in reversed(list(mechanism.links.values())) if _may_go(mechanism, link)]
-    for count in range(1, MOST + 1):
-        for gone in combinations(links, count):
-            for plans in _assembled(_without(mechanism, gone), stated):
-                if not plans.passive and all(_held(plans, link) for link in gone):
-                    named = replace(plans.structure, passive=tuple(link.name for link in gone))
-                    return replace(plans, structure=named, passive=gone)
+    count = 1 - freedom
+    for gone in islice(combinations(links, count), TRIED) if 0 < count <= MOST else ():
+        for plans in _assembled(_without(mechanism, gone), stated):
+            if all(_held(plans, link) for link in gone):
+                named = replace(plans.structure, passive=tuple(link.name for link in gone))
+                return replace(plans, structure=named, passive=gone)
     return None
 
 

@@ -21,6 +21,7 @@ Bounds = tuple[float, float, float, float]
 Shapes = NDArray[np.object_]
 """Geometries of shapely."""
 
+HARDLY_MM = 0.25  # ink no farther apart runs together
 TOUCH_MM = 0.01
 
 
@@ -147,7 +148,8 @@ def meeting(lines: Complexes, others: Complexes) -> Booleans:
 
 
 def overprinted(marks: Sequence[Mark]) -> list[str]:
-    """Labels whose letters, not their boxes alone, lie on another label or on any stroke but their own bars."""
+    """Labels whose letters, not their boxes alone, lie on another label or on any stroke but their own bars, or so near
+    that they can hardly be told from it."""
     held = [m for m in marks if not (isinstance(m, Line) and m.layer == "text" and m.name != "leader")]
     texts = [m for m in held if isinstance(m, Text) and layout(m).strokes]
     rest = ink([m for m in held if not isinstance(m, Text)])
@@ -156,8 +158,8 @@ def overprinted(marks: Sequence[Mark]) -> list[str]:
     found = []
     for k, own in inked.items():
         others = [shape for j, shape in inked.items() if j != k]
-        struck = len(rest.shapes) and len(rest.within(np.array([own]), 0.0)[0])
-        if struck or any(own.intersects(other) for other in others):
+        struck = len(rest.shapes) and len(rest.within(np.array([own]), HARDLY_MM)[0])
+        if struck or any(shapely.dwithin(own, other, HARDLY_MM) for other in others):
             found.append(texts[k].text)
     return found
 
