@@ -200,7 +200,8 @@ class Teller:
         names = list(dict.fromkeys(names))
         found = [self.read_off("closing", plan, names, [])] if names else []
         found += [self.frame("apart", plan, names=own, terms=(own["force"],)) for own in self.words.apart(plan)]
-        return found + [self.rubbing(plan, r) for r in self.plans.reactions.values() if r.plan == plan and r.friction]
+        rubbing = (r for r in self.plans.reactions.values() if r.plan == plan and r.power in self.made)
+        return found + [self.rubbing(plan, r) for r in rubbing]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
         """Both parts of a reaction with friction, and the power of friction."""

@@ -127,7 +127,7 @@ class Note:
                 yield from self.compared()
                 continue
             yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
-            if plan == "velocity":
+            if plan == "velocity" and self.scene.find is None:
                 yield from self.transfers()
         if self.scene.find is None and not self.position.plans.forces:
             yield Paragraph(self.say("note_no_forces"))

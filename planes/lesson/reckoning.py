@@ -18,8 +18,7 @@ class Reckoning:
 
     def __init__(self, plans: Plans, made: Mapping[str, Step], divided: Callable[[str, Lang], str]) -> None:
         self.plans, self.made, self.divided = plans, made, divided
-        named = (value.removesuffix("_given") for value in load_names(plans.mechanism))
-        self.told = {*plans.given, *named, *(m.unknown for m in plans.moments)}
+        self.told = {*plans.given, *load_names(plans.mechanism), *(m.unknown for m in plans.moments)}
 
     def tell(self, text: str) -> None:
         """A sentence has been said."""
