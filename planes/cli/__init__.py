@@ -7,18 +7,19 @@ import argparse
 import io
 import re
 import sys
-from collections.abc import Sequence
-from contextlib import suppress
-from functools import cache
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from functools import partial
+from gettext import NullTranslations
 from importlib import import_module
 from itertools import pairwise
-from typing import Any, NoReturn
+from typing import Any
 
-from planes.cli.options import EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, Option
-from planes.words import Lang, Phrase, home_lang, say, table
+from planes.cli.options import COMPLETED, EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, WITHOUT_SCENE, Option
+from planes.words import Lang, Phrase, home_lang, langs, say, table, under
 from planes.words.errors import PlanesError
 
-APART = {"check": "check", "blank": "check", "cycle": "cycle"}
+APART = {"check": "check", "blank": "check", "cycle": "cycle"} | dict.fromkeys(("new", "schema", "completion"), "start")
 """Commands with a module of their own; the others are together in ``commands``."""
 
 
@@ -29,28 +30,42 @@ def main(argv: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="replace")  # a terminal without Cyrillic still gets the numbers
     argv = sys.argv[1:] if argv is None else argv
     lang = lang_of(argv)
-    args = _parser(lang).parse_args(argv)
-    try:
-        module = import_module(f"planes.cli.{APART.get(args.command, 'commands')}")
-        status = int(getattr(module, args.command.replace("-", "_"))(args))
-        if sys.stdout:
-            sys.stdout.flush()
-        return status
-    except PlanesError as error:
-        refused: PlanesError = error
-    except BrokenPipeError:
-        return 0
-    except OSError as error:
-        file = error.filename or Phrase("standard_output")
-        refused = PlanesError(Phrase("system_refuses", file=file, reason=error.strerror or str(error)))
-    except KeyboardInterrupt:
-        return 130
-    with suppress(OSError):
-        print(refused.told(lang), file=sys.stderr)
+    with speaking(lang):
+        args = reader_of(lang).parse_args(argv)
+        try:
+            return _run(args)
+        except PlanesError as error:
+            refused: PlanesError = error
+        except BrokenPipeError:
+            return 0
+        except OSError as error:
+            file = error.filename or Phrase("standard_output")
+            refused = PlanesError(Phrase("system_refuses", file=file, reason=error.strerror or str(error)))
+        except KeyboardInterrupt:
+            return 130
+        with suppress(OSError):
+            print(refused.told(lang), file=sys.stderr)
     return 2
 
 
-def _parser(lang: Lang) -> argparse.ArgumentParser:
+def _run(args: argparse.Namespace) -> int:
+    """The command; where it takes long, a person at a terminal sees that it goes on."""
+    from planes.words.waiting import waiting
+
+    module = import_module(f"planes.cli.{APART.get(args.command, 'commands')}")
+    with waiting():
+        status = int(getattr(module, args.command.replace("-", "_"))(args))
+    if sys.stdout:
+        sys.stdout.flush()
+    if args.lang and (borrowed := table(args.lang).borrowed):
+        other = table(table(args.lang).other)["language_name"]
+        print(say("words_borrowed", args.lang, of=args.lang, count=len(borrowed), other=other), file=sys.stderr)
+    return status
+
+
+def reader_of(lang: Lang) -> argparse.ArgumentParser:
+    """The reader of the command line."""
+
     def help_of(key: str) -> str:
         return say(f"help_{key}", lang)
 
@@ -61,64 +76,63 @@ def _parser(lang: Lang) -> argparse.ArgumentParser:
         text = help_of(name.replace("-", "_"))
         parser = commands.add_parser(name, help=text, description=text, lang=lang)
         parser.set_defaults(command=name, refuse=parser.error)
-        asked: Option = ("--lang", "lang", {"choices": ("ru", "en"), "default": None if name == "course" else lang})
+        asked: Option = ("--lang", "lang", {"choices": langs(), "default": None if name == "course" else lang})
         of_scene = (*OF_SCENE, asked, *(POSITIONS if name in POSITIONED else ()))
-        options = (*own, asked) if name == "course" else (*of_scene, *own)
+        options = (*own, asked) if name in WITHOUT_SCENE else (*of_scene, *own)
         one_of = parser.add_mutually_exclusive_group() if name in EITHER else parser
         for flags, key, how in options:
             holder = one_of if flags in EITHER.get(name, ()) else parser
-            holder.add_argument(*flags.split(), help=help_of(key), **how)
+            action = holder.add_argument(*flags.split(), help=help_of(key), **how)
+            if action.metavar in COMPLETED:
+                action.complete = COMPLETED[action.metavar]  # type: ignore[attr-defined]  # shtab asks for it
     return reader
-
-
-HEADS = ("usage_line", "usage_given", "usage_options", "usage_help", "usage_version")
 
 
 def lang_of(argv: Sequence[str]) -> Lang:
     """The language asked for, wherever it stands among the arguments; else the home language."""
-    said: list[Lang] = re.findall(r"(?<=\0)--lang?(?:=|\0)(ru|en)(?=\0)", "\0".join(("", *argv, "")))
+    known = "|".join(langs())
+    said: list[Lang] = re.findall(rf"(?<=\0)--lang?(?:=|\0)({known})(?=\0)", "\0".join(("", *argv, "")))
     return said[-1] if said else home_lang()
 
 
-@cache
-def _refusals() -> dict[str, re.Pattern[str]]:
-    """What the reader refuses with, by the key of its words."""
-    english = {key: re.escape(text) for key, text in table("en", "usage").items() if key not in HEADS}
-    return {key: re.compile(re.sub(r"\\{(\w+)\\}", r"(?P<\1>.*?)", text), re.DOTALL) for key, text in english.items()}
+class UsageWords(NullTranslations):
+    """What the reader of options says, in a language: its own English words are those of the table."""
+
+    def __init__(self, lang: Lang) -> None:
+        super().__init__()
+        own = under("usage_", lang, "usage")
+        self.known = {text: own[key] for key, text in under("usage_", "en", "usage").items()}
+
+    def gettext(self, message: str) -> str:
+        """The words, as gettext gives them."""
+        return self.known.get(message, message)
 
 
-def refusal(text: str, lang: Lang) -> str:
-    """What the reader of options refuses with, in a language."""
-    for key, pattern in _refusals().items():
-        if match := pattern.fullmatch(text):
-            return say(key, lang, **{name: refusal(part, lang) for name, part in match.groupdict().items()})
-    return text
+@contextmanager
+def speaking(lang: Lang) -> Iterator[None]:
+    """The reader of options speaks a language: it asks gettext under the name ``_``."""
+    own = vars(argparse)["_"]
+    vars(argparse)["_"] = UsageWords(lang).gettext
+    try:
+        yield
+    finally:
+        vars(argparse)["_"] = own
 
 
 class Parser(argparse.ArgumentParser):
-    """A reader of the command line that speaks a language."""
+    """A reader of the command line whose numbers are refused in a language."""
 
     def __init__(self, *args: Any, lang: Lang = "en", **more: Any) -> None:
         self.lang = lang
         super().__init__(*args, **more)
+        for kind, key in ((int, "whole_needed"), (float, "number_needed_here")):
+            self.register("type", kind, partial(self._number, kind, key))
 
-    def headed(self, text: str) -> str:
-        """The help or the usage with its heads in the language."""
-        for key in HEADS:
-            text = text.replace(say(key), say(key, self.lang))
-        return text
-
-    def format_help(self) -> str:
-        """The help, translated."""
-        return self.headed(super().format_help())
-
-    def format_usage(self) -> str:
-        """The usage line, translated."""
-        return self.headed(super().format_usage())
-
-    def error(self, message: str) -> NoReturn:
-        """Usage and what is wrong, and the end."""
-        self.exit(2, f"{self.format_usage()}{self.prog}: {refusal(f'error: {message}', self.lang)}\n")
+    def _number(self, kind: type[float], key: str, text: str) -> float:
+        try:
+            return kind(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(say(key, self.lang, value=repr(text))) from None
 
 
 class CommandParser(Parser):
@@ -131,7 +145,7 @@ class CommandParser(Parser):
         line = self._ended(args or ())
         if self._mixing or "--" in line:
             return super().parse_known_args(line, namespace)
-        self.usage = argparse.ArgumentParser.format_usage(self).removeprefix("usage: ")  # before it is read in two
+        self.usage = self.format_usage().removeprefix(say("usage_line", self.lang))  # before it is read in two
         self._mixing = True
         try:
             return self.parse_known_intermixed_args(line, namespace)

@@ -39,7 +39,7 @@ def check(args: Namespace) -> int:
     if is_course(Path(args.scene)) and not args.trace:
         return check_class(args, handed_out(Path(args.scene)), _sheets(args))
     if args.plan is None and (args.trace or not _told_by_marks(args.drawing)):
-        args.refuse("the following arguments are required: --plan")
+        args.refuse(say("usage_missing", args.lang) % "--plan")
     scene = scene_of(args)
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
@@ -180,7 +180,7 @@ def _told_by_marks(drawing: str | None) -> bool:
 def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet]) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
     from planes.documents.class_work import ClassWork, Sorter
-    from planes.documents.lesson import bar
+    from planes.words.waiting import bar
 
     def asking(scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
         own = value_of(args, scene)

@@ -89,7 +89,7 @@ def _survey(args: Namespace) -> int:
     """Every scene of a folder in every variant; exit status 0 if all is solved and balancing loads agree, else 1."""
     from planes.course.survey import lines_of, report, scenes_of
     from planes.course.workers import crowd
-    from planes.documents.lesson import bar
+    from planes.words.waiting import bar
 
     check_options(args, "solve", "folder")
     tasks = [(str(path), args.lang, args.variant) for path in scenes_of(args.scene)]
@@ -188,7 +188,7 @@ def course(args: Namespace) -> int:
     from planes.course.reading import read_course
     from planes.course.workers import crowd
     from planes.documents.course_run import conduct
-    from planes.documents.lesson import bar
+    from planes.words.waiting import bar
 
     said: Lang | None = args.lang
     args.lang = said or home_lang()

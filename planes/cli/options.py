@@ -23,6 +23,15 @@ POSITIONED = ("solve", "sheet", "note", "cycle", "check", "blank")
 EITHER = {"sheet": ("--sheet", "--view"), "course": ("--jobs", "--scheduler")}
 """Options of which one alone may be given."""
 
+WITHOUT_SCENE = ("course", "new", "schema", "completion")
+SHELLS = ("bash", "zsh", "tcsh")
+_FILES = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}  # as shtab's FILE and DIRECTORY
+_FOLDERS = {"bash": "_shtab_compgen_dirs", "zsh": "_files -/", "tcsh": "d"}
+COMPLETED = dict.fromkeys(("FILE", "SCENE", "DRAWING", "PLAN=FILE"), _FILES) | dict.fromkeys(
+    ("DIR", "FOLDER"), _FOLDERS
+)
+"""What a shell completes in the place of a word of the usage."""
+
 OPTIONS: Mapping[str, Sequence[Option]] = {
     "solve": (
         ("--json", "json", FLAG),
@@ -89,6 +98,12 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--jobs", "jobs", {"type": int, "metavar": "N"}),
         ("--scheduler", "scheduler", {"metavar": "ADDRESS"}),
     ),
+    "new": (("kind", "new_kind", {"nargs": "?", "metavar": "KIND"}), ("-o --output", "new_output", FILE)),
+    "schema": (
+        ("kind", "schema_kind", {"choices": ("scene", "course", "table")}),
+        ("-o --output", "schema_output", FILE),
+    ),
+    "completion": (("shell", "completion_shell", {"choices": SHELLS}),),
 }
 """What each command takes beside its scene, ``--variant`` and ``--lang``."""
 

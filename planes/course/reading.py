@@ -11,13 +11,15 @@ from planes.scene import loads, source
 from planes.scene.reader import Reader, part
 from planes.scene.settings import read_sheet, read_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
-from planes.words import Phrase, Told
+from planes.words import Phrase, Told, langs
 from planes.words.errors import PlanesError, SceneError, choices, shown
 from planes.words.units import PLANS
 
 NAME = "course.yaml"
 _KEYS = "course title lang sheet students assignments each variants draw sharpness documents formats plans seed"
 KEYS = tuple(_KEYS.split())
+STUDENT_KEYS = ("name", "group", "assignment", "variant")
+DRAW_KEYS = ("from", "to", "step")
 MOST_VALUES = 10_000  # numbers a parameter may be drawn from
 MOST_EACH = 100
 
@@ -49,7 +51,7 @@ def _course(reader: Reader, table: SourceTable, folder: Path) -> Course:
     check_students(*students, assignments)
     sheet = get["sheet"]
     read_sheet(reader, sheet)
-    lang = None if get["lang"] is None else reader.word(get["lang"], "lang", ("ru", "en"))
+    lang = None if get["lang"] is None else reader.word(get["lang"], "lang", langs())
     way = "given" if get["variants"] is None else reader.word(get["variants"], "variants", ("given", "drawn"))
     return Course(
         reader.file,
@@ -65,7 +67,7 @@ def _course(reader: Reader, table: SourceTable, folder: Path) -> Course:
         _words(reader, get["formats"], "formats", FORMATS, FORMATS[:1]),
         _words(reader, get["plans"], "plans", PLANS, PLANS[1:]),
         _whole(reader, get["seed"], "seed", 1, 10**9),
-        "ru" if lang == "ru" else "en" if lang else None,
+        lang,
     )
 
 
@@ -86,7 +88,7 @@ def _student(reader: Reader, number: int, node: Node) -> Student:
     what = Phrase("entry", number=number, what="students")
     if isinstance(node, SourceScalar):
         return Student(reader.text(node, what), line=node.line)
-    table = reader.table(node, what, ("name", "group", "assignment", "variant"))
+    table = reader.table(node, what, STUDENT_KEYS)
     said = {k: reader.text(v, part(k, what)) for k, v in reader.present(table).items()}
     reader.required(table, "name", what)
     return Student(said["name"], said.get("group", ""), said.get("assignment"), said.get("variant"), node.line)
@@ -155,7 +157,7 @@ def _choice(reader: Reader, name: str, node: Node) -> ParameterChoice:
     if isinstance(node, Items):
         values = [reader.number(n, what) for n in reader.items(node, what)]
     elif isinstance(node, SourceTable):
-        table = reader.table(node, what, ("from", "to", "step"))
+        table = reader.table(node, what, DRAW_KEYS)
         need = {k: reader.required(table, k, what) for k in ("from", "to", "step")}
         low, high, step = (reader.number(n, part(k, what)) for k, n in need.items())
         if step <= 0 or high < low or (high - low) / step > MOST_VALUES:

@@ -62,7 +62,7 @@ class ChapterWriter:
         if times:
             plain = power.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
             text = f"{mantissa}\\cdot10^{{{plain}}}"
-        return text.replace(".", "{,}") if self.lang == "ru" else text
+        return text.replace(".", "{,}") if say("decimal_sign", self.lang) == "," else text
 
     def write(self, part: str, values: object) -> None:
         """A part of ``report.txt``: its headings, sentences and formulas, their places filled with ``values``."""
@@ -94,7 +94,7 @@ class ChapterWriter:
         tex = re.sub("§(\\w+)§", lambda place: f"\\mathrm{{{self.say(f'sub_{place[1]}')}}}", tex)
         for unit in UNITS:
             tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{say(unit, self.lang)}}}")
-        tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", r"\,\mathrm{tg}\," if self.lang == "ru" else r"\,\tan ")
+        tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", rf"\,\mathrm{{{say('tangent', self.lang)}}}\,")
         tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")
         self.blocks.append(Formula(tex, number))
 

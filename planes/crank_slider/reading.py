@@ -1,6 +1,7 @@
 """Reads ``crank_slider:``; every value is checked, every refusal is a sentence with its line."""
 
 import math
+from collections.abc import Mapping
 
 from planes.crank_slider.given import UNITS, Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed
 from planes.crank_slider.parts import ELASTICITY_MPA, STEELS, Material, Round, Shank, Web, made, steel
@@ -12,11 +13,35 @@ from planes.scene.source import SourceScalar
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices, shown
 
-_KEYS = ("bore", "ambient", "indicator", "step", "speed", "flywheel", "positions")
-_PARTS = ("shaft", "counterweights", "rod", "piston_pin", "materials", "fatigue", "limits")
-_MADE = ("shaft", "rod", "piston_pin")
-_SHAFT = ("span", "pin_from_B", "webs", "journal", "crankpin", "web", "masses")
-_MATERIAL = ("name", "strength_MPa", "yield_MPa", "alloyed", "fatigue_MPa", "fatigue_torsion_MPa", "elasticity_MPa")
+KEYS: Mapping[str, tuple[str, ...]] = {
+    "crank_slider": (
+        *("bore", "ambient", "indicator", "step", "speed", "flywheel", "positions", "shaft", "counterweights"),
+        *("rod", "piston_pin", "materials", "fatigue", "limits"),
+    ),
+    "flywheel": ("unevenness",),
+    "speed": ("unevenness", "waves", "phase"),
+    "shaft": ("span", "pin_from_B", "webs", "journal", "crankpin", "web", "masses"),
+    "round": ("diameter", "bore"),
+    "web": ("width", "thickness"),
+    "masses": ("pin", "webs", "webs_radius"),
+    "counterweights": ("radius", "masses", "translating"),
+    "rod": ("height", "width", "flange", "web"),
+    "piston_pin": ("diameter", "bore", "length", "bush", "gap"),
+    "materials": ("shaft", "rod", "piston_pin"),
+    "material": (
+        "name",
+        "strength_MPa",
+        "yield_MPa",
+        "alloyed",
+        "fatigue_MPa",
+        "fatigue_torsion_MPa",
+        "elasticity_MPa",
+    ),
+    "fatigue": ("journal", "crankpin"),
+    "concentration": ("k_sigma", "k_tau", "size_sigma", "size_tau"),
+    "limits": ("static", "fatigue", "buckling", "bush_MPa", "boss_MPa"),
+}
+"""The keys of the section and of the tables in it, by the name of the table."""
 
 
 def read(scene: Scene) -> Given:
@@ -24,26 +49,29 @@ def read(scene: Scene) -> Given:
     shape = shape_of(scene)
     assert scene.crank_slider is not None
     reader, what = Reader(scene.file, scene.parameters), section("crank_slider")
-    top = Values(reader, reader.table(scene.crank_slider, what, (*_KEYS, *_PARTS)), what)
+    top = Values(reader, reader.table(scene.crank_slider, what, KEYS["crank_slider"]), what)
     indicator = read_indicator(top)
     pascals = UNITS[indicator.unit]
-    flywheel = top.inner("flywheel", ("unevenness",))
+    flywheel = top.inner("flywheel", KEYS["flywheel"])
     given = Given(
         shape,
         top.above("bore"),
         top.not_negative("ambient", 0.1e6 / pascals) * pascals,
         indicator,
         _step(top),
-        top.part("speed", ("unevenness", "waves", "phase"), _speed) or Speed(),
+        top.part("speed", KEYS["speed"], _speed) or Speed(),
         flywheel.between("unevenness", 1e-4, 0.5) if flywheel else 0.02,
         _positions(top, indicator.cycle_deg, indicator.start_deg),
-        top.part("shaft", _SHAFT, _shaft),
-        top.part("counterweights", ("radius", "masses", "translating"), _counterweights),
-        top.part("rod", ("height", "width", "flange", "web"), _rod),
-        top.part("piston_pin", ("diameter", "bore", "length", "bush", "gap"), _pin),
-        top.part("materials", _MADE, lambda table: {key: _material(table, key) for key in table.table.entries}) or {},
-        top.part("fatigue", ("journal", "crankpin"), _concentration) or {},
-        top.part("limits", ("static", "fatigue", "buckling", "bush_MPa", "boss_MPa"), _limits) or Limits(),
+        top.part("shaft", KEYS["shaft"], _shaft),
+        top.part("counterweights", KEYS["counterweights"], _counterweights),
+        top.part("rod", KEYS["rod"], _rod),
+        top.part("piston_pin", KEYS["piston_pin"], _pin),
+        top.part(
+            "materials", KEYS["materials"], lambda table: {key: _material(table, key) for key in table.table.entries}
+        )
+        or {},
+        top.part("fatigue", KEYS["fatigue"], _concentration) or {},
+        top.part("limits", KEYS["limits"], _limits) or Limits(),
     )
     _check_parts(scene, top, given)
     return given
@@ -113,14 +141,14 @@ def _shaft(table: Values) -> Shaft:
     span, n, m = table.above("span"), table.above("pin_from_B"), table.above("webs")
     if m >= min(n, span - n):
         raise table.error(Phrase("cs_span", webs=m, left=span - n, right=n), "webs")
-    web = table.needed("web", ("width", "thickness"))
-    masses = table.needed("masses", ("pin", "webs", "webs_radius"))
+    web = table.needed("web", KEYS["web"])
+    masses = table.needed("masses", KEYS["masses"])
     return Shaft(
         span,
         pin_from_b=n,
         webs=m,
-        journal=_bored(table.needed("journal", ("diameter", "bore"))),
-        crankpin=_bored(table.needed("crankpin", ("diameter", "bore"))),
+        journal=_bored(table.needed("journal", KEYS["round"])),
+        crankpin=_bored(table.needed("crankpin", KEYS["round"])),
         web=Web(web.above("width"), web.above("thickness")),
         pin_mass=masses.not_negative("pin"),
         web_mass=masses.not_negative("webs"),
@@ -161,14 +189,14 @@ def _material(table: Values, key: str) -> Material:
             return found
         what = Phrase("about", what=table.named(key), why=shown(name))
         raise table.error(Phrase("cs_no_steel", what=what, valid=choices(name, STEELS)), key)
-    inner = table.needed(key, _MATERIAL)
+    inner = table.needed(key, KEYS["material"])
     strength, yields = inner.above("strength_MPa"), inner.above("yield_MPa")
     if yields > strength:
         raise inner.error(Phrase("cs_yield", what=inner.what, one=yields, two=strength), "yield_MPa")
     name_node, alloyed = (inner.reader.optional(inner.table, k) for k in ("name", "alloyed"))
     name = key if name_node is None else inner.reader.text(name_node, inner.named("name"))
     is_alloyed = alloyed is not None and inner.reader.word(alloyed, inner.named("alloyed"), ("yes", "no")) == "yes"
-    bending, torsion = (inner.above(k) if k in inner.table.entries else None for k in _MATERIAL[4:6])
+    bending, torsion = (inner.above(k) if k in inner.table.entries else None for k in KEYS["material"][4:6])
     return made(name, strength, yields, is_alloyed, bending, torsion, inner.above("elasticity_MPa", ELASTICITY_MPA))
 
 
@@ -176,7 +204,7 @@ def _concentration(table: Values) -> dict[str, Concentration]:
     """Stress raisers of journal and crank pin."""
     found = {}
     for key in table.table.entries:
-        inner = table.needed(key, ("k_sigma", "k_tau", "size_sigma", "size_tau"))
+        inner = table.needed(key, KEYS["concentration"])
         found[key] = Concentration(
             k_sigma=inner.between("k_sigma", 1.0, 20.0),
             k_tau=inner.between("k_tau", 1.0, 20.0),

@@ -13,6 +13,7 @@ from planes.words import Phrase, Told
 from planes.words.errors import SceneError
 
 Part = TypeVar("Part")
+INDICATOR = ("over", "unit", *FOUR)
 
 
 class Values:
@@ -86,7 +87,7 @@ class Values:
 
 def read_indicator(top: Values) -> Indicator:
     """The diagram with every stage it needs, each over the whole of its stroke, joined to the next."""
-    table = top.needed("indicator", ("over", "unit", *FOUR))
+    table = top.needed("indicator", INDICATOR)
     reader = top.reader
     over = reader.word(reader.required(table.table, "over", table.what), table.named("over"), ("path", "angle"))
     unit = reader.word(reader.required(table.table, "unit", table.what), table.named("unit"), tuple(UNITS))

@@ -25,6 +25,7 @@ from planes.solving.tables import table
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
 from planes.words.records import Json, or_none
+from planes.words.waiting import bar
 
 FULL_TURN = Span(0.0, 1.0, 361)
 TOLD = 20  # how many failed ranges are told in words
@@ -91,15 +92,13 @@ def _written(
 
 def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
     """The blocks, with a bar where a person waits at a terminal."""
-    if not sys.stderr.isatty():
-        yield from blocks
-        return
-    from tqdm import tqdm
-
-    with tqdm(total=count, unit=f" {say('positions', lang)}", unit_scale=True, leave=False) as bar:
+    done = 0
+    with bar(unit=f" {say('positions', lang)}", unit_scale=True) as step:
         for block in blocks:
             yield block
-            bar.update(len(block.values))
+            done += len(block.values)
+            if step:
+                step(done, count)
 
 
 def collect(gaps: list[Gap], block: Block) -> None:

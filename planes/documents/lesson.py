@@ -1,9 +1,6 @@
 """The commands ``planes lesson`` and ``planes note``: a page, or prose with figures, written whole or not at all."""
 
 import html
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +11,7 @@ from planes.scene.files import keep
 from planes.solving import Position, failed, plans_of, position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.waiting import bar
 from render.page.lesson_page import page
 from render.report import SUFFIXES, rendered
 from render.sheet.composer import Composer
@@ -69,20 +67,3 @@ def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
         return position(scene, plans, wanted, value, None, lang)
     except PlanFailure as failure:
         raise SceneError(failed(failure, value, plans.mechanism.drive.kind), scene.file) from None
-
-
-@contextmanager
-def bar() -> Iterator[Callable[[int, int], None] | None]:
-    """A progress bar where a person waits at a terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from tqdm import tqdm
-
-    with tqdm(leave=False) as shown:
-
-        def step(done: int, count: int) -> None:
-            shown.total, shown.n = count, done
-            shown.refresh()
-
-        yield step

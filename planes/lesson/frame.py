@@ -1,18 +1,18 @@
-"""One frame of a lesson, told in both languages."""
+"""One frame of a lesson, told in every language of lessons."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
 from planes.lesson.formulas import slots
-from planes.words import Lang
+from planes.words import Lang, langs
 
 One = TypeVar("One")
-LANGS: tuple[Lang, ...] = ("ru", "en")
+LANGS = langs("lesson")
 
 
 def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
-    """What is told, in either language."""
+    """What is told, in every language of lessons."""
     return {lang: told(lang) for lang in LANGS}
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from planes.scene import source
+from planes.scene import settings, source
 from planes.scene.doubts import read_doubts
 from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader
@@ -17,7 +17,6 @@ from planes.scene.mechanism import Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_friction, read_loads
 from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
 from planes.scene.reader import Reader, entries_of
-from planes.scene.settings import read_find, read_number_of_frame, read_plans, read_sheet, read_vector_mu, read_words
 from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
 from planes.words import Phrase
@@ -29,9 +28,9 @@ from planes.words.units import Convention, mu_text
 __all__ = ["ReadWith", "Scene", "VectorGiven", "load", "loads"]
 
 FORMAT = "1"
-_COMMON = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet")
-_MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans", "crank_slider")
-_VECTORS = ("vectors", "equations", "mu")
+COMMON_KEYS = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet")
+MECHANISM_KEYS = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans", "crank_slider")
+VECTORS_KEYS = ("vectors", "equations", "mu")
 _EXAMPLES = {
     "frame": "frame: {points: {O: [0, 0]}}",
     "links": "links: {1: {points: {O: 0, A: 0.1}}}",
@@ -114,7 +113,7 @@ class Scene(Pictured):
         """The scene of a mechanism built in Python; scales are chosen by the program."""
         from planes.scene.writing import as_yaml
 
-        return loads(as_yaml(mechanism, {"title": {"ru": title, "en": title}}, {}), file or "mechanism")
+        return loads(as_yaml(mechanism, {"title": title}, {}), file or "mechanism")
 
     def with_parameters(self, **values: float) -> Scene:
         """The same scene read again with other numbers for some parameters (SI, degrees).
@@ -132,11 +131,14 @@ class Scene(Pictured):
 
         if self.mechanism is None:
             raise SceneError(Phrase("vectors_alone"), self.file, 1)
-        words = {key: dict(getattr(self, key)) for key in ("title", "note", "missing", "parameters")}
+        words: dict[str, object] = {
+            key: settings.fewest(dict(getattr(self, key))) for key in ("title", "note", "missing")
+        }
+        words["parameters"] = dict(self.parameters)
         plans = {plan: {"mu": mu_text(mu, plan)} for plan, mu in self.mu.items() if mu}
         find = None if self.find is None else list(self.find)
         asked = {"plans": plans, "find": find, "sheet": dict(self.sheet), "crank_slider": self.crank_slider}
-        return as_yaml(self.mechanism, words, asked, self.frame_number)
+        return as_yaml(self.mechanism, {**words, "parameters": dict(self.parameters)}, asked, self.frame_number)
 
 
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
@@ -157,7 +159,7 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
         variant = unicodedata.normalize("NFC", variant[:1000])
     given, variants = reader.optional(table, "parameters"), reader.optional(table, "variants")
     tables = read_variants(reader, variants, given)
-    chosen = choose(reader, tables, variant, table.lines.get("variants", 1))
+    variant, chosen = choose(reader, tables, variant, table.lines.get("variants", 1))
     changed = with_numbers(reader, given, chosen, parameters)
     reader.parameters = MappingProxyType(read_parameters(reader, given, changed))
     stated = {**entries_of(given), **entries_of(changed)}
@@ -171,13 +173,13 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
     mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
     vectors = read_vectors(reader, table.entries["vectors"]) if of_vectors else {}
     equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
-    mu = read_plans(reader, reader.optional(table, "plans"))
-    generic, quantity = read_vector_mu(reader, reader.optional(table, "mu"))
+    mu = settings.read_plans(reader, reader.optional(table, "plans"))
+    generic, quantity = settings.read_vector_mu(reader, reader.optional(table, "mu"))
     if "note" in table.entries and "text" in table.entries:
         reader.one_of(table, ("note", "text"), Phrase("the_scene"))
     said = {key: reader.optional(table, key) for key in ("title", "note", "missing")}
     said["note"] = said["note"] or reader.optional(table, "text")
-    words = {key: MappingProxyType(read_words(reader, node, key)) for key, node in said.items()}
+    words = {key: MappingProxyType(settings.read_words(reader, node, key)) for key, node in said.items()}
     return Scene(
         file=reader.file,
         title=words["title"],
@@ -189,9 +191,9 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         equation_lines=equation_lines,
         mu=MappingProxyType({**mu, "vectors": generic} if of_vectors else mu),
         quantity=quantity,
-        find=read_find(reader, reader.optional(table, "find")),
-        sheet=MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
-        frame_number=read_number_of_frame(reader, table.entries.get("frame")),
+        find=settings.read_find(reader, reader.optional(table, "find")),
+        sheet=MappingProxyType(dict(settings.read_sheet(reader, reader.optional(table, "sheet")))),
+        frame_number=settings.read_number_of_frame(reader, table.entries.get("frame")),
         where=where,
         crank_slider=reader.optional(table, "crank_slider"),
         missing=words["missing"],
@@ -206,9 +208,9 @@ def _check_outline(reader: Reader, table: SourceTable) -> None:
     version = reader.text(table.entries["planes"], "planes")
     if version != FORMAT:
         raise reader.error(Phrase("other_format", version=shown(version)), table.entries["planes"])
-    reader.table(table, Phrase("the_scene"), (*_COMMON, *_MECHANISM, *_VECTORS))
-    vectors = next((key for key in _VECTORS if key in table.entries), None)
-    mechanism = next((key for key in _MECHANISM if key in table.entries), None)
+    reader.table(table, Phrase("the_scene"), (*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS))
+    vectors = next((key for key in VECTORS_KEYS if key in table.entries), None)
+    mechanism = next((key for key in MECHANISM_KEYS if key in table.entries), None)
     if vectors and mechanism:
         if vectors == "mu":
             raise reader.error(Phrase("mu_place"), table.lines["mu"])
@@ -229,7 +231,7 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
     reader.taken = {latin(path[-1]) for path in where if path[-2:-1] == ("points",)}
     frame = read_frame(reader, table.entries["frame"])
     links = read_links(reader, table.entries["links"], frame)
-    given = {key: reader.optional(table, key) for key in _MECHANISM}
+    given = {key: reader.optional(table, key) for key in MECHANISM_KEYS}
     drive = read_drive(reader, table.entries["drive"], frame, links)
     assembly, loads, friction = given["assembly"], given["loads"], given["friction"]
     return Mechanism(

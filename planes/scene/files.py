@@ -3,11 +3,14 @@
 import errno
 import os
 import stat
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from secrets import token_hex
+from tempfile import TemporaryDirectory
 
+from planes.scene.source import STANDARD
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -22,6 +25,11 @@ def whole(path: str | Path, draft: Path | None = None) -> Iterator[Path]:
     it leads to is not written to.
     """
     target = Path(path)
+    if is_output(target):
+        with TemporaryDirectory() as folder:
+            yield (piped := Path(folder) / f"piped{target.suffix}")
+            sys.stdout.buffer.write(piped.read_bytes())
+        return
     draft = draft or target.parent / f".planes-{token_hex(8)}{PART}"
     mode = _mode(target)
     try:
@@ -35,6 +43,11 @@ def whole(path: str | Path, draft: Path | None = None) -> Iterator[Path]:
     except BaseException:
         draft.unlink(missing_ok=True)
         raise
+
+
+def is_output(target: Path) -> bool:
+    """Whether it is the standard output: a minus, with the suffix of the format (``-.svg``) where that matters."""
+    return target.stem == STANDARD and target.parent == Path()
 
 
 def _mode(target: Path) -> int | None:

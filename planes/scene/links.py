@@ -10,15 +10,16 @@ from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.names import latin
 
-_LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
-_FRAME_KEYS = ("points", "guides", "number")
-_GUIDE_KEYS = ("x", "y", "through", "angle", "mark", "centre", "radius")
+LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
+FRAME_KEYS = ("points", "guides", "number")
+GUIDE_KEYS = ("x", "y", "through", "angle", "mark", "centre", "radius")
+SLIDE_KEYS = ("guide", "angle", "offset")
 
 
 def read_frame(reader: Reader, node: Node) -> Link:
     """The frame: fixed points and guides, at least one of either."""
     what = Phrase("the_frame")
-    table = reader.table(node, what, _FRAME_KEYS)
+    table = reader.table(node, what, FRAME_KEYS)
     points = _points(reader, reader.optional(table, "points"), what)
     guides, round_guides = parted(_guides(reader, reader.optional(table, "guides"), points, what))
     if not points and not guides:
@@ -50,7 +51,7 @@ def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
 
 def _link(reader: Reader, name: str, node: Node) -> Link:
     what = Phrase("link", name=name)
-    table = reader.table(node, what, _LINK_KEYS)
+    table = reader.table(node, what, LINK_KEYS)
     points = _points(reader, reader.required(table, "points", what), what)
     if not points:
         raise reader.error(Phrase("no_points", what=what), table.lines["points"])
@@ -96,7 +97,7 @@ def _guides(
 
 def _guide(reader: Reader, name: str, node: Node, points: dict[str, complex], owner: Phrase) -> Guide | RoundGuide:
     what = Phrase("guide_named", name=name)
-    table = reader.table(node, what, _GUIDE_KEYS)
+    table = reader.table(node, what, GUIDE_KEYS)
     form = reader.one_of(table, ("x", "y", "through", "centre"), what)
     if form == "centre":
         return read_round(reader, name, table, points, owner)
@@ -123,7 +124,7 @@ def _slide(reader: Reader, node: Node, what: Phrase) -> Slide:
     slides = part("slides", what)
     if isinstance(node, SourceScalar):
         return Slide(reader.text(node, slides))
-    table = reader.table(node, slides, ("guide", "angle", "offset"))
+    table = reader.table(node, slides, SLIDE_KEYS)
     guide = reader.text(reader.required(table, "guide", slides), Phrase("guide_of_slider", what=what))
     return Slide(guide, reader.said(table, "angle", slides), reader.said(table, "offset", what))
 

@@ -18,6 +18,8 @@ from planes.words.errors import ExpressionError, choices, shown
 from planes.words.names import letter_of
 
 MOST_PAIRS = 400
+LAW_KEYS = ("over", "table")
+STROKE_KEYS = ("working", "idle", "stroke", "slider")
 FORCES = ("F", "R", "M", "MZ", "Fb", "FZ", "P", "G", "I", "N")
 """Letters of what is found after the loads, or is one of them."""
 Sort = Literal["drive", "link", "slider", "point"]
@@ -96,7 +98,7 @@ class LawReader:
         if not isinstance(node, SourceTable) or not {"working", "idle"} & node.entries.keys():
             return self.amount(node, what)
         r = self.reader
-        table = r.table(node, what, ("working", "idle", "stroke", "slider"))
+        table = r.table(node, what, STROKE_KEYS)
         both = (self.amount(r.required(table, key, what), part(key, what)) for key in ("working", "idle"))
         working, idle = both
         sliders = [n for n, x in self.links.items() if x.slides]
@@ -117,7 +119,7 @@ class LawReader:
         if not isinstance(node, SourceTable):
             return self._law(node, what)
         r = self.reader
-        table = r.table(node, what, ("over", "table"))
+        table = r.table(node, what, LAW_KEYS)
         law = self._law(r.required(table, "over", what), part("over", what))
         if not isinstance(law, LoadLaw):
             valid = choices("", self.known)

@@ -9,8 +9,10 @@ from planes.scene.reader import Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 
-_ORDERS = ("left", "right", "ahead", "behind")
+ORDERS = ("left", "right", "ahead", "behind")
 _DIRECTIONS = ("direction", "along", "against")
+LOAD_KEYS = ("link", "point", "force", "moment", *_DIRECTIONS)
+DRIVE_KEYS = ("link", "phi", "omega", "epsilon", "s", "velocity", "acceleration")
 Links = Mapping[str, Link]
 
 
@@ -30,7 +32,7 @@ def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict
 def _assembly(reader: Reader, name: str, node: Node) -> Assembly:
     what = Phrase("assembly_of", name=name)
     if isinstance(node, SourceScalar):
-        return Assembly(cast(Order, reader.word(node, what, _ORDERS)))
+        return Assembly(cast(Order, reader.word(node, what, ORDERS)))
     table = reader.table(node, what, ("near",))
     return Assembly(near=reader.place(reader.required(table, "near", what), part("near", what)))
 
@@ -40,7 +42,7 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
     what = section("drive")
     if isinstance(node, Items):
         raise reader.error(Phrase("one_drive"), node)
-    table = reader.table(node, what, ("link", "phi", "omega", "epsilon", "s", "velocity", "acceleration"))
+    table = reader.table(node, what, DRIVE_KEYS)
     link = _moving(reader, reader.required(table, "link", what), part("link", what), links)
     kind = reader.one_of(table, ("phi", "s"), what)
     _check_rates(reader, table, kind)
@@ -75,7 +77,7 @@ def read_loads(laws: LawReader, node: Node, links: Links) -> tuple[Load, ...]:
 
 def _load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
     reader = laws.reader
-    table = reader.table(node, what, ("link", "point", "force", "moment", *_DIRECTIONS))
+    table = reader.table(node, what, LOAD_KEYS)
     link = _moving(reader, reader.required(table, "link", what), part("link", what), links)
     kind = reader.one_of(table, ("force", "moment"), what)
     value = laws.value(reader.required(table, kind, what), part(kind, what), link)

@@ -12,6 +12,10 @@ from planes.scene.reader import MAX_NAME, Keys, Reader, entries_of, part, texts
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
+from planes.words.names import latin
+
+SPELLED = dict(zip("АБВГДЕ", "ABVGDE", strict=True))
+"""Russian letters of variants by the Latin ones they are spelled with."""
 
 
 def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | None) -> dict[str, float]:
@@ -73,12 +77,30 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
     return tables
 
 
-def choose(reader: Reader, variants: Mapping[str, SourceTable], variant: str | None, line: int) -> SourceTable | None:
-    """The table of the asked variant."""
+def choose(
+    reader: Reader, variants: Mapping[str, SourceTable], variant: str | None, line: int
+) -> tuple[str | None, SourceTable | None]:
+    """The asked variant by its own name, and its table."""
     if variant is None or variant in variants:
-        return None if variant is None else variants[variant]
+        return variant, None if variant is None else variants[variant]
+    alike = variants_meant(variant, variants)
+    if len(alike) == 1:
+        return (name := next(iter(alike))), variants[name]
+    if alike:
+        names = tuple(f"{name} (--variant {number})" for name, number in alike.items())
+        raise reader.error(Phrase("variant_either", name=shown(variant), names=names), line)
     valid = choices(variant, variants) or Phrase("no_variants")
     raise reader.error(Phrase("no_variant", name=shown(variant), valid=valid), line)
+
+
+def variants_meant(asked: str, variants: Iterable[str]) -> dict[str, int]:
+    """The variants a name may mean that is none of theirs, with their numbers from 1: the number itself, a letter that
+    looks the same in another alphabet, or the Latin letter one is spelled by."""
+    return {
+        name: number
+        for number, name in enumerate(variants, 1)
+        if asked in (str(number), SPELLED.get(name)) or latin(asked) == latin(name)
+    }
 
 
 def resolve(written: Mapping[str, str]) -> dict[str, float]:

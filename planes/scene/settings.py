@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 from planes.scene.reader import MAX_NAME, Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
-from planes.words import Phrase
+from planes.words import Phrase, langs, stand_ins
 from planes.words.errors import shown
 from planes.words.units import PLANS, UnitError, plan_of_mu, read_mu
 
@@ -24,12 +24,12 @@ material mass role person checked copied teacher_date tech_date person_date chec
 inventory_accepted replaces duplicate duplicate_accepted reference first_use
 """
 MOST_MU = 1e20  # mm per SI unit
-_NUMERIC = ("mass", "sheet", "sheets")
-_LISTS = ("letter", "revisions", "diagrams", "hodographs")
+SHEET_NUMBERS = ("mass", "sheet", "sheets")
+SHEET_LISTS = ("letter", "revisions", "diagrams", "hodographs")
 _NO_CELL = {"gost": ("document_type",), "iso": tuple(_ESKD.split())}
 _MOST_FORMATS = {4: 9, 3: 7, 2: 5, 1: 4, 0: 3}  # of ГОСТ 2.301, how many of a format may stand side by side
 _SIDE_BY_SIDE = tuple(f"A{n}x{k}" for n, most in _MOST_FORMATS.items() for k in range(3 if n else 2, most + 1))
-_WORDS = {
+SHEET_WORDS = {
     "reactions": ("on-from", "from-on"),
     "mu_convention": ("mm_per_unit", "unit_per_mm"),
     "lettering": ("upright", "slanted"),
@@ -47,16 +47,20 @@ _FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
 
 
 def read_words(reader: Reader, node: Node | None, what: str) -> Words:
-    """A text in both languages: one that is given once stands for both."""
-    if node is None:
-        return {"ru": "", "en": ""}
-    if isinstance(node, SourceScalar):
-        return dict.fromkeys(("ru", "en"), node.text)
-    table = reader.table(node, what, ("ru", "en"))
+    """A text in every language: one that is given once stands for all."""
+    if node is None or isinstance(node, SourceScalar):
+        return dict.fromkeys(langs(), node.text if node else "")
+    table = reader.table(node, what, langs())
     given = {lang: reader.text(entry, part(lang, section(what))) for lang, entry in table.entries.items()}
     if not given:
         raise reader.error(Phrase("part_empty", what=what), table)
-    return {lang: given.get(lang) or next(iter(given.values())) for lang in ("ru", "en")}
+    any_one = next(iter(given.values()))
+    return {lang: next((given[one] for one in stand_ins(lang) if one in given), any_one) for lang in langs()}
+
+
+def fewest(words: Words) -> Words:
+    """The words without those that stand in for others: what is read again as the same."""
+    return {lang: text for lang, text in words.items() if len(own := stand_ins(lang)) == 1 or text != words[own[1]]}
 
 
 def read_plans(reader: Reader, node: Node | None) -> dict[str, float | None]:
@@ -122,7 +126,7 @@ def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
 
 def _setting(reader: Reader, key: str, node: Node) -> object:
     what = part(key, section("sheet"))
-    if key in _LISTS and isinstance(node, Items):
+    if key in SHEET_LISTS and isinstance(node, Items):
         return _listed(reader, key, node)
     text = reader.text(node, what)
     if key == "revisions":
@@ -131,11 +135,11 @@ def _setting(reader: Reader, key: str, node: Node) -> object:
         return _listed(reader, key, Items([SourceScalar(word, node.line) for word in text.split()], node.line))
     if key == "format":  # in Latin or Russian letters
         node = SourceScalar(text if text == "auto" else text.strip().upper().translate(_FORMAT_LETTERS), node.line)
-    if key in _WORDS:
-        word = reader.word(node, what, _WORDS[key])
+    if key in SHEET_WORDS:
+        word = reader.word(node, what, SHEET_WORDS[key])
         return word != "false" if key in ("positions", "colour") else word
     plain_number = isinstance(node, SourceScalar) and node.plain and len(text) <= 20 and _NUMBER.fullmatch(text)
-    return float(text) if key in _NUMERIC and plain_number else text
+    return float(text) if key in SHEET_NUMBERS and plain_number else text
 
 
 def _listed(reader: Reader, key: str, node: Items) -> object:

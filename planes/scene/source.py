@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import errno
 import stat
+import sys
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -21,6 +22,8 @@ from planes.words import Phrase
 from planes.words.errors import SceneError, shown
 
 MAX_BYTES = 1_000_000
+STANDARD = "-"
+"""What stands for the standard input, and, with the suffix of a format, for the standard output."""
 MAX_BYTES_SLOW = 100_000  # when only the slow YAML reader is there
 MAX_DEPTH = 50
 MAX_PARTS = 200_000  # words, numbers, beginnings and ends of tables and lists
@@ -75,8 +78,10 @@ def walk(node: Node, path: tuple[str, ...] = (), line: int = 0) -> Iterator[tupl
 
 
 def read(path: str | Path) -> str:
-    """The text of a file, or a SceneError that says why it cannot be read."""
+    """The text of a file, of what is piped in where it is ``-``, or a SceneError that says why it cannot be read."""
     name = str(path)
+    if name == STANDARD:
+        return decoded(sys.stdin.buffer.read(MAX_BYTES + 1), name)
     try:
         mode = Path(path).stat().st_mode
         if stat.S_ISDIR(mode):

@@ -101,7 +101,7 @@ def check_chain(sides: Sides) -> None:
         raise EquationError(why)
 
 
-_KEYS = ("value", "direction", "perpendicular_to", "near")
+VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near")
 _NAME = re.compile(r"[^\W\d][\w'′″^]*")
 
 
@@ -129,10 +129,10 @@ def _vector(reader: Reader, name: str, node: Node) -> VectorGiven:
     what = Phrase("vector", name=name)
     if isinstance(node, SourceScalar) and node.absent:
         return VectorGiven()
-    table = reader.table(node, what, _KEYS)
+    table = reader.table(node, what, VECTOR_KEYS)
     if "direction" in table.entries and "perpendicular_to" in table.entries:
         reader.one_of(table, ("direction", "perpendicular_to"), what)
-    given = {key: reader.said(table, key, what) for key in _KEYS}
+    given = {key: reader.said(table, key, what) for key in VECTOR_KEYS}
     normal = given["perpendicular_to"]
     return VectorGiven(given["value"], given["direction"] if normal is None else normal + 90.0, given["near"])
 

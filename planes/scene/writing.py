@@ -44,7 +44,8 @@ def _dumped(key: str, value: object) -> str:
 
 
 def _said(value: object) -> bool:
-    return value is not None and value != {} and value != [] and value != {"ru": "", "en": ""}
+    empty = isinstance(value, dict) and all(one == "" for one in value.values())
+    return value is not None and value != [] and not empty
 
 
 def _mechanism(m: Mechanism) -> Iterator[tuple[str, object]]:

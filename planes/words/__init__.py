@@ -1,6 +1,7 @@
 """The one table of words: every sentence and label meant for people, a folder a language, a file a room.
 
-What the operating system says of a failure is told in Russian too; the language it speaks is the home language.
+A language is a folder here and nothing else: its ``language.json`` has its name, its decimal sign and the language
+whose words stand in for those it has not yet. What the system says of a failure is told in the language too.
 """
 
 import errno
@@ -8,39 +9,79 @@ import json
 import locale
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 from string import Formatter
-from typing import Any, Literal
+from typing import Any
 
-Lang = Literal["ru", "en"]
-RUSSIAN = ("ru", "be", "uk", "kk")
+Lang = str
+"""A language: the name of its folder."""
+
+
+class Sentences(dict[str, str]):
+    """The sentences of a language by their keys; those it has not are the other language's, and are counted."""
+
+    def __init__(self, own: dict[str, str], other: Lang) -> None:
+        super().__init__(own)
+        self.other, self.borrowed = other, set[str]()
+
+    def __missing__(self, key: str) -> str:
+        if not self.other:
+            raise KeyError(key)
+        self.borrowed.add(key)
+        return table(self.other)[key]
 
 
 @cache
-def table(lang: Lang, file: str = "*") -> dict[str, str]:
-    """Every sentence of a language by its key, or those of one file of its folder."""
+def _files(lang: Lang) -> dict[str, dict[str, str]]:
     folder = Path(__file__).parent / lang
-    return {k: v for one in sorted(folder.glob(f"{file}.json")) for k, v in json.loads(one.read_text("utf-8")).items()}
+    return {one.stem: json.loads(one.read_text("utf-8")) for one in sorted(folder.glob("*.json"))}
+
+
+@cache
+def table(lang: Lang, file: str = "*") -> Sentences:
+    """Every sentence of a language by its key, or those of one file of its folder."""
+    files = _files(lang)
+    every = files.values() if file == "*" else [files.get(file, {})]
+    return Sentences({k: v for one in every for k, v in one.items()}, files["language"]["language_stand_in"])
 
 
 def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
     """Sentences whose keys begin alike, by the rest of the key."""
-    return {key.removeprefix(prefix): text for key, text in table(lang, file).items() if key.startswith(prefix)}
+    told: dict[str, str] = {}
+    for one in reversed(stand_ins(lang)):
+        told |= {key.removeprefix(prefix): text for key, text in table(one, file).items() if key.startswith(prefix)}
+    return told
+
+
+def stand_ins(lang: Lang) -> tuple[Lang, ...]:
+    """The language itself, then those whose words stand in for it."""
+    other = table(lang, "language").other
+    return (lang, *stand_ins(other)) if other else (lang,)
 
 
 @cache
-def _of_system() -> dict[str, str]:
-    """The Russian of each sentence of the system; ``system.json`` has it by the name of the failure."""
-    named = json.loads(Path(__file__).with_name("system.json").read_text("utf-8"))
-    return {os.strerror(getattr(errno, name)): words for name, words in named.items() if hasattr(errno, name)}
+def langs(file: str = "language") -> tuple[Lang, ...]:
+    """The languages that have a file of words: those that need no other first."""
+    found = [one.parent.name for one in Path(__file__).parent.glob(f"*/{file}.json")]
+    return tuple(sorted(found, key=lambda lang: (len(stand_ins(lang)), lang == "en", lang)))
+
+
+@cache
+def _of_system(lang: Lang) -> dict[str, str]:
+    """Each sentence of the system in a language."""
+    told = under("system_", lang, "system")
+    return {os.strerror(getattr(errno, name)): words for name, words in told.items() if hasattr(errno, name)}
 
 
 def home_lang() -> Lang:
-    """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
+    """The language of the system, or one its speakers read; else English."""
     said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
-    return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(RUSSIAN) else "en"
+    home = (said or locale.getlocale()[0] or "").lower()
+    own = [one for one in langs() if home.startswith(one)]
+    read = [one for one in langs() if home.startswith(tuple(table(one)["language_homes"].split()))]
+    return next(iter(own + read), "en")
 
 
 class Phrase:
@@ -68,22 +109,22 @@ class Phrase:
 
 
 class Written:
-    """A printed number, or a quantity with its unit in both languages, told with the decimal sign of the language."""
+    """A printed number, or a quantity with its unit as each language writes it, told with its decimal sign."""
 
-    __slots__ = ("en", "ru")
+    __slots__ = ("text",)
 
-    def __init__(self, en: str, ru: str | None = None) -> None:
-        self.en, self.ru = en, decimal(en if ru is None else ru, "ru")
+    def __init__(self, text: str | Callable[[Lang], str]) -> None:
+        self.text = text
 
     def told(self, lang: Lang = "en", form: str = "") -> str:
         """The number in a language."""
-        return self.ru if lang == "ru" else self.en
+        return decimal(self.text if isinstance(self.text, str) else self.text(lang), lang)
 
     __str__ = told
 
 
 Told = Phrase | str
-"""A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
+"""A phrase, or words that are the same in every language: a name, a number, a key of the file."""
 
 
 class _Teller(Formatter):
@@ -101,13 +142,13 @@ class _Teller(Formatter):
         if isinstance(value, tuple):
             return (format_spec or ", ").join(self.format_field(v, "") for v in value)
         if isinstance(value, str):
-            return _of_system().get(value, value) if self.lang == "ru" else value
+            return _of_system(self.lang).get(value, value)
         return format(value, format_spec or (".4g" if isinstance(value, float) else ""))
 
 
 def decimal(number: str, lang: Lang) -> str:
     """A printed number with the decimal sign of the language."""
-    return number.replace(".", ",") if lang == "ru" else number
+    return number.replace(".", table(lang)["decimal_sign"])
 
 
 def say(key: str, lang: Lang = "en", **numbers: object) -> str:

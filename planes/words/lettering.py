@@ -60,7 +60,7 @@ class Naming:
         if letter == "arm":
             return f"h_{{{flat(self.vector(index))}}}"
         if letter in ("MZ", "FZ"):
-            letter, part = letter[0], "Ж" if self.lang == "ru" else "Z"
+            letter, part = letter[0], say("lever_letter", self.lang)
         letter, analogue = rate_of(letter)
         if letter in ("F", "R") and index:
             index = self.reaction(index)

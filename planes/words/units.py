@@ -10,7 +10,7 @@ from collections import Counter
 from decimal import Decimal
 from typing import Literal
 
-from planes.words import Lang, Phrase, decimal
+from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError
 from planes.words.names import letter_of
 
@@ -27,11 +27,6 @@ RATES = {False: ("rad", "rad/s", "rad/s²"), True: ("m", "m/s", "m/s²")}
 RATE_UNITS = {"v": "m/s", "a": "m/s²", "omega": "rad/s", "epsilon": "rad/s²"}
 _SIZES = {"m": 1.0, "mm": 0.001, "cm": 0.01, "km": 1000.0, "N": 1.0, "kN": 1000.0, "MN": 1e6}
 _LENGTHS = ("m", "mm", "cm", "km")
-_OF_PLANS = {
-    "en": {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N", "vectors": "unit"},
-    "ru": {"position": "м", "velocity": "м/с", "acceleration": "м/с²", "force": "Н", "vectors": "ед."},
-}
-_MM = {"en": "mm", "ru": "мм"}
 _ALLOWED = "1 2 2.5 4 5 10 15 20 25 40 50 75 100 200 400 500 800 1e3 2e3 5e3 1e4 2e4 2.5e4 5e4"
 _REDUCED = tuple(map(float, _ALLOWED.split()))
 _ENLARGED = (2.0, 2.5, 4.0, 5.0, 10.0, 20.0, 40.0, 50.0)
@@ -151,7 +146,7 @@ def _powers(unit: str) -> dict[str, int] | None:
 
 def mu_text(mu: float, plan: str, lang: str = "en", convention: Convention = "mm_per_unit") -> str:
     """μ as it is written on a sheet: "30 mm/(m/s)", exact; "0.0333 (m/s)/mm", three digits if need be."""
-    unit = _OF_PLANS[lang][plan]
+    unit = say("one_unit" if plan == "vectors" else UNIT[plan], lang)
     if convention == "mm_per_unit":
         return f"{_exact(mu)} {mm_per(unit, lang)}"
     value = 1.0 / mu
@@ -162,8 +157,8 @@ def mu_text(mu: float, plan: str, lang: str = "en", convention: Convention = "mm
 
 def mm_per(unit: str, lang: str, inverse: bool = False) -> str:
     """Millimetres for a unit, or the inverse: mm/(m/s); in Russian with one stroke (ГОСТ 8.417): мм·с/м, м/(с·мм)."""
-    mm, (above, _, below) = _MM[lang], unit.partition("/")
-    if below and lang == "ru":
+    mm, (above, _, below) = say("mm", lang), unit.partition("/")
+    if below and say("one_stroke", lang):
         return f"{above}/({below}·{mm})" if inverse else f"{mm}·{below}/{above}"
     unit = f"({unit})" if below or "·" in unit else unit
     return f"{unit}/{mm}" if inverse else f"{mm}/{unit}"

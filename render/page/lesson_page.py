@@ -4,7 +4,7 @@ import html
 from collections.abc import Iterator
 
 from planes.lesson.frame import in_both
-from planes.words import table, under
+from planes.words import langs, stand_ins, table, under
 from planes.words.names import lettered
 from planes.words.records import Json
 from render.page import web_page
@@ -24,6 +24,7 @@ def page(data: Json, lang: str) -> str:
     """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
     told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
     words = {key: {of: one[key] for of, one in told.items()} for key in told["en"]}
+    lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
     title = data["title"].get(lang, "")
     parts = {
         "title": html.escape(title),

@@ -16,7 +16,6 @@ LEAST_MM = 1.6  # radius of the smallest circle on the plan
 AROUND = 1.35  # a detail reaches so many times as far as its vectors
 LETTER_MM = 5.0
 BESIDE_MM = 8.0
-LETTERS = "АБВГДЕЖИКЛМНПРСТУФ", "ABCDEFGHJKLMNPQRSTUV"
 LOOK_ALIKE = dict(zip("АВЕКМНРСТУ", "ABEKMHPCTY", strict=True))
 
 Ends = tuple[complex, complex]
@@ -119,10 +118,10 @@ def groups_of(vectors: Iterable[Ends]) -> list[list[complex]]:
     return groups
 
 
-def letters(points: Iterable[str], russian: bool) -> list[str]:
+def letters(points: Iterable[str], alphabet: str) -> list[str]:
     """Letters for details: those that do not look like the name of a point."""
     taken = {p[:1].upper() for p in points}
-    return [x for x in LETTERS[0 if russian else 1] if LOOK_ALIKE.get(x, x) not in taken]
+    return [x for x in alphabet if LOOK_ALIKE.get(x, x) not in taken]
 
 
 def beside(marks: tuple[Mark, ...], drawn: Sequence[tuple[Mark, ...]]) -> tuple[Mark, ...]:

@@ -81,7 +81,7 @@ class Polygon:
         plans = list(dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion")))
         used = sum(map(self.details_of, plans[: plans.index(self.plan)] if self.plan in plans else ()))
         taken = map(label_of, self.plotted.drawing.things)
-        return detail.letters(taken, self.naming.lang == "ru")[used:]
+        return detail.letters(taken, say("detail_letters", self.naming.lang))[used:]
 
     def details_of(self, plan: str) -> int:
         """How many details another plan of this drawing has."""

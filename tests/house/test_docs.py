@@ -8,7 +8,7 @@ import re
 import pytest
 
 import planes
-from planes.scene import _COMMON, _MECHANISM, _VECTORS
+from planes.scene import COMMON_KEYS, MECHANISM_KEYS, VECTORS_KEYS
 from planes.words import table
 from tests.helpers import ROOT
 
@@ -24,7 +24,7 @@ def test_the_scenes_of_the_format_are_read(text: str) -> None:
 
 
 def test_every_part_of_a_scene_is_described() -> None:
-    known = {*_COMMON, *_MECHANISM, *_VECTORS} - {"note", "text", "missing", "sheet", "crank_slider"}
+    known = {*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS} - {"note", "text", "missing", "sheet", "crank_slider"}
     assert not {key for key in known if not re.search(rf"\b{key}\b", SCENE)}
 
 

@@ -24,7 +24,7 @@ from tests.scene import test_expressions, test_source
 from tests.scene.test_scene_refusals import BAD, BAD_VECTORS
 from tests.words import test_units
 
-FOLDERS = {lang: Path(words.__file__).parent / lang for lang in ("ru", "en")}
+FOLDERS = {lang: Path(words.__file__).parent / lang for lang in words.langs() if len(words.stand_ins(lang)) == 1}
 TABLE = {key: (table("ru")[key], table("en")[key]) for key in table("en")}
 HOUSES = [Path(words.__file__).parents[1], Path(words.__file__).parents[2] / "render"]
 SOURCES = [p for house in HOUSES for p in house.rglob("*.py") if not p.name.startswith("words")]
@@ -111,7 +111,7 @@ def test_the_files_of_all_languages_hold_the_same_keys_in_one_order():
 
 
 def test_both_languages_hold_the_same_names_and_numbers():
-    for key, (russian, english) in TABLE.items():
+    for key, (russian, english) in ((k, both) for k, both in TABLE.items() if k not in table("en", "language")):
         assert russian and english and "|" not in english and russian.count("|") <= 1, key
         for form in russian.split("|"):
             assert set(places(form)) == set(places(english)), key

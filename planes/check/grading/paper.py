@@ -11,7 +11,9 @@ from planes.check.reading.opened import MB, contents, too_many
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-_COLUMNS = {
+TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
+"""The columns each table must have."""
+COLUMNS = {
     "mark": ("mark", "точка", "отметка", "point"),
     "x_mm": ("x_mm", "x"),
     "y_mm": ("y_mm", "y"),
@@ -119,8 +121,8 @@ def _read_rows(paper: ReadPaper, rows: Sequence[tuple[int, list[str]]]) -> None:
 
 
 def _header(row: Sequence[str]) -> list[str] | None:
-    names = [next((k for k, words in _COLUMNS.items() if cell.casefold() in words), cell) for cell in row]
-    for wanted in (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value")):
+    names = [next((k for k, words in COLUMNS.items() if cell.casefold() in words), cell) for cell in row]
+    for wanted in TABLES:
         if all(w in names for w in wanted):
             return names
     return None

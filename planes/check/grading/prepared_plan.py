@@ -78,7 +78,7 @@ class PreparedPlan:
     def mu_said(self, mu: float) -> Written:
         """A scale of the plan as a sentence has it."""
         kind, convention = kind_of(self.asked.plan), self.asked.scene.mu_convention
-        return Written(*(mu_text(mu, kind, lang, convention) for lang in ("en", "ru")))
+        return Written(lambda lang: mu_text(mu, kind, lang, convention))
 
     def pointed(self, marks: Mapping[str, complex], place: Callable[[complex], complex]) -> dict[str, complex]:
         """The places of marks that a person pointed to, by label; none of a force plan, whose marks stand where its

@@ -14,7 +14,7 @@ from planes.check.grading.written_numbers import Scored
 from planes.check.report.moved_marks import moved_marks
 from planes.geometry.arithmetic import Real
 from planes.plans.measuring import say_plan
-from planes.words import Lang, Phrase, decimal, say
+from planes.words import Lang, Phrase, decimal, langs, say
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, label_of
 from planes.words.records import Json
@@ -90,7 +90,7 @@ def as_json(out: Outcome, lang: Lang = "en") -> Json:
         "first_wrong": None if unreadable else out.first_wrong,
         "mistake": out.mistake,
         "runner_up": None if unreadable else out.runner_up,
-        "sentence": {one: out.sentence.told(one) for one in ("ru", "en")},
+        "sentence": {one: out.sentence.told(one) for one in langs("check")},
         "results": result_rows(out),
         "warnings": [n.told(lang) for n in (*out.notes, *unseen)],
     }
@@ -133,7 +133,7 @@ class Checked:
         head = {"file": self.file, **({"whose": self.whose} if self.whose else {})}
         if self.found:
             return {**head, **as_json(self.found, lang)}
-        return {**head, "verdict": self.verdict, "sentence": {one: self.said(one) for one in ("ru", "en")}}
+        return {**head, "verdict": self.verdict, "sentence": {one: self.said(one) for one in langs("check")}}
 
 
 def chance_told(found: Outcome, lang: Lang) -> str:

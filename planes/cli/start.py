@@ -1,0 +1,73 @@
+"""The commands one begins with: ``planes new``, ``planes schema``, ``planes completion``."""
+
+import json
+import sys
+from argparse import Namespace
+from pathlib import Path
+
+from planes.scene.files import is_output, keep
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError, choices
+
+TEMPLATES = Path(__file__).parents[1] / "templates"
+GROUPS = {"rrr": "four-bar", "rrp": "crank-slider", "rpr": "slotted-lever", "prp": "tangent", "rpp": "scotch-yoke"}
+"""The template of each kind of groups."""
+
+
+def templates() -> list[str]:
+    """The names of all templates, those of the kinds of groups first."""
+    return [*GROUPS, *sorted(file.stem for file in TEMPLATES.glob("*.yaml"))]
+
+
+def new(args: Namespace) -> int:
+    """A template in a file or on the terminal; without a name the list of them."""
+    if args.kind is None:
+        print("\n".join(_listed(args.lang)))
+        return 0
+    name = GROUPS.get(args.kind, args.kind)
+    if name not in templates():
+        raise PlanesError(Phrase("new_unknown", name=args.kind[:60], valid=choices(args.kind, templates())))
+    text = (TEMPLATES / f"{name}.yaml").read_text("utf-8")
+    if args.output and Path(args.output).exists() and not is_output(Path(args.output)):
+        raise PlanesError(Phrase("new_there", file=args.output))
+    _out(text, args.output)
+    return 0
+
+
+def _listed(lang: Lang) -> list[str]:
+    """A line for each template: its name, the kind of its group, its title."""
+    from planes.scene import load
+
+    kinds = {name: kind for kind, name in GROUPS.items()}
+    rows = []
+    for file in sorted(TEMPLATES.glob("*.yaml")):
+        title = say("course_work", lang) if file.stem == "course" else load(file).title[lang]
+        rows.append(f"{file.stem:15} {kinds.get(file.stem, ''):5} {title}")
+    return rows
+
+
+def schema(args: Namespace) -> int:
+    """A JSON Schema in a file or on the terminal."""
+    from planes.documents.schema import schema as schema_of
+
+    _out(json.dumps(schema_of(args.kind, args.lang), ensure_ascii=False, indent=1) + "\n", args.output)
+    return 0
+
+
+def completion(args: Namespace) -> int:
+    """A script that completes commands and options in a shell."""
+    from planes.cli import reader_of
+
+    try:
+        import shtab
+    except ImportError:
+        raise PlanesError(Phrase("needs_shtab")) from None
+    print(shtab.complete(reader_of(args.lang), args.shell))
+    return 0
+
+
+def _out(text: str, output: str | None) -> None:
+    if output is None:
+        sys.stdout.write(text)
+    else:
+        keep(text.encode(), output)

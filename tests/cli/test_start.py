@@ -1,0 +1,119 @@
+"""What one begins with: templates that solve at once, schemas, completions, ``-`` for a pipe, Latin variants."""
+
+from __future__ import annotations
+
+import io
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from planes import load, solve
+from planes.cli import main
+from planes.cli.start import GROUPS, TEMPLATES, templates
+from planes.plans import structure_of
+from planes.words import langs
+from planes.words.errors import SceneError
+from tests.helpers import ROOT
+
+SCENES = sorted(f.stem for f in TEMPLATES.glob("*.yaml") if f.stem not in ("course", "vectors"))
+TWELVE = ROOT / "samples" / "assignments" / "12.yaml"
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_template_solves_at_once_and_is_told_in_both_languages(name: str) -> None:
+    text = (TEMPLATES / f"{name}.yaml").read_text("utf-8")
+    scene = load(TEMPLATES / f"{name}.yaml")
+    assert not scene.doubts and scene.title["ru"] != scene.title["en"]
+    assert abs(solve(scene).value("M_1")) > 0.01
+    for line in (line for line in text.splitlines() if " # " in line):
+        remark = line.partition(" # ")[2]
+        assert "--" in remark or " / " in remark, remark
+
+
+@pytest.mark.parametrize(("kind", "name"), GROUPS.items())
+def test_the_template_of_a_kind_has_that_group(kind: str, name: str) -> None:
+    scene = load(TEMPLATES / f"{name}.yaml")
+    assert scene.mechanism
+    assert [g.name for g in structure_of(scene.mechanism, "x").groups] == [kind.upper()]
+
+
+def test_the_quick_returns_are_quick_returns() -> None:
+    """Whitworth's lever turns all round; that of the shaper swings."""
+    for name, round_ in (("whitworth", True), ("shaper", False)):
+        scene = load(TEMPLATES / f"{name}.yaml")
+        rates = [solve(scene, phi=float(phi)).omega["3"] for phi in range(0, 360, 15)]
+        assert (min(rates) * max(rates) > 0) == round_
+
+
+def test_new_writes_and_leaves_what_is_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "my.yaml"
+    assert main(["new", "four-bar", "-o", str(file)]) == 0
+    before = file.read_text("utf-8")
+    assert main(["new", "shaper", "-o", str(file), "--lang", "en"]) == 2
+    assert file.read_text("utf-8") == before and "already" in capsys.readouterr().err
+    assert main(["new", "fourbar", "--lang", "en"]) == 2 and "did you mean four-bar" in capsys.readouterr().err
+    assert main(["new", "--lang", "ru"]) == 0
+    listed = capsys.readouterr().out
+    assert all(name in listed for name in templates()) and "Синусный механизм" in listed
+
+
+def test_a_scene_comes_through_a_pipe_and_a_sheet_goes_through_one() -> None:
+    text = (TEMPLATES / "four-bar.yaml").read_bytes()
+    run = [sys.executable, "-m", "planes"]
+    told = subprocess.run([*run, "solve", "-", "--json"], input=text, capture_output=True, check=True).stdout
+    assert json.loads(told)["scene"] == "-"
+    drawn = subprocess.run([*run, "sheet", "-", "-o", "-.pdf"], input=text, capture_output=True, check=True).stdout
+    assert drawn.startswith(b"%PDF-") and drawn.rstrip().endswith(b"%%EOF")
+    bad = subprocess.run([*run, "solve", "-", "--lang", "en"], input=b"planes: 2\n", capture_output=True, check=False)
+    assert bad.returncode == 2 and bad.stderr.startswith(b"-:1: ")
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
+def test_completions_know_every_command(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["completion", shell, "--lang", "en"]) == 0
+    script = capsys.readouterr().out
+    assert all(name in script for name in ("crank-slider", "hodograph", "schema"))
+    if shell == "bash":
+        subprocess.run(["bash", "-n"], input=script, text=True, check=True)
+
+
+@pytest.mark.parametrize(
+    ("asked", "got"), [("А", "А"), ("A", "А"), ("V", "В"), ("G", "Г"), ("D", "Д"), ("E", "Е"), ("2", "Б"), ("6", "Е")]
+)
+def test_a_variant_by_its_latin_letter_or_its_number(asked: str, got: str) -> None:
+    assert load(TWELVE, asked).variant == got
+    assert load(TWELVE, asked).parameters == load(TWELVE, got).parameters
+
+
+def test_a_latin_letter_of_two_meanings_is_refused() -> None:
+    with pytest.raises(SceneError, match=r"may mean Б \(--variant 2\) or В \(--variant 3\)"):
+        load(TWELVE, "B")
+    with pytest.raises(SceneError, match="no variant"):
+        load(TWELVE, "7")
+
+
+def test_a_clock_is_shown_to_a_person_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    from planes.words import waiting
+
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    monkeypatch.setattr(waiting, "PATIENCE_S", 0.0)
+    monkeypatch.setattr(waiting, "TICK_S", 0.001)
+    for stream, shown in ((Terminal(), True), (io.StringIO(), False)):
+        monkeypatch.setattr(sys, "stderr", stream)
+        with waiting.waiting():
+            for _ in range(2000):
+                if " s" in stream.getvalue():
+                    break
+                waiting.Event().wait(0.001 if shown else 0.0)
+        assert (" s" in stream.getvalue()) == shown
+        assert not shown or stream.getvalue().endswith("\r\033[K")
+
+
+def test_every_language_has_a_name() -> None:
+    assert langs()[:2] == ("ru", "en")
