@@ -68,5 +68,5 @@ def test_neighbours_share_a_detail():
 
 
 def test_a_detail_is_not_called_like_a_point():
-    assert letters(["A", "B", "C", "O", "S2"], True)[:3] == ["Б", "Г", "Д"]
-    assert letters(["A", "B", "C"], False)[:2] == ["D", "E"]
+    assert letters(["A", "B", "C", "O", "S2"], "АБВГДЕЖ")[:3] == ["Б", "Г", "Д"]
+    assert letters(["A", "B", "C"], "ABCDEF")[:2] == ["D", "E"]

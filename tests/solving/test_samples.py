@@ -269,13 +269,16 @@ def test_every_sample_is_known_here() -> None:
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_texts_are_in_two_languages_and_comments_in_russian(name: str) -> None:
+def test_texts_are_in_two_languages_and_comments_too(name: str) -> None:
     found, text = scene(name), (SAMPLES / f"{name}.yaml").read_text(encoding="utf-8")
     for words in (found.title, found.note):
         assert words["ru"] != words["en"] and any("а" <= c <= "я" for c in words["ru"]) and words["en"].strip()
         assert not any("а" <= c.lower() <= "я" for c in words["en"].replace("А to Е", ""))
-    said = [line.partition("#")[2] for line in text.splitlines() if "# " in line]
-    assert said and all(any("а" <= c <= "я" for c in comment) for comment in said)
+    said = [line.partition("# ")[2].partition(" / ") for line in text.splitlines()[1:] if "# " in line]
+    assert said
+    for russian, _, english in said:
+        assert any("а" <= c <= "я" for c in russian.lower()) and english
+        assert not any("а" <= c <= "я" for c in english.lower())
 
 
 @pytest.mark.parametrize("name", OF_ONE_GROUP)
