@@ -6,7 +6,8 @@
 8.122...
 
 What is here is the public face: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`check`,
-:func:`sheet`, :func:`picture`, :func:`lesson`, and ``Scene``, ``Position``, ``Exact``, ``Pencil``, ``PlanesError``.
+:func:`sheet`, :func:`picture`, :func:`lesson`, :func:`crank`, and ``Scene``, ``Position``, ``Exact``, ``Pencil``,
+``PlanesError``.
 Each comes when it is first used, so that nothing is imported that is not needed.
 
 The rooms, from the ground up: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
@@ -23,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from planes.documents.face import check, cycle, lesson, picture, sheet, solve
+    from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
     from planes.scene import Scene, load, loads
     from planes.solving import Position
@@ -37,6 +39,7 @@ _FROM = {
     "planes.solving": ("Position",),
     "planes.words.errors": ("PlanesError",),
     "planes.documents": ("shown",),  # asked by whatever a notebook shows as a picture
+    "planes.documents.notebook": ("crank", "in_notebook"),
 }
 _HOME = {name: module for module, names in _FROM.items() for name in names}
 __all__ = [
@@ -46,6 +49,7 @@ __all__ = [
     "Position",
     "Scene",
     "check",
+    "crank",
     "cycle",
     "lesson",
     "load",

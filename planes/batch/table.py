@@ -16,6 +16,7 @@ from planes.plans import Plans
 from planes.plans.quantities import Column, Quantity, once, results_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError, choices
+from planes.words.records import Described
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 SHOWN = 6  # columns named in the short form
 
 
-class Table(Mapping[str, Array | Complexes]):
+class Table(Described, Mapping[str, Array | Complexes]):
     """Columns by name, each an array of shape (positions,); ``units`` say what they are in.
 
     A vector ``v_C`` is complex, x + iy; its parts are ``v_C_x`` and ``v_C_y``. Where a position could not be drawn the

@@ -15,12 +15,13 @@ from planes.words import Phrase, Written, under
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, label_of, mu_of
+from planes.words.records import Described
 
 STATUS = {"right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
 
 
 @dataclass
-class Outcome:
+class Outcome(Described):
     """Everything found in one drawing."""
 
     bench: PreparedPlan

@@ -17,8 +17,16 @@ def or_none(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-class Pictured:
-    """Shown as its scheme or its plans. Who draws them stands floors above: the face of the whole package knows."""
+class Described:
+    """Shown in a notebook. Who tells it stands floors above: the face of the whole package knows."""
+
+    def _repr_html_(self) -> str:
+        told: str = sys.modules[__name__.partition(".")[0]].in_notebook(self)
+        return told
+
+
+class Pictured(Described):
+    """Shown as its scheme or its plans, too."""
 
     def _repr_svg_(self) -> str | None:
         shown: str | None = sys.modules[__name__.partition(".")[0]].shown(self)

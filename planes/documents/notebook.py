@@ -1,0 +1,156 @@
+"""What a notebook shows: a scene, a position, a table and a check as HTML; and a crank to turn."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from planes.batch.table import Table
+from planes.check import Outcome
+from planes.check.report import heads, numbers_of, rows_of
+from planes.documents import picture, shown
+from planes.plans import mechanism_plans, structure_of
+from planes.scene import Scene
+from planes.solving import Position, plans_of, position, told
+from planes.words import Lang, Phrase, decimal, home_lang, say
+from planes.words.errors import PlanesError
+from planes.words.units import number, quantity
+
+if TYPE_CHECKING:
+    from anywidget import AnyWidget
+
+ENDS = 4  # rows of a table that are shown from its start, and from its end
+_NARROW = "<style>.planes svg{max-width:28em;height:auto;background:#fff}.planes td,.planes th{text-align:left}</style>"
+
+
+def in_notebook(thing: Scene | Position | Table | Outcome) -> str:
+    """A thing as HTML in the language of the system: a title, its picture, its numbers."""
+    lang = home_lang()
+    match thing:
+        case Scene():
+            parts = _of_scene(thing, lang)
+        case Position():
+            parts = _of_position(thing, lang)
+        case Table():
+            parts = _of_table(thing, lang)
+        case _:
+            parts = _of_check(thing, lang)
+    return f'{_NARROW}<div class="planes">{"".join(parts)}</div>'
+
+
+def _of_scene(scene: Scene, lang: Lang) -> Iterable[str]:
+    yield f"<b>{html.escape(scene.title.get(lang, '') or scene.file)}</b>"
+    if scene.mechanism:
+        found = structure_of(scene.mechanism, scene.file)
+        yield f"<br>W = {found.W}, {html.escape(found.formula.replace('->', '→'))}"
+    yield shown(scene) or ""
+    yield table([], [(name, number(value, lang)) for name, value in scene.parameters.items()])
+
+
+def _of_position(here: Position, lang: Lang) -> Iterable[str]:
+    drive = here.plans.mechanism.drive
+    yield f"<b>{'φ' if drive.kind == 'phi' else 's'} = {decimal(told(here.at, drive.kind, lang), lang)}</b>"
+    yield shown(here) or ""
+    rates = [(f"v_{p}", abs(v), "m/s") for p, v in here.v.items()] + [
+        (f"a_{p}", abs(a), "m/s²") for p, a in here.a.items()
+    ]
+    rates += [(f"omega_{n}", w, "rad/s") for n, w in here.omega.items()]
+    rates += [(f"epsilon_{n}", e, "rad/s²") for n, e in here.epsilon.items()]
+    rates += [(f"|{n}|", abs(f.vector), "N") for n, f in here.of("reactions").items()]
+    yield table([], [(name, number(value, lang), say(unit, lang)) for name, value, unit in rates])
+
+
+def _of_table(results: Table, lang: Lang) -> Iterable[str]:
+    head = [f"{name}, {results.units[name]}" for name in results]
+    count = len(results.failed)
+    columns = [results.columns[name] for name in results]
+    rows: list[Sequence[str]] = [
+        [_cell(c[k], lang) for c in columns] for k in range(count) if k < ENDS or k >= count - ENDS
+    ]
+    if count > 2 * ENDS:
+        rows.insert(ENDS, ["…"] * len(head))
+    yield table(head, rows)
+    yield f"{count} × {len(head)}"
+
+
+def _cell(value: Any, lang: Lang) -> str:
+    return "—" if np.isnan(value) else decimal(quantity(float(value)), lang)
+
+
+def _of_check(found: Outcome, lang: Lang) -> Iterable[str]:
+    marks, numbers = heads(lang)
+    yield f"<p>{html.escape(found.sentence.told(lang))}</p>"
+    for head, rows in ((marks, rows_of(found, lang)), (numbers, numbers_of(found, lang))):
+        yield table(head, [row[1:] for row in rows])
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Rows as a table of HTML, nothing where there are none."""
+    body = [f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in rows]
+    top = f"<tr>{''.join(f'<th>{html.escape(cell)}</th>' for cell in head)}</tr>" if head else ""
+    return f"<table>{top}{''.join(body)}</table>" if body else ""
+
+
+ESM = """
+export default { render({ model, el }) {
+  const crank = Object.assign(document.createElement("input"), { type: "range", step: model.get("step") });
+  const said = document.createElement("output"), views = document.createElement("div");
+  crank.min = model.get("least"); crank.max = model.get("most"); crank.style.width = "24em";
+  crank.setAttribute("aria-label", model.get("symbol"));
+  views.style.cssText = "display:flex;flex-wrap:wrap;gap:1em;background:#fff";
+  const show = () => {
+    crank.value = model.get("value"); said.value = `${model.get("symbol")} = ${model.get("value")}${model.get("unit")}`;
+    views.innerHTML = model.get("svg"); if (model.get("failure")) views.textContent = model.get("failure");
+  };
+  crank.oninput = () => { model.set("value", Number(crank.value)); model.save_changes(); };
+  model.on("change:svg change:failure change:value", show);
+  el.append(crank, " ", said, views); show();
+} };
+"""
+
+
+def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), lang: Lang | None = None) -> AnyWidget:
+    """A crank to turn in a notebook: a slider for the drive, the views named redrawn at each place of it.
+
+    ``value`` of what is returned is the drive's place (degrees; m of a sliding driver) and may be set or observed;
+    ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget (``planes[notebook]``).
+    """
+    try:
+        import anywidget
+        import traitlets
+    except ImportError:
+        raise PlanesError(Phrase("needs_anywidget")) from None
+    plans, wanted = plans_of(scene)
+    drive, said = mechanism_plans(scene).mechanism.drive, lang or home_lang()
+    turns = drive.kind == "phi"
+    reach = (0.0, 360.0, 1.0) if turns else (drive.position - 1.0, drive.position + 1.0, 0.01)
+
+    class Crank(anywidget.AnyWidget):
+        """The slider and its views."""
+
+        _esm = ESM
+        value = traitlets.Float(drive.position % 360.0 if turns else drive.position).tag(sync=True)
+        least, most, step = (traitlets.Float(number).tag(sync=True) for number in reach)
+        symbol = traitlets.Unicode(f"{'φ' if turns else 's'}_{drive.link}").tag(sync=True)
+        unit = traitlets.Unicode("°" if turns else f" {say('m', said)}").tag(sync=True)
+        svg, failure = (traitlets.Unicode().tag(sync=True) for _ in range(2))
+        position: Position | None = None
+
+        def __init__(self) -> None:
+            super().__init__()
+            self.observe(lambda _: self.draw(), "value")
+            self.draw()
+
+        def draw(self) -> None:
+            """The views at the drive's place, or why there are none."""
+            try:
+                self.position = position(scene, plans, wanted, self.value, None, said)
+                pages = [picture(self.position, view, said) for view in views]
+                self.svg, self.failure = "".join(page._repr_svg_() for page in pages), ""
+            except PlanesError as failure:
+                self.position, self.failure = None, failure.told(said)
+
+    return Crank()
