@@ -1,18 +1,20 @@
 """Many positions of a mechanism at once: one program over blocks of the drive's values, from positions to forces.
 
 Memory is that of one block, however many values there are. A position that cannot be drawn has its reason, and NaN
-in what depends on what failed. Long runs go through the compiled loop (``compiled``) where it is installed.
+in what depends on what failed. A program is recorded once and gone through by arrays (``loops``), long runs by the
+compiled loop (``compiled``) where it is installed; what a loop suspects of a contradiction is drawn, and proved.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
+from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.table import Ready, columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
@@ -29,7 +31,6 @@ from planes.words import Phrase
 from planes.words.errors import ProgramError, choices
 
 CHUNK = 4096
-HELD = 2**22  # numbers a block of arrays may hold, all steps of its program together
 PAYS = 200_000
 """From how many positions on a compiled loop is worth compiling."""
 
@@ -39,6 +40,7 @@ def pays(count: int) -> bool:
     return compiled_loop.available() and count >= PAYS
 
 
+AnyLoop = TypeVar("AnyLoop", bound=Loop)
 Places = Iterable[float] | Span | Array  # values of the drive
 
 
@@ -126,7 +128,15 @@ class Cycle(Ready):
     @cached_property
     def compiled(self) -> compiled_loop.CompiledLoop:
         """The compiled loop."""
-        return compiled_loop.CompiledLoop(self.trace, (self.plans.drive_given, *self.moved), given_values(self.given))
+        return self._loop(compiled_loop.CompiledLoop)
+
+    @cached_property
+    def arrays(self) -> ArrayLoop:
+        """The loop by arrays."""
+        return self._loop(ArrayLoop)
+
+    def _loop(self, kind: type[AnyLoop]) -> AnyLoop:
+        return kind(self.trace, (self.plans.drive_given, *self.moved), given_values(self.given))
 
     def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
         """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
@@ -143,21 +153,21 @@ class Cycle(Ready):
         places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
         if fast is None:
             fast = "compiled" in self.__dict__ or pays(len(places))
-        size = min(chunk, self.compiled.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
+        loop: Loop = self.compiled if fast else self.arrays
+        size = min(chunk, loop.row)
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)
             at = slice(start, start + len(part))
-            found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part))
-            yield self._looked_at(self._whole(part, *found), start, bare)
+            yield self._looked_at(self._whole(part, *self._run(loop, part, at)), start, bare)
 
     def table(self, values: Array, fast: bool) -> Array:
         """A row of all values for each column, however few digits they have."""
         return np.hstack([b.table for b in self.blocks(values, fast=fast, bare=True)])
 
-    def _run(self, part: Array, at: slice) -> tuple[Array, Indices | None]:
-        """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
+    def _run(self, loop: Loop, part: Array, at: slice) -> tuple[Array, Indices | None]:
+        """The table by a loop, and the codes (None: nothing failed); what it only suspects is drawn."""
         moving = self.moving(part, at)
-        table, codes = self.compiled(np.array([moving[name] for name in self.compiled.inputs]))
+        table, codes = loop(np.array([moving[name] for name in loop.inputs]))
         undecided = [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
         if codes is None or not (suspect := np.isin(codes, undecided)).any():
             return table, codes
@@ -167,7 +177,7 @@ class Cycle(Ready):
         return table, codes if codes.any() else None
 
     def _drawn(self, moving: Mapping[str, Floats], count: int) -> tuple[Array, Indices | None]:
-        """The same by arrays."""
+        """The same, drawn step by step and proved."""
         given = {**self.given, **moving}
         drawing = run(self.program, given)
         prove_many(drawing, given)

@@ -11,7 +11,7 @@ from importlib.util import find_spec
 import numpy as np
 
 from planes.batch.llvm_ir import EXTRA, module, row_of
-from planes.batch.tape import read
+from planes.batch.loops import Loop
 from planes.batch.tracing import Trace
 from planes.geometry.arrays import Array, Floats, Indices
 
@@ -21,26 +21,18 @@ def available() -> bool:
     return find_spec("llvmlite") is not None
 
 
-class CompiledLoop:
-    """A compiled trace ready to run: ``inputs`` are the givens that change from position to position, the others are as
-    ``given``; ``row`` positions are worked at once. It is compiled when first run."""
+class CompiledLoop(Loop):
+    """A compiled trace ready to run. It is compiled when first run."""
 
     def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
-        tape, places = trace.tape, trace.givens()
-        self.trace, self.inputs = trace, tuple(name for name in moving if name in places)
-        codes = [place for _, _, place in trace.requires]
-        moved = tape.moved_by(frozenset(moving))
-        still = frozenset(range(len(tape.ops))) - moved
-        order = tape.needed([*trace.outputs, *codes], stop=still)
-        fixed = [p for p in order if p in still and tape.ops[p][0] != "const"]
+        super().__init__(trace, moving, given)
+        tape, outputs = trace.tape, list(trace.outputs)
+        fixed = [p for p in self.still if tape.ops[p][0] != "const"]
         tested = (place for reason, _, place in trace.requires if reason not in trace.proofs)
-        changing = [p for p in order if p in moved]
-        rough = frozenset(changing).difference(tape.needed([*trace.outputs, *tested]))
-        rows = [places[name] for name in self.inputs]
-        self.row = row_of(len(rows) + len(trace.outputs) + 1)
-        self.text = module(tape, changing, rows, fixed, list(trace.outputs), codes, rough, self.row + EXTRA)
-        found = read(tape, tape.needed(fixed), given)
-        self.fixed = np.array([float(found[p]) for p in fixed] or [0.0])
+        rough = frozenset(self.moved).difference(tape.needed([*outputs, *tested]))
+        self.row = row_of(len(self.places) + len(outputs) + 1)
+        self.text = module(tape, self.moved, self.places, fixed, outputs, self.conditions, rough, self.row + EXTRA)
+        self.fixed = np.array([float(self.still[p]) for p in fixed] or [0.0])
 
     @cached_property
     def run(self) -> Callable[[int, int], float]:
@@ -49,8 +41,7 @@ class CompiledLoop:
         return lambda rows, count: code(rows, fixed, count)
 
     def __call__(self, rows: Array) -> tuple[Array, Indices | None]:
-        """Outputs (a row for each) and reason codes (None: nothing failed), of one block of positions (``rows``: a
-        row for each input).
+        """One block of positions.
 
         What is done here is done for every block, so it is little: rows of inputs, outputs and codes share one piece of
         memory, and its address is taken the short way (``array.ctypes`` is six times as long).

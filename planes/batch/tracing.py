@@ -9,12 +9,13 @@ from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Facts, Proof
+from planes.drafting.proofs import Facts, Proof
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
 
 UNCLEAR = "unclear"
+SUSPECTED = 1e-12  # relative to all that a plan shows: what is apart by more is drawn, and each proof is asked
 
 
 class Recording(Arithmetic):
@@ -181,16 +182,16 @@ def trace(
 
 def _proved(program: Program, things: Mapping[str, Point], ar: Arithmetic) -> dict[str, Truth]:
     """Whether the proofs of every reason hold, those of a plan together and beside all its marks, which is soon done;
-    where they do not, a loop only suspects: arrays find out."""
+    where they do not, a loop only suspects: drawing finds out."""
     together: dict[tuple[str, str], list[Proof]] = {}
     for proof in program.proofs:
         together.setdefault((proof.reason, proof.plan), []).append(proof)
     holds, shown = dict[str, Truth](), Facts(things, ar)
     for (reason, plan), proofs in together.items():
         sizes = [shown.size(step.makes) for step in program.marks.get(plan, ())]
-        size = sum(sizes or [proof.size(shown) for proof in proofs])
+        size = sum(sizes or [size for proof in proofs for size in proof.sizes(shown)])
         gap = sum(proof.gap(shown) for proof in proofs)
-        holds[reason] = holds.get(reason, True) & (gap <= TOLD_APART * size)
+        holds[reason] = holds.get(reason, True) & (gap <= SUSPECTED * size)
     return holds
 
 

@@ -7,7 +7,7 @@ from functools import reduce
 
 from planes.drafting.instruments import Exact, Instrument, Shaken, is_exact
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Facts, Proof, Twofold, gaps
+from planes.drafting.proofs import TOLD_APART, Facts, Proof, Twofold
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
@@ -124,9 +124,10 @@ def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
 def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than drawings a thousand times blunter can tell."""
     tool, blunter = drawing.tool, None
-    apart = []
+    apart, shown = [], Facts(drawing.things, tool.ar)
     with tool.quiet():
-        for proof, gap, size in gaps(proofs, drawing.things, tool.ar):
+        for proof in proofs:
+            gap, size = proof.compared(shown)
             wrong = gap > TOLD_APART * size + LEAST
             if wrong.any() if tool.many else wrong:
                 apart.append((proof, wrong, gap, size))

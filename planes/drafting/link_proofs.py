@@ -1,7 +1,9 @@
 """What must hold of the links of a drawing: rigid bodies, sliders on their guides, every link in equilibrium."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import reduce
+from operator import add
 from typing import ClassVar
 
 from planes.drafting.proofs import Facts, Proof
@@ -38,12 +40,12 @@ class LinkMotion:
     omega: str = ""
     epsilon: str = ""
 
-    def at(self, plan: str, shown: Facts, local: complex, place: Complex) -> Complex:
-        """What the plan must show, in SI, for the point of this link that lies at ``local`` or at ``place``."""
-        start = shown.mark(self.origin.on(plan))
+    def off(self, plan: str, shown: Facts, point: Point) -> Complex:
+        """How far a point is, on the plan and in SI, from where it were as a point of this link."""
+        vector = shown.vector(self.origin.on(plan), point.on(plan))
         if plan == "position":
-            return start + (shown[self.axis] if self.axis else 1.0) * (local - self.origin.local)
-        return start + self.spin(plan, shown) * (place - shown.mark(self.origin.place))
+            return vector - (shown[self.axis] if self.axis else 1.0) * (point.local - self.origin.local)
+        return vector - self.spin(plan, shown) * shown.vector(self.origin.place, point.place)
 
     def spin(self, plan: str, shown: Facts) -> Complex:
         """iω, or iε - ω²: what the rate of a point is beside its distance."""
@@ -64,48 +66,44 @@ class Rigid(Proof):
     points: tuple[Point, ...]
     reason: ClassVar[str] = "link_bent"
 
-    def gap(self, shown: Facts) -> Real:
-        return sum(shown.ar.size(self._bent(p, shown)) for p in self.points)
+    def nothing(self, shown: Facts) -> list[Complex]:
+        return [self.body.off(self.plan, shown, p) for p in self.points]
 
-    def _bent(self, p: Point, shown: Facts) -> Complex:
-        return shown.mark(p.on(self.plan)) - self.body.at(self.plan, shown, p.local, shown.mark(p.place))
-
-    def size(self, shown: Facts) -> Real:
+    def sizes(self, shown: Facts) -> Iterator[Real]:
         if self.plan == "position":
-            return sum(abs(p.local) + abs(self.body.origin.local) for p in self.points)
+            yield sum(abs(p.local) + abs(self.body.origin.local) for p in self.points)
+            return
+        yield from (shown.size(p.on(self.plan)) for p in self.points)
         reach = sum(shown.size(p.place) + abs(p.local) for p in self.points) + abs(self.body.origin.local)
-        turning = shown.ar.size(self.body.spin(self.plan, shown)) * reach  # one about its hinge is no less long
-        return turning + sum(shown.size(p.on(self.plan)) for p in self.points)
+        yield shown.ar.size(self.body.spin(self.plan, shown)) * reach  # one about its hinge is no less long
 
 
 @dataclass(frozen=True)
 class Slid(Proof):
     """A point of a slider stays on its guide: nothing of its motion against the guide's link is across the guide."""
 
-    slider: Point
+    slider: Point  # where it would lie as a point of the guide's link, were it at the guide's own place
     owner: LinkMotion
-    through: complex
     turn: complex  # the guide's direction in its link's axes
     offset: float
     reason: ClassVar[str] = "slider_off"
 
-    def gap(self, shown: Facts) -> Real:
-        owner, place = self.owner, shown.mark(self.slider.place)
-        along = self.turn * (shown[owner.axis] if owner.axis else 1.0)
-        if self.plan == "position":
-            return abs(plane.cross(along, place - owner.at(self.plan, shown, self.through, place)) - self.offset)
-        relative = shown.mark(self.slider.on("velocity")) - owner.at("velocity", shown, 0j, place)
+    def nothing(self, shown: Facts) -> list[Complex]:
+        along = self.turn * (shown[self.owner.axis] if self.owner.axis else 1.0)
+        relative = self.owner.off(self.plan, shown, self.slider)
         if self.plan == "acceleration":
-            coriolis = 2 * owner.spin("velocity", shown) * relative
-            relative = shown.mark(self.slider.on("acceleration")) - owner.at(self.plan, shown, 0j, place) - coriolis
-        return abs(plane.cross(along, relative))
+            sliding = self.owner.off("velocity", shown, self.slider)
+            relative = relative - self.owner.spin("velocity", shown) * (2 * sliding)
+        across = plane.cross(along, relative)
+        return [across - self.offset if self.plan == "position" else across]
 
-    def size(self, shown: Facts) -> Real:
+    def sizes(self, shown: Facts) -> Iterator[Real]:
+        reach = shown.size(self.slider.place) + abs(self.slider.local)
         if self.plan == "position":
-            return shown.size(self.slider.place) + abs(self.through) + abs(self.offset)
-        reach = shown.size(self.slider.place) + abs(self.through)
-        turning = shown.ar.size(self.owner.spin(self.plan, shown)) * reach
-        return turning + sum(map(shown.size, self.slider.marks[1 : ORDER[self.plan] + 1]))
+            yield reach + abs(self.offset)
+            return
+        yield from map(shown.size, self.slider.marks[1 : ORDER[self.plan] + 1])
+        yield shown.ar.size(self.owner.spin(self.plan, shown)) * reach
 
 
 @dataclass(frozen=True)
@@ -118,25 +116,22 @@ class Balanced(Proof):
     couples: tuple[tuple[str, int], ...]
     reason: ClassVar[str] = "link_unbalanced"
 
-    def gap(self, shown: Facts) -> Real:
-        return self.compared(shown)[0]
-
-    def size(self, shown: Facts) -> Real:
-        return self.compared(shown)[1]
-
-    def compared(self, shown: Facts) -> tuple[Real, Real]:
-        """Of the forces, and of the moments about the pole divided by the largest distance from it."""
-        acting = self._acting(shown)
-        far = reduce(shown.ar.maximum, (shown.size(point) for _, point in acting))
-        moments = [plane.cross(shown.mark(point), force) for force, point in acting]
+    def nothing(self, shown: Facts) -> list[Complex]:
+        """The forces added up, and the moments about the pole divided by the largest distance from it."""
+        at: dict[str, Complex] = {}
+        for force, sign, point in self._acting(shown):
+            before = at.get(point, 0.0)
+            at[point] = before + force if sign > 0 else before - force
+        far = reduce(shown.ar.maximum, map(shown.size, at))
+        moments = [plane.cross(shown.mark(point), force) for point, force in at.items()]
         moments += [sign * shown[name] for name, sign in self.couples]
         moments += [sign * shown[couple] for _, _, sign, _, couple in self.reactions if couple]
-        gap = shown.ar.size(sum(force for force, _ in acting)) + abs(sum(moments)) / (far + (far == 0))
-        return gap, sum(shown.ar.size(force) for force, _ in acting)
+        return [reduce(add, at.values()), reduce(add, moments) / (far + (far == 0))]
 
-    def _acting(self, shown: Facts) -> list[tuple[Complex, str]]:
-        """The forces and the points they act at."""
-        given = [(shown[size] * shown[along], point) for size, along, point in self.forces]
-        return given + [
-            (sign * (shown.mark(end) - shown.mark(start)), point) for start, end, sign, point, _ in self.reactions
-        ]
+    def sizes(self, shown: Facts) -> Iterator[Real]:
+        yield from (shown.ar.size(force) for force, _, _ in self._acting(shown))
+
+    def _acting(self, shown: Facts) -> Iterator[tuple[Complex, int, str]]:
+        """The forces, each with its sign and the point it acts at."""
+        yield from ((shown.vector(start, end), sign, point) for start, end, sign, point, _ in self.reactions)
+        yield from ((shown.along(size, along), 1, point) for size, along, point in self.forces)

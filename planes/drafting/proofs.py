@@ -5,16 +5,15 @@ A proof compares what was drawn with a definition (a rigid link, a sliding pair,
 vectors are what was stated) or with another way to the same number (the force plan's balancing load and the lever's).
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache, partial
+from functools import cached_property, lru_cache
 from typing import Any, ClassVar, TypeVar
 
 from planes.drafting.steps.reckoning import Product
 from planes.drafting.tools import AskedFor, Thing
 from planes.geometry import plane
-from planes.geometry.arithmetic import Arithmetic, Real
-from planes.geometry.arithmetic import Point as Complex
+from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words.names import mu_of, plan_of
 
 Made = TypeVar("Made")
@@ -38,13 +37,21 @@ class Facts:
             self.known[key] = make()
         return self.known[key]  # type: ignore[no-any-return]
 
-    def mark(self, name: str) -> Complex:
+    def mark(self, name: str) -> Point:
         """What a mark shows, in SI."""
-        return self.once((name,), lambda: in_si(self.things, name))
+        return self.things[name] / self.things[_scale(name)]
 
     def size(self, mark: str) -> Real:
         """How large that is."""
         return self.once((mark, "size"), lambda: self.ar.size(self.mark(mark)))
+
+    def vector(self, start: str, end: str) -> Point:
+        """What the vector from one mark to another is, in SI."""
+        return self.once((start, end, "vector"), lambda: self.mark(end) - self.mark(start))
+
+    def along(self, length: str, direction: str) -> Point:
+        """A vector of a length along a direction."""
+        return self.once((length, direction, "along"), lambda: self.things[length] * self.things[direction])
 
 
 @dataclass(frozen=True)
@@ -64,17 +71,22 @@ class Proof:
         self.compared(Facts(asked, Arithmetic()))
         return frozenset(asked)
 
-    def compared(self, shown: Facts) -> tuple[Real, Real]:
-        """The gap, and the size it is small beside."""
-        return self.gap(shown), self.size(shown)
+    def nothing(self, shown: Facts) -> list[Point]:
+        """What must be nothing: vectors or numbers, in SI."""
+        raise NotImplementedError
+
+    def sizes(self, shown: Facts) -> Iterator[Real]:
+        """How large what that is made of is, in SI."""
+        raise NotImplementedError
 
     def gap(self, shown: Facts) -> Real:
-        """How far the two sides are apart, in SI."""
-        raise NotImplementedError
+        """How far it is from holding, in SI."""
+        return sum(map(shown.ar.size, self.nothing(shown)))
 
-    def size(self, shown: Facts) -> Real:
-        """How large what they are made of is at least, in SI, but for the speed of their plan."""
-        raise NotImplementedError
+    def compared(self, shown: Facts) -> tuple[Real, Real]:
+        """The gap, and the size it is small beside: a gap that is not is looked at again."""
+        moving = sum(shown.size(mark) for mark in self.beside if mark in shown.things)
+        return self.gap(shown), sum(self.sizes(shown)) + moving
 
     def numbers(self, things: Mapping[str, Thing], gap: Real, size: Real) -> dict[str, object]:
         """What a sentence says of its failure."""
@@ -90,12 +102,12 @@ class Twofold(Proof):
     terms: tuple[Product, ...]
     reason: ClassVar[str] = "balance_apart"
 
-    def gap(self, shown: Facts) -> Real:
-        return abs(shown[self.one] - shown[self.two])
+    def nothing(self, shown: Facts) -> list[Point]:
+        return [shown[self.one] - shown[self.two]]
 
-    def size(self, shown: Facts) -> Real:
-        terms = sum(abs(term.value(shown.things, shown.ar)) for term in self.terms)
-        return abs(shown[self.one]) + abs(shown[self.two]) + terms
+    def sizes(self, shown: Facts) -> Iterator[Real]:
+        yield from (abs(shown[name]) for name in (self.one, self.two))
+        yield from (abs(term.value(shown.things, shown.ar)) for term in self.terms)
 
     def numbers(self, things: Mapping[str, Thing], gap: Real, size: Real) -> dict[str, object]:
         return {"about": self.about, "found": float(things[self.one]), "check": float(things[self.two])}
@@ -109,40 +121,23 @@ class VectorProof(Proof):
     rows: tuple[VectorRow, ...]
     reason: ClassVar[str] = "polygon_open"
 
-    def gap(self, shown: Facts) -> Real:
-        return sum(self._open(shown.mark(row[1]) - shown.mark(row[0]), row, shown) for row in self.rows)
+    def nothing(self, shown: Facts) -> list[Point]:
+        return [self._open(row, shown) for row in self.rows]
 
     @staticmethod
-    def _open(vector: Complex, row: VectorRow, shown: Facts) -> Real:
-        _, _, along, sign, length = row
+    def _open(row: VectorRow, shown: Facts) -> Point:
+        start, end, along, sign, length = row
+        vector = shown.vector(start, end)
         if length and along:
-            return shown.ar.size(vector - sign * shown[length] * shown[along])
-        return abs(plane.cross(shown[along], vector)) if along else abs(abs(vector) - abs(shown[length]))
+            stated = shown.along(length, along)
+            return vector - stated if sign > 0 else vector + stated
+        return plane.cross(shown[along], vector) if along else abs(vector) - abs(shown[length])
 
-    def size(self, shown: Facts) -> Real:
-        stated = sum(abs(shown[length]) for length in {row[4] for row in self.rows if row[4]})
-        return stated + sum(map(shown.size, {mark for row in self.rows for mark in row[:2]}))
-
-
-def in_si(things: Mapping[str, Thing], mark: str) -> Complex:
-    """What a mark shows, in SI."""
-    mu = things[_scale(mark)]
-    return things[mark] if isinstance(mu, float) and mu == 1.0 else things[mark] / mu  # many are drawn in SI
+    def sizes(self, shown: Facts) -> Iterator[Real]:
+        yield from map(shown.size, dict.fromkeys(mark for row in self.rows for mark in row[1::-1]))
+        yield from (abs(shown[length]) for length in dict.fromkeys(row[4] for row in self.rows if row[4]))
 
 
 @lru_cache(4096)
 def _scale(mark: str) -> str:
     return mu_of(plan_of(mark))
-
-
-def gaps(proofs: Sequence[Proof], things: Mapping[str, Thing], ar: Arithmetic) -> Iterator[tuple[Proof, Real, Real]]:
-    """Of every proof, how far apart its sides are, and beside what size (a gap that is not small beside it is looked at
-    again): of what they are made of, and of what drives their plan."""
-    shown = Facts(things, ar)
-    for proof in proofs:
-        gap, size = proof.compared(shown)
-        yield proof, gap, size + shown.once(("beside", *proof.beside), partial(_driving, proof.beside, shown))
-
-
-def _driving(marks: Sequence[str], shown: Facts) -> Real:
-    return sum(shown.size(mark) for mark in marks if mark in shown.things)

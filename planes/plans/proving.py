@@ -4,6 +4,7 @@ polygon closed, and both balancing loads equal."""
 import cmath
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from planes.drafting.draft import Draft
 from planes.drafting.link_proofs import Balanced, LinkMotion, Point, Rigid, Slid
@@ -55,10 +56,10 @@ class _Motion:
                 guide, owner = link.slides.guide, self.b.mechanism.owner(link.slides.guide)
                 line = self.b.mechanism.guide(guide)
                 turn = cmath.rect(1.0, math.radians(line.angle_deg))
-                slider = self.point(name, link.first_point)
+                slider = replace(self.point(name, link.first_point), local=line.through)
                 for plan in (SCHEME, *RATES):
                     apart, beside = link.slides.offset or 0.0, self.beside[plan]
-                    yield Slid(plan, name, slider, self.frame(owner), line.through, turn, apart, beside=beside)
+                    yield Slid(plan, name, slider, self.frame(owner), turn, apart, beside=beside)
 
 
 def closed(draft: Draft) -> Iterator[Proof]:

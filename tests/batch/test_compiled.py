@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from planes.batch import compiled
+from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.symbols import Num, Vec, number, place_of
 from planes.batch.tape import Tape, read
 from planes.batch.tracing import Recording, Trace
@@ -34,10 +35,9 @@ def test_what_is_known_is_folded_away_and_nothing_is_recorded_twice() -> None:
     assert abs(Vec(x, 0.0)).at == abs(x).at
 
 
-def looped(tape: Tape, outputs: list[Any], **inputs: Any) -> Any:
+def looped(tape: Tape, outputs: list[Any], loop: type[Loop] = compiled.CompiledLoop, **inputs: Any) -> Any:
     trace = Trace(tape, tuple(place_of(tape, x) for x in outputs), (), (), (), frozenset())
-    loop = compiled.CompiledLoop(trace, tuple(inputs), {})
-    return loop(np.array(list(inputs.values())))[0]
+    return loop(trace, tuple(inputs), {})(np.array(list(inputs.values())))[0]
 
 
 @needs_compiler
@@ -63,8 +63,8 @@ def test_arctangents_are_right_to_the_last_place() -> None:
     assert list(edges) == [0, 90, 180, -90, 180]
 
 
-@needs_compiler
-def test_the_loop_does_what_the_tape_says() -> None:
+@pytest.mark.parametrize("loop", [ArrayLoop, pytest.param(compiled.CompiledLoop, marks=needs_compiler)])
+def test_a_loop_does_what_the_tape_says(loop: type[Loop]) -> None:
     tape, rng = Tape(), np.random.default_rng(2)
     x, y = given(tape, "x"), given(tape, "y")
     outputs = [
@@ -83,7 +83,7 @@ def test_the_loop_does_what_the_tape_says() -> None:
         AR.gap(Vec(x, y), 0.25 + 0j, y, x * 0.5),
     ]
     inputs = {"x": rng.normal(size=1000), "y": rng.normal(size=1000)}
-    found = looped(tape, outputs, **inputs)
+    found = looped(tape, outputs, loop, **inputs)
     places = [place_of(tape, o) for o in outputs]
     expected = read(tape, tape.needed(places), inputs)
     for row, place in zip(found, places, strict=True):

@@ -64,6 +64,22 @@ def test_compiled_loop_and_arrays_agree(name: str) -> None:
     assert sure.sum() > 100 and (apart[:, sure] <= 2 * claimed[:, sure]).all()
 
 
+@pytest.mark.few(2)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_loop_by_arrays_gives_what_drawing_them_gives(name: str) -> None:
+    """Blocks of other lengths after one another too: arrays are used again, and made anew for a shorter last block."""
+    p = plans(name)
+    c, values = Cycle(p), span(p)[:]
+    table, codes = whole(c, values, chunk=200, fast=False)
+    drawn = run(c.program, {**c.given, p.drive_given: values})
+    good = (codes == 0) & ~np.broadcast_to(drawn.failed(), values.shape)
+    assert good.sum() > 100 and len(values) % 200
+    with np.errstate(all="ignore"):
+        shown = np.array([np.broadcast_to(x.take(drawn.things, drawn.tool.ar), values.shape) for x in c.columns])
+    apart, size = np.nan_to_num(np.abs(table - shown)[:, good]), own_sizes(c, shown[:, good])
+    assert (apart <= 1e-12 * size / sharpness(c, values[good])).all()
+
+
 def own_sizes(c: Cycle, table: Any) -> Any:
     """The largest value of each quantity itself over the cycle, of a vector the larger of its parts."""
     names, largest = [x.name.removesuffix("_x").removesuffix("_y") for x in c.columns], {}

@@ -14,7 +14,7 @@ from planes.batch import Cycle, compiled
 from planes.cli import main
 from planes.drafting.drawing import proved, run
 from planes.drafting.instruments import Pencil
-from planes.drafting.proofs import Twofold, gaps
+from planes.drafting.proofs import Facts, Twofold
 from planes.drafting.steps import Carry, Similar
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry import plane
@@ -189,7 +189,9 @@ def test_every_proof_holds_to_rounding_and_shared_scenes_have_them_all() -> None
     for text in (TANGENT, OLDHAM, ROCKER, SLIDER):
         d = draw(text)
         assert {type(p).__name__ for p in d.plans.program.proofs} >= {"Twofold", "VectorProof", "Slid", "Balanced"}
-        for proof, gap, size in gaps(d.plans.program.proofs, d.drawing.things, Arithmetic()):
+        shown = Facts(d.drawing.things, Arithmetic())
+        for proof in d.plans.program.proofs:
+            gap, size = proof.compared(shown)
             assert size < 1e-9 or gap <= 1e-13 * size, (proof, gap, size)
 
 

@@ -1,0 +1,114 @@
+"""A program as one loop over positions, read off a tape: what of it changes from position to position; and the loop by
+numpy, a block of positions at a time, in arrays used again as soon as nobody needs what they hold.
+"""
+
+from collections.abc import Callable, Mapping
+from itertools import count
+
+import numpy as np
+
+from planes.batch.tape import OPS, TESTS, read
+from planes.batch.tracing import Trace
+from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Array, Booleans, Floats, Indices
+
+HELD = 2**22  # numbers the arrays of a block may hold together
+
+
+class Loop:
+    """A trace ready to run: ``inputs`` are the givens that change from position to position, the others are as
+    ``given``; ``row`` positions are worked at once."""
+
+    row: int
+
+    def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
+        tape, places = trace.tape, trace.givens()
+        self.trace, self.inputs = trace, tuple(name for name in moving if name in places)
+        self.places = [places[name] for name in self.inputs]  # where they stand
+        self.conditions = [place for _, _, place in trace.requires]
+        moved = tape.moved_by(frozenset(moving))
+        still = frozenset(range(len(tape.ops))) - moved
+        order = tape.needed([*trace.outputs, *self.conditions], stop=still)
+        self.moved = [p for p in order if p in moved]
+        fixed = [p for p in order if p in still]
+        found = read(tape, tape.needed(fixed), given)
+        self.still = {p: found[p] for p in fixed}
+
+    def __call__(self, rows: Array) -> tuple[Array, Indices | None]:
+        """Outputs (a row for each) and codes (the number of the first condition that does not hold, 0 where all do;
+        None: nothing failed), of one block of positions (``rows``: a row for each input)."""
+        raise NotImplementedError
+
+
+class ArrayLoop(Loop):
+    """The loop by numpy: an operation after another, each for the whole block."""
+
+    def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
+        super().__init__(trace, moving, given)
+        self.shelf = self._shelved()
+        self.row = max(1, HELD // len({*self.shelf.values(), None}))
+        self.width, self.at, self.work = -1, dict[int, Real](), list[tuple[Callable[..., object], list[Real], Real]]()
+
+    def _shelved(self) -> dict[int, tuple[bool, int]]:
+        """Which array holds what is made at a place, by its kind (yes and no, or numbers) and its number."""
+        ops, free, numbers = self.trace.tape.ops, {True: list[int](), False: list[int]()}, count()
+        last = {a: p for p in self.moved for a in ops[p][1]}
+        kept, found = {*self.trace.outputs, *self.conditions, *self.places}, dict[int, tuple[bool, int]]()
+        for place in self.moved:
+            op, args = ops[place]
+            test = op in TESTS
+            found[place] = test, free[test].pop() if free[test] else next(numbers)
+            for arg in set(args):
+                if last[arg] == place and arg in found and arg not in kept:
+                    kind, number = found[arg]
+                    free[kind].append(number)
+        return found
+
+    def _ready(self, width: int) -> None:
+        """Arrays for so many positions, and the work to be done in them."""
+        arrays = {key: np.empty(width, bool if key[0] else float) for key in set(self.shelf.values())}
+        self.at = {**self.still, **{place: arrays[key] for place, key in self.shelf.items()}}
+        listed = [(op, args, place) for place in self.moved for op, args in [self.trace.tape.ops[place]] if args]
+        self.work = [(INTO[op], [self.at[a] for a in args], self.at[place]) for op, args, place in listed]
+        self.width = width
+
+    def __call__(self, rows: Array) -> tuple[Array, Indices | None]:
+        if rows.shape[1] != self.width:
+            self._ready(rows.shape[1])
+        for place, row in zip(self.places, rows, strict=True):
+            if place in self.shelf:
+                self.at[place][:] = row
+        with np.errstate(all="ignore"):
+            for do, args, out in self.work:
+                do(*args, out=out)
+        table = np.empty((len(self.trace.outputs), self.width))
+        for row, place in zip(table, self.trace.outputs, strict=True):
+            row[:] = self.at[place]
+        return table, self._codes()
+
+    def _codes(self) -> Indices | None:
+        holds = [self.at[place] for place in self.conditions]
+        holds_all = [bool(np.all(ok)) for ok in holds]
+        if all(holds_all):
+            return None
+        codes = np.zeros(self.width)
+        for k in range(len(holds), 0, -1):
+            codes = codes if holds_all[k - 1] else np.where(holds[k - 1], codes, k)
+        return codes.astype(np.int16)
+
+
+def _root(a: Floats, out: Array) -> None:
+    np.sqrt(np.maximum(a, 0.0, out=out), out=out)
+
+
+def _chosen(ok: Booleans, a: Floats, b: Floats, out: Array) -> None:
+    np.copyto(out, b)
+    np.copyto(out, a, where=ok)
+
+
+INTO: dict[str, Callable[..., object]] = {
+    **OPS,
+    "sqrt": _root,
+    "sel": _chosen,
+    "gap": lambda *numbers, out: np.copyto(out, OPS["gap"](*numbers)),
+}
