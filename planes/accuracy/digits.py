@@ -78,4 +78,4 @@ class Digits:
         if many:
             raise PlanesError(Phrase("digits_one"))
         fine = 10.0 ** (3 - self.digits)
-        return _LongTool(_arithmetic(self.digits), slack=fine, flat=fine, still=10 * fine)
+        return _LongTool(_arithmetic(self.digits), slack=fine, flat=fine, still=10 * fine, plans=4 * self.digits)

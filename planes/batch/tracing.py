@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from planes.batch.symbols import Num, Test, Vec, number, place_of
 from planes.batch.tape import Tape
@@ -115,6 +115,9 @@ class TracingTool(Tool):
         place = self.tape.leaf("source", len(self.sources))
         self.sources.append(Source(place, self.errors[which]))
         return Num(self.tape, place)
+
+    def calm(self) -> Tool:
+        return replace(self, errors=None)
 
     def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         if ok is not True:

@@ -4,6 +4,7 @@ A :class:`Draft` grows a program in the order a draughtsman would draw it. Each 
 the name back; asking twice for the same direction makes one step.
 """
 
+from copy import copy
 from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term
@@ -58,6 +59,12 @@ class Draft:
         self.segments: list[Segment] = []
         self.laws: dict[str, Law] = {}  # givens that hold where the drive stands in the file alone
         self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
+
+    def apart(self) -> "Draft":
+        """Another draft that goes on from here, of which this one knows nothing."""
+        other = copy(self)
+        vars(other).update({name: copy(kept) for name, kept in vars(self).items()})
+        return other
 
     def give(self, name: str, value: Thing, off: float = 0.0, means: Meaning | None = None) -> str:
         """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed. What is

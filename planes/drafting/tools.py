@@ -35,6 +35,7 @@ class Tool:
     flat: float = 2e-15  # sharpness at or below which two lines count as parallel
     still: float = 2e-14  # relative: a speed at or below this is a standstill
     doubt_mm: float = 0.0  # marks no farther apart than this may be one mark
+    plans: int = 40  # drawn one after another, each with what the one before gave, until nothing changes
     shape: tuple[int, ...] = ()  # of what is drawn at once; () for one
     sharpness: dict[str, Real] = field(default_factory=dict)
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
@@ -88,6 +89,11 @@ class Tool:
     def sharpen(self, name: str, sharpness: Real) -> None:
         """Remember how sharply the lines met at a mark."""
         self.sharpness[name] = sharpness
+
+    def calm(self) -> "Tool":
+        """A tool that draws aside, without the errors of hand and ruler; what it fails at, this one does."""
+        limits = self.slack, self.flat, self.still
+        return Tool(self.ar, self.many, *limits, plans=self.plans, shape=self.shape, failures=self.failures)
 
     def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         """Fail where ``ok`` is false: one position raises, many are masked with their reason."""

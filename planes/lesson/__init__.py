@@ -204,9 +204,12 @@ class Teller:
         return found + [self.rubbing(plan, r) for r in rubbing]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
-        """Both parts of a reaction with friction, and the power of friction."""
-        readings = partial(self.reckoning.readings, [self.made[n] for n in (r.normal, r.friction, r.power)])
-        return self.frame("friction", plan, names={"force": r.key, "readings": readings}, terms=(r.key,))
+        """Both parts of a reaction with friction, or its friction circle, and the power of friction."""
+        found = [r.normal, r.friction] if r.pair.kind == "P" else []
+        readings = partial(self.reckoning.readings, [self.made[n] for n in (*found, r.power)])
+        key = "friction" if found else "friction_circle"
+        names: Names = {"force": r.key, "point": r.pair.point, "readings": readings}
+        return self.frame(key, plan, names=names, terms=(r.key,))
 
     def seated(self, r: Reaction) -> Frame:
         """The arm at which a slider's reaction acts, from its couple."""

@@ -18,11 +18,11 @@ _LETTERS = {
     "rad/s²": "epsilon",
     "m/s": "v vq H",
     "m/s²": "a g",
-    "m": "l h e r s arm",
+    "m": "l h e r s arm rho",
     "kg": "m",
     "kgm2": "J",
     "N": "G I P F N T FZ Fb",
-    "N·m": "M MI MR MP MZ",
+    "N·m": "M MI MR MP MZ MT",
     "W": "PT",
 }
 UNITS = {letter: key for key, letters in _LETTERS.items() for letter in letters.split()}

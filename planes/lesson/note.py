@@ -218,6 +218,10 @@ def conditions(mechanism: Mechanism, lang: Lang, forces: bool = True) -> Iterato
         yield say("task_no_weight", lang)
     for guide, f in mechanism.friction.items():
         yield say("task_friction", lang, guide=guide, f=number(f, lang))
+    for name, journal in mechanism.journals.items():
+        sizes = {"f": journal.coefficient, "radius": journal.radius, "circle": journal.circle}
+        key = "task_friction_round" if journal.round else "task_friction_pin"
+        yield say(key, lang, name=name, **{size: number(value, lang) for size, value in sizes.items()})
 
 
 def _load(load: Load, name: str, drive: Drive, lang: Lang) -> str:

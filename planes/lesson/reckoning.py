@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
+from planes.drafting.steps.settling import Fed, Settle
 from planes.lesson.formulas import formula, slot, slots, unit
 from planes.plans import Plans
 from planes.plans.loads import load_names
@@ -34,7 +35,7 @@ class Reckoning:
 
     def _find(self, name: str, found: dict[str, Step]) -> None:
         step = self.made.get(name)
-        if plain(name) in self.told or not isinstance(step, Calculate | Drop | Measure):
+        if plain(name) in self.told or not isinstance(step, Calculate | Drop | Measure | Fed | Settle):
             return
         self.told.add(plain(name))
         if isinstance(step, Calculate):
@@ -50,10 +51,22 @@ class Reckoning:
         """One of them."""
         if isinstance(step, Calculate):
             return formula(step, lang)
+        if isinstance(step, Fed | Settle):
+            return self.rubbing(step, lang)
         assert isinstance(step, Drop | Measure)
         name = plain(step.makes)
         names = {"mm": slot(step.makes, "mm", step.mu), "by": self.divided(step.mu, lang), "value": slot(step.makes)}
         return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
+
+    def rubbing(self, step: Fed | Settle, lang: Lang) -> str:
+        """The couple of friction in a hinge: the reaction times the radius of the friction circle."""
+        fed = step if isinstance(step, Fed) else next(f for f in step.fed if f.makes == step.makes)
+        factor = self.made[fed.factor]
+        assert isinstance(factor, Calculate)
+        circle, force = factor.terms[0].factors[0][0], plain(fed.size)
+        names = {"couple": step.makes, "circle": circle, "force": force, "long": slot(circle), "size": slot(fed.size)}
+        key = "lesson_couple" if isinstance(step, Fed) else "lesson_couple_settled"
+        return say(key, lang, **names, value=slot(step.makes))
 
 
 def factors(step: Calculate) -> Iterator[str]:

@@ -17,7 +17,8 @@ class Derived(NamedTuple):
 
 
 def derived(plans: Plans) -> Iterator[Derived]:
-    """Weights, inertia forces and couples of every link, then normal force, friction and its power in every pair."""
+    """Weights, inertia forces and couples of every link, then normal force, friction and its power in every pair; in a
+    hinge the couple of friction and its power."""
     loads = plans.acting
     for link in plans.mechanism.links:
         for f in (f for f in loads.forces[link] if f.quantity in ("weight", "inertia")):
@@ -27,8 +28,11 @@ def derived(plans: Plans) -> Iterator[Derived]:
             yield Derived((f"MI_{link}", f"M_I{link}", f"M_Φ{link}"), "N·m", couple.value, "loads")
     for r in (r for r in plans.reactions.values() if r.friction):
         index = pair_index(r.pair.link, r.pair.other)
-        yield Derived((f"N_{index}",), "N", r.normal, "friction")
-        yield Derived((f"T_{index}",), "N", r.friction, "friction")
+        if r.pair.kind == "R":
+            yield Derived((f"M_T{index}",), "N·m", r.friction, "friction")
+        else:
+            yield Derived((f"N_{index}",), "N", r.normal, "friction")
+            yield Derived((f"T_{index}",), "N", r.friction, "friction")
         yield Derived((f"P_T{index}",), "W", r.power, "friction")
 
 

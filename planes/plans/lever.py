@@ -42,13 +42,15 @@ def draw_lever(s: Statics) -> str:
 
 
 def rubbing(s: Statics) -> list[tuple[str, str]]:
-    """Names of each friction force along its guide and of the speed of its sliding; its power is a result."""
+    """Names of each friction force along its guide, or couple of its hinge, and of the speed of what rubs; its power is
+    a result."""
     found = []
     for key, reaction in list(s.reactions.items()):
-        guide = reaction.pair.guide
+        guide, force, speed = reaction.pair.guide, reaction.friction, s.acting.motion.spin(key)
         if guide in s.b.mechanism.friction:
             force = s.b.draft.measure(f"T_{key}", reaction.start, reaction.end, f"∥{guide}")
             speed = s.acting.motion.slides[reaction.pair.link].value
+        if force:
             power = s.b.draft.product(f"PT_{key}", **{force: 1, speed: 1})
             s.reactions[key] = replace(reaction, friction=force, power=power)
             found.append((force, speed))

@@ -154,13 +154,14 @@ class Acting:
         root = self.b.known[link].root
         if root == FRAME:
             return name  # a link that never turns has no motion for a couple to go along with or against
-        sense = self._turning(root)
+        sense = self.turning(root)
         sign = 1.0 if load.sense == "along" else -1.0
         self.couples[link].append(Couple(name, link, d.product(name, sign, **{value: 1, sense: 1})))
         return name
 
-    def _turning(self, root: str) -> str:
+    def turning(self, root: str, told: bool = True) -> str:
+        """Which way a link turns; that it stands still is ``told`` as a warning."""
         if root in self.motion.turning:
-            start, end, along = self.motion.turning[root]
-            return self.b.draft.step(Sense(f"turns_{root}", start, end, along, tuple(self.motion.driven)))
+            ends = (*self.motion.turning[root], tuple(self.motion.driven))
+            return self.b.draft.step(Sense(f"turns_{root}" if told else f"way_{root}", *ends, told))
         return self.b.draft.step(SenseOf(f"turns_{root}", self.motion.spin(root)))

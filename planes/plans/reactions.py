@@ -5,6 +5,8 @@ Which side of the guide bears is known only once the plan is drawn; so each supp
 true is kept. None, or two different ones, is self-locking.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field, replace
 from itertools import product
 
@@ -13,6 +15,7 @@ from planes.drafting.equations import Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Choose, Drop, Lean, Product, Sense, Trial
 from planes.plans.bodies import SCHEME, Bodies
+from planes.plans.hinges import Grip
 from planes.plans.loads import Acting, Couple, Force, force_name
 from planes.plans.structure import Pair
 from planes.words.names import Meaning, at, label_of, mu_of
@@ -20,8 +23,9 @@ from planes.words.names import Meaning, at, label_of, mu_of
 
 @dataclass(frozen=True)
 class Reaction:
-    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot,
-    where it rubs the names of the friction force along the guide and of its power."""
+    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot;
+    where it rubs the names of the friction force along the guide and of its power. In a hinge that rubs the couple is
+    that of friction, and the arm is about its centre: the line of action is tangent to the friction circle."""
 
     key: str
     plan: str
@@ -66,10 +70,18 @@ class Statics:
             shown.append((c.name, ""))
         return products, tuple(shown)
 
-    def react(self, pair: Pair, plan: str, start: str, end: str) -> Reaction:
-        """Note the reaction on ``pair.link``; both links feel it from now on. Slider's couple comes later."""
+    def apart(self) -> Statics:
+        """The same for a trial on a draft of its own, of which this one feels nothing."""
+        b = replace(self.b, draft=self.b.draft.apart())
+        return Statics(b, replace(self.acting, b=b), centres=dict(self.centres))
+
+    def react(self, pair: Pair, plan: str, start: str, end: str, grip: Grip | None = None) -> Reaction:
+        """Note the reaction on ``pair.link``, with the ``grip`` of a hinge that rubs; both links feel it from now on.
+        Slider's couple comes later."""
         key = force_name(pair.link, pair.other)
         found = Reaction(key, plan, start, end, pair)
+        if grip:
+            found = replace(found, arm=grip.factor, moment=grip.couple, friction=grip.couple)
         self.reactions[key] = found
         self.b.draft.show(plan, label_of(start), label_of(end), key)
         return found

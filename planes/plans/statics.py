@@ -10,7 +10,9 @@ from dataclasses import replace
 
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
+from planes.drafting.steps.settling import Fed
 from planes.plans.bodies import SCHEME
+from planes.plans.hinges import Grip, grip_of, settle
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.reactions import Reaction, Statics, meet_with_friction
 from planes.plans.structure import Group, Pair
@@ -43,10 +45,32 @@ class _GroupForces:
         self.plan = force_plan(*group.links)
         self.loads = {x: list(statics.acting.forces[x]) for x in group.links}
         self.couples = {x: list(statics.acting.couples[x]) for x in group.links}
+        self.grips: dict[Pair, Grip] = {}
 
     def draw(self) -> None:
-        g = self.g
+        """The plan, with the friction in hinges if there is any; its reactions are handed on."""
         self.d.pole(self.plan)
+        found = ((p, grip_of(self.s.acting, p)) for p in self.g.pairs)
+        if grips := {p: grip for p, grip in found if grip}:
+            self.rub(grips)
+            trial = _GroupForces(self.s.apart(), self.g)
+            trial.rub(grips)
+            ends = dict(zip(self.g.pairs, trial.polygon().values(), strict=True))
+            names = {p: f"|{force_name(p.link, p.other)}|" for p in grips}
+            sizes = {g.couple: trial.d.measure(names[p], *ends[p]) for p, g in grips.items()}
+            settle(self.s.acting, list(grips.values()), sizes, trial.d)
+        self.read(self.polygon())
+
+    def rub(self, grips: dict[Pair, Grip]) -> None:
+        """Let the links feel the couples of hinges."""
+        self.grips = grips
+        for grip in grips.values():
+            for link in (x for x in (grip.pair.link, grip.pair.other) if x in self.couples):
+                self.couples[link].append(grip.on(link))
+
+    def polygon(self) -> dict[str, tuple[str, str]]:
+        """Draw the polygon; the marks between which the reaction of each pair stands, on the pair's own first link."""
+        g, plan = self.g, self.plan
         head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
         tail = self.tangential(g.last, g.last_outer) if g.kind == 1 else []
         first = chain_of(head + self.loads[g.first], POLE)
@@ -63,7 +87,12 @@ class _GroupForces:
             "last": self.ray(g.last_outer, g.last, e_b, x, 1, bool(tail)),
         }
         self.meet(rays, first, last, x)
-        self.read(head[0].name.replace("^", "") if head else POLE, e_a, last[-1].start if tail else e_b, x)
+        starts = head[0].name.replace("^", "") if head else POLE, last[-1].start if tail else e_b
+        return {
+            "first": self.on(g.first_outer, g.first, at(plan, x), at(plan, starts[0])),
+            "inner": self.on(g.inner, g.first, at(plan, e_a), at(plan, x)),
+            "last": self.on(g.last_outer, g.last, at(plan, starts[1]), at(plan, x)),
+        }
 
     def meet(self, rays: dict[str, Term], first: tuple[Term, ...], last: tuple[Term, ...], x: str) -> None:
         """State the equations of the kind: which two lines cross at X, and which side closes."""
@@ -121,22 +150,21 @@ class _GroupForces:
         d.moments.append(Moments(about, links, shown, name, length))
         return [Force(name, link, name, d.square(ray), at(SCHEME, pair.point), "tangential")]
 
-    def read(self, head_end: str, e_a: str, tail_start: str, x: str) -> None:
+    def read(self, ends: dict[str, tuple[str, str]]) -> None:
         """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
-        g, plan, x_mark = self.g, self.plan, at(self.plan, x)
-        found = {
-            "first": self.on(g.first_outer, g.first, x_mark, at(plan, head_end)),
-            "inner": self.on(g.inner, g.first, at(plan, e_a), x_mark),
-            "last": self.on(g.last_outer, g.last, at(plan, tail_start), x_mark),
-        }
+        g = self.g
+        found = {}
+        for (which, (start, end)), pair in zip(ends.items(), g.pairs, strict=True):
+            found[which] = self.s.react(pair, self.plan, start, end, self.grips.get(pair))
         self.seat_all(found)
         for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
             if pair.mate(link) != FRAME:
                 self.s.hand_over(self.s.reactions[found[which].key], pair.mate(link))
 
-    def on(self, pair: Pair, link: str, start: str, end: str) -> Reaction:
-        """The reaction on ``link`` from start to end, noted for the pair's own first link."""
-        return self.s.react(pair, self.plan, *((start, end) if link == pair.link else (end, start)))
+    @staticmethod
+    def on(pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
+        """The ends of the reaction on ``link`` from start to end, turned for the pair's own first link."""
+        return (start, end) if link == pair.link else (end, start)
 
     def seat_all(self, found: dict[str, Reaction]) -> None:
         """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
@@ -178,9 +206,12 @@ class DriverForces:
     def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """F_10 closes the polygon; the balancing moment by moments about the pivot."""
         self.d.conclude(Equation(self.plan, ((*terms, Term(key, start, POLE)), ())))
-        self.s.react(self.pair, self.plan, at(self.plan, start), at(self.plan, POLE))
-        about = at(SCHEME, self.pair.point)
-        products, shown = self.s.moment_terms(about, self.forces, self.couples, -1.0)
+        ends = at(self.plan, start), at(self.plan, POLE)
+        if grip := grip_of(self.s.acting, self.pair):
+            self.d.step(Fed(grip.couple, grip.factor, self.d.measure(f"|{key}|", *ends)))
+        self.s.react(self.pair, self.plan, *ends, grip)
+        about, couples = at(SCHEME, self.pair.point), [*self.couples, *([grip.on(self.link)] if grip else ())]
+        products, shown = self.s.moment_terms(about, self.forces, couples, -1.0)
         self.s.balancing = self.d.total(f"M_{self.link}", products)
         self.d.moments.append(Moments(self.pair.point, (self.link,), shown, self.s.balancing, ""))
 

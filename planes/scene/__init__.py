@@ -11,10 +11,11 @@ from typing import Any
 
 from planes.scene import settings, source
 from planes.scene.doubts import read_doubts
+from planes.scene.friction import read_friction
 from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import Mechanism, Where
-from planes.scene.motion import read_assembly, read_drive, read_friction, read_loads
+from planes.scene.motion import read_assembly, read_drive, read_loads
 from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
 from planes.scene.reader import Reader, entries_of
 from planes.scene.source import Node, SourceTable
@@ -233,14 +234,16 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
     links = read_links(reader, table.entries["links"], frame)
     given = {key: reader.optional(table, key) for key in MECHANISM_KEYS}
     drive = read_drive(reader, table.entries["drive"], frame, links)
-    assembly, loads, friction = given["assembly"], given["loads"], given["friction"]
+    assembly, loads = given["assembly"], given["loads"]
+    friction, journals = read_friction(reader, f, frame, links) if (f := given["friction"]) else ({}, {})
     return Mechanism(
         frame,
         MappingProxyType(links),
         drive,
         () if loads is None else read_loads(LawReader(reader, links, drive, table, stated), loads, links),
         None if (gravity := given["gravity"]) is None else reader.positive(gravity, Phrase("gravity")),
-        MappingProxyType({} if friction is None else read_friction(reader, friction, frame, links)),
+        MappingProxyType(friction),
+        MappingProxyType(journals),
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),
         where,
         MappingProxyType(read_laws(table, stated)),

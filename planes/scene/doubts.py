@@ -34,7 +34,10 @@ def read_doubts(
         found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism)]
         found += [
             (Phrase("doubt_friction", guide=guide, value=value), ("friction", guide))
-            for guide, value in mechanism.friction.items()
+            for guide, value in {
+                **mechanism.friction,
+                **{n: j.coefficient for n, j in mechanism.journals.items()},
+            }.items()
             if value >= STEEP
         ]
     said = [Doubt(phrase, file, line_of(table, path)) for phrase, path in found]

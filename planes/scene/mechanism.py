@@ -4,6 +4,7 @@ All numbers are SI; angles are degrees, counter-clockwise positive, and end in `
 number (x to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -39,6 +40,22 @@ class RoundGuide:
     name: str
     centre: str
     radius: float
+
+
+@dataclass(frozen=True)
+class Journal:
+    """What rubs in a hinge: the coefficient of friction and the radius of its pin, m; or, ``round``, of a guide along a
+    circle, where the coefficient is that of a plane contact."""
+
+    coefficient: float
+    radius: float
+    round: bool = False
+
+    @property
+    def circle(self) -> float:
+        """The radius of the friction circle, which the reaction is tangent to."""
+        f = self.coefficient
+        return self.radius * (f / math.hypot(1.0, f) if self.round else f)
 
 
 @dataclass(frozen=True)
@@ -160,6 +177,7 @@ class Mechanism:
     loads: tuple[Load, ...] = ()
     gravity: float | None = None
     friction: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    journals: Mapping[str, Journal] = field(default_factory=lambda: MappingProxyType({}))  # by point, or round guide
     assembly: Mapping[str, Assembly] = field(default_factory=lambda: MappingProxyType({}))
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False)
     laws: Mapping[tuple[str, ...], Law] = field(default_factory=lambda: MappingProxyType({}))
@@ -190,6 +208,12 @@ class Mechanism:
         """The points of a link that are its own: not the centre of the circle it slides on."""
         found = self.round_guide(link)
         return [p for p in link.points if not found or p != found[0].centre]
+
+    def rubs(self, point: str, *links: str) -> str | None:
+        """The key of ``journals`` for the hinge of two links at a point, or for the circle about it one slides on."""
+        round_guides = (self.round_guide(self.link(x)) for x in links)
+        name = next((g[0].name for g in round_guides if g and g[0].centre == point), point)
+        return name if name in self.journals else None
 
     @cached_property
     def names(self) -> tuple[str, ...]:

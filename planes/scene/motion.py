@@ -1,4 +1,4 @@
-"""What moves and loads a mechanism of a scene: assembly, drive, loads, friction."""
+"""What moves and loads a mechanism of a scene: assembly, drive, loads."""
 
 from collections.abc import Mapping
 from typing import cast
@@ -121,16 +121,3 @@ def _direction(laws: LawReader, node: Node, what: Phrase, links: Links) -> tuple
     owner = reader.known(said, part("link", what), known, Phrase("links_all"))
     degrees = laws.amount(reader.required(table, "angle", what), part("angle", what))
     return degrees, None if owner == FRAME else owner
-
-
-def read_friction(reader: Reader, node: Node, frame: Link, links: Links) -> dict[str, float]:
-    """Coefficients of friction by the name of the guide."""
-    table = reader.table(node, "friction")
-    slid = {link.slides.guide: None for link in links.values() if link.slides}
-    guides = {guide for link in (frame, *links.values()) for guide in link.guides}
-    for name, line in table.lines.items():
-        if name not in slid:
-            key = "friction_no_slide" if name in guides else "friction_no_guide"
-            valid = reader.offer(name, slid, Phrase("sliding_pairs"))
-            raise reader.error(Phrase(key, name=name[:60], valid=valid), line)
-    return {name: reader.positive(entry, Phrase("friction_of", name=name)) for name, entry in table.entries.items()}

@@ -55,7 +55,8 @@ def _mechanism(m: Mechanism) -> Iterator[tuple[str, object]]:
     yield "drive", _drive(m.drive)
     yield "loads", [_load(load) for load in m.loads]
     yield "gravity", m.gravity
-    yield "friction", dict(m.friction)
+    pins = {name: {"coefficient": j.coefficient, "radius": j.radius} for name, j in m.journals.items()}
+    yield "friction", {**m.friction, **pins, **{name: j.coefficient for name, j in m.journals.items() if j.round}}
 
 
 def _as_written(node: object) -> object:

@@ -34,7 +34,7 @@ class GivenRow:
     @property
     def loading(self) -> bool:
         """Whether only a force calculation needs it."""
-        return self.unit in ("kg", "kgm2", "N", "N·m") or letter_of(self.name) in ("g", "f")
+        return self.unit in ("kg", "kgm2", "N", "N·m") or letter_of(self.name) in ("g", "f", "ρ")
 
     @property
     def same(self) -> tuple[str, str]:
@@ -103,6 +103,10 @@ class GivenTable:
         yield GivenRow("g", m.gravity or 0.0, "m/s²")
         for name, f in m.friction.items():
             yield GivenRow(f"f_{{{dashed(name)}}}", f, "")
+        for name, journal in m.journals.items():
+            yield GivenRow(f"f_{{{dashed(name)}}}", journal.coefficient, "")
+            yield GivenRow(f"r_{{{dashed(name)}}}", journal.radius, "m")
+            yield GivenRow(f"ρ_{{{dashed(name)}}}", journal.circle, "m")
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:
         """The coordinates of a place."""

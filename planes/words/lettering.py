@@ -14,8 +14,8 @@ from planes.words.names import kind_of, label_of, letter_of, links_of, parted, w
 from planes.words.units import Convention, mu_text
 
 PRIME = "′"
-_SPELT = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
-_GREEK = dict(zip(_SPELT, "ωεφαβγδψθ", strict=True))
+_SPELT = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta", "rho")
+_GREEK = dict(zip(_SPELT, "ωεφαβγδψθρ", strict=True))
 _INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
 _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
 
@@ -68,8 +68,8 @@ class Naming:
             letter = "Φ"
         elif letter in ("MI", "MP"):
             letter, index = "M", ("Φ" if letter == "MI" else "P") + index
-        elif letter in ("N", "T", "PT") and index.startswith("F_"):  # of friction, by the reaction they are parts of
-            letter, index = letter[0], letter[1:] + self.reaction(index[2:])
+        elif letter in ("N", "T", "PT", "MT", "ω") and index.startswith("F_"):  # of friction, by its reaction
+            letter, index = letter[0], letter[1:] + analogue + self.reaction(index[2:])
         elif letter in ("v", "a"):
             index = self.driver if index == "drive" else index.removeprefix("slide_")
             index = analogue + (index[:-1] + self.frame if base in self.grounded else index)

@@ -16,7 +16,7 @@ AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
 Mark = Literal["guide", "foot", "trial", "normal", "coriolis"]
 Loading = Literal["weight", "inertia", "load", "couple", "tangential", "reaction", "arm"]
-Size = Literal["length", "offset", "place", "angle", "rate"]
+Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]
 

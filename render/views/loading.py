@@ -15,7 +15,7 @@ from planes.words.names import at, mu_of
 from planes.words.units import number
 from render import labels
 from render.paper import symbols
-from render.paper.marks import Arrow, Line, Mark
+from render.paper.marks import Arc, Arrow, Line, Mark
 from render.paper.style import BLOCK_MM
 from render.views.plotted import Ends, Places, set_apart
 from render.views.senses import freest
@@ -25,6 +25,7 @@ STEP_MM = 6.0  # by which the next one of the same point and direction is longer
 ASIDE_MM, NEAR_MM = 1.5, 1.2  # how far it is set beside, and how near to it, or to a rod, no force may lie
 BEFORE_MM = 1.6  # from the tip of a reaction to the place it acts at: the radius of a hinge
 COUPLE_MM = 6.5  # radius of a couple's curved arrow
+BESIDE_MM = 5.0  # how far the line that is tangent to a friction circle is drawn to either side
 NAME_MM = 3.5
 NOTHING = 1e-9  # of the largest force: none
 LEAST_MM = 2.0  # of an arm
@@ -79,11 +80,11 @@ class Loading:
             for k, couple in enumerate(c for c in acting.couples[link] if carried or not c.handed):
                 value = float(self.drawing[couple.value]) * couple.sign if couple.value in self.drawing else 0.0
                 if abs(value) > 1e-9:
-                    self.couple(couple.name, link, value, k)
+                    self.couple(couple.name, link, value, k, about=self.hinge(couple.value))
 
     def reactions(self, plan: str) -> None:
         """The reactions of a plan's outer pairs, in the parts the plan finds them in, at their points."""
-        outer = self.outer()
+        outer, rubbing = self.outer(), dict[str, None]()
         for equation in self.position.plans.equations:
             for term in equation.terms if equation.plan == plan else ():
                 marks = [at(plan, end) for end in (term.start, term.end)]
@@ -91,7 +92,11 @@ class Loading:
                     way = term.sign * (complex(self.drawing[marks[1]]) - complex(self.drawing[marks[0]]))
                     key = outer.pop(term.name)
                     if abs(way) >= 1e-6:
-                        self.force(term.name, self.seat(key), way / abs(way), from_outside=True)
+                        self.force(term.name, self.seat(key, aside=False), way / abs(way), from_outside=True)
+                        rubbing.setdefault(key)
+        for key in rubbing:
+            self.friction_circle(key)
+            self.rub(key)
 
     def whole_reactions(self) -> None:
         """Every reaction on these links from outside of them, whole, where its line of action passes."""
@@ -105,6 +110,7 @@ class Loading:
             force = result.vector * (-1 if turned else 1)
             name = force_name(pair.other, pair.link) if turned else key
             if self.big(abs(force)):
+                self.friction_circle(key)
                 self.force(name, self.seat(key), force / abs(force), from_outside=True)
             elif self.arm(key) is None and abs(result.moment) > NOTHING:
                 self.couple(f"MR_{name}", inside[0], result.moment * (-1 if turned else 1), 0)
@@ -115,11 +121,36 @@ class Loading:
         arm = float(self.drawing[name]) if name in self.drawing else math.nan
         return arm if math.isfinite(arm) and abs(arm) < FAR_M else None
 
-    def seat(self, key: str) -> complex:
-        """Where a reaction acts: in its hinge, or its arm from the foot on the guide, which is drawn as far as that."""
-        pair = self.position.plans.reactions[key].pair
+    def hinge(self, couple: str) -> complex | None:
+        """The place of the hinge whose friction a couple is; None of any other."""
+        own = (r.pair.point for r in self.position.plans.reactions.values() if r.moment == couple and r.pair.point)
+        return next(map(self.places.at, own), None)
+
+    def rub(self, key: str) -> None:
+        """The couple of friction on one of these links, in its hinge."""
+        r = self.position.plans.reactions[key]
+        value = float(self.drawing[r.friction]) if r.pair.point and r.friction in self.drawing else 0.0
+        if abs(value) > NOTHING:
+            on = r.pair.link if r.pair.link in self.links else r.pair.other
+            self.couple(r.moment, on, value if on == r.pair.link else -value, 0, about=self.places.at(r.pair.point))
+
+    def friction_circle(self, key: str) -> None:
+        """The circle in a hinge that the line of the reaction is tangent to, and that line."""
+        pair, place = self.position.plans.reactions[key].pair, self.seat(key)
+        if pair.kind == "R" and (shift := place - (centre := self.places.at(pair.point))):
+            along = 1j * shift / abs(shift) * BESIDE_MM
+            self.marks.append(Arc(centre, abs(shift), style="thin", layer="construction"))
+            self.marks.append(Line((place - along, place + along), "thin", "construction"))
+
+    def seat(self, key: str, aside: bool = True) -> complex:
+        """Where a reaction acts: in its hinge, or ``aside`` on its friction circle; its arm from the foot on the guide,
+        which is drawn as far as that."""
+        r = self.position.plans.reactions[key]
+        pair = r.pair
         if pair.kind == "R":
-            return self.places.at(pair.point)
+            way, arm = complex(self.drawing[r.end]) - complex(self.drawing[r.start]), self.arm(key) or 0.0
+            shift = -1j * way / abs(way) * arm * self.position.scales[mu_of(SCHEME)] if way and aside else 0j
+            return self.places.at(pair.point) + shift
         foot, along = self.places.foot(self.places.mechanism.links[pair.link])
         arm = (self.arm(key) or 0.0) * self.position.scales[mu_of(SCHEME)]
         shown = math.copysign(min(abs(arm), max(FAR_MM, self.places.size(self.links))), arm)
@@ -179,10 +210,12 @@ class Loading:
         far = start if from_outside else end
         self.named.append(labels.Label(self.naming.vector(name), (far, (start + end) / 2), NAME_MM, name=name))
 
-    def couple(self, name: str, link: str, value: float, number: int, text: str = "") -> None:
-        """A curved arrow about the mass centre of its link, or the middle of its bar, where it crosses least."""
+    def couple(
+        self, name: str, link: str, value: float, number: int, text: str = "", about: complex | None = None
+    ) -> None:
+        """A curved arrow about a place, or the mass centre of its link, where it crosses least."""
         body = self.places.mechanism.links[link]
-        centre = self.places.at(body.mass_centre)
+        centre = self.places.at(body.mass_centre) if about is None else about
         sense = math.copysign(1.0, value)
         radii = (COUPLE_MM + 3 * number + grow for grow in (0.0, -2.0, 3.0, 6.0))
         begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]

@@ -168,7 +168,11 @@ def standing(case: Case) -> bool:
     """Whether something whose sense of motion matters (a rubbing slider) stands still but for rounding."""
     friction, sol = case.scene.get("friction", {}), case.solution
     quick = max([abs(v) for v in sol.speeds.values()], default=0.0)
-    return any(sol.guides[i][0] in friction and abs(v) < 1e-9 * quick for i, v in sol.speeds.items())
+    if any(sol.guides[i][0] in friction and abs(v) < 1e-9 * quick for i, v in sol.speeds.items()):
+        return True
+    omegas = {n: w for n, (_, w) in sol.motion.items()}
+    most, pins = max(map(abs, omegas.values())), any(isinstance(f, Mapping) for f in friction.values())
+    return pins and any(abs(omegas[i] - omegas[j]) < 1e-9 * most for i, j in sol.hinges)
 
 
 def closing_mm(d: Drawn) -> float:
@@ -218,11 +222,15 @@ def power(d: Drawn) -> tuple[float, float]:
     for couples in st.acting.couples.values():
         for c in couples:
             root = motion.b.known[c.link].root
-            if root != "0" and not c.name.startswith("MR_"):
+            if root != "0" and not c.handed:
                 terms.append(c.sign * d.number(c.value) * d.number(motion.spin(root)))
     drive = st.mechanism.drive
     rate = 1.0 if st.at_rest else drive.velocity
     for r in st.reactions.values():
+        if r.pair.kind == "R" and r.friction:
+            turning = [st.acting.motion.spin(motion.b.known[x].root) for x in (r.pair.link, r.pair.other)]
+            apart = [0.0 if name.endswith("_0") else d.number(name) for name in turning]
+            terms.append(d.number(r.friction) * (apart[0] - apart[1]))
         if r.pair.kind == "P" and r.pair.guide in st.mechanism.friction:
             slide = motion.slides.get(r.pair.link)
             along = d.number(f"∥{r.pair.guide}")

@@ -325,6 +325,7 @@ def make(
     ill: float = 1.0,
     swapped: bool = True,
     friction: bool = False,
+    pins: bool = False,
     loads: bool = True,
     assembly: str | None = None,
     rest: bool = False,
@@ -342,7 +343,7 @@ def make(
     for _ in range(200):
         try:
             slid = rng.random() < 0.25 if sliding is None else sliding
-            case = attempt(rng, kinds, slid, size, ill, swapped, friction, loads, assembly, rest, every)
+            case = attempt(rng, kinds, slid, size, ill, swapped, friction, pins, loads, assembly, rest, every)
         except (NoSolution, np.linalg.LinAlgError):
             continue
         if case.solution.condition < limit:
@@ -358,6 +359,7 @@ def attempt(
     ill: float,
     swapped: bool,
     friction: bool,
+    pins: bool,
     loads: bool,
     assembly: str | None,
     rest: bool,
@@ -408,11 +410,22 @@ def attempt(
     if friction:
         rubbing = [sol.guides[i][0] for i, v in sol.speeds.items() if abs(v) > 1e-6 * quick]
         scene["friction"] = {guide: 10 ** rng.uniform(-2.5, -0.8) for guide in rubbing}
+    if pins:
+        for (i, j), place in sol.hinges.items():
+            point = next(p for p in build_points(scene, i, j) if abs(sol.points[p][0] - place) < 1e-9 * size)
+            pin = {"coefficient": rng.uniform(0.02, 0.2), "radius": rng.uniform(0.02, 0.1) * size}
+            scene.setdefault("friction", {}).setdefault(point, pin)
     sol = solve(scene, guess)
     if sol.consistent != 1:
         raise NoSolution("friction with more than one answer")
     groups = [(d.kind, d.i.name, d.j.name) for d in build.dyads]
     return Case(scene, guess, groups, sol)
+
+
+def build_points(scene: Mapping[str, Any], *links: str) -> list[str]:
+    """The points that two links have in common."""
+    one, two = ((scene["frame"] if x == "0" else scene["links"][x]).get("points", {}) for x in links)
+    return [p for p in one if p in two]
 
 
 @st.composite

@@ -33,6 +33,7 @@ from tests.helpers.oracle_forces import (
     unbalanced,
     velocity,
 )
+from tests.helpers.oracle_pins import radius_of, without_circles
 
 __all__ = [
     "FRAME",
@@ -52,7 +53,8 @@ Pose = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Pair:
-    """Link `i` on link `j`: `p` local in i, `g` local in j; `u` the guide's local direction or None."""
+    """Link `i` on link `j`: `p` local in i, `g` local in j; `u` the guide's local direction or None; `friction` the
+    coefficient, in a hinge the radius of the friction circle."""
 
     name: str
     i: str
@@ -138,6 +140,7 @@ def guide_line(spec: Mapping[str, Any], points: Mapping[str, complex]) -> tuple[
 
 def read(scene: Scene) -> Model:
     """The numeric scene as a model; the links of a hinge are paired with the one solved first."""
+    whole, scene = scene, without_circles(scene)
     links = {str(k): v for k, v in scene["links"].items()}
     bodies: dict[str, Any] = {FRAME: scene["frame"], **links}
     points = {n: {str(k): place(v) for k, v in (b.get("points") or {}).items()} for n, b in bodies.items()}
@@ -146,7 +149,7 @@ def read(scene: Scene) -> Model:
         for n, b in bodies.items()
         for k, spec in (b.get("guides") or {}).items()
     }
-    rubbing = {str(k): float(v) for k, v in (scene.get("friction") or {}).items()}
+    rubbing = {str(k): float(v) for k, v in (scene.get("friction") or {}).items() if not isinstance(v, Mapping)}
     slides = []
     for n, b in links.items():
         if b.get("slides") is None:
@@ -180,7 +183,10 @@ def read(scene: Scene) -> Model:
     hinges = []
     for name in dict.fromkeys(k for n in order for k in points[n]):
         base, *others = [n for n in order if name in points[n]]
-        hinges += [Pair(name, n, base, points[n][name], points[base][name]) for n in others]
+        hinges += [
+            Pair(name, n, base, points[n][name], points[base][name], friction=radius_of(whole, name, n, base) / size)
+            for n in others
+        ]
     if revolving:
         rates = (math.radians(float(drive["phi"])), float(drive.get("omega", 0)), float(drive.get("epsilon", 0)))
     else:

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.helpers.oracle_pins import Grip, with_pins
+
 if TYPE_CHECKING:
     from tests.helpers.oracle import Model, Solution
 
@@ -135,6 +137,12 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
     else:
         at = sol.feet[m.driver] if balancing_at == "foot" else next(sol.points[k][0] for k in m.points[m.driver])
         cols.append(wrench(m.driver, at, sol.guides[m.driver][2]))
+    grips, quick = [], max(abs(w) for _, w in sol.motion.values())
+    for k, h in enumerate(m.hinges):
+        turning = sol.motion[h.i][1] - sol.motion[h.j][1]
+        if h.friction and abs(turning) > 1e-12 * quick:
+            column = -math.copysign(h.friction, turning) * between(h.i, h.j, 0j, 0j, m.size)
+            grips.append(Grip(2 * k, column))
     a = np.array(cols).T
     b = -sum((wrench(x.link, x.place, x.force, x.moment) for x in sol.actions), np.zeros(n))
     smooth = refined(a, b)
@@ -147,7 +155,10 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
         rough = a.copy()
         for (i, column), sign in zip(rubs.items(), signs, strict=True):
             rough[:, normal[i]] += sign * column
-        x = refined(rough, b) if rubs else smooth
+        found = with_pins(rough, b, grips) if grips else refined(rough, b) if rubs else smooth
+        if found is None:
+            continue
+        x = found
         if all(x[normal[i]] * sign >= 0 for i, sign in zip(rubs, signs, strict=True)):
             fits.append(x)
     if not fits:
@@ -155,6 +166,11 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
     x, sol.consistent = fits[0], len(fits)
     for k, h in enumerate(m.hinges):
         sol.reactions[h.i, h.j] = complex(x[2 * k], x[2 * k + 1])
+    for g in grips:
+        h = m.hinges[g.at // 2]
+        turning = sol.motion[h.i][1] - sol.motion[h.j][1]
+        couple = -math.copysign(h.friction * m.size * math.hypot(*x[g.at : g.at + 2]), turning)
+        sol.actions += [Action("pin", link, 0j, 0j, sign * couple) for link, sign in ((h.i, 1), (h.j, -1))]
     largest = float(np.max(np.abs(x)))
     for s in m.slides:
         push, couple, u = float(x[normal[s.i]]), float(x[normal[s.i] + 1]) * m.size, sol.guides[s.i][2]

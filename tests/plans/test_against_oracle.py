@@ -23,6 +23,9 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "megametre": {"size": 1e6},
     "in order": {"swapped": False},
     "friction at rest": {"friction": True, "rest": True},
+    "rubbing pins": {"pins": True},
+    "rubbing pins and guides": {"pins": True, "friction": True},
+    "rubbing pins, a sliding driver at rest": {"pins": True, "sliding": True, "rest": True},
     "sliding friction": {"friction": True, "sliding": True, "ill": 1e-2},
 }
 FEW = settings(max_examples=60)

@@ -99,6 +99,7 @@ class Sense(Step):
     end: str
     along: str | None
     beside: tuple[str, ...]
+    told: bool = True
     kind: ClassVar[Kind] = "value"
     needs = marks("start", "end", "beside") + directions("along")
 
@@ -109,7 +110,8 @@ class Sense(Step):
         for mark in self.beside:
             largest = tool.ar.maximum(largest, abs(env[mark]))
         moving = abs(length) > tool.still * largest
-        tool.note(moving, self, "standstill")
+        if self.told:
+            tool.note(moving, self, "standstill")
         return tool.ar.where(moving, tool.ar.sign(length), 0.0)
 
 
@@ -123,6 +125,32 @@ class SenseOf(Step):
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.ar.sign(env[self.value])
+
+
+@dataclass(frozen=True)
+class SenseBetween(Step):
+    """+1, -1 or 0: which way one thing turns against another, or against what stands still (""); each at its ``rate``
+    unless its ``sense`` says that it stands."""
+
+    rate: str
+    sense: str
+    other_rate: str
+    other_sense: str
+    kind: ClassVar[Kind] = "value"
+    needs = values("rate", "sense", "other_rate", "other_sense")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        ar = tool.ar
+        rates = [(env[rate] * abs(env[sense])) if rate else 0.0 for rate, sense in self.both]
+        apart, largest = rates[0] - rates[1], ar.maximum(abs(rates[0]), abs(rates[1]))
+        moving = abs(apart) > tool.still * largest
+        tool.note(moving, self, "standstill")
+        return ar.where(moving, ar.sign(apart), 0.0)
+
+    @property
+    def both(self) -> tuple[tuple[str, str], tuple[str, str]]:
+        """The rate of either with its sense."""
+        return (self.rate, self.sense), (self.other_rate, self.other_sense)
 
 
 @dataclass(frozen=True)

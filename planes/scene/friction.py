@@ -1,0 +1,51 @@
+"""Friction of a scene: in sliding pairs by its coefficient, in hinges by that and the radius of the pin."""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+
+from planes.scene.mechanism import Journal, Link
+from planes.scene.reader import Reader, part
+from planes.scene.source import Node, SourceTable
+from planes.words import Phrase
+
+
+def read_friction(
+    reader: Reader, node: Node, frame: Link, links: Mapping[str, Link]
+) -> tuple[dict[str, float], dict[str, Journal]]:
+    """Coefficients of straight guides by their names; pins of hinges, and guides along a circle, by theirs."""
+    table, bodies = reader.table(node, "friction"), (frame, *links.values())
+    radii = {name: guide.radius for link in bodies for name, guide in link.round_guides.items()}
+    slid, hinges = set(_slid(links)), set(_hinges(bodies))
+    guides, journals = dict[str, float](), dict[str, Journal]()
+    for name, entry in table.entries.items():
+        what = Phrase("friction_of", name=name[:60])
+        if name in hinges and isinstance(entry, SourceTable):
+            journals[name] = _pin(reader, entry, what)
+        elif name in slid and name in radii:
+            journals[name] = Journal(reader.positive(entry, what), radii[name], round=True)
+        elif name in slid:
+            guides[name] = reader.positive(entry, what)
+        elif name in hinges:
+            raise reader.error(Phrase("friction_of_pin", what=what, name=name), entry)
+        else:
+            idle = {*radii, *(guide for link in bodies for guide in link.guides)}
+            valid = reader.offer(name, sorted(slid | hinges), Phrase("rubbing_pairs"))
+            why = Phrase("friction_no_slide" if name in idle else "friction_no_pair", name=name[:60], valid=valid)
+            raise reader.error(why, table.lines[name])
+    return guides, journals
+
+
+def _pin(reader: Reader, entry: SourceTable, what: Phrase) -> Journal:
+    fields = reader.table(entry, what, ("coefficient", "radius"))
+    f, radius = (reader.positive(reader.required(fields, x, what), part(x, what)) for x in ("coefficient", "radius"))
+    return Journal(f, radius)
+
+
+def _slid(links: Mapping[str, Link]) -> Iterator[str]:
+    for link in links.values():
+        yield from (slide.guide for slide in (link.slides, link.slides_round) if slide)
+
+
+def _hinges(bodies: tuple[Link, ...]) -> Iterator[str]:
+    held = Counter(point for link in bodies for point in list(link.points)[: -1 if link.slides_round else None])
+    return (point for point, count in held.items() if count > 1)
