@@ -47,8 +47,8 @@ class Teller:
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
         self.trials = drawing.program.trials
-        marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials]
-        self.ends = {shown_on(x): x.makes for x in marks if kind_of(shown_on(x)) == "force"}  # the last mark of each
+        drawn = (x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials)
+        self.ends = {p: x.makes for x in drawn if kind_of(p := shown_on(x)) == "force"}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
         self.reckoning = Reckoning(plans, self.made, self.divided)
         self.words = StepWords(plans, drawing, self.made)
@@ -197,17 +197,15 @@ class Teller:
         drive = self.plans.mechanism.drive
         if drive.kind == "s" and plan == force_plan(drive.link):
             names.append(self.plans.balancing)
-        names = list(dict.fromkeys(names))
-        found = [self.read_off("closing", plan, names, [])] if names else []
+        found = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
         found += [self.frame("apart", plan, names=own, terms=(own["force"],)) for own in self.words.apart(plan)]
-        rubbing = (r for r in self.plans.reactions.values() if r.plan == plan and r.power in self.made)
-        return found + [self.rubbing(plan, r) for r in rubbing]
+        reactions = self.plans.reactions.values()
+        return found + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
-        """Both parts of a reaction with friction, or its friction circle, and the power of friction."""
-        found = [r.normal, r.friction] if r.pair.kind == "P" else []
+        """Both parts of a reaction with friction, or its circle, and the power of friction."""
+        key, found = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
         readings = partial(self.reckoning.readings, [self.made[n] for n in (*found, r.power)])
-        key = "friction" if found else "friction_circle"
         names: Names = {"force": r.key, "point": r.pair.point, "readings": readings}
         return self.frame(key, plan, names=names, terms=(r.key,))
 

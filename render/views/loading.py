@@ -1,11 +1,9 @@
 """Forces and couples on a scheme: arrows at their points, curved arrows of couples, arms with their lines of action."""
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from planes.drafting.draft import Moments
-from planes.drafting.drawing import Drawing
-from planes.drafting.steps.reckoning import Drop
 from planes.plans.bodies import SCHEME
 from planes.plans.loads import force_name
 from planes.solving import Position
@@ -17,6 +15,7 @@ from render import labels
 from render.paper import symbols
 from render.paper.marks import Arc, Arrow, Line, Mark
 from render.paper.style import BLOCK_MM
+from render.views.arms import Arms, drops_of
 from render.views.plotted import Ends, Places, set_apart
 from render.views.senses import freest
 
@@ -28,8 +27,6 @@ COUPLE_MM = 6.5  # radius of a couple's curved arrow
 BESIDE_MM = 5.0  # how far the line that is tangent to a friction circle is drawn to either side
 NAME_MM = 3.5
 NOTHING = 1e-9  # of the largest force: none
-LEAST_MM = 2.0  # of an arm
-SAME_MM = 0.1  # arms that differ by less are one
 FAR_MM = 60.0  # an arm longer than this, and than its links, is drawn with a break
 BREAK_MM = 2.5  # half of a break along its line
 FAR_M = 10.0  # an arm longer than this is that of a couple
@@ -241,32 +238,6 @@ class Loading:
                 drawn.add(point, along, about, self.naming.arm(name, arm), name)
         self.marks += drawn.marks
         self.named += drawn.named
-
-
-@dataclass
-class Arms:
-    """Arms with the lines of action they are dropped on; one that two forces share is drawn once, with both names."""
-
-    marks: list[Mark] = field(default_factory=list)
-    named: list[labels.Label] = field(default_factory=list)
-
-    def add(self, point: complex, along: complex, about: complex, text: str, force: str) -> None:
-        """The arm about a place of the force at ``point``, unless it is too short to be seen."""
-        ends = about, point + ((about - point) * along.conjugate()).real * along
-        if abs(ends[1] - about) < LEAST_MM:
-            return
-        self.marks.append(Line((point, ends[1]), "construction", "construction"))
-        for k, other in enumerate(self.named):
-            if isinstance(other.at, tuple) and all(abs(a - b) < SAME_MM for a, b in zip(other.at, ends, strict=True)):
-                self.named[k] = replace(other, text=f"{other.text} = {text}")
-                return
-        self.marks.append(Line(ends, "thin", "dimension"))
-        self.named.append(labels.Label(text, ends, NAME_MM, name=f"arm {force}"))
-
-
-def drops_of(drawing: Drawing) -> dict[str, Drop]:
-    """The steps that measure arms, by what they make."""
-    return {s.makes: s for s in drawing.program.steps if isinstance(s, Drop)}
 
 
 def _sign(value: object) -> float:

@@ -18,8 +18,9 @@ from planes.words.read_off import fixed, measured
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import dot
+from render.views.arms import Arms, drops_of
 from render.views.formulas import Setter, Word
-from render.views.loading import Arms, Arrows, drops_of
+from render.views.loading import Arrows
 from render.views.plotted import Ends, of_position
 from render.views.polygon import ZERO_MM, gathered
 from render.views.senses import labelled

@@ -26,7 +26,7 @@ from render.labels.footprints import ink, letters, overprinted
 from render.paper.letters import pieces
 from render.paper.marks import Line, Text
 from render.paper.typeset import plain
-from render.views.loading import Arms
+from render.views.arms import Arms
 from render.views.tables import TableGrid
 from tests.helpers import ROOT
 

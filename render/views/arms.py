@@ -1,0 +1,38 @@
+"""Arms of forces on a scheme: perpendiculars on their lines of action."""
+
+from dataclasses import dataclass, field, replace
+
+from planes.drafting.drawing import Drawing
+from planes.drafting.steps.reckoning import Drop
+from render import labels
+from render.paper.marks import Line, Mark
+
+NAME_MM = 3.5
+LEAST_MM = 2.0  # of an arm
+SAME_MM = 0.1  # arms that differ by less are one
+
+
+@dataclass
+class Arms:
+    """Arms with the lines of action they are dropped on; one that two forces share is drawn once, with both names."""
+
+    marks: list[Mark] = field(default_factory=list)
+    named: list[labels.Label] = field(default_factory=list)
+
+    def add(self, point: complex, along: complex, about: complex, text: str, force: str) -> None:
+        """The arm about a place of the force at ``point``, unless it is too short to be seen."""
+        ends = about, point + ((about - point) * along.conjugate()).real * along
+        if abs(ends[1] - about) < LEAST_MM:
+            return
+        self.marks.append(Line((point, ends[1]), "construction", "construction"))
+        for k, other in enumerate(self.named):
+            if isinstance(other.at, tuple) and all(abs(a - b) < SAME_MM for a, b in zip(other.at, ends, strict=True)):
+                self.named[k] = replace(other, text=f"{other.text} = {text}")
+                return
+        self.marks.append(Line(ends, "thin", "dimension"))
+        self.named.append(labels.Label(text, ends, NAME_MM, name=f"arm {force}"))
+
+
+def drops_of(drawing: Drawing) -> dict[str, Drop]:
+    """The steps that measure arms, by what they make."""
+    return {s.makes: s for s in drawing.program.steps if isinstance(s, Drop)}
