@@ -15,6 +15,7 @@ from planes.crank_slider.parts import STEELS
 from planes.crank_slider.reading import KEYS as CRANK_SLIDER_KEYS
 from planes.crank_slider.reading_table import INDICATOR
 from planes.scene import COMMON_KEYS, MECHANISM_KEYS, VECTORS_KEYS
+from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS
 from planes.scene.motion import DRIVE_KEYS, LOAD_KEYS, ORDERS
@@ -108,7 +109,7 @@ class Schemas:
             "assembly": named(one_of(words_of(ORDERS), near)),
             "drive": self.of("drive", DRIVE_KEYS, {"link": NAME}, ("link",)),
             "loads": many(self.load(), 0),
-            "friction": named(NUMBER),
+            "friction": named(one_of(NUMBER, self.of("pin", PIN_KEYS, {}, PIN_KEYS))),
             "plans": self.of("plans", PLANS, dict.fromkeys(PLANS, mu)),
             "crank_slider": self.crank_slider(),
         }

@@ -8,6 +8,8 @@ from planes.scene.reader import Reader, part
 from planes.scene.source import Node, SourceTable
 from planes.words import Phrase
 
+PIN_KEYS = ("coefficient", "radius")
+
 
 def read_friction(
     reader: Reader, node: Node, frame: Link, links: Mapping[str, Link]
@@ -36,8 +38,8 @@ def read_friction(
 
 
 def _pin(reader: Reader, entry: SourceTable, what: Phrase) -> Journal:
-    fields = reader.table(entry, what, ("coefficient", "radius"))
-    f, radius = (reader.positive(reader.required(fields, x, what), part(x, what)) for x in ("coefficient", "radius"))
+    fields = reader.table(entry, what, PIN_KEYS)
+    f, radius = (reader.positive(reader.required(fields, x, what), part(x, what)) for x in PIN_KEYS)
     return Journal(f, radius)
 
 
