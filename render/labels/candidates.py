@@ -137,8 +137,12 @@ def _led(at: complex, label: Label, gaps: Sequence[float], free: float) -> Candi
 
 def union(parts: Sequence[Candidates]) -> Candidates:
     """The candidates of all, in order."""
-    columns = zip(*((one.boxes, one.wish, one.leaders, one.heights) for one in parts), strict=True)
-    return Candidates(*map(np.concatenate, columns))
+    return Candidates(
+        boxes=np.concatenate([one.boxes for one in parts]),
+        wish=np.concatenate([one.wish for one in parts]),
+        leaders=np.concatenate([one.leaders for one in parts]),
+        heights=np.concatenate([one.heights for one in parts]),
+    )
 
 
 def distances(boxes: Array, points: Complexes) -> Array:

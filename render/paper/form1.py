@@ -132,9 +132,9 @@ def cells(size: Size) -> dict[str, Cell]:
 
 def cells_of(rows: list[Any], corner: Size) -> Iterator[tuple[str, Cell]]:
     """Cells about a title block whose lower left corner is there."""
-    for key, *numbers in rows:
-        cell = Cell(*numbers)
-        yield key, replace(cell, x=cell.x + corner[0], y=cell.y + corner[1])
+    for key, x, y, wide, high, *how in rows:
+        told = dict(zip(("letter", "anchor", "turn_deg"), how, strict=False))
+        yield key, Cell(x + corner[0], y + corner[1], wide, high, **told)
 
 
 def _beside(size: Size, x: float, wide: float) -> Iterator[tuple[str, Cell]]:

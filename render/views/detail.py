@@ -78,7 +78,7 @@ class Detail:
             ends = (mark.start, mark.end) if isinstance(mark, Arrow) else (mark.points[0], mark.points[1])
             piece = self.seen(ends)
             if piece and isinstance(mark, Arrow) and self.holds(mark.end):
-                return [Arrow(*piece, mark.style, mark.layer)]
+                return [replace(mark, start=piece[0], end=piece[1], name="")]
             return [Line(piece, mark.style, mark.layer)] if piece else []
         if isinstance(mark, (Arc, Shape)):
             at = mark.centre if isinstance(mark, Arc) else sum(mark.points) / len(mark.points)

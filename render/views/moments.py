@@ -156,8 +156,8 @@ class Lever:
                 continue
             size = float(drawing[name]) if name in drawing else 1.0
             point, along = complex(drawing[step.point]), complex(drawing[step.along]) * (1 if size >= 0 else -1)
-            ends = arrows.placed(point, along)
-            marks.append(Arrow(*ends, "vector", "force", name))
-            named.append(labels.Label(self.naming.vector(name), (sum(ends) / 2, ends[1]), 3.5, name=name))
+            start, end = arrows.placed(point, along)
+            marks.append(Arrow(start, end, "vector", "force", name))
+            named.append(labels.Label(self.naming.vector(name), ((start + end) / 2, end), 3.5, name=name))
             arms.add(point, along, 0j, self.naming.arm(name, arm), name)
         return [*marks, *arms.marks], [*named, *arms.named]

@@ -177,7 +177,8 @@ class Polygon:
             self.shifted |= placed != ends
             self.places[start, end] = placed
             layer: Layer = "result" if thick else "plan" if self.of_rates else "force"
-            self.marks.append(Arrow(*placed, "result" if thick else "vector", layer, names[0]))
+            tail, tip = placed
+            self.marks.append(Arrow(tail, tip, "result" if thick else "vector", layer, names[0]))
 
     def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:
         """Whole vectors from the pole, and whole forces that were found here."""

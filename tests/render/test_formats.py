@@ -9,7 +9,7 @@ import pytest
 
 from planes.documents.sheets import sheet_of
 from planes.scene import loads
-from planes.scene.settings import _WORDS
+from planes.scene.settings import SHEET_WORDS
 from planes.words.errors import PlanesError, SceneError
 from render.files import pdf
 from render.paper.marks import Text
@@ -35,7 +35,7 @@ def test_extended_formats_are_so_many_of_a_format_side_by_side() -> None:
 
 
 def test_a_scene_may_ask_for_every_format_there_is() -> None:
-    assert {*FORMATS, *EXTENDED} == {*_WORDS["format"]} - {"auto"}
+    assert {*FORMATS, *EXTENDED} == {*SHEET_WORDS["format"]} - {"auto"}
 
 
 @pytest.mark.parametrize("written", ["A3x3", "a3X3", "A3×3", "А3х3"])  # the last in Russian letters

@@ -41,7 +41,7 @@ def _driver(w: PlanSteps, quick: bool) -> Iterator[Variant]:
     if name not in w.program.givens or mark is None:
         return
     value, label = float(w.plans.given[name]), label_of(mark)
-    about = {"mark": label, "value": name}
+    about = {"value": name}
     yield Variant(f"{spin}1_reversed", label, {}, {name: -value}, 1.0, about)
     if quick:
         yield Variant("epsilon1_ignored", label, {}, {name: 0.0}, 1.0, about)
@@ -135,7 +135,7 @@ def _mirrored(w: PlanSteps, step: Similar | Image) -> Iterator[Variant]:
     if isinstance(step, Similar):
         ratio = complex(w.plans.given[step.ratio]).conjugate()
         swaps = {step.makes: (replace(step, ratio=name),)}
-        yield Variant("similarity_mirrored", label, swaps, {name: ratio}, 1.0, {"mark": label})
+        yield Variant("similarity_mirrored", label, swaps, {name: ratio})
         return
     foot = Mirror(f"{name}°", step.of, step.like)
     yield w.variant("similarity_mirrored", step, foot, replace(step, of=(step.of[0], foot.makes)))

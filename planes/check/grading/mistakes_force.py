@@ -123,7 +123,7 @@ def _replaced(formula: Calculate, old: Product, new: Product) -> Calculate:
 
 def _of_moments(step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str) -> Variant:
     label, shown = label_of(step.makes), force.strip("|").replace("MI_", "M_Φ")
-    return Variant(mistake, label, {step.length: steps}, {}, weight, {"mark": label, "force": shown})
+    return Variant(mistake, label, {step.length: steps}, {}, weight, {"force": shown})
 
 
 def _reaction(w: PlanSteps, step: Cross) -> Iterator[Variant]:
@@ -152,4 +152,4 @@ def _friction(w: PlanSteps) -> Iterator[Variant]:
         back = Calculate(f"{lean.makes}~f", (Product(-1.0, ((lean.coefficient, 1),)),))
         swaps[lean.makes] = (back, replace(lean, coefficient=back.makes))
     label = label_of(trial.makes).rstrip("+-")
-    yield Variant("friction_along_motion", label, swaps, {}, 1.0, {"mark": label})
+    yield Variant("friction_along_motion", label, swaps)

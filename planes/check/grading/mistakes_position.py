@@ -65,14 +65,9 @@ def _marked(
     w: PlanSteps, mistake: str, users: Sequence[Step], givens: Mapping[str, complex], weight: float = 1.0
 ) -> Iterator[Variant]:
     """A variant blamed at the first mark of the plan that the changed givens lead to."""
-    dirty = {u.makes for u in users}
-    for step in w.program.steps:
-        if step.makes in dirty or any(n in dirty for n, _ in step.reads()):
-            dirty.add(step.makes)
-            if step.kind == "mark" and not step.helper:
-                label = label_of(step.makes)
-                yield Variant(mistake, label, {}, dict(givens), weight, {"mark": label})
-                return
+    touched = w.program.touched((), instead={u.makes for u in users})
+    for step in [step for step in touched if step.kind == "mark" and not step.helper][:1]:
+        yield Variant(mistake, label_of(step.makes), {}, dict(givens), weight)
 
 
 def _scales(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
@@ -90,5 +85,5 @@ def _scales(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) 
             continue
         ratio = abs(own.place - start.place) / mu / abs(float(value))
         if abs(ratio - 1) > LEAST_SCALE:
-            about: dict[str, str | Written] = {"mark": label, "value": length, "ratio": Written(f"{ratio:.3g}")}
+            about: dict[str, str | Written] = {"value": length, "ratio": Written(f"{ratio:.3g}")}
             yield Variant("link_scale", label, {}, {length: float(value) * ratio}, 0.1, about)
