@@ -10,6 +10,11 @@ import pytest
 
 pytest.importorskip("cv2")
 from planes.check.fiducials import SHEET_MM
+from planes.check.vision.decoding import load
+from planes.check.vision.photograph import blank_pole
+from planes.check.vision.picture import flatten
+from planes.check.vision.places import sheet_of
+from tests import confusion
 from tests.confusion import SAMPLES, easel
 from tests.helpers.drawings import Mistake
 from tests.physical import camera, corpus, folder
@@ -82,6 +87,31 @@ def test_lines_drawn_on_past_their_vectors_hide_no_plan(tmp_path: Path) -> None:
     )
     assert taken is not None and one.mistake and one.mistake.name == "normal_missing"
     assert corpus.counted(taken).named == 1
+
+
+@pytest.mark.slow
+def test_heads_of_two_barbs_are_seen_where_vectors_meet(tmp_path: Path) -> None:
+    """Of a drawing's vectors most have a head at their end, though others end there too; there are hardly others."""
+    of = work(None, 1)
+    flat = flatten(load(str(shot(of, "barbs", tmp_path / "barbs.jpg").file)).grey)
+    pole = blank_pole(confusion.bench(SIX.sample, SIX.plan))
+    seen = sheet_of(flat, pole) if flat else None
+    assert seen is not None
+    heads = [head.z - pole for line in seen.lines for head in line.heads]
+    ends = [b for a, b in of.one.strokes if abs(b - a) > 6]
+    assert sum(any(abs(z - b) < 1 for z in heads) for b in ends) >= 0.75 * len(ends)
+    assert sum(all(abs(z - b) > 1.5 for b in ends) for z in heads) <= 1
+
+
+@pytest.mark.slow
+def test_a_mark_that_gives_the_scale_may_be_one_a_mistake_moved(tmp_path: Path) -> None:
+    """On paper without print: b is built along the link, so that b3, which is pointed to, is a fifth too long."""
+    rail = easel("kind-3-rpr", "velocity")
+    mistake = next(m for m in confusion.possible(rail) if (m.name, m.where) == ("along_link", "b"))
+    one = drawn(rail, mistake, random.Random(3))
+    assert one is not None
+    found = corpus.counted(shot(corpus.Work(rail, mistake, one), "points", tmp_path / "p.jpg"))
+    assert (found.found, found.step, found.named) == (1, 1, 1)
 
 
 def test_a_dropped_picture_with_its_marks_is_counted(tmp_path: Path) -> None:

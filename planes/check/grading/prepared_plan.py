@@ -23,7 +23,7 @@ from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, choices
-from planes.words.names import POLE, Names, kind_of, label_of, mu_of, parted, plan_of
+from planes.words.names import POLE, Names, at, kind_of, label_of, mu_of, parted, plan_of
 from planes.words.units import mu_text
 
 
@@ -169,3 +169,9 @@ def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, 
     except PlanesError:
         return None
     return things
+
+
+def drawn_at(bench: PreparedPlan, variant: Variant | None, label: str) -> complex | None:
+    """Where a mark is, mm from the pole, in the plan drawn so; None where that cannot be drawn."""
+    things = redrawn(bench, variant, lambda step, made: made)
+    return complex(things[at(bench.asked.plan, label)]) if things else None

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy
 
-from planes.check.vision.heads import heads_of
+from planes.check.vision.heads import SeenHead, heads_of
 from planes.check.vision.ink import LIGHT, Ink
 from planes.check.vision.line_fitting import Fitted, Tip
 from planes.geometry.arrays import Array, Complexes
@@ -18,7 +18,7 @@ USUAL_MM = 3.0  # about how long a head is
 STEP_MM, CELL_MM = 0.2, 0.1  # along a line and across
 SOFT_MM = 0.18  # half of how far an edge is blurred
 OUTSIDE_MM = 0.08  # how far outside of a line's ink its edges are
-LENGTH_MM, HALF_MM = (1.5, 6.0), (0.35, 1.6)  # of a head, and half of its width
+LENGTH_MM, HALF_MM = (1.5, 6.0), (0.2, 1.6)  # of a head, and half of its width
 ASKEW = 0.25  # of a head to its line
 NEEDED, CLEAR = 0.35, 0.75  # of the ink that no line explains, the share a head must, and one that is seen well
 TIE_MM = 0.3  # of a head beside its line
@@ -29,6 +29,7 @@ ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a pictur
 HAND = 0.08  # by how much a hand's heads differ in length, whatever those few that are seen well say
 HALF, UNLIKE = 0.2, 0.15  # of a head's length, half of its width; how much one may differ from the others
 BESIDE_MM, ABOUT_MM = 0.9, 2.0  # how far beside a line its vector may run, and a tip from where it should be
+SHORT_MM, BROAD_MM, MORE = 6.0, (1.2, 3.6), 0.12  # of a barb; where a head is broad, and how much ink must be there
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM = 0.1  # no tip is surer
 
@@ -37,9 +38,11 @@ Likeness = tuple[Array, Array]  # what heads are like, and how much they differ:
 
 def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
     """Put to every line the arrowheads along it: all are of one hand, so those less well seen are taken to be alike."""
-    sights = [sight for line in lines for sight in _sights(ink, line, lines)]
-    for sight in sights:
+    filled = [sight for line in lines for sight in _sights(ink, line, lines)]
+    barbed = [replace(sight, barbs=True) for sight in filled]
+    for sight in (*filled, *barbed):
         sight.fit(None)
+    sights = max(filled, barbed, key=lambda some: sum(x.gain for x in some if x.good))  # one hand's are of one kind
     clear = [x.p for x in sights if x.clear]
     if clear:
         shapes = numpy.array(clear)[:, 3:]
@@ -63,17 +66,40 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
     t = numpy.arange(-1.5, 1.51, CELL_MM)
     z = line.at(s)[:, None] + 1j * line.along * t[None, :]
     dark = ink.at(z)
-    others = [x for x in lines if x is not line]
-    for found in heads_of(ink, line):
+    seen = heads_of(ink, line)
+    for found in (*seen, *_supposed(line, lines, seen)):
         tip, sign, thin = found.tip, found.sign, replace(line, width=min(line.width, found.width))
-        base = tip - sign * USUAL_MM
+        base, others = tip - sign * USUAL_MM, _beside(line, line.at(tip), lines)
         near = (sign * (s - base) > -3.0) & (sign * (s - tip) < 2.5)
         x, y = numpy.broadcast_arrays(sign * s[near, None], t[None, :])
         end = sign * (line.high if sign > 0 else line.low)
         free = line.clear[(sign + 1) // 2] and abs(sign * tip - end) < AT_END_MM
         start = numpy.array([end if free else sign * tip, 0.0, 0.0, abs(tip - base), 0.7])
         known = _known(z[near], [thin, *others])
-        yield Sight(line, thin.width, sign, x, y, dark[near], known, start, end if free else None)
+        more = (dark[near] - known)[(x < sign * tip - BROAD_MM[0]) & (x > sign * tip - BROAD_MM[1]) & (abs(y) < 1)]
+        if found in seen or more.clip(0).mean() > MORE:
+            yield Sight(line, thin.width, sign, x, y, dark[near], known, start, end if free else None)
+
+
+def _supposed(line: Fitted, lines: Sequence[Fitted], seen: Sequence[SeenHead]) -> Iterator[SeenHead]:
+    """Heads that may be where a line ends or meets others, though others' ink hides their sides."""
+    met = [(s, sign) for s, sign in ((line.low, -1), (line.high, 1))]
+    for other in lines:
+        for end in other.ends if other is not line and other.length > SHORT_MM else ():
+            s, off = line.local(end)
+            if abs(off) < BESIDE_MM and line.low < s < line.high:
+                met += [(s, 1), (s, -1)]
+    kept = [(one.tip, one.sign) for one in seen]
+    for s, sign in met if line.length > SHORT_MM else ():
+        if all(abs(s - k) > 1 or sign != way for k, way in kept):
+            kept.append((s, sign))
+            yield SeenHead(s - sign * USUAL_MM, s, sign, 0.0, 0.0, line.width)
+
+
+def _beside(line: Fitted, tip: complex, lines: Sequence[Fitted]) -> list[Fitted]:
+    """The other lines, but those that may be the barbs of a head with its tip at a place of the line."""
+    others = (x for x in lines if x is not line)
+    return [x for x in others if x.length > SHORT_MM or min(abs(z - tip) for z in x.ends) > ABOUT_MM]
 
 
 def head_about(ink: Ink, lines: Sequence[Fitted], start: complex, end: complex, length: float) -> complex | None:
@@ -112,15 +138,19 @@ def _shade(far: Array) -> Array:
     return numpy.clip(0.5 - far / (2 * SOFT_MM), 0, 1)
 
 
-def _head(x: Array, y: Array, p: Array, width: float) -> Array:
-    """Darkness of a head and of the line it ends: tip at p[0], p[1], turned by p[2], p[3] long, p[4] half as wide."""
+def _head(x: Array, y: Array, p: Array, width: float, barbs: bool) -> Array:
+    """Darkness of a head and of the line it ends: tip at p[0], p[1], turned by p[2], p[3] long, p[4] half as wide; of
+    two barbs, or filled: by strokes as wide as the line."""
     dx, dy = x - p[0], y - p[1]
     u, v = dx * math.cos(p[2]) + dy * math.sin(p[2]), numpy.abs(dy * math.cos(p[2]) - dx * math.sin(p[2]))
-    slope = p[4] / p[3]
-    side = (v + slope * u) / math.hypot(1, slope)
-    head = numpy.maximum(side, -p[3] - u)
-    shaft = numpy.hypot(numpy.maximum(u, 0), v) - width / 2 - OUTSIDE_MM
-    return _shade(numpy.minimum(head, shaft))
+    shaft = numpy.hypot(numpy.maximum(u, 0), v)
+    if barbs:
+        along = ((p[4] * v - p[3] * u) / (p[3] ** 2 + p[4] ** 2)).clip(0, 1)
+        head = numpy.hypot(u + along * p[3], v - along * p[4])
+    else:
+        side = (v + p[4] / p[3] * u) / math.hypot(1, p[4] / p[3])
+        head = numpy.where(u > 0, math.inf, numpy.maximum(side, -p[3] - u))
+    return _shade(numpy.minimum(head, shaft) - width / 2 - OUTSIDE_MM)
 
 
 @dataclass
@@ -136,13 +166,14 @@ class Sight:
     known: Array
     p: Array  # of the head: where its tip is along and aside, its turn, its length, half of its width
     end: float | None = None  # where the line ends, if nothing else does there
+    barbs: bool = False
     sigma: float = 1.0
     gain: float = 0.0  # how much of the ink that no line explains it does
     error: float = 2.0  # of its ink, in which places err together
 
     def off(self, p: Array, like: Likeness | None) -> Array:
         """What such a head is off the ink, and off what heads are like."""
-        model = numpy.maximum(_head(self.x, self.y, p, self.width), self.known)
+        model = numpy.maximum(_head(self.x, self.y, p, self.width, self.barbs), self.known)
         ties = [p[1] / TIE_MM, 2 * p[2] / ASKEW]
         if self.end is not None:
             ties.append((p[0] - self.end) / END_MM)
@@ -177,7 +208,7 @@ class Sight:
         if not about.any():  # it has slid off what is looked at
             self.gain = 0.0
             return
-        model = numpy.maximum(_head(self.x, self.y, p, self.width), self.known)
+        model = numpy.maximum(_head(self.x, self.y, p, self.width, self.barbs), self.known)
         left_over, without = (((_seen(m) - self.dark)[about] ** 2).mean() for m in (model, self.known))
         self.gain = 1 - float(left_over) / max(float(without), 1e-9)
         if not settled:

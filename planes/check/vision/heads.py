@@ -1,4 +1,5 @@
-"""Arrowheads along a pencil's line: where its ink widens suddenly to a side and then narrows evenly to the tip.
+"""Arrowheads along a pencil's line: where its ink widens suddenly to a side and then narrows evenly to the tip. Two
+barbs with paper between them and their line are as wide as a filled head.
 
 A head stands out to both sides of a line by itself; of a line drawn upon another one side is enough. Beyond the tip
 the line may end or be another vector's.
@@ -12,6 +13,7 @@ import numpy
 
 from planes.check.vision.ink import DARK, Ink
 from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Booleans
 
 STEP_MM, ASIDE_MM = 0.2, 0.1
@@ -27,6 +29,8 @@ PENCIL_MM = 0.45  # the width of a pencil's line
 DOUBLE_MM, CROWDED_MM = 0.6, 0.36  # a line this wide is two; ink that reaches so far to a side is not one line's
 WIDER_MM = 0.12  # by how much a line is wider where another is upon it
 FAINT_MM = 0.08
+INKED = 0.3  # of a line's darkness, of its own edge
+OPEN_MM = 0.6  # of paper between a line and a barb of its head
 SHAFT_MM = (9.0, 4.5)  # how far before its end a vector is looked at for where it runs
 ASTRAY_MM, BESIDE_MM = 0.6, 0.8  # how far off its vector a head may be, and its vector's ink off where it should run
 BOTH_MM = 0.8  # how far apart the tips found from both sides may be
@@ -56,20 +60,36 @@ def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
     """Heads along a line, the most distinct first."""
     s = numpy.arange(line.low - FAR_MM, line.high + FAR_MM, STEP_MM)
     t = numpy.arange(ASIDE_MM / 2, BROAD_MM, ASIDE_MM)
-    sides = {}
-    for k in (1, -1):
-        dark = ink.at(line.at(s)[:, None] + k * 1j * line.direction(s)[:, None] * t[None, :])
-        own = numpy.cumprod(dark > 0.3, axis=1)
-        half, taken = (dark * own).sum(axis=1) * ASIDE_MM, (dark * (1 - own)).max(axis=1) > DARK
-        back = _sides(-s[::-1], half[::-1], taken[::-1])
-        turned = (x._replace(base=-x.base, tip=-x.tip, sign=-1) for x in back)
-        sides[k] = _LineSide(half, taken, [*_sides(s, half, taken), *turned])
+    dark = {k: ink.at(line.at(s)[:, None] + k * 1j * line.direction(s)[:, None] * t[None, :]) for k in (1, -1)}
+    found: list[SeenHead] = []
+    for closed in (False, True):
+        sides = {k: _side(s, barbed(dark[k]) if closed else dark[k]) for k in (1, -1)}
+        found += _from_both_sides(sides[1].heads, sides[-1].heads) if closed else _whole(s, sides, line.width)
     kept: list[SeenHead] = []
-    for one in sorted(_whole(s, sides, line.width), key=lambda o: -o.jump):
+    for one in sorted(found, key=lambda o: -o.jump):
         inside = line.low - 1.5 < one.tip < line.high + 1.5
         if inside and all(abs(one.tip - k.tip) > 1 or one.sign != k.sign for k in kept):
             kept.append(one)
     return kept
+
+
+def barbed(dark: Array) -> Array:
+    """Rows from a line outwards with what paper there is between it and the barbs of its heads filled."""
+    wide = numpy.ones((1, round(OPEN_MM / ASIDE_MM) + 1), numpy.uint8)
+    inked = (dark > INKED).astype(numpy.uint8)
+    row = numpy.pad(inked, ((0, 0), (wide.size, wide.size)))
+    row = cv().morphologyEx(row, cv().MORPH_CLOSE, wide)[:, wide.size : -wide.size]
+    filled: Array = numpy.where(inked < row, 1.0, dark)
+    return filled
+
+
+def _side(s: Array, dark: Array) -> _LineSide:
+    """A side of a line, from the ink of rows outwards."""
+    own = numpy.cumprod(dark > INKED, axis=1)
+    half, taken = (dark * own).sum(axis=1) * ASIDE_MM, (dark * (1 - own)).max(axis=1) > DARK
+    back = _sides(-s[::-1], half[::-1], taken[::-1])
+    turned = (x._replace(base=-x.base, tip=-x.tip, sign=-1) for x in back)
+    return _LineSide(half, taken, [*_sides(s, half, taken), *turned])
 
 
 def _whole(s: Array, sides: Mapping[int, _LineSide], width: float) -> Iterator[SeenHead]:

@@ -15,7 +15,7 @@ from typing import Any, Self
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, redrawn, variants_of
 from planes.check.vision.ink_cover import (
     ANYWHERE,
     COVERED,
@@ -30,7 +30,7 @@ from planes.check.vision.ink_cover import (
     slip,
 )
 from planes.check.vision.places import Place, Seen, pole_on
-from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares, seen_from
+from planes.check.vision.print_scale import SAME, UNLIKELY, by_ruler, shares_of
 from planes.drafting.steps import Step
 from planes.words import Phrase
 from planes.words.names import POLE, at, label_of, plan_of
@@ -74,6 +74,16 @@ class Search:
         hand = Hand(bench.program, bench.given, bench.asked.skill, {m: ReadMark(m, z) for m, z in true.items()})
         return cls(bench, ink.seen, pole, hand.misses(bench.marks), true, vectors, ink, share)
 
+    @property
+    def told(self) -> tuple[str, float] | None:
+        """The mark the sheet's scale was taken from, and how far it is from the pole."""
+        return self.seen.ink.flat.told
+
+    def meant(self, variant: Variant | None) -> bool:
+        """Whether the sheet is seen at this share of its size where the plan was drawn so."""
+        z = drawn_at(self.bench, variant, self.told[0]) if self.told else None
+        return self.told is None or (z is not None and abs(abs(z) / self.told[1] - 1) < SAME)
+
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
         """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
         best, chosen = self.way(variant, None, cost), dict[str, Place]()
@@ -96,7 +106,7 @@ class Search:
         chosen: Mapping[str, Place] = MappingProxyType({}),
     ) -> LaidPlan | None:
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
-        out = LaidPlan(cost + UNLIKELY * (self.share != 1), {}, variant)
+        out = LaidPlan(cost + UNLIKELY * (self.share != 1 and not self.told), {}, variant)
         places, lost = dict[str, complex](), list[complex]()
 
         def snap(step: Step, drawn: Any) -> Any:
@@ -202,12 +212,12 @@ def _starts(step: Step) -> list[str]:
 def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
     """The way that explains the picture best, of a sheet that may have been printed at several sizes."""
     bench = searches[0].bench
-    ways = [(s, w) for s in searches for w in (s.settled(None),) if w]
+    ways = [(s, w) for s in searches if s.meant(None) for w in (s.settled(None),) if w]
     best, count = min(ways, key=_cost, default=None), len(variants_of(bench, {}, bench.said_mu))
     if best is None or len(best[1].found) < len(bench.marks) or best[1].cost > slip(count):
         for search in searches:
             variants = variants_of(search.bench, {}, search.bench.said_mu)
-            for variant in variants:
+            for variant in filter(search.meant, variants):
                 most = min((w.cost for _, w in ways), default=math.inf)
                 ways += [(search, w) for w in (search.settled(variant, slip(len(variants)), most),) if w]
         best = min(ways, key=_cost, default=None)
@@ -223,7 +233,7 @@ def _cost(found: tuple[Search, LaidPlan]) -> float:
 def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float]:
     """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
     pole, ends = pole_on(seen, near), bench.vectors
-    shares = likely_shares(seen.ink.flat, seen_from(seen, pole.z, bench.true_marks))
+    shares = shares_of(bench, seen, pole.z)
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
     search, way = best_way([Search.of(bench, ink, pole, ends, share) for share in shares]) or (None, None)
     if search is None or way is None or not way.found:

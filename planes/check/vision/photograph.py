@@ -167,7 +167,7 @@ def _by_hand(bench: PreparedPlan, grey: Greys, pole: complex, marks: Mapping[str
     name, where = next(((n, z) for k, z in marks.items() if (n := names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
-    return by_points(grey, pole, where, bench.true_marks[name]), name
+    return by_points(grey, pole, where, bench.true_marks[name], name), name
 
 
 def blank_pole(bench: PreparedPlan) -> complex:

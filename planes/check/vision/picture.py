@@ -30,6 +30,7 @@ class Flat:
     warp: Array | None = None
     notes: list[Phrase] = field(default_factory=list)
     bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
+    told: tuple[str, float] | None = None  # the mark its scale was taken from, and how far from the pole that was put
 
     @property
     def size_mm(self) -> tuple[float, float]:
@@ -156,15 +157,16 @@ def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, 
     return flat
 
 
-def by_points(grey: Greys, pole: complex, mark: complex, vector: complex) -> Flat:
-    """The picture by the two ends of a true vector in pixels (x right, y down): to its scale, and turned straight if it
-    is as little askew as a sheet lies; the pole becomes the origin."""
+def by_points(grey: Greys, pole: complex, mark: complex, vector: complex, name: str = "") -> Flat:
+    """The picture by the two ends of a true vector, of the pole and a named mark, in pixels (x right, y down): to its
+    scale, and turned straight if it is as little askew as a sheet lies; the pole becomes the origin."""
     if abs(mark - pole) < 10 or not vector:
         raise PlanesError(Phrase("check_points"))
     askew = math.degrees(cmath.phase((mark - pole).conjugate() / vector))
     turned = LEAST_ASKEW_DEG < abs(askew) < MOST_ASKEW_DEG
     flat = by_scale(grey, abs(mark - pole) / abs(vector), pole, askew if turned else 0.0)
     flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if turned else []
+    flat.told = (name, abs(vector))
     return flat
 
 

@@ -1,4 +1,5 @@
-"""At what share of its size a blank was printed, told by the drawing on it.
+"""At what share of its size a sheet is seen: as a blank was printed, told by the drawing on it, or as a mark was drawn
+from which its scale was taken.
 
 A printer that fits a page into its margins makes all of it smaller, but people draw on it by a ruler: measured by the
 corner marks, all they draw is larger by one factor. A drawing to a wrong scale looks the same, so no more is believed
@@ -10,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from planes.check.grading.paper import ReadMark
+from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, variants_of
 from planes.check.vision.picture import Flat
 from planes.check.vision.places import Seen
 from planes.words import Phrase, Written
@@ -19,6 +21,7 @@ EXACT = 0.006  # nearer to its size than this is its size
 LONG_MM, ASIDE_MM, AGREE_MM = 12.0, 1.2, 0.7  # of a vector that tells it; how far off its end may be, across and along
 UNLIKELY = 3.0  # what it costs to believe that a page was printed at just another size
 TRIED = 2
+WILDEST, SAME = 4.0, 0.005  # how much larger or smaller a picture may seem by a mark drawn wrongly; shares that are one
 EXPLAINED = 0.6  # of a sheet's ink by a plan that tells anything
 
 Rows = list[tuple[str, float, float]]  # by vector: how much longer it seems to be, and how long it is
@@ -35,6 +38,25 @@ def likely_shares(flat: Flat, pairs: Iterable[tuple[str, complex, complex]]) -> 
         if shown and all(abs(share / one - 1) > EXACT for one in found):
             found.append(share)
     return found[: 1 + TRIED]
+
+
+def shares_of(bench: PreparedPlan, seen: Seen, pole: complex) -> list[float]:
+    """At what shares of its size a sheet may be seen, the likeliest first."""
+    if told := seen.ink.flat.told:
+        ways = (None, *variants_of(bench, {}, bench.said_mu))
+        return shares_told(seen.ink.flat, (drawn_at(bench, way, told[0]) for way in ways))
+    return likely_shares(seen.ink.flat, seen_from(seen, pole, bench.true_marks))
+
+
+def shares_told(flat: Flat, drawn: Iterable[complex | None]) -> list[float]:
+    """At what shares of its size a picture may be seen by two points: the mark its scale was taken from, which some
+    mistakes put elsewhere (``drawn``, mm from the pole), was so far from the pole in truth."""
+    found = [1.0]
+    for z in drawn:
+        share = abs(z) / flat.told[1] if flat.told and z is not None else 1.0
+        if 1 / WILDEST < share < WILDEST and all(abs(share / one - 1) > SAME for one in found):
+            found.append(share)
+    return found
 
 
 def seen_from(seen: Seen, pole: complex, true: Mapping[str, complex]) -> Iterator[tuple[str, complex, complex]]:
@@ -71,8 +93,15 @@ def by_ruler(
     the place they are ``about`` keeps its own. What they should be tells the share better."""
     if share == 1 or explained < EXPLAINED:
         return spots
+    if flat.told:
+        return _resized(flat, about, share, spots)
     rows = _agreeing(_rows((s.name, s.place - about, true[s.name]) for s in spots if s.name in true), 1 / share)
     share = 1 / _mean(rows) if rows else share
-    flat.scale, flat.corner = flat.scale / share, about + (flat.corner - about) * share
     flat.notes.append(Phrase("check_printed_at", share=Written(f"{100 * share:.1f}")))
+    return _resized(flat, about, share, spots)
+
+
+def _resized(flat: Flat, about: complex, share: float, spots: Iterable[ReadMark]) -> list[ReadMark]:
+    """The marks, and the picture from now on, in millimetres that are so much longer."""
+    flat.scale, flat.corner = flat.scale / share, about + (flat.corner - about) * share
     return [replace(s, place=about + (s.place - about) * share) for s in spots]
