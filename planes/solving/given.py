@@ -129,15 +129,17 @@ class GivenTable:
         yield GivenRow(f"∠{name}", guide.angle_deg, "°", place=True)
 
     def lengths(self, link: Link) -> Iterator[GivenRow]:
-        """Places of a link's points in its axes, its guides, its place on the guide it slides on."""
+        """Places of a link's points in its axes, told as is shortest, its guides, its place on the guide it is on."""
         first = link.first_point
         for point, z in link.points.items():
             way = z - link.points[first]
-            if way.imag and f"l_{first}{point}" in self.parameters:  # which may be one of its coordinates
+            polar = abs(way), round(math.degrees(cmath.phase(way)), 9)
+            coordinate = f"l_{first}{point}" in self.parameters  # which may be one of them
+            if way.imag and (coordinate or _signs(way.real, way.imag) < _signs(*polar)):
                 yield from self.place(first + point, way)
                 continue
-            yield GivenRow(f"l_{{{first}{point}}}", abs(way), "m")
-            yield GivenRow(f"∠{first}{point}", round(math.degrees(cmath.phase(way)), 9), "°")
+            yield GivenRow(f"l_{{{first}{point}}}", polar[0], "m")
+            yield GivenRow(f"∠{first}{point}", polar[1], "°")
         for guide in link.guides.values():
             yield GivenRow(f"∠{dashed(guide.name)}", guide.angle_deg, "°")
             if guide.through_point is None:
@@ -156,18 +158,27 @@ class GivenTable:
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""
-        plans, drawing, lang = self.position.plans, self.position.drawing, self.naming.lang
+        drawing, lang = self.position.drawing, self.naming.lang
+        for name, sign, key, _ in self.ruled():
+            yield sign, number(float(drawing[name]), lang) if name in drawing else "—", say(key, lang)
+
+    def formulas(self) -> Iterator[str]:
+        """The laws of loads."""
+        lang = self.naming.lang
+        for _, sign, key, law in self.ruled():
+            if not isinstance(law, StrokeLoad):
+                yield f"{sign} = {self.law(law)}, {say(key, lang)}"
+                continue
+            for word, part in (("stroke_working", law.working), ("stroke_idle", law.idle)):
+                yield f"{sign} = {self.law(part)}, {say(key, lang)} ({say(word, lang)})"
+
+    def ruled(self) -> Iterator[tuple[str, str, str, Amount | StrokeLoad]]:
+        """Loads that are laws: their names, as they are lettered, the keys of their units, the laws."""
+        plans = self.position.plans
         for name, law in plans.acting.laws.said.items() if plans.forces else ():
             m = plans.means[name]
-            sign = self.naming.vector(m.of)
-            key = {"load": "N", "couple": "N·m"}.get(m.quantity, "°")
-            sign = f"∠{sign}" if key == "°" else sign
-            now = number(float(drawing[name]), lang) if name in drawing else "—"
-            if isinstance(law, StrokeLoad):
-                for word, part in (("stroke_working", law.working), ("stroke_idle", law.idle)):
-                    yield f"{sign} = {self.law(part)}, {say(word, lang)}", "", say(key, lang)
-            row = sign if isinstance(law, StrokeLoad) else f"{sign} = {self.law(law)}"
-            yield row, now, say(key, lang)
+            key, sign = {"load": "N", "couple": "N·m"}.get(m.quantity, "°"), self.naming.vector(m.of)
+            yield name, f"∠{sign}" if key == "°" else sign, key, law
 
     def law(self, law: Amount) -> str:
         """A law, as far as there is room for it in a cell."""
@@ -179,6 +190,11 @@ class GivenTable:
 def dashed(name: str) -> str:
     """The name of a guide as it is printed."""
     return name.replace("-", "–")
+
+
+def _signs(*values: float) -> int:
+    """How long numbers are on paper."""
+    return sum(len(number(v, "en", DIGITS)) for v in values)
 
 
 def _equal(a: float, b: float) -> bool:

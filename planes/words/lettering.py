@@ -136,6 +136,11 @@ def greek(name: str) -> str:
     return _GREEK.get(letter, letter) + (f"_{{{index.replace('_', ',')}}}" if index else "")
 
 
+def indexed(text: str) -> str:
+    """Sentences with the indices of names in them set as such: v_H, F21^t."""
+    return re.sub(r"([_^])([^\W_]+)", r"\1{\2}", text)
+
+
 def lettered_curve(name: str, naming: Naming) -> str:
     """A curve's name with its index lowered, a letter, then _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
     head, *index = name.split("_")

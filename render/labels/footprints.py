@@ -23,6 +23,7 @@ Shapes = NDArray[np.object_]
 
 HARDLY_MM = 0.25  # ink no farther apart runs together
 TOUCH_MM = 0.01
+PIECE = 10  # chords of a curve in one shape
 
 
 @dataclass(frozen=True)
@@ -51,12 +52,18 @@ class InkedShapes:
 
 
 def ink(marks: Iterable[Mark]) -> InkedShapes:
-    """The ink of marks; texts count as their boxes, hatched regions and filled shapes as areas."""
+    """The ink of marks; texts count as their boxes, hatched regions and filled shapes as areas, curves as short pieces:
+    what is near to a piece is found sooner."""
     parts = list(map(_parts, marks))
-    strokes = [(line, half) for half, lines, _ in parts for line in lines]
+    strokes = [(line[k : k + PIECE + 1], half) for half, lines, _ in parts for line in lines for k in _begun(line)]
     areas = polygons([area for _, _, filled in parts for area in filled])
     shapes = np.concatenate([_strings([line for line, _ in strokes], shapely.linestrings), areas])
     return InkedShapes(shapes, np.array([half for _, half in strokes] + [0.0] * len(areas)))
+
+
+def _begun(line: Polyline) -> range:
+    """Where the pieces of a line begin, each of so many chords."""
+    return range(0, max(1, len(line) - 1), PIECE)
 
 
 def bounds(marks: Iterable[Mark]) -> Bounds:

@@ -1,8 +1,9 @@
 """One sheet: views composed, the smallest format that holds them, places, frame and title block."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import accumulate, product
 
 from planes.scene import Scene
@@ -101,33 +102,39 @@ Way = tuple[Sizes, float, bool, Upright]
 """Sizes of plans, a letter height, whether equations stand under their plans, and which blocks stand upright."""
 
 
-def ways(sizes: Sizes, name: str) -> Iterator[Way]:
-    """The ways to fill a format, the best looking first."""
-    for upright, letter, together in product(UPRIGHT, LETTERS[name[:2]], (True, False)):
-        yield sizes, letter, together, upright
+def ways(sizes: Sizes, name: str, fits: Callable[[Way], bool]) -> Way | None:
+    """The best looking way to fill a format; where the smallest letters have no room, larger ones are not tried."""
+    fit, how = cache(fits), [*product(LETTERS[name[:2]], (True, False))]
+    levels = [[(sizes, *h, upright) for h in how] for upright in UPRIGHT]
+    if not any(map(fit, levels[-1][-2:])):
+        return None
+    return next(filter(fit, next(level for level in levels if any(map(fit, level[-2:])))))
 
 
 def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | None:
     """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
-    for how in ways(Sizes(factor), name):
+
+    def fits(how: Way) -> bool:
         wanted, spare = contents.lettered(*how)
         shown = [*wanted, *spare] if whole else wanted
-        if (whole or spare) and packed(shown, Paper(name)):
-            knotted = whole and spare and factor < 1 and any(v.crowded for v in shown)
-            if not knotted:  # rather is left out what may be than all drawn too small for its letters
-                return how
-    return None
+        knotted = whole and spare and factor < 1 and any(v.crowded for v in shown)
+        # rather is left out what may be than all drawn too small for its letters
+        return bool(whole or spare) and not knotted and packed(shown, Paper(name))
+
+    return ways(Sizes(factor), name, fits)
 
 
 def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
     """The same with as many of the views that wait for room as there is some for, with plans no smaller."""
     for key in [v.key for v in contents.extra(*how)]:
         more = replace(contents, extras=(*contents.extras, key))
-        for other in ways(how[0], name):
-            wanted, spare = more.lettered(*other)
-            if packed([*wanted, *spare] if whole else wanted, Paper(name)):
-                contents, how = more, other
-                break
+
+        def fits(how: Way, more: Contents = more) -> bool:
+            wanted, spare = more.lettered(*how)
+            return packed([*wanted, *spare] if whole else wanted, Paper(name))
+
+        other = ways(how[0], name, fits)
+        contents, how = (more, other) if other else (contents, how)
     return contents, how
 
 
@@ -151,7 +158,7 @@ def enlarged(
         columns = columns_of(views(sizes), stacking)
         if columns.ordered(order).cost < OVER:
             return True
-        other, found = columns.arranged(order)
+        other, found = columns.arranged(order, OVER)
         order = other if found.cost < OVER else order
         return found.cost < OVER
 
@@ -191,7 +198,7 @@ def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
 
 def packed(views: Sequence[View], paper: Paper) -> bool:
     """Whether there is room for all views on the paper."""
-    return columns_of(views, stacking_of(views, paper)).arranged()[1].cost < OVER
+    return columns_of(views, stacking_of(views, paper)).arranged(enough=OVER)[1].cost < OVER
 
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:

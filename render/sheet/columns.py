@@ -9,19 +9,21 @@ need not be.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
+from itertools import combinations, pairwise, takewhile
 
 import numpy
 
 from planes.geometry.arrays import Array
-from render.sheet.module import GAP_MM, UNITS, Indices
+from render.sheet.module import GAP_MM, UNITS
 from render.sheet.stacking import Piece, Spot, Stacking
 
 MOST_GAP_MM = 29.0  # of rows of a column between which its white is shared out
 FULLEST = 0.8  # no field can hold more in columns
 TORN = 0.1  # what it costs to end a column amid a step, as a column of white squared
 ASTRAY = 0.05  # what it costs that a table stands one place from where it would be read
+TURNED = 0.1  # what it costs that a table stands before one that is read earlier
 OVER, OVERFULL = 100.0, 0.3  # what it costs that a column holds too much; how much, of its height, is tried at all
 
 
@@ -42,31 +44,34 @@ Column = tuple[Piece, int, int]
 
 @dataclass
 class Columns:
-    """Views broken into columns; what is known of their pieces is shared with other orders of them."""
+    """Views broken into columns."""
 
     items: Sequence[Item]
     stacking: Stacking
-    prices: dict[Piece, Array] = field(default_factory=dict, repr=False)
 
-    def arranged(self, order: Sequence[int] = ()) -> tuple[list[int], Columns]:
-        """The order in which the views fill the columns best, and these; tables are moved about, one after another."""
+    def arranged(self, order: Sequence[int] = (), enough: float = 0.0) -> tuple[list[int], Columns]:
+        """The order in which the views fill the columns best, and these; tables are moved about, one after another, but
+        none before the first view, and no more once the columns cost less than is ``enough``."""
         now = list(order or range(len(self.items)))
         best = self.ordered(now)
         needed = sum((i.width + GAP_MM) * (i.height + GAP_MM) for i in self.items)
         hopeful = needed < FULLEST * self.stacking.module.area
-        for k in (k for k, item in enumerate(self.items) if item.loose and hopeful):
+        for k in (k for k, item in enumerate(self.items) if k and item.loose and hopeful):
             rest = [i for i in now if i != k]
-            for tried in ([*rest[:at], k, *rest[at:]] for at in range(len(now))):
+            for tried in ([*rest[:at], k, *rest[at:]] for at in range(1, len(now))):
+                if best.cost < enough:
+                    return now, best
+                worst = best.cost + self._astray(now) - self._astray(tried) - 1e-9
                 columns = self.ordered(tried)
-                if columns.cost + _astray(tried) < best.cost + _astray(now) - 1e-9:
+                if worst > 0 and columns.cost < worst:
                     best, now = columns, tried
         return now, best
 
     def ordered(self, order: Sequence[int]) -> Columns:
         """The same views in another order."""
-        return Columns([self.items[k] for k in order], self.stacking, self.prices)
+        return Columns([self.items[k] for k in order], self.stacking)
 
-    @property
+    @cached_property
     def cost(self) -> float:
         """How far they are from being filled well; less than ``OVER`` where every view has room."""
         return float(self._ended.min())
@@ -84,19 +89,27 @@ class Columns:
         return self.stacking.piece([(i.width, i.height) for i in self.items])
 
     @cached_property
+    def torn(self) -> tuple[float, ...]:
+        """What it costs to begin a column with each view: with one that goes on with the step of that before it."""
+        pairs = pairwise(["", *(item.step for item in self.items)])
+        return tuple(TORN * (step == before != "") for before, step in pairs)
+
+    @cached_property
     def _columns(self) -> list[Column]:
         """The columns, over all units."""
         (last, end), found = (len(self.items), int(self._ended.argmin())), list[Column]()
         while last:
-            first, unit = map(int, self._broken[1][last, end])
-            found.insert(0, (self.piece[first:last], unit, end))
-            last, end = first, unit
+            ways = self._ways(last)[:, end]
+            back, span = map(int, numpy.unravel_index(ways.argmin(), ways.shape))
+            found.insert(0, (self.piece[last - 1 - back : last], end - span, end))
+            last, end = last - 1 - back, end - span
         return found
 
     @cached_property
     def _ended(self) -> Array:
         """What all columns cost, by the unit where they end: those after it are white."""
-        found: Array = self._broken[0][-1] + numpy.arange(self.stacking.module.units, -1, -1) / UNITS
+        units = self.stacking.module.units
+        found: Array = self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
         return found
 
     def _spaced(self) -> list[Column]:
@@ -107,38 +120,33 @@ class Columns:
         lefts = [sum(needs[:k]) + spare * k // gaps for k in range(len(needs))]
         return [(piece, x, x + n) for (piece, _, _), x, n in zip(self._columns, lefts, needs, strict=True)]
 
-    @cached_property
-    def _broken(self) -> tuple[Array, Indices]:
-        """The cheapest way to have the first views in the first units: its cost, and where its last column starts."""
-        count, module = len(self.items), self.stacking.module
-        costs = numpy.full((count + 1, module.units + 1), numpy.inf)
-        starts, every = numpy.zeros((*costs.shape, 2), numpy.intp), numpy.arange(module.units + 1)
-        costs[0, 0] = 0.0
-        for first in range(count):
-            before = costs[first][module.starts]
-            for last in range(first + 1, count + 1):
-                if self.stacking.high(self.piece[first:last])[-1] > (1 + OVERFULL) * module.height:
-                    break
-                total = before + self.price(self.piece[first:last]) + TORN * self._torn(last)
-                span = total.argmin(axis=1)
-                better = total[every, span] < costs[last]
-                costs[last] = numpy.where(better, total[every, span], costs[last])
-                starts[last, better, 0], starts[last, better, 1] = first, (every - span)[better]
-        return costs, starts
+    def _costs(self, last: int) -> Array:
+        """The cheapest ways to have the first views in the first units."""
+        known, key = self.stacking.broken, (self.piece[:last], self.torn[:last])
+        if key not in known:
+            known[key] = self._ways(last).min(axis=(0, 2)) if last else self.stacking.module.begun
+        return known[key]
+
+    def _ways(self, last: int) -> Array:
+        """What the first views cost, by how many there are in their last column before its last one, by the unit where
+        it ends, and by how many it spans."""
+        high, most = self.stacking.high, (1 + OVERFULL) * self.stacking.module.height
+        firsts = range(last - 1, -1, -1)
+        fair = list(takewhile(lambda k: k == last - 1 or high(self.piece[k:last])[-1] <= most, firsts))
+        before = numpy.stack([self._costs(k) + self.torn[k] for k in fair])[:, self.stacking.module.starts]
+        found: Array = before + numpy.stack([self.price(self.piece[k:last]) for k in fair])
+        return found
 
     def price(self, piece: Piece) -> Array:
         """What a column of some views costs, by its end and its span: its white, or what is too much in it."""
-        if piece not in self.prices:
+        prices = self.stacking.prices
+        if piece not in prices:
             module = self.stacking.module
             white = module.heights - self.stacking.high(piece) / module.height
             tried = white > -OVERFULL
             fair = module.spans / UNITS * numpy.where(tried, white, 0.0) ** 2 + OVER * (white < -1e-9)
-            self.prices[piece] = numpy.where(tried, fair, numpy.inf)
-        return self.prices[piece]
-
-    def _torn(self, k: int) -> bool:
-        """Whether a view and the one before it are of one step."""
-        return k < len(self.items) and self.items[k].step == self.items[k - 1].step != ""
+            prices[piece] = numpy.where(tried, fair, numpy.inf)
+        return prices[piece]
 
     def _placed(self, piece: Piece, unit: int, end: int) -> Iterator[Spot]:
         """The views of a column, its white shared out between its rows."""
@@ -147,6 +155,8 @@ class Columns:
         spare = (top - low - sum(self.stacking.high(row)[span] for row in rows)) / max(len(rows) - 1, 1)
         return self.stacking.placed(rows, unit, span, top, min(spare, MOST_GAP_MM))
 
-
-def _astray(order: Sequence[int]) -> float:
-    return ASTRAY * sum(abs(k - place) for place, k in enumerate(order))
+    def _astray(self, order: Sequence[int]) -> float:
+        """What it costs that tables stand elsewhere than they would be read, one before an earlier one above all."""
+        tables = [k for k in order if self.items[k].loose]
+        turned = sum(k > j for k, j in combinations(tables, 2))
+        return ASTRAY * sum(abs(k - place) for place, k in enumerate(order)) + TURNED * turned

@@ -1,7 +1,7 @@
 """From a drawing to the views of its sheet: scheme, plans with their equations, tables; each made once."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -11,9 +11,10 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, say
-from planes.words.lettering import Naming
+from planes.words.lettering import Naming, indexed
 from planes.words.names import kind_of, links_of, mu_of
-from render.views import View, stacked, view
+from render.sheet.module import GAP_MM, MODULE_MM
+from render.views import REMARK_MM, View, paragraph, stacked, view
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
 from render.views.plotted import Plotted, of_position, of_vectors
@@ -60,8 +61,15 @@ class Composer:
         """Every view of one position, in the order they are read; ``together``: equations under their plans."""
         plotted = of_position(position)
         found = [self.scheme(position), *self.plans(plotted, drawn_plans(plotted, position), letter, together)]
-        found += self.tables(position, letter).all()
+        found += [*self.tables(position, letter).all(), self.note(letter)]
         return [v for v in found if v]
+
+    def note(self, letter: float) -> View | None:
+        """What the scene adds in words, as wide as the title block, where there is room for it."""
+        text = indexed(self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""))
+        high, title = max(0.7 * letter, REMARK_MM), say("sheet_note", self.lang)
+        made = lambda: replace(paragraph("note", title, text, MODULE_MM - GAP_MM, high), extra=True)  # noqa: E731
+        return self.once(("note", high), made) if text else None
 
     def tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
@@ -71,7 +79,7 @@ class Composer:
         """The views of a scene of vectors alone."""
         plotted = of_vectors(results)
         rows = Tables.of_vectors(results, self.naming, letter)
-        return [v for v in (*self.plans(plotted, [PLAN], letter, together), rows) if v]
+        return [v for v in (*self.plans(plotted, [PLAN], letter, together), rows, self.note(letter)) if v]
 
     def plans(self, plotted: Plotted, plans: list[str], letter: float, together: bool) -> list[View | None]:
         """Plans with their equations: beneath each, or all of a kind in one view."""

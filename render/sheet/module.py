@@ -77,6 +77,11 @@ class Module:
         return found
 
     @cached_property
+    def begun(self) -> Array:
+        """What it costs to have no column yet, by the unit where the first one begins: at the edge of the field."""
+        return numpy.where(numpy.arange(self.units + 1) == 0, 0.0, numpy.inf)
+
+    @cached_property
     def spans(self) -> Indices:
         """How many units a column may span."""
         return numpy.arange(self.widest + 1)

@@ -64,7 +64,12 @@ class Project:
                 self.directions(position),
                 t.transfers(),
             ),
-            "structure": (self.groups(position, letter), self.self_aligning(position, letter), t.given()),
+            "structure": (
+                self.groups(position, letter),
+                self.self_aligning(position, letter),
+                t.given(),
+                c.note(letter),
+            ),
         }
         return [replace(v, step=step) for step, views in steps.items() for v in views if v]
 
@@ -176,7 +181,9 @@ class ForceSheet:
             found += [replace(v, step=plan) for v in step if v]
         found.append(self.lever(position, letter))
         tables = c.tables(position, letter)
-        return [v for v in (*found, tables.given(loading=True), tables.reactions(), tables.check()) if v]
+        return [
+            v for v in (*found, tables.given(loading=True), tables.reactions(), tables.check(), c.note(letter)) if v
+        ]
 
     def loaded(self, position: Position) -> View:
         """The scheme with all outer loads."""

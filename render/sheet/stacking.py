@@ -30,11 +30,14 @@ class Spot:
 
 @dataclass
 class Stacking:
-    """Pieces in the units of a module."""
+    """Pieces in the units of a module, and what is known of columns of them: what one costs, and what the first ones
+    do."""
 
     module: Module
     sizes: dict[Size, int] = field(default_factory=dict)
     highs: dict[Piece, Array] = field(default_factory=dict, repr=False)
+    prices: dict[Piece, Array] = field(default_factory=dict, repr=False)
+    broken: dict[tuple[Piece, tuple[float, ...]], Array] = field(default_factory=dict, repr=False)
 
     def piece(self, sizes: Sequence[Size]) -> Piece:
         """Views of these sizes."""
@@ -48,13 +51,13 @@ class Stacking:
     def high(self, piece: Piece) -> Array:
         """How high views are at the least, by the units they may span."""
         if piece not in self.highs:
-            parted = (self._parted(self.high(piece[:k]), self.high(piece[k:])) for k in range(1, len(piece)))
-            self.highs[piece] = numpy.minimum.reduce([way for ways in parted for way in ways])
+            cuts = range(1, len(piece))
+            above = numpy.stack([self.high(piece[:k]) for k in cuts])
+            below = numpy.stack([self.high(piece[k:]) for k in cuts])
+            whole, part = _shares(above.shape[1])
+            beside = numpy.maximum(above[:, part], below[:, whole]).min(axis=2)
+            self.highs[piece] = numpy.minimum(above + GAP_MM + below, beside).min(axis=0)
         return self.highs[piece]
-
-    def _parted(self, a: Array, b: Array) -> tuple[Array, Array]:
-        """How high two parts are one beneath the other, and beside each other, in whatever shares of their units."""
-        return a + GAP_MM + b, numpy.maximum.outer(a, b)[_diagonals(len(a))].min(axis=1)
 
     def rows(self, piece: Piece, span: int) -> list[Piece]:
         """The parts of a piece that stand beneath each other."""
@@ -82,7 +85,7 @@ class Stacking:
 
 
 @lru_cache
-def _diagonals(count: int) -> tuple[Indices, Indices]:
-    """Where a square table has the numbers whose row and column together are 0, 1, 2 …, the last ones repeated."""
+def _shares(count: int) -> tuple[Indices, Indices]:
+    """The two shares into which each number of units can be parted, the last of them repeated."""
     whole, part = numpy.mgrid[:count, :count]
-    return numpy.minimum(part, whole), numpy.maximum(whole - part, 0)
+    return numpy.maximum(whole - part, 0), numpy.minimum(part, whole)

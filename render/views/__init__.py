@@ -6,7 +6,7 @@ from functools import cached_property
 
 from render.labels.footprints import Bounds, bounds, overprinted
 from render.paper.marks import Mark, Text, moved
-from render.paper.typeset import extent, plain
+from render.paper.typeset import extent, plain, wrapped
 
 TITLE_MM = 5.0  # letter height of titles
 REMARK_MM = 2.5
@@ -84,9 +84,15 @@ def view(
 
 
 def remark(text: str, marks: Iterable[Mark]) -> Text:
-    """What must be known of the marks, in small letters beneath them."""
-    x0, y0, x1, _ = bounds(tuple(marks))
-    return Text(text, complex((x0 + x1) / 2, y0 - 5.0), REMARK_MM, "middle", name="remark")
+    """What must be known of the marks, in small letters beneath them, from their left edge."""
+    x0, y0, *_ = bounds(tuple(marks))
+    return Text(text, complex(x0, y0 - 5.0), REMARK_MM, name="remark")
+
+
+def paragraph(key: str, title: str, text: str, width: float, letter: float) -> View:
+    """Sentences in lines of no more than so many mm."""
+    lines = wrapped(text, width, letter)
+    return view(key, title, [Text(line, -1.7j * letter * k, letter) for k, line in enumerate(lines)])
 
 
 def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = False) -> View:

@@ -141,15 +141,16 @@ class Tables:
         """Millimetres, or degrees."""
         return fixed(value, 1, self.naming.lang)
 
-    def table(self, key: str, title: str, head: Row, rows: Sequence[Row], note: str = "") -> View | None:
-        """A table as a view, or nothing when it has no rows; ``note`` stands beneath it."""
+    def table(self, key: str, title: str, head: Row, rows: Sequence[Row], notes: Sequence[str] = ()) -> View | None:
+        """A table as a view, or nothing when it has no rows; ``notes`` stand beneath it."""
         if not rows:
             return None
         head, rows = folded(head, rows)
 
         def make() -> View:
-            drawn = TableGrid(self.letter).drawn(head, rows)
-            marks = (*drawn, remark(note, drawn)) if note else drawn
+            marks = TableGrid(self.letter).drawn(head, rows)
+            for note in notes:
+                marks = (*marks, remark(note, marks))
             return view(key, title, marks)
 
         return self.once(("table", key, self.letter, *map(tuple, rows)), make)
@@ -162,7 +163,9 @@ class Tables:
     def given(self, loading: bool = False) -> View | None:
         """What the scene gives, each thing once; masses, moments of inertia and loads alone, if ``loading``."""
         given = GivenTable(self.position, self.naming, self.parameters)
-        return self.table("given", self.say("given"), ["", "", ""], [*given.rows(loading), *given.laws()])
+        return self.table(
+            "given", self.say("given"), ["", "", ""], [*given.rows(loading), *given.laws()], list(given.formulas())
+        )
 
     def plan(self, plan: str) -> View | None:
         """What was measured on a plan: vector, segment, mm, value."""
@@ -210,7 +213,7 @@ class Tables:
         convention = self.say("from_on" if self.naming.from_on else "on_from")
         table = [["", self.say("mm"), self.say("N"), self.say("angle"), self.say("column_arm")], *rows]
         head, *rows = [row[: 5 if armed else 4] for row in table]
-        return self.table("reactions", self.say("reactions_table"), head, rows, convention)
+        return self.table("reactions", self.say("reactions_table"), head, rows, [convention])
 
     def lengths(self) -> dict[str, float]:
         """How long each reaction is on the force plan that shows it, or its opposite, mm."""
