@@ -4,7 +4,7 @@ import html
 import json
 from collections.abc import Iterator
 
-from planes.lesson.frame import in_both
+from planes.lesson.frame import LANGS, in_both
 from planes.words import langs, stand_ins, table, under
 from planes.words.names import lettered
 from planes.words.records import Json
@@ -44,9 +44,9 @@ def page(data: Json, lang: str) -> str:
 
 
 def _once(thing: object, told: dict[str, int]) -> object:
-    """The same with every sentence in two languages but once, in ``told``: its place there stands for it."""
+    """The same with every sentence in all languages but once, in ``told``: its place there stands for it."""
     if isinstance(thing, dict):
-        if set(thing) == {"ru", "en"} and thing["ru"]:
+        if set(thing) == {*LANGS} and any(thing.values()):
             return {"=": told.setdefault(json.dumps(thing, ensure_ascii=False), len(told))}
         return {key: _once(inside, told) for key, inside in thing.items()}
     return [_once(inside, told) for inside in thing] if isinstance(thing, (list, tuple)) else thing
