@@ -169,7 +169,7 @@ def trace(
     tool = TracingTool(ar, True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
     if fine is not None:
         tool.slack, tool.flat, tool.still = fine, fine, 10 * fine
-    things: dict[str, Point] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
+    things: dict[str, Point] = {n: known[n] if n in known else given_on(tape, n, given[n]) for n in given}
     draw_steps(program.steps, things, tool)
     taken = [take(things, tool.ar) for take in takes]
     outputs = tuple(place_of(tape, x) for x in taken)
@@ -207,7 +207,8 @@ def _finite(tape: Tape, numbers: list[Real]) -> Truth:
     return total == 0.0
 
 
-def _given(tape: Tape, name: str, value: Point) -> Point:
+def given_on(tape: Tape, name: str, value: Point) -> Point:
+    """A given number or place on a tape, by its name."""
     if isinstance(value, complex):
         return Vec(Num(tape, tape.leaf("given", name + ".x")), Num(tape, tape.leaf("given", name + ".y")))
     return Num(tape, tape.leaf("given", name))

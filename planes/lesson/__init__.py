@@ -4,7 +4,6 @@ One frame a mark; what is measured after an equation is drawn is a frame of its 
 Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
 """
 
-from collections.abc import Mapping
 from functools import partial
 
 from planes.drafting import steps as s
@@ -20,27 +19,22 @@ from planes.lesson.reckoning import Reckoning
 from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
 from planes.plans import Plans
 from planes.plans.reactions import Reaction
-from planes.words import Lang, decimal, say
+from planes.words import Lang, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of
-from planes.words.units import Convention, mu_text, number
+from planes.words.units import Convention, mu_text
 
 NOTHING: Names = {}
 
 
 class Teller:
-    """Tells the steps of one drawing at its scales; ``cycle`` is the drawing (of many positions) by which a term
-    counts as nothing."""
+    """Tells the steps of one drawing; ``cycle`` is the drawing (of many positions, and of links of many lengths) by
+    which a term counts as nothing."""
 
     def __init__(
-        self,
-        plans: Plans,
-        drawing: Drawing,
-        scales: Mapping[str, float],
-        cycle: Drawing | None = None,
-        convention: Convention = "mm_per_unit",
+        self, plans: Plans, drawing: Drawing, cycle: Drawing | None = None, convention: Convention = "mm_per_unit"
     ) -> None:
         self.convention: Convention = convention
-        self.plans, self.drawing, self.scales = plans, drawing, scales
+        self.plans, self.drawing = plans, drawing
         self.cycle = cycle or drawing
         self.made = drawing.program.makers
         self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
@@ -112,7 +106,7 @@ class Teller:
     ) -> Frame:
         """A frame with its words in both languages; what is callable is asked per language."""
         index, found = self.equation_of(plan, makes)
-        names = {**names, "mu": partial(mu_said, self.scales[mu_of(plan)], plan, convention=self.convention)}
+        names = {**names, "mu": partial(mu_said, plan, convention=self.convention)}
 
         def told(lang: Lang) -> str:
             return say(f"lesson_{key}", lang, **{k: v(lang) if callable(v) else v for k, v in names.items()})
@@ -183,13 +177,12 @@ class Teller:
             return f"⟨{name}⟩ = 0"
         read, mu = f"‖{name}‖", mu_of(plan)
         self.spans[read] = (*span, mu)
-        names = {"mm": slot(read, "mm", mu), "by": self.divided(mu, lang), "value": slot(read)}
+        names = {"mm": slot(read, "mm", mu), "by": self.divided(mu), "value": slot(read)}
         return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
 
-    def divided(self, scale: str, lang: Lang) -> str:
+    def divided(self, scale: str) -> str:
         """How a length on paper becomes a value at a scale, by its name."""
-        mu = self.scales[scale]
-        return f"/ {number(mu, lang)}" if self.convention == "mm_per_unit" else f"· {number(1 / mu, lang, 3)}"
+        return f"/ {slot(scale, 'k')}" if self.convention == "mm_per_unit" else f"· {slot(scale, 'i')}"
 
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read off a force plan that has closed."""
@@ -238,9 +231,10 @@ def shown_on(step: s.Step) -> str:
     return plan_of(step.makes) or "position"
 
 
-def mu_said(mu: float, plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
-    """The scale of a plan as the language writes it; the lever is drawn as velocities are."""
-    return decimal(mu_text(mu, "velocity" if plan == "lever" else kind_of(plan), lang, convention), lang)
+def mu_said(plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
+    """The scale of a plan as the language writes it, its number in a slot; the lever is drawn as velocities are."""
+    how, kind = "k" if convention == "mm_per_unit" else "i", "velocity" if plan == "lever" else kind_of(plan)
+    return f"{slot(mu_of(plan), how)} {mu_text(1.0, kind, lang, convention).partition(' ')[2]}"
 
 
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:

@@ -1,7 +1,8 @@
 """Formulas of a lesson with slots for numbers, so that one sentence serves every position of the mechanism.
 
 A slot ⟦how¦name¦mu⟧ stands for a number of the drawing: ``v`` its value, ``b`` the value in brackets where it is
-negative, ``mm`` its length on paper, ``s`` its sense of rotation. Names of marks, vectors and values stand in ⟨…⟩.
+negative, ``mm`` its length on paper, ``s`` its sense of rotation, ``k`` and ``i`` a scale, in mm for a unit and the
+inverse. Names of marks, vectors and values stand in ⟨…⟩.
 """
 
 import re
@@ -10,9 +11,10 @@ from collections.abc import Callable
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.words import Lang, decimal, say
 from planes.words.names import parts_of
-from planes.words.units import number
+from planes.words.units import Convention, mu_number, number
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
+SCALES: dict[str, Convention] = {"k": "mm_per_unit", "i": "unit_per_mm"}
 _LETTERS = {
     "rad/s": "omega",
     "rad/s²": "epsilon",
@@ -49,6 +51,8 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
             return decimal(f"{abs(size * read(mu)):.1f}".removesuffix(".0"), lang)
         if how == "s":
             return say("lesson_ccw" if size > 0 else "lesson_cw" if size < 0 else "lesson_still", lang)
+        if how in SCALES:
+            return decimal(mu_number(size, SCALES[how]), lang)
         shown = number(size, lang)
         return f"({shown})" if how == "b" and shown.startswith("−") else shown
 

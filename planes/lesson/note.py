@@ -25,7 +25,7 @@ from planes.solving.tables import difference
 from planes.words import Lang, decimal, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
-from planes.words.names import kind_of, links_of, mu_of
+from planes.words.names import kind_of, links_of
 from planes.words.units import number
 
 NOISE = 1e-12
@@ -41,7 +41,7 @@ class Note:
 
     def __post_init__(self) -> None:
         p = self.position
-        self.teller = Teller(p.plans, p.drawing, p.scales, convention=self.scene.mu_convention)
+        self.teller = Teller(p.plans, p.drawing, convention=self.scene.mu_convention)
         self.frames = self.teller.frames()
         self.naming = Naming(self.lang, **lettering(self.scene, p.plans))
         self.tables = self.figures = 0
@@ -152,7 +152,7 @@ class Note:
         return self.say("note_group" if len(links) > 1 else "note_driver", links=", ".join(links))
 
     def caption(self, plan: str) -> str:
-        mu = mu_said(self.position.scales[mu_of(plan)], plan, self.lang, self.scene.mu_convention)
+        mu = fill(mu_said(plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang)
         if plan == "position":
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)

@@ -17,7 +17,7 @@ _FOUND = re.compile(r"(?:^|[:;.] )⟨([^⟩]+)⟩ =")  # a sentence, or a part o
 class Reckoning:
     """Keeps which values have been told; ``divided`` says how a length on paper becomes a value at a scale."""
 
-    def __init__(self, plans: Plans, made: Mapping[str, Step], divided: Callable[[str, Lang], str]) -> None:
+    def __init__(self, plans: Plans, made: Mapping[str, Step], divided: Callable[[str], str]) -> None:
         self.plans, self.made, self.divided = plans, made, divided
         self.told = {*plans.given, *load_names(plans.mechanism), *(m.unknown for m in plans.moments)}
 
@@ -55,7 +55,7 @@ class Reckoning:
             return self.rubbing(step, lang)
         assert isinstance(step, Drop | Measure)
         name = plain(step.makes)
-        names = {"mm": slot(step.makes, "mm", step.mu), "by": self.divided(step.mu, lang), "value": slot(step.makes)}
+        names = {"mm": slot(step.makes, "mm", step.mu), "by": self.divided(step.mu), "value": slot(step.makes)}
         return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
 
     def rubbing(self, step: Fed | Settle, lang: Lang) -> str:

@@ -3,8 +3,6 @@
 from collections.abc import Iterator, Mapping
 from itertools import chain, permutations
 
-import numpy
-
 from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff, Step
@@ -16,10 +14,8 @@ from planes.scene.mechanism import FRAME, Mechanism
 from planes.words.names import at, parts_of, plan_of
 from planes.words.records import Json
 
-SPREAD = (8, 92)  # per cent of the positions by which the length of a rod is judged
 
-
-def scheme(plans: Plans, cycle: Drawing) -> Json:
+def scheme(plans: Plans, drawing: Drawing) -> Json:
     """Links by their points, guides by a mark and a direction, sliders."""
     m = plans.mechanism
     moving = [p for x in m.links.values() for p in x.points]
@@ -31,9 +27,8 @@ def scheme(plans: Plans, cycle: Drawing) -> Json:
     for link in (m.frame, *m.links.values()):
         for g in link.guides.values():
             mark = at("position", g.through_point or f"°{g.name}")
-            if mark in cycle:
-                reach = _reach(plans, cycle, g.name, mark)
-                guides.append({"name": g.name, "link": link.name, "mark": mark, "reach": reach})
+            if mark in drawing:
+                guides.append({"name": g.name, "link": link.name, "mark": mark})
     fixed = [at("position", p) for p in pivots(m)]
     return {"links": links, "guides": guides, "pivots": fixed, "driver": m.drive.link, "frame": FRAME}
 
@@ -41,20 +36,6 @@ def scheme(plans: Plans, cycle: Drawing) -> Json:
 def pivots(m: Mechanism) -> list[str]:
     """The fixed points that belong to a moving link too."""
     return [p for p in m.frame.points if any(p in x.points for x in m.links.values())]
-
-
-def _reach(plans: Plans, cycle: Drawing, guide: str, mark: str) -> list[float]:
-    """From where to where along a guide its sliders run, mm from its mark, in most positions."""
-    joints = [cycle[at("position", p)] for x in plans.mechanism.links.values() for p in x.points]
-    size = max((float(numpy.nanmedian(abs(a - b))) for a in joints for b in joints), default=0.0)
-    found = [0.0]
-    for link in plans.mechanism.links.values():
-        if link.slides and link.slides.guide == guide and f"∥{guide}" in cycle:
-            way = (cycle[at("position", link.first_point)] - cycle[mark]) * numpy.conj(cycle[f"∥{guide}"])
-            run = numpy.real(numpy.atleast_1d(way))
-            run = run[numpy.isfinite(run)]
-            found += [round(float(v), 1) for v in numpy.percentile(run, SPREAD)] if len(run) else []
-    return [round(max(min(found), -size), 1), round(min(max(found), size), 1)]
 
 
 def arms(plans: Plans) -> list[Json]:

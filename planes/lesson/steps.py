@@ -12,6 +12,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure, Product
+from planes.geometry.arrays import Floats
 from planes.lesson.formulas import formula, sides, slot, unit
 from planes.plans import Plans
 from planes.plans.law_words import law_said
@@ -218,9 +219,9 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
 
 def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
     """Which terms are nothing beside the largest, in every position."""
-    sizes = [_largest(term, cycle) for term in step.terms]
-    most = NOISE * max(sizes, default=0.0)
-    return frozenset(i for i, size in enumerate(sizes) if size <= most)
+    sizes = [_size(term, cycle) for term in step.terms]
+    most = NOISE * numpy.maximum.reduce(numpy.broadcast_arrays(0.0, *sizes))
+    return frozenset(i for i, size in enumerate(sizes) if numpy.all((size <= most) | numpy.isnan(most)))
 
 
 def passes(arm: str, cycle: Drawing) -> bool:
@@ -228,11 +229,11 @@ def passes(arm: str, cycle: Drawing) -> bool:
     return bool(arm) and float(numpy.nanmax(numpy.abs(cycle[arm]))) <= NOISE
 
 
-def _largest(term: Product, cycle: Drawing) -> float:
-    """How large a term becomes, but for what it is divided by."""
+def _size(term: Product, cycle: Drawing) -> Floats:
+    """How large a term is, but for what it is divided by."""
     above = [numpy.asarray(cycle[name], float) ** power for name, power in term.factors if power > 0]
-    sizes = abs(term.coefficient * numpy.prod(numpy.broadcast_arrays(1.0, *above), axis=0))
-    return float(numpy.max(sizes, initial=0.0, where=numpy.isfinite(sizes)))
+    size: Floats = abs(term.coefficient * numpy.prod(numpy.broadcast_arrays(1.0, *above), axis=0))
+    return size
 
 
 def _links(m: Moments, lang: Lang) -> str:

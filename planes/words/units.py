@@ -147,12 +147,16 @@ def _powers(unit: str) -> dict[str, int] | None:
 def mu_text(mu: float, plan: str, lang: str = "en", convention: Convention = "mm_per_unit") -> str:
     """μ as it is written on a sheet: "30 mm/(m/s)", exact; "0.0333 (m/s)/mm", three digits if need be."""
     unit = say("one_unit" if plan == "vectors" else UNIT[plan], lang)
+    return f"{mu_number(mu, convention)} {mm_per(unit, lang, convention != 'mm_per_unit')}"
+
+
+def mu_number(mu: float, convention: Convention = "mm_per_unit") -> str:
+    """The number of such a text alone."""
     if convention == "mm_per_unit":
-        return f"{_exact(mu)} {mm_per(unit, lang)}"
+        return _exact(mu)
     value = 1.0 / mu
     short = float(f"{value:.4g}")
-    short = short if math.isclose(short, value, rel_tol=1e-12) else float(f"{value:.3g}")
-    return f"{_exact(short)} {mm_per(unit, lang, True)}"
+    return _exact(short if math.isclose(short, value, rel_tol=1e-12) else float(f"{value:.3g}"))
 
 
 def mm_per(unit: str, lang: str, inverse: bool = False) -> str:

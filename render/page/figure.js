@@ -1,5 +1,5 @@
 "use strict";
-// A panel of ink: maps millimetres of paper to pixels, draws lines and arrows between exported marks, places labels.
+// A panel of ink: maps millimetres of paper to pixels, draws lines and arrows between the marks of the tape, places labels.
 const NS = "http://www.w3.org/2000/svg";
 const LETTERS = JSON.parse(document.getElementById("letters").textContent);
 
@@ -48,14 +48,11 @@ class Figure { // millimetres y up -> pixels y down
   constructor(node, data, size) { this.node = node; this.data = data; this.size = size; this.real = [600, 380]; this.kept = new Map(); }
   measure() { this.real = [this.node.clientWidth || 600, this.node.clientHeight || 380]; }
   get letter() { return this.size ? 13 : 17; }
-  at(name, i) {
-    const m = this.data.marks[name];
-    return m && m[0][i] !== null && m[1][i] !== null ? [m[0][i], m[1][i]] : null;
-  }
-  box(names, i) {
+  at(name) { return live.at(name); }
+  box(names, at = n => this.at(n)) {
     let b = null;
     for (const n of names) {
-      const p = this.at(n, i);
+      const p = at(n);
       if (p) b = b ? union(b, [...p, ...p]) : [...p, ...p];
     }
     return b;
@@ -67,6 +64,7 @@ class Figure { // millimetres y up -> pixels y down
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);
     this.dx = w / 2 - this.k * (box[0] + box[2]) / 2;
     this.dy = h / 2 + this.k * (box[1] + box[3]) / 2;
+    if (this.fixed_view) Object.assign(this, { k: this.fixed_view.k, dx: this.fixed_view.dx, dy: this.fixed_view.dy }); // a hand holds it
     this.w = w; this.h = h; this.strokes = []; this.taken = [];
     this.node.setAttribute("viewBox", `0 0 ${w} ${h}`);
     this.bar();
@@ -142,22 +140,22 @@ class Figure { // millimetres y up -> pixels y down
       return found;
     }, plan, " = ");
   }
-  groups(marks, i, reach) { // marks that fall together share a label
+  groups(marks, reach) { // marks that fall together share a label
     const found = [];
     for (const full of marks) {
-      const p = this.at(full, i), name = full.slice(full.lastIndexOf(":") + 1);
+      const p = this.at(full), name = full.slice(full.lastIndexOf(":") + 1);
       if (!p || this.data.helpers.includes(full)) continue;
       const q = this.px(p), g = found.find(g => Math.hypot(g.q[0] - q[0], g.q[1] - q[1]) < reach);
       if (g) g.names.push(name); else found.push({ q, names: [name] });
     }
     return found;
   }
-  trace(t, made, i) { // the lines or arcs that cross at a mark, a little past it
-    const c = this.at(made, i);
+  trace(t, made) { // the lines or arcs that cross at a mark, a little past it
+    const c = this.at(made);
     if (!t || !c) return;
     const q = this.px(c);
     for (const n of t.lines || []) {
-      const p = this.at(n, i) && this.px(this.at(n, i));
+      const p = this.at(n) && this.px(this.at(n));
       if (!p) continue;
       const dx = q[0] - p[0], dy = q[1] - p[1], d = Math.hypot(dx, dy);
       if (d < 0.5) continue;
@@ -165,7 +163,7 @@ class Figure { // millimetres y up -> pixels y down
       this.line([p[0] - dx * far, p[1] - dy * far], [q[0] + dx * far, q[1] + dy * far], "trace", "", false);
     }
     for (const n of t.arcs || []) {
-      const p = this.at(n, i) && this.px(this.at(n, i));
+      const p = this.at(n) && this.px(this.at(n));
       if (!p) continue;
       const r = Math.hypot(q[0] - p[0], q[1] - p[1]), a = Math.atan2(q[1] - p[1], q[0] - p[0]), w = Math.min(0.6, 60 / Math.max(r, 1));
       const end = s => `${(p[0] + r * Math.cos(a + s)).toFixed(1)} ${(p[1] + r * Math.sin(a + s)).toFixed(1)}`;

@@ -1,20 +1,21 @@
 """The lesson as one self-contained page: the exported drawings, a painter of lines between marks, no network."""
 
 import html
+import json
 from collections.abc import Iterator
 
-from planes.lesson.frame import in_both
+from planes.lesson.frame import LANGS, in_both
 from planes.words import langs, stand_ins, table, under
 from planes.words.names import lettered
 from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import NAME, written
 
-SHARED = {"scheme": "scheme", "formula": "formula", "shifted": "shifted"} | {
-    key: f"lesson_{key}" for key in ("ccw", "cw", "still")
+SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
+    key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad")
 }
 """Words of the page that stand in other tables."""
-SCRIPTS = ("figure", "scheme", "plan", "lesson", "practice")
+SCRIPTS = ("tape", "figure", "scheme", "plan", "live", "words", "handout", "lesson", "hands", "practice")
 NOSCRIPT = (
     "Страница рисует план сама: включите JavaScript. / The page draws the plans itself: please enable JavaScript."
 )
@@ -30,14 +31,25 @@ def page(data: Json, lang: str) -> str:
         "title": html.escape(title),
         "formula": html.escape(data["formula"]),
         "frames": str(len(data["frames"])),
-        "last": str(len(data["drive"]["values"]) - 1),
-        "at": str(data["drive"]["at"]),
+        **{key: str(data["drive"][key]) for key in ("from", "to", "at")},
+        "by": str((data["drive"]["to"] - data["drive"]["from"]) / 360),
         "noscript": NOSCRIPT,
     }
     body = web_page.filled(web_page.part("lesson.html"), parts)
     code = web_page.part(*(f"{name}.js" for name in SCRIPTS))
-    held = {"words": words, "data": data, "letters": written(_names(data), data["lettering"])}
+    once: dict[str, int] = {}
+    held = {"words": words, "data": _once(data, once), "letters": written(_names(data), data["lettering"])}
+    held["sentences"] = [json.loads(text) for text in once]
     return web_page.page(title, lang, web_page.part("lesson.css"), body, code=code, data=held)
+
+
+def _once(thing: object, told: dict[str, int]) -> object:
+    """The same with every sentence in all languages but once, in ``told``: its place there stands for it."""
+    if isinstance(thing, dict):
+        if set(thing) == {*LANGS} and any(thing.values()):
+            return {"=": told.setdefault(json.dumps(thing, ensure_ascii=False), len(told))}
+        return {key: _once(inside, told) for key, inside in thing.items()}
+    return [_once(inside, told) for inside in thing] if isinstance(thing, (list, tuple)) else thing
 
 
 def _names(thing: object, key: str = "") -> Iterator[str]:
@@ -48,7 +60,7 @@ def _names(thing: object, key: str = "") -> Iterator[str]:
             yield from _names(inside, one)
     elif isinstance(thing, str):
         yield from NAME.findall(thing)
-        if key in ("name", "names", "terms", "action", "fixed"):
+        if key in ("name", "names", "terms", "action", "fixed", "of"):
             yield thing.lstrip("+-" if key == "action" else "")
     elif isinstance(thing, (list, tuple)) and key not in ("marks", "turned", "values"):
         for inside in thing:

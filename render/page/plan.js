@@ -5,20 +5,19 @@ class Plan extends Figure {
   own(key) {
     return Object.keys(this.data.marks).filter(n => n.slice(0, n.lastIndexOf(":")) === key && !this.data.helpers.includes(n));
   }
-  frame(key, i) { // the plan in its own position fills the panel; one that grows is followed, up to three times
-    const { drive } = this.data, marks = this.own(key), now = this.box(marks, i);
-    let own = this.box(marks, drive.at) || now || [0, 0, 1, 1];
-    if (!now || i === drive.at) return own;
+  frame(key) { // the plan in its own position fills the panel; one that grows is followed, up to three times
+    const marks = this.own(key), now = this.box(marks), own = this.box(marks, n => live.home(n)) || now || [0, 0, 1, 1];
+    if (!now || live.at_home) return own;
     const far = 3 * Math.max(own[2] - own[0], own[3] - own[1], 10), mx = (own[0] + own[2]) / 2, my = (own[1] + own[3]) / 2;
     const held = [Math.max(now[0], mx - far), Math.max(now[1], my - far), Math.min(now[2], mx + far), Math.min(now[3], my + far)];
     return Math.hypot(now[2] - now[0], now[3] - now[1]) < 0.2 * far ? own : union(own, held);
   }
-  show(key, i, seen, frame, hidden) {
+  show(key, seen, frame, hidden) {
     const lit = new Set(frame ? frame.terms : []), force = key.startsWith("force"), lever = key === "lever";
     this.more = lever || hidden ? (this.size ? 14 : 44) : 0;
-    this.start(this.frame(key, i));
-    const there = n => seen.has(n) && this.at(n, i) && this.px(this.at(n, i));
-    for (const m of frame && !hidden ? frame.makes : []) this.trace(this.data.traces[m], m, i);
+    this.start(this.frame(key));
+    const there = n => seen.has(n) && this.at(n) && this.px(this.at(n));
+    for (const m of frame && !hidden ? frame.makes : []) this.trace(this.data.traces[m], m);
     const names = [];
     this.places = [];
     this.shifted = false;
@@ -33,9 +32,9 @@ class Plan extends Figure {
       const q = there(m);
       if (q && m.startsWith(key + ":")) svg("circle", { cx: q[0], cy: q[1], r: 5.5, class: "fresh" }, this.node);
     }
-    if (lever && frame && frame.moments !== null) Scheme.prototype.forces.call(this, this.data.moments[frame.moments], i, frame.terms);
+    if (lever && frame && frame.moments !== null) Scheme.prototype.forces.call(this, this.data.moments[frame.moments], frame.terms);
     if (force) for (const [a, b, n] of names) this.along(a, b, n, key);
-    else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), i, 5)) this.beside(g.q, this.fixed(g.names, key), key);
+    else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q, this.fixed(g.names, key), key);
   }
   remark() {
     const text = svg("text", { class: "bar-text", x: this.w - 8, y: this.h - 8, "text-anchor": "end" }, this.node);

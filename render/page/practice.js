@@ -11,8 +11,8 @@ const practice = {
     $("told").hidden = this.on;
     $("task").hidden = !this.on;
     if (state.timer) play();
-    if (state.spin) spin();
-    for (const id of ["play", "spin", "progress", "crank"]) $(id).disabled = this.on;
+    if (state.spin) spin(false);
+    for (const id of ["play", "progress"]) $(id).disabled = this.on;
     if (this.on) {
       const from = this.over ? 0 : state.frame; // a practice that is done begins anew
       Object.assign(this, { stage: 0, tries: 0, good: 0, asked: 0, said: null, done: [], over: false });
@@ -32,7 +32,7 @@ const practice = {
   },
   get now() { return this.order[this.stage]; },
   open() { // a new task: the drawing as far as it was, in the lesson's own position
-    state.index = data.drive.at;
+    live.reset();
     state.frame = this.task.frame;
     this.order = this.stages;
     this.stage = this.tries = 0;
@@ -79,10 +79,10 @@ const practice = {
   },
   mark(label) { const full = label.slice(label.lastIndexOf(":") + 1); return `⟨${full.replace("°", "")}⟩`; },
   paint() { // the question, and what may be clicked
-    const box = $("task"), f = this.frame, text = t => sentence(t, state.index, f.plan);
+    const box = $("task"), f = this.frame, text = t => sentence(t, f.plan);
     for (const id of ["scheme", "plan"]) {
       $(id).classList.remove("place");
-      $(id).setAttribute("aria-label", filled(this.question(), state.index).replace(/[⟨⟩]/g, "")); // and not the answer
+      $(id).setAttribute("aria-label", plain(this.question())); // and not the answer
     }
     $("back").disabled = this.index === 0; $("next").disabled = this.index + 1 >= data.practice.length;
     $("number").textContent = `${this.index + 1} / ${data.practice.length}`;
@@ -105,8 +105,8 @@ const practice = {
       body = Object.keys(this.goal()).map(n => `<button type="button" class="term known${this.given(n)}" data-do="known" data-term="${n}" aria-label="${n}: ${this.given(n)}"><b>${html(n)}</b></button>`).join("") + button("check", say("check"));
     } else if (this.now === "direction") body = this.rays().map((_, k) => button("ray" + k, k + 1)).join("");
     else if (this.now === "length") {
-      const given = this.frame.values.map(n => `⟨${n}⟩ = ⟦v¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; "), mu = data.plans.find(p => p.key === this.frame.plan).mu[state.lang];
-      body = `<span>${sentence(given, state.index, this.frame.plan)}; μ = ${mu}</span><input id="length" type="text" inputmode="decimal" aria-label="${say("millimetres")}"> ${say("millimetres")} ${button("length", say("check"))}`;
+      const given = this.frame.values.map(n => `⟨${n}⟩ = ⟦v¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; "), mu = filled(data.plans.find(p => p.key === this.frame.plan).mu[state.lang]);
+      body = `<span>${sentence(given, this.frame.plan)}; μ = ${mu}</span><input id="length" type="text" inputmode="decimal" aria-label="${say("millimetres")}"> ${say("millimetres")} ${button("length", say("check"))}`;
     } else if (this.now.startsWith("line")) {
       body = t.lines[+this.now.slice(4)].options.map((o, k) => button("line" + k, o.text)).join("");
     } else body = this.list ? this.spots().map((_, k) => button("spot" + k, k + 1)).join("") : button("list", say("list"));
@@ -117,7 +117,7 @@ const practice = {
     return [0, 1, 2, 3].map(k => ({ quarter: k, angle: (((a + 90 * k) % 360) + 360) % 360 })).sort((x, y) => x.angle - y.angle);
   },
   spots() { // the right place among those of the mistakes, each once, from left to right
-    const at = plan.at(this.task.mark, state.index), same = (v, w) => v.at[0] === w.at[0] && v.at[1] === w.at[1];
+    const at = plan.at(this.task.mark), same = (v, w) => v.at[0] === w.at[0] && v.at[1] === w.at[1];
     const near = this.task.places.filter((w, k, all) => this.inside(w.at) && all.findIndex(v => same(v, w)) === k).slice(0, 5);
     return [{ at, right: true }, ...near].sort((a, b) => a.at[0] - b.at[0]);
   },
@@ -129,7 +129,7 @@ const practice = {
       svg("text", { x: q[0], y: q[1] + 4.5, "text-anchor": "middle", class: "choice-text" }, p.node).textContent = label;
     };
     if (this.now === "direction") {
-      const a = p.px(p.at(t.start, state.index));
+      const a = p.px(p.at(t.start));
       this.rays().forEach((r, k) => {
         const c = Math.cos(r.angle * Math.PI / 180), s = -Math.sin(r.angle * Math.PI / 180);
         p.arrow(a, [a[0] + 64 * c, a[1] + 64 * s], "ask");
@@ -137,13 +137,13 @@ const practice = {
       });
     }
     if (this.now === "place") {
-      const q = p.px(p.at(t.mark, state.index)), far = 1.5 * (p.w + p.h);
+      const q = p.px(p.at(t.mark)), far = 1.5 * (p.w + p.h);
       for (const n of (data.traces[t.mark] || {}).lines || []) {
-        const a = p.at(n, state.index) && p.px(p.at(n, state.index)), d = a ? Math.hypot(q[0] - a[0], q[1] - a[1]) : 0;
+        const a = p.at(n) && p.px(p.at(n)), d = a ? Math.hypot(q[0] - a[0], q[1] - a[1]) : 0;
         if (d > 0.5) p.line([a[0] - (q[0] - a[0]) * far / d, a[1] - (q[1] - a[1]) * far / d], [a[0] + (q[0] - a[0]) * far / d, a[1] + (q[1] - a[1]) * far / d], "trace", "", false);
       }
       for (const n of (data.traces[t.mark] || {}).arcs || []) {
-        const a = p.px(p.at(n, state.index));
+        const a = p.px(p.at(n));
         svg("circle", { cx: a[0], cy: a[1], r: Math.hypot(q[0] - a[0], q[1] - a[1]), class: "trace" }, p.node);
       }
       if (this.list) this.spots().forEach((s, k) => circle(p.px(s.at), k + 1, "spot" + k));
@@ -177,7 +177,7 @@ const practice = {
   click(event) {
     if (!this.on || this.over || this.now !== "place" || this.list) return;
     const p = this.panel(), r = p.node.getBoundingClientRect(), at = p.mm([event.clientX - r.left, event.clientY - r.top]);
-    const right = p.at(this.task.mark, state.index), reach = Math.max(CLOSE_MM, CLOSE_PX / p.k);
+    const right = p.at(this.task.mark), reach = Math.max(CLOSE_MM, CLOSE_PX / p.k);
     const off = q => Math.hypot(q[0] - at[0], q[1] - at[1]) / reach;
     this.answer(off(right) <= 1, this.named(this.task.places, w => off(w.at) / 1.4));
   },
@@ -197,4 +197,6 @@ for (const [id, by] of [["back", -1], ["next", 1]]) $(id).addEventListener("clic
   Object.assign(practice, { said: null, over: false });
   practice.open();
 }, true);
-readAddress(); language(); draw();
+readAddress();
+language();
+draw();

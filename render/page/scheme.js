@@ -5,38 +5,28 @@ class Scheme extends Figure {
   constructor(node, data, size) {
     super(node, data, size);
     this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !data.helpers.includes(n));
-    this.common = this.usual();
   }
-  usual() { // what is in view in most positions; the rest is followed as it leaves
-    const boxes = this.data.drive.values.map((_, i) => this.box(this.names, i)).filter((b, i) => b && !this.data.failed[i]);
-    const own = this.box(this.names, this.data.drive.at);
-    const part = (k, share) => boxes.map(b => b[k]).sort((a, b) => a - b)[Math.floor(share * (boxes.length - 1))];
-    if (!boxes.length) return own;
-    const usual = union(own, [part(0, 0.12), part(1, 0.12), part(2, 0.88), part(3, 0.88)]);
-    const side = 0.95 * Math.max(own[2] - own[0], own[3] - own[1]), mx = (own[0] + own[2]) / 2, my = (own[1] + own[3]) / 2;
-    return union(own, [Math.max(usual[0], mx - side), Math.max(usual[1], my - side), Math.min(usual[2], mx + side), Math.min(usual[3], my + side)]);
-  }
-  draw(i, seen, frame) {
-    const { scheme, turned } = this.data, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
-    const now = this.box(this.names.filter(n => seen.has(n)), i);
-    this.start(now ? union(this.common, now) : this.common);
-    const there = n => seen.has(n) && this.at(n, i) && this.px(this.at(n, i));
-    for (const g of scheme.guides) this.guide(g, there(g.mark), (turned["∥" + g.name] || [])[i], i, there);
+  draw(seen, frame) {
+    const { scheme } = this.data, common = live.usual, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
+    const now = this.box(this.names.filter(n => seen.has(n)));
+    this.start(now ? union(common, now) : common);
+    const there = n => seen.has(n) && this.at(n) && this.px(this.at(n));
+    for (const g of scheme.guides) this.guide(g, there(g.mark), live.angle("∥" + g.name), there);
     for (const l of scheme.links) this.link(l, there);
-    for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), (turned["∥" + l.slides] || [])[i]);
+    for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), live.angle("∥" + l.slides));
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
     this.hinges(there, lit);
-    if (frame && frame.moments !== null && frame.plan === "position") this.forces(this.data.moments[frame.moments], i, frame.terms);
-    for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m, i);
+    if (frame && frame.moments !== null && frame.plan === "position") this.forces(this.data.moments[frame.moments], frame.terms);
+    for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots])];
-    for (const g of this.groups(joints.filter(n => seen.has(n)), i, 6)) {
+    for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
       this.beside(g.q, g.names, "position", 9).dataset.name = g.names.map(n => "position:" + n).join(" ");
     }
   }
-  guide(g, p, angle, i, there) {
+  guide(g, p, angle, there) {
     if (!p || angle == null) return;
     const c = Math.cos(angle * Math.PI / 180), s = -Math.sin(angle * Math.PI / 180), fixed = g.link === "0";
-    let [lo, hi] = g.reach;
+    let [lo, hi] = live.reach[g.name];
     for (const l of this.data.scheme.links) if (l.slides === g.name) { // never short of its slider
       const q = there(l.points[0]);
       if (q) { const t = ((q[0] - p[0]) * c + (q[1] - p[1]) * s) / this.k; lo = Math.min(lo, t); hi = Math.max(hi, t); }
@@ -85,14 +75,14 @@ class Scheme extends Figure {
     svg("path", { class: "hatch", d: d + `M${x - 15 * u} ${y + 19 * u}h${30 * u}` }, this.node);
     this.strokes.push([[x, y], [x - 11 * u, y + 19 * u]], [[x, y], [x + 11 * u, y + 19 * u]], [[x - 11 * u, y + 19 * u], [x + 11 * u, y + 19 * u]]);
   }
-  forces(m, i, terms) { // each force where it acts, its arm to the point of the moments; not to scale
-    const about = this.at(m.about, i) && this.px(this.at(m.about, i)), beside = {};
+  forces(m, terms) { // each force where it acts, its arm to the point of the moments; not to scale
+    const about = this.at(m.about) && this.px(this.at(m.about)), beside = {};
     for (const f of m.forces) {
-      const p = this.at(f.mark, i) && this.px(this.at(f.mark, i)), angle = (this.data.turned[f.along] || [])[i];
+      const p = this.at(f.mark) && this.px(this.at(f.mark)), angle = live.angle(f.along);
       if (!p || angle == null || !terms.includes(f.name)) continue;
-      const size = value(this.data, f.size, i), back = size < 0 ? -1 : 1;
+      const size = live.value(f.size), back = size < 0 ? -1 : 1;
       const c = back * Math.cos(angle * Math.PI / 180), s = -back * Math.sin(angle * Math.PI / 180), long = this.size ? 34 : 52;
-      const foot = f.foot && this.at(f.foot, i) && this.px(this.at(f.foot, i));
+      const foot = f.foot && this.at(f.foot) && this.px(this.at(f.foot));
       const key = `${p.map(Math.round)}${Math.round(angle * back)}`;
       beside[key] = (beside[key] || 0) + 1;
       const shift = (beside[key] - 1) * 5, a = [p[0] - s * shift, p[1] + c * shift], b = [a[0] + c * long, a[1] + s * long];
@@ -105,10 +95,6 @@ class Scheme extends Figure {
     }
     if (about) svg("circle", { cx: about[0], cy: about[1], r: 8, class: "about" }, this.node);
   }
-}
-function value(data, name, i) {
-  const v = data.values[name];
-  return Array.isArray(v) ? v[i] : v === undefined ? null : v;
 }
 function hull(points) { // the outline of a link of three points or more; of points in line, the two ends
   const p = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);

@@ -1,12 +1,7 @@
 "use strict";
 // Reads a tape: plain arithmetic in a straight line, exported with the drawing. Values forwards, slopes backwards.
 
-const OPERATIONS = {
-  add: (a, b) => a + b, sub: (a, b) => a - b, mul: (a, b) => a * b, inv: a => 1 / a, neg: a => -a, abs: Math.abs,
-  sqrt: a => Math.sqrt(Math.max(a, 0)), hypot: Math.hypot, sin: Math.sin, cos: Math.cos, atan2: Math.atan2, floor: Math.floor,
-  max: Math.max, min: Math.min, sel: (ok, a, b) => ok ? a : b, lt: (a, b) => +(a < b), le: (a, b) => +(a <= b),
-  eq: (a, b) => +(a === b), and: (a, b) => +(a && b), or: (a, b) => +(a || b), not: a => +!a,
-};
+const CODES = ["add", "sub", "mul", "inv", "neg", "abs", "sqrt", "hypot", "sin", "cos", "atan2", "floor", "max", "min", "sel", "lt", "le", "eq", "and", "or", "not"];
 const SLOPES = { // of an operation's result with respect to each of its arguments
   add: () => [1, 1], sub: () => [1, -1], mul: (v, a, b) => [b, a], inv: v => [-v * v], neg: () => [-1], abs: (v, a) => [Math.sign(a)],
   sqrt: v => [v ? 0.5 / v : 0], hypot: (v, a, b) => v ? [a / v, b / v] : [0, 0], sin: (v, a) => [Math.cos(a)], cos: (v, a) => [-Math.sin(a)],
@@ -14,22 +9,49 @@ const SLOPES = { // of an operation's result with respect to each of its argumen
   max: (v, a, b) => a >= b ? [1, 0] : [0, 1], min: (v, a, b) => a <= b ? [1, 0] : [0, 1], sel: (v, ok) => ok ? [0, 1, 0] : [0, 0, 1],
 };
 
+function made(code, x, y, z) { // by the operations after the third
+  switch (code) {
+    case 3: return 1 / x;
+    case 4: return -x;
+    case 5: return Math.abs(x);
+    case 6: return x < 0 ? 0 : Math.sqrt(x);
+    case 7: return Math.hypot(x, y);
+    case 8: return Math.sin(x);
+    case 9: return Math.cos(x);
+    case 10: return Math.atan2(x, y);
+    case 11: return Math.floor(x);
+    case 12: return Math.max(x, y);
+    case 13: return Math.min(x, y);
+    case 14: return x ? y : z;
+    case 15: return +(x < y);
+    case 16: return +(x <= y);
+    case 17: return +(x === y);
+    case 18: return +(x && y);
+    case 19: return +(x || y);
+    default: return +!x;
+  }
+}
+
 class Tape {
   constructor(data) {
     Object.assign(this, data);
     this.values = new Float64Array(data.ops.length);
     this.slope = new Float64Array(data.ops.length);
+    this.code = Int32Array.from(data.ops.flatMap(([op, ...args], p) => {
+      const code = CODES.indexOf(data.names[op]);
+      return code < 0 ? [] : [code, p, args[0], args[1] ?? 0, args[2] ?? 0];
+    }));
     for (const p in data.consts) this.values[p] = data.consts[p] === null ? NaN : data.consts[p];
   }
   run(given) { // sources of error are nothing
     for (const name in this.givens) this.values[this.givens[name]] = given[name];
-    const v = this.values;
-    this.ops.forEach(([op, ...args], p) => {
-      const made = OPERATIONS[this.names[op]];
-      if (made) v[p] = made(...args.map(a => v[a]));
-    });
+    const v = this.values, c = this.code;
+    for (let k = 0; k < c.length; k += 5) {
+      const x = v[c[k + 2]], y = v[c[k + 3]];
+      v[c[k + 1]] = c[k] < 3 ? (c[k] === 0 ? x + y : c[k] === 1 ? x - y : x * y) : made(c[k], x, y, v[c[k + 4]]);
+    }
   }
-  errors(place) { // how far each source's own error, of its size, moves the number at a place
+  slopes(place) { // of the number at a place, with respect to every number of the tape
     const g = this.slope.fill(0), v = this.values;
     g[place] = 1;
     for (let p = place; p >= 0; p--) {
@@ -38,6 +60,10 @@ class Tape {
       if (!slopes) continue;
       slopes(v[p], ...args.map(a => v[a])).forEach((s, k) => { if (s) g[args[k]] += s * g[p]; });
     }
+    return g;
+  }
+  errors(place) { // how far each source's own error, of its size, moves the number at a place
+    const g = this.slopes(place);
     return this.sources.map(([p, size]) => Number.isFinite(g[p]) ? g[p] * size : 0);
   }
   miss([x, y], least) { // a vector with the covariance of its errors

@@ -4,10 +4,9 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from html import escape
-from typing import get_args
 
 from planes import words
-from planes.words import Lang, say
+from planes.words import Lang, langs, say
 from planes.words.lettering import Naming
 from planes.words.records import Json
 from planes.words.units import mm_per, number
@@ -42,8 +41,8 @@ def tagged(text: str, naming: Naming, plan: str = "") -> str:
 
 
 def written(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[tuple[str, str]]]]:
-    """Names for a page's script, in both languages: pieces of text, each lowered ("sub"), raised or neither."""
-    namings, names = [Naming(lang, **lettering) for lang in get_args(Lang)], dict.fromkeys(names)
+    """Names for a page's script, in every language: pieces of text, each lowered ("sub"), raised or neither."""
+    namings, names = [Naming(lang, **lettering) for lang in langs()], dict.fromkeys(names)
     pole = {"acceleration:p": [("π", "")]}
     return {
         n.lang: pole | {name: [(p.text, p.shift) for p in split(n.named(name), True)] for name in names}

@@ -88,16 +88,14 @@ def test_play_goes_on_by_itself(page: Any) -> None:
 
 
 @pytest.mark.few(3)
-@pytest.mark.parametrize("index", [140, 150, 163, 180, 200, 303])
-def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, index: int) -> None:
-    page.evaluate(f"state.frame = data.frames.length - 1; state.index = {index}; draw()")
+@pytest.mark.parametrize("value", [140, 150, 163.25, 180.5, 200, 303.125])
+def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, value: float) -> None:
+    page.evaluate(f"state.frame = data.frames.length - 1; turn({value}); draw()")
     scene = load(str(SIX))
     plans = plans_of(scene.mechanism)
-    drawn = position(scene, plans, None, float(index), None, "en")
+    drawn = position(scene, plans, None, float(value), None, "en")
     mus = scales(plans, scene.mu)
-    shown = page.evaluate(
-        "Object.fromEntries(data.results.map(r => [r.name, number(value(data, r.value, state.index))]))"
-    )
+    shown = page.evaluate("Object.fromEntries(data.results.map(r => [r.name, number(live.value(r.value))]))")
     for name in ("2", "3"):
         for key in ("omega", "epsilon"):
             text = shown[f"{key}_{name}"].replace(",", ".").replace("−", "-")
@@ -105,8 +103,8 @@ def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, index: int) 
     for point, letter, plan in (("C", "v", "velocity"), ("H", "a", "acceleration"), ("C", "r", "position")):
         marks = plans.points[point]
         mark = {"v": marks.velocity, "a": marks.acceleration, "r": marks.position}[letter]
-        x, y = page.evaluate(f'plan.at("{mark}", state.index)')
-        assert abs(complex(x, y) - complex(*drawn.results["points"][point][letter]) * mus[f"mu_{plan}"]) < 0.1
+        x, y = page.evaluate(f'live.at("{mark}")')
+        assert abs(complex(x, y) - complex(*drawn.results["points"][point][letter]) * mus[f"mu_{plan}"]) < 1e-6
 
 
 @pytest.mark.slow
@@ -120,14 +118,18 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
     target.write_text(written(exported, "en"), encoding="utf-8")
     page = browser.new_page()
     page.goto(target.as_uri())
-    plans, mus = plans_of(scene.mechanism), exported["mus"]
-    teller = Teller(plans, run(plans.program, {**plans.given, **mus}), mus)
+    plans, drive = plans_of(scene.mechanism), exported["drive"]
+    mus = {n: z for n, z in exported["home"].items() if n.startswith("mu_")}
+    teller = Teller(plans, run(plans.program, {**plans.given, **mus}))
     teller.frames()
-    for index in [i for i in range(0, 360, 23) if str(i) not in exported["failed"]]:
-        there = run(plans.program, {**plans.given, **mus, plans.drive_given: exported["drive"]["values"][index]})
+    for value in [drive["from"] + k * (drive["to"] - drive["from"]) / 17.3 for k in range(17)]:
+        page.evaluate(f"live.set({{[data.drive.given]: {value!r}}})")
+        if page.evaluate("live.failed"):
+            continue
+        there = run(plans.program, {**plans.given, **mus, plans.drive_given: value})
         for lang in LANGS:
             page.evaluate(f"state.lang = '{lang}'")
-            shown = page.evaluate(f"data.frames.map(f => filled(f.said['{lang}'], {index}))")
+            shown = page.evaluate(f"data.frames.map(f => filled(f.said['{lang}']))")
             read = partial(value_of, teller=teller, drawing=there)
             assert shown == [fill(f["said"][lang], read, lang) for f in exported["frames"]]
     page.close()
@@ -154,6 +156,61 @@ def test_where_the_method_fails_the_page_says_why(page: Any) -> None:
     page.evaluate("turn(40)")
     until(page, "document.getElementById('zone').className === 'bad'")
     assert "φ = 40°" in page.inner_text("#zone")
+
+
+def test_a_number_that_is_typed_changes_everything(page: Any) -> None:
+    page.evaluate("go(19)")
+    page.click("#dims summary")
+    before = page.inner_html("#plan")
+    page.fill('#knobs input[type=text][data-given="l_BC"]', "0,32")
+    until(page, "live.value('l_BC') === 0.32")
+    page.fill("#exact", "163,25")
+    page.keyboard.press("Enter")
+    until(page, "document.getElementById('value').textContent === 'φ = 163,3°'")
+    assert page.inner_html("#plan") != before
+    until(page, "location.hash.includes('&at=163.25&') && location.hash.endsWith('&l_BC=0.32')")
+    page.fill('#knobs input[type=text][data-given="l_BC"]', "0,05")
+    until(page, "document.getElementById('zone').className === 'bad'")
+    assert "l_BC" in page.inner_text("#zone") and not re.search("NaN|undefined", page.inner_text("main"))
+    page.fill('#knobs input[type=text][data-given="l_BC"]', "-1")
+    assert page.evaluate("live.given.l_BC") == 0.05
+    page.click("#home")
+    until(page, "live.at_home && document.getElementById('zone').className === ''")
+
+
+@pytest.mark.parametrize(
+    ("figure", "frame", "mark", "by", "free"),
+    [
+        ("scheme", 19, "position:C", (14, -9), ""),
+        ("scheme", 19, "position:D", (-8, 11), ""),
+        ("plan", 19, "acceleration:c'", (-12, 25), ""),
+        ("plan", 12, "velocity:c", (9, 7), "l_DC"),
+        ("plan", 45, "force:2-3:G_2", (0, -15), ""),
+    ],
+)
+def test_the_mechanism_follows_what_is_dragged(page: Any, figure, frame, mark, by, free) -> None:
+    page.evaluate(f"go({frame}); document.getElementById('free').value = '{free}'")
+    box = page.locator(f"#{figure}").bounding_box()
+    x, y = page.evaluate(f"{figure}.px(live.at({mark!r}))")
+    page.mouse.move(box["x"] + x, box["y"] + y)
+    page.mouse.down()
+    for k in range(1, 9):
+        page.mouse.move(box["x"] + x + by[0] * k / 8, box["y"] + y + by[1] * k / 8)
+    wanted = page.evaluate(f"{figure}.mm([{x + by[0]}, {y + by[1]}])")
+    page.mouse.up()
+    found = page.evaluate(f"live.at({mark!r})")
+    assert abs(complex(*found) - complex(*wanted)) < 0.01
+    assert "изменяем" in page.inner_text("#follow") and not page.evaluate("live.at_home")
+
+
+def test_what_cannot_follow_says_by_how_much(page: Any) -> None:
+    page.evaluate("go(12); document.getElementById('free').value = 'm_5'")
+    short = page.evaluate("drag(plan, 'velocity:c', live.at('velocity:c').map(v => v + 40))")
+    assert short > 0.01 and "не хватает" in page.inner_text("#follow")
+    assert str(round(short, 2)).replace(".", ",") in page.inner_text("#follow")
+    assert "стоит на месте" in page.evaluate(
+        "drag(plan, 'velocity:p', [9, 9]), document.getElementById('follow').innerText"
+    )
 
 
 def test_the_language_switches_everything(page: Any) -> None:
@@ -231,8 +288,8 @@ def test_practice_stays_with_its_drawing(page: Any, lesson: str) -> None:
     page.click("#spin")
     page.click("#play")
     page.click("#practise")
-    assert page.evaluate("[state.spin, state.timer, state.index === data.drive.at]") == [0, 0, True]
-    for control in ("spin", "play", "progress", "crank", "home"):
+    assert page.evaluate("[state.spin, state.timer, live.at_home]") == [0, 0, True]
+    for control in ("spin", "play", "progress", "crank", "exact", "home"):
         assert page.is_disabled(f"#{control}"), control
     asked = page.inner_text("#task h2")
     assert page.get_attribute("#plan", "aria-label") == page.get_attribute("#scheme", "aria-label")
@@ -246,7 +303,7 @@ def test_practice_stays_with_its_drawing(page: Any, lesson: str) -> None:
     page.evaluate("practice.over = true; draw()")
     page.click("#next")
     assert "закончено" not in page.inner_text("#task")
-    page.evaluate("location.hash = '#step=3&at=170'")
+    page.evaluate("location.hash = '#step=3&at=170.5'")
     page.wait_for_function("!practice.on")
     assert page.inner_text("#number").startswith("3 /") and page.is_visible("#told") and page.is_enabled("#crank")
 
@@ -265,7 +322,7 @@ def test_practice_by_clicking_the_crossing(page: Any) -> None:
         page.click(f"#task [data-do=line{right}]")
     click(page, "practice.task.places.find(w => w.mistake === 'relative_from_pole').at")
     assert "в обход полюса" in page.inner_text("#task .said")
-    click(page, "plan.at('velocity:c', state.index)")
+    click(page, "plan.at('velocity:c')")
     assert "✓" in page.inner_text("#task .said") and page.evaluate("practice.task.mark") == "velocity:s2"
 
 
@@ -332,7 +389,9 @@ def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: 
     errors = watched(page)
     page.goto(target.as_uri())
     page.evaluate("data.frames.forEach((_, k) => go(k))")
-    page.evaluate("for (let i = 0; i < data.drive.values.length; i += 5) { state.index = i; draw(); }")
+    page.evaluate(
+        "for (let k = 0; k < 72; k++) { turn(data.drive.from + k * (data.drive.to - data.drive.from) / 71.7); draw(); }"
+    )
     page.evaluate(
         "practice.toggle(); data.practice.forEach((_, k) => { practice.index = k; practice.open(); "
         "practice.order.forEach((_, s) => { practice.stage = s; draw(); }); })"
@@ -353,7 +412,7 @@ def test_a_turn_of_the_crank_draws_little(browser: Any, lesson: str) -> None:
         let work = 0;
         const looker = new MutationObserver(seen => seen.forEach(r => { work += r.addedNodes.length || 1; }));
         looker.observe(document.body, { childList: true, subtree: true, attributes: true });
-        for (let k = 0; k < 20; k++) { state.index = 5 * k; draw(); await new Promise(done => setTimeout(done)); }
+        for (let k = 0; k < 20; k++) { turn(5 * k); draw(); await new Promise(done => setTimeout(done)); }
         return work / 20;
     }""")
     page.close()

@@ -281,7 +281,7 @@ def test_the_page_reads_every_operation_of_a_tape() -> None:
         bench = found.bench if found else prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
         tape, _ = retrace(grading, variants_of(bench, grading.hand.taken, grading.mu))
         names = set(tape["names"]) - LEAVES
-        assert names and all(re.search(rf"\b{n}:", values) for n in names), names
+        assert names and all(f'"{n}"' in values for n in names), names
         assert all(re.search(rf"\b{n}:", slopes) for n in names - TESTS)
 
 

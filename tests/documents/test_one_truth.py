@@ -9,6 +9,7 @@ from planes.course.papers import answers
 from planes.documents.lesson import placed
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
+from planes.lesson.formulas import fill
 from planes.lesson.note import Note
 from planes.plans.measuring import formula_of, lettering
 from planes.scene import Scene, load
@@ -63,7 +64,11 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
     key = told(list(answers(scene, drawn, ("",), (), "ru")))
     for plan, mu in {p: drawn.scales[mu_of(p)] for p in drawn.plans.drawn if p not in ("lever", "motion")}.items():
         assert prepare(Asked(scene, plan)).said_mu == mu
-        assert all(p["mu"]["ru"] == told_mu(mu, plan) for p in lesson["plans"] if p["key"] == plan)
+        assert all(
+            fill(p["mu"]["ru"], lesson["home"].__getitem__, "ru") == told_mu(mu, plan)
+            for p in lesson["plans"]
+            if p["key"] == plan
+        )
         titles = [v.title for sheet in sheets.values() for v, *_ in sheet.views if v.key in (plan, SCHEMES.get(plan))]
         assert all(told_mu(mu, plan) in title for title in titles), (plan, titles)
         if plan in ("velocity", "acceleration"):

@@ -24,7 +24,7 @@ SCENES = sorted(p for f in ("", "assignments") for p in (ROOT / "samples" / f).g
 def test_every_number_is_found_before_it_is_used(path):
     position = solve(load(path)).positions[0]
     plans = position.plans
-    teller = Teller(plans, position.drawing, position.scales)
+    teller = Teller(plans, position.drawing)
     zero = {m.unknown for m in plans.moments if m.arm}  # told by its equation, a number or nothing
     told = {*plans.given, *load_names(plans.mechanism)}
     for frame in teller.frames():

@@ -6,31 +6,23 @@ mechanics: values give the misses, slopes with respect to the sources their tole
 """
 
 import math
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Container, Iterable
 from dataclasses import dataclass
 
+from planes.batch.plain_tape import PlainRecording, exported
 from planes.batch.symbols import Num, Vec, place_of
 from planes.batch.tape import Tape
-from planes.batch.tracing import Recording, Source, TracingTool
+from planes.batch.tracing import Source, TracingTool
 from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import Person, Variant
 from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Same
 from planes.drafting.tools import Env
-from planes.geometry.arithmetic import Real, Truth
+from planes.geometry.arithmetic import Truth
 from planes.words.records import Json
 
 Places = dict[str, tuple[int, int]]  # on a tape, x and y of what each mark misses by
 SURELY_MM = 0.2  # how surely a person places a mark on the screen
-
-
-class _Plain(Recording):
-    """The arithmetic of a page: what is only there for the last digits is done without."""
-
-    def gap(self, c: Vec, d: Vec, r: Num, s: Num) -> Real:
-        """(r + s)² - |d - c|²."""
-        way = d - c
-        return (r + s) * (r + s) - (way.real * way.real + way.imag * way.imag)
 
 
 @dataclass
@@ -62,7 +54,7 @@ class _Desk:
         late = [m for m in grading.marks if m not in hand.taken]
         self.program, self.taken = hand.program, hand.taken
         self.tape = Tape()
-        self.tool = _TapeHand(_Plain(), True, tape=self.tape, errors=errors, late=late)
+        self.tool = _TapeHand(PlainRecording(), True, tape=self.tape, errors=errors, late=late)
         self.own = {mark: self._read(mark) for mark in (*hand.taken, *late) if mark in hand.program.made}
         self.tool.own, self.tool.values = self.own, hand.given
         self.things: Env = dict(hand.given)
@@ -90,21 +82,7 @@ def retrace(grading: Grading, variants: Iterable[Variant]) -> tuple[Json, list[P
     the plan as it is, then under each mistake. What nothing depends on goes, and places are counted anew."""
     desk = _Desk(grading)
     found = [desk.misses(grading.marks, way) for way in (None, *variants)]
-    order = desk.tape.needed([place for one in found for pair in one.values() for place in pair])
-    new = {place: k for k, place in enumerate(order)}
+    wanted = [place for one in found for pair in one.values() for place in pair]
+    told, new = exported(desk.tape, wanted, desk.tool.sources)
     places = [{m: (new[x], new[y]) for m, (x, y) in one.items()} for one in found]
-    return _exported(desk.tape, new, desk.tool.sources), places
-
-
-def _exported(tape: Tape, new: Mapping[int, int], sources: Iterable[Source]) -> Json:
-    """Names of operations, [operation, arguments…] in order, constants, givens, sources; by the ``new`` places."""
-    ops, values = [tape.ops[place] for place in new], [(p, v) for p, v in tape.values.items() if p in new]
-    names = sorted({op for op, _ in ops})
-    consts = [(p, v) for p, v in values if tape.ops[p][0] == "const"]
-    return {
-        "names": names,
-        "ops": [[names.index(op), *(new[a] for a in args)] for op, args in ops],
-        "consts": {new[p]: float(v) if math.isfinite(v) else None for p, v in consts},
-        "givens": {v: new[p] for p, v in values if tape.ops[p][0] == "given"},
-        "sources": [[new[s.place], s.size] for s in sources if s.place in new],
-    }
+    return told, places

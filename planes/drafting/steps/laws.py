@@ -50,17 +50,17 @@ class Follow(Step):
     def _told(self, inside: Truth, found: Real, tool: Tool) -> None:
         """Fail beyond the table: of one position with its numbers, which have signs."""
         if tool.many or inside:
-            tool.require(inside, self, "law_beyond")
+            tool.require(inside, self, "law_beyond", value=found)
             return
+        raise PlanFailure(
+            "law_beyond", makes=name_in_words(self.makes), line=self.line, value=float(found), **self.ends
+        )
+
+    @property
+    def ends(self) -> dict[str, object]:
+        """What the table goes over, and from where to where."""
         table = self.law.table
-        said: dict[str, object] = {
-            "value": float(found),
-            "first": table[0][0],
-            "last": table[-1][0],
-            "over": self.law.text,
-        }
-        said["line"] = self.line
-        raise PlanFailure("law_beyond", makes=name_in_words(self.makes), **said)
+        return {"over": self.law.text, "first": table[0][0], "last": table[-1][0]} if table else {}
 
 
 @dataclass(frozen=True)

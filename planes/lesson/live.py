@@ -1,0 +1,153 @@
+"""The program of a lesson as a page runs it: a tape of all that is shown, and the given numbers a reader may change."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import numpy
+
+from planes.batch.plain_tape import PlainRecording, exported
+from planes.batch.symbols import place_of
+from planes.batch.tape import Tape
+from planes.batch.tracing import TracingTool, given_on, given_values
+from planes.drafting.drawing import Drawing, draw_steps
+from planes.drafting.program import Program
+from planes.drafting.steps import LayOff, Put, Step
+from planes.drafting.steps.crossings import CrossArc, CrossArcs
+from planes.drafting.tools import Thing, names_of
+from planes.geometry.arrays import Array, Complexes
+from planes.lesson.formulas import slot, unit
+from planes.lesson.frame import in_both
+from planes.plans import Plans
+from planes.words import Lang, Phrase, say
+from planes.words.names import mu_of, parts_of, plan_of
+from planes.words.records import Json
+
+CARRIED = ("velocity", "motion", "lever")
+"""Plans of one scale: the lever's segments are carried from one of velocities."""
+SHAKEN = 0.07  # of itself: how far a number is changed to see which terms are nothing whatever it is
+
+
+class Live:
+    """Every step drawn once on a tape, all that is given free."""
+
+    def __init__(self, program: Program, given: Mapping[str, Thing]) -> None:
+        self.tape = Tape()
+        self.tool = TracingTool(PlainRecording(), True, tape=self.tape)
+        things = {n: given_on(self.tape, n, z) for n, z in given.items()}
+        draw_steps(program.steps, things, self.tool)
+        self.drawing = Drawing(program, things, self.tool)
+        self.numbers: dict[str, Thing] = {}  # that sentences of failures tell
+
+    def failures(self, drive: str, symbol: str) -> list[tuple[Thing, dict[Lang, str]]]:
+        """What must hold, in the order of the drawing, and what is said where it does not."""
+        found = []
+        for k, (reason, step, ok, numbers) in enumerate(self.tool.failures):
+            told = {**getattr(step, "ends", {}), **{n: slot(f"!{n}_{k}") for n in numbers}}
+            self.numbers |= {f"!{n}_{k}": x if n == "value" else abs(x) for n, x in numbers.items()}
+            why = Phrase(reason, **names_of(step), **told)
+            where = slot(drive, "k") + "°" * (symbol == "φ")
+            found.append((ok, in_both(partial(say, "at", name=symbol, value=where, why=why, nearest=""))))
+        return found
+
+    def exported(self, things: Mapping[str, Mapping[str, Thing]]) -> tuple[Json, Json]:
+        """The tape, and the places on it of everything by group and name: one of a number, two of a mark."""
+        old = {group: {n: self._places(z) for n, z in them.items()} for group, them in things.items()}
+        told, new = exported(self.tape, [p for them in old.values() for places in them.values() for p in places])
+        del told["sources"]
+        flat = {
+            group: {n: new[p[0]] if len(p) == 1 else [new[q] for q in p] for n, p in them.items()}
+            for group, them in old.items()
+        }
+        return told, flat
+
+    def _places(self, thing: Thing) -> list[int]:
+        """Of a mark or a direction its two coordinates."""
+        parts = [thing.real, thing.imag] if hasattr(thing, "conjugate") and not isinstance(thing, float) else [thing]
+        return [place_of(self.tape, x) for x in parts]
+
+
+@dataclass(frozen=True)
+class Knobs:
+    """Which given numbers a reader may change, and what dragging a mark changes."""
+
+    plans: Plans
+    given: Mapping[str, Thing]
+
+    def home(self) -> dict[str, float]:
+        """Every number of the tape as the scene has it."""
+        return {n: float(z) for n, z in given_values(self.given).items()}
+
+    def all(self) -> list[Json]:
+        """Each with its name, its unit and what it is in the scene; ``tied`` are those that change with it, as what
+        power of it."""
+        used, found = {*self.plans.program.givens}, []
+        for name, value in self.home().items():
+            given, _, axis = name.partition(".")
+            plan = next((p for p in self.plans.drawn if mu_of(p) == given), None)
+            told = "" if plan else self.told(given, axis)
+            if value and given in used and (told or plan not in (None, *CARRIED[1:])):
+                kind = {"plan": plan} if plan else {"name": told, "unit": in_both(partial(unit, told))}
+                found.append({"given": name, "at": value, "tied": self.tied(given), **kind})
+        return found
+
+    def tied(self, given: str) -> dict[str, int]:
+        """What changes with a number: with a scale those of the plans carried from one another, with a length the
+        ratios of it to the length of its link, or of others to it."""
+        if given in (same := [mu_of(p) for p in CARRIED if mu_of(p) in self.given]):
+            return {mu: 1 for mu in same if mu != given}
+        means = self.plans.means.get(given)
+        if means is None or means.quantity != "length":
+            return {}
+        mine = [m for n, m in self.plans.means.items() if m.quantity == "length" and m.link == means.link]
+        laid = {f"ratio_{p}_{m.link}": p for m in mine for p in (m.of, m.about)}
+        ratios = {n: p for n, p in laid.items() if n in self.given}
+        own = {n: 1 for n, p in ratios.items() if p in (means.of, means.about)} or dict.fromkeys(ratios, -1)
+        return {f"{n}.{axis}": power for n, power in own.items() for axis in "xy" if f"{n}.{axis}" in self.home()}
+
+    def shaken(self, count: int) -> dict[str, Array | Complexes]:
+        """Given numbers by many others near them, but those that are nothing: an array for each."""
+        draw, flat = numpy.random.default_rng(1), {n: numpy.full(count, v) for n, v in self.home().items()}
+        for knob in self.all():
+            times = 1 + SHAKEN * draw.uniform(-1, 1, count)
+            for name, power in {knob["given"]: 1, **knob["tied"]}.items():
+                flat[name] = flat[name] * times**power
+        whole = {
+            n: flat[f"{n}.x"] + 1j * flat[f"{n}.y"] if isinstance(z, complex) else flat[n]
+            for n, z in self.given.items()
+        }
+        return {n: z for n, z in whole.items() if numpy.ptp(abs(z)) > 0}
+
+    def told(self, given: str, axis: str) -> str:
+        """The name a number is told by, "" where it is not offered."""
+        means, letter = self.plans.means.get(given), parts_of(given)[0]
+        if means and means.quantity in ("load", "couple"):
+            return means.of
+        if means and means.quantity == "place":
+            return f"{axis}_{parts_of(given)[1]}" if "°" not in given else ""
+        return given if letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") else ""
+
+    def drags(self) -> dict[str, list[str]]:
+        """For each mark of the scheme the numbers that place it."""
+        free, drive = self.home(), self.plans.drive_given
+        found = {}
+        for step in self.plans.program.steps:
+            names = [n for n in self.placing(step) if free.get(n) or n == drive]
+            if plan_of(step.makes) == "position" and step.kind == "mark" and names:
+                found[step.makes] = names
+        return found
+
+    def placing(self, step: Step) -> list[str]:
+        """The numbers a step places its mark by."""
+        match step:
+            case Put() if step.at:
+                return [f"{step.at}.x", f"{step.at}.y"]
+            case LayOff():
+                turned = getattr(self.plans.program.makers.get(step.along), "of", "")
+                driven = turned == f"x_{self.plans.mechanism.drive.link}" or step.length == self.plans.drive_given
+                return [step.length, *[self.plans.drive_given] * driven]
+            case CrossArc():
+                return [step.radius]
+            case CrossArcs():
+                return [step.radius, step.other_radius]
+        return []

@@ -1,0 +1,146 @@
+"use strict";
+// The program at work: given numbers in, marks, values and failures out; what a whole turn shows; what follows a hand.
+const TURN = 360, BLUNT = Math.sin(Math.PI / 12), REACHED = 0.01;
+
+class Live {
+  constructor(data) {
+    this.data = data;
+    this.tape = new Tape(data.tape);
+    this.given = { ...data.home };
+    this.run();
+    this.scan();
+  }
+  get drive() { return this.given[this.data.drive.given]; }
+  get at_home() { return Object.entries(this.data.home).every(([n, v]) => this.given[n] === v); }
+  get altered() { return Object.keys(this.data.home).filter(n => n !== this.data.drive.given && this.given[n] !== this.data.home[n] && this.data.knobs.some(k => k.given === n)); }
+  set(numbers) { // what is tied to a number changes with it
+    for (const k of this.data.knobs) if (numbers[k.given]) {
+      for (const n in k.tied) this.given[n] *= (numbers[k.given] / this.given[k.given]) ** k.tied[n];
+      this.given[k.given] = numbers[k.given];
+    }
+    Object.assign(this.given, numbers);
+    this.run();
+  }
+  back(given) { this.given = { ...given }; this.run(); }
+  reset() { this.back(this.data.home); this.scan(); }
+  run() {
+    this.tape.run(this.given);
+    const failed = this.data.holds.find(h => !this.tape.values[h.at]);
+    this.failed = failed ? failed.said : null;
+  }
+  pair(places) {
+    const [x, y] = places ? places.map(p => this.tape.values[p]) : [NaN];
+    return Number.isFinite(x) && Number.isFinite(y) ? [x, y] : null;
+  }
+  at(mark) { return this.pair(this.data.marks[mark]); }
+  home(mark) { return this.own[mark] || null; }
+  angle(direction) {
+    const u = this.pair(this.data.turned[direction]);
+    return u && Math.atan2(u[1], u[0]) * 180 / Math.PI;
+  }
+  value(name) {
+    const v = this.tape.values[this.data.values[name]];
+    return Number.isFinite(v) ? v : null;
+  }
+  sharpness(mark) { return this.tape.values[this.data.sharp[mark]]; }
+  scan() { // a turn of the drive: where it fails or is blunt, what is in view, how far sliders run
+    const { from, to, at } = this.data.drive, now = this.drive, seen = [], rows = [];
+    for (let k = 0; k < (to > from ? TURN : 1); k++) {
+      this.set({ [this.data.drive.given]: from + k * (to - from) / TURN });
+      rows.push({ drive: this.drive, failed: this.failed, ...this.bluntest() });
+      if (!this.failed) seen.push(this.look());
+    }
+    this.zones = this.zoned(rows);
+    this.set({ [this.data.drive.given]: at });
+    if (!this.failed || !this.own) this.own = Object.fromEntries(Object.keys(this.data.marks).map(n => [n, this.at(n)]));
+    this.usual = this.view(seen.map(s => s.box));
+    this.reach = Object.fromEntries(this.data.scheme.guides.map(g => [g.name, this.spread(seen.flatMap(s => s.runs[g.name] || []))]));
+    this.set({ [this.data.drive.given]: now });
+  }
+  bluntest() {
+    let least = 1, mark = "";
+    if (!this.failed) for (const m in this.data.sharp) { const s = this.sharpness(m); if (s < least) { least = s; mark = m; } }
+    return { least, mark: least < BLUNT ? mark : "" };
+  }
+  zoned(rows) { // stretches that fail, and stretches where one mark is blunt
+    const found = [];
+    for (const r of rows) {
+      const kind = r.failed ? "bad" : r.mark ? "blunt" : "", last = found[found.length - 1];
+      if (last && last.kind === kind && last.mark === r.mark) { last.to = r.drive; last.least = Math.min(last.least, r.least); }
+      else found.push({ kind, mark: r.mark, from: r.drive, to: r.drive, least: r.least });
+    }
+    return found.filter(z => z.kind);
+  }
+  get zone() { return this.zones.find(z => z.from <= this.drive && this.drive <= z.to); }
+  nearest() { // the nearest place of a turn that works
+    const { from, to } = this.data.drive, step = (to - from) / TURN, bad = v => this.zones.some(z => z.kind === "bad" && z.from <= v && v <= z.to);
+    for (let k = 0, q = Math.round((this.drive - from) / step); k < TURN; k++) for (const side of [k, -k]) {
+      const v = from + (q + side) * step;
+      if (v >= from && v < to && !bad(v)) return v;
+    }
+    return null;
+  }
+  look() { // the scheme's box, and how far each slider stands from its guide's mark
+    const { scheme, helpers } = this.data, box = [Infinity, Infinity, -Infinity, -Infinity], runs = {};
+    for (const n in this.data.marks) {
+      const p = n.startsWith("position:") && n !== "position:p" && !helpers.includes(n) && this.at(n);
+      if (p) { box[0] = Math.min(box[0], p[0]); box[1] = Math.min(box[1], p[1]); box[2] = Math.max(box[2], p[0]); box[3] = Math.max(box[3], p[1]); }
+    }
+    for (const g of scheme.guides) for (const l of scheme.links) if (l.slides === g.name) {
+      const u = this.pair(this.data.turned["∥" + g.name]), p = this.at(l.points[0]), o = this.at(g.mark);
+      if (u && p && o) (runs[g.name] ||= []).push((p[0] - o[0]) * u[0] + (p[1] - o[1]) * u[1]);
+    }
+    return { box, runs };
+  }
+  view(boxes) { // what is in view in most positions; the rest is followed as it leaves
+    const names = Object.keys(this.data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !this.data.helpers.includes(n));
+    const own = names.map(n => this.own[n]).filter(Boolean).reduce((b, p) => union(b, [...p, ...p]), [Infinity, Infinity, -Infinity, -Infinity]);
+    if (!boxes.length) return own;
+    const part = (k, share) => quantile(boxes.map(b => b[k]), share);
+    const usual = union(own, [part(0, 0.12), part(1, 0.12), part(2, 0.88), part(3, 0.88)]);
+    const side = 0.95 * Math.max(own[2] - own[0], own[3] - own[1]), mx = (own[0] + own[2]) / 2, my = (own[1] + own[3]) / 2;
+    return union(own, [Math.max(usual[0], mx - side), Math.max(usual[1], my - side), Math.min(usual[2], mx + side), Math.min(usual[3], my + side)]);
+  }
+  spread(runs) { // from where to where along a guide, in most positions
+    const size = Math.hypot(this.usual[2] - this.usual[0], this.usual[3] - this.usual[1]);
+    if (!runs.length) return [0, 0];
+    return [Math.max(Math.min(quantile(runs, 0.08), 0), -size), Math.min(Math.max(quantile(runs, 0.92), 0), size)];
+  }
+  turns(mark, names) { // how a mark moves with each number, by as much of it as matters: two rows
+    return this.data.marks[mark].map(place => {
+      const g = this.tape.slopes(place);
+      const own = n => g[this.tape.givens[n]] || 0;
+      return names.map(n => {
+        const tied = (this.data.knobs.find(k => k.given === n) || {}).tied, s = own(n);
+        return this.size(n) * Object.entries(tied || {}).reduce((all, [t, power]) => all + own(t) * power * this.given[t] / this.given[n], s);
+      });
+    });
+  }
+  size(name) { return name === this.data.drive.given ? (this.data.drive.symbol === "φ" ? 20 : this.data.drive.to - this.data.drive.from) : Math.abs(this.data.home[name]); }
+  handle(mark) { // the number that, beside the drive, moves a mark most freely
+    const drive = this.data.drive.given, knobs = this.data.knobs.map(k => k.given);
+    const [x, y] = this.turns(mark, [drive, ...knobs]), far = Math.hypot(x[0], y[0]) || 1;
+    const free = knobs.map((n, k) => [n, Math.abs(x[0] * y[k + 1] - y[0] * x[k + 1]) / far + 1e-3 * Math.hypot(x[k + 1], y[k + 1])]);
+    const best = free.reduce((a, b) => b[1] > a[1] * 1.2 ? b : a, ["", 1e-9]);
+    return best[0];
+  }
+  follow(mark, names, [x, y]) { // damped least squares; by how many millimetres the mark stays short of the place
+    const miss = () => { const p = this.failed ? null : this.at(mark); return p ? [x - p[0], y - p[1]] : null; };
+    let off = miss(), damp = 1e-3;
+    for (let k = 0; off && k < 60 && Math.hypot(...off) > REACHED / 100 && damp < 1e12; k++) {
+      const [u, w] = this.turns(mark, names), sum = (a, b) => a.reduce((s, v, i) => s + v * b[i], 0);
+      const scale = sum(u, u) + sum(w, w), a = sum(u, u) + damp * scale, b = sum(u, w), c = sum(w, w) + damp * scale, det = a * c - b * b;
+      if (!(det > 0)) break;
+      const p = (c * off[0] - b * off[1]) / det, q = (a * off[1] - b * off[0]) / det, before = { ...this.given };
+      this.set(Object.fromEntries(names.map((n, i) => [n, before[n] + Math.max(-0.5, Math.min(0.5, u[i] * p + w[i] * q)) * this.size(n)])));
+      const kept = names.every((n, i) => n === this.data.drive.given || before[n] * this.given[n] > 0), now = kept && miss();
+      if (now && Math.hypot(...now) < Math.hypot(...off)) { off = now; damp = Math.max(damp / 10, 1e-12); }
+      else { this.back(before); damp *= 10; }
+    }
+    return off ? Math.hypot(...off) : Infinity;
+  }
+}
+function quantile(numbers, share) {
+  const sorted = [...numbers].sort((a, b) => a - b);
+  return sorted[Math.floor(share * (sorted.length - 1))];
+}

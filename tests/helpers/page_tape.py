@@ -1,0 +1,67 @@
+"""An exported tape read with nothing of the engine: what a page shows, in plain floats."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Mapping
+
+from planes.words.records import Json
+
+READ: Mapping[str, Callable[..., float]] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "inv": lambda a: 1 / a if a else math.copysign(math.inf, a),
+    "neg": lambda a: -a,
+    "abs": abs,
+    "sqrt": lambda a: math.sqrt(max(a, 0.0)) if a == a else a,
+    "hypot": math.hypot,
+    "sin": math.sin,
+    "cos": math.cos,
+    "atan2": math.atan2,
+    "floor": lambda a: float(math.floor(a)) if math.isfinite(a) else a,
+    "max": lambda a, b: a if a >= b or a != a else b,
+    "min": lambda a, b: a if a <= b or a != a else b,
+    "sel": lambda ok, a, b: a if ok else b,
+    "lt": lambda a, b: a < b,
+    "le": lambda a, b: a <= b,
+    "eq": lambda a, b: a == b,
+    "and": lambda a, b: bool(a and b),
+    "or": lambda a, b: bool(a or b),
+    "not": lambda a: not a,
+}
+
+
+class PageTape:
+    """What ``lesson_data`` exports, at one value of the drive and with other numbers given."""
+
+    def __init__(self, exported: Json, drive: float | None = None, given: Mapping[str, float] | None = None) -> None:
+        self.exported, tape = exported, exported["tape"]
+        at = exported["drive"]["at"] if drive is None else drive
+        own = {**exported["home"], **(given or {}), exported["drive"]["given"]: at}
+        places = {place: own[name] for name, place in tape["givens"].items()}
+        places |= {place: math.nan if x is None else x for place, x in tape["consts"].items()}
+        self.numbers: list[float] = []
+        for place, (op, *args) in enumerate(tape["ops"]):
+            made = READ.get(tape["names"][op])
+            self.numbers.append(made(*(self.numbers[a] for a in args)) if made else places[place])
+
+    def mark(self, name: str) -> complex:
+        """A mark, mm."""
+        x, y = self.exported["marks"][name]
+        return complex(self.numbers[x], self.numbers[y])
+
+    def value(self, name: str) -> float:
+        """A value, SI."""
+        return float(self.numbers[self.exported["values"][name]])
+
+    @property
+    def failed(self) -> Json | None:
+        """What is said of the first thing that does not hold."""
+        return next((h["said"] for h in self.exported["holds"] if not self.numbers[h["at"]]), None)
+
+    def worst(self, others: Mapping[str, complex]) -> float:
+        """How far its marks are off those of a drawing, mm, the worst of them."""
+        off = (abs(self.mark(name) - others[name]) for name in self.exported["marks"] if name in others)
+        return max(off) if not any(map(cmath.isnan, others.values())) else math.nan
