@@ -29,7 +29,7 @@ class LoopText:
     """The loop being written: places of the tape to names in the loop."""
 
     def __init__(self, tape: Tape, names: dict[int, str], rough: frozenset[int]) -> None:
-        self.tape, self.names, self.rough, self.t = tape, names, rough, Lines()
+        self.tape, self.names, self.rough, self.lines = tape, names, rough, Lines()
 
     def name(self, place: int) -> str:
         """What stands for a place: its name in the loop, or the constant itself."""
@@ -46,7 +46,7 @@ class LoopText:
             self.names[place] = self._line(op, [self.name(a) for a in args], args, fused)
 
     def _line(self, op: str, a: list[str], args: tuple[int, ...], fused: str) -> str:
-        t = self.t
+        t = self.lines
         match op:
             case "add" | "sub" | "mul":
                 return t.op("f" + op, a[0], a[1], fused)
@@ -103,19 +103,19 @@ def module(
         names[place] = head(f"fcmp une double {loaded}, {literal(0.0)}") if tape.ops[place][0] in TESTS else loaded
     text = LoopText(tape, {place: name.replace("%v", "%c") for place, name in names.items()}, rough)
     for k, place in enumerate(inputs):
-        text.names[place] = text.t(f"load double, ptr {_row(text.t, k * stride)}, align 8")
+        text.names[place] = text.lines(f"load double, ptr {_row(text.lines, k * stride)}, align 8")
     for place in order:
         if place not in text.names:
             text.write(place)
     code = literal(0.0)
     for k in range(len(codes), 0, -1):
-        code = text.t.select(text.name(codes[k - 1]), code, literal(float(k)))
+        code = text.lines.select(text.name(codes[k - 1]), code, literal(float(k)))
     stores = []
     for k, name in enumerate([*map(text.name, outputs), code], len(inputs)):
-        stores.append(f"  store double {name}, ptr {_row(text.t, k * stride)}, align 8")
+        stores.append(f"  store double {name}, ptr {_row(text.lines, k * stride)}, align 8")
     stores.append(f"  %sum = fadd reassoc double %sofar, {code}")
     opening = [line.replace("%v", "%c") for line in head.lines]
-    return "\n".join([*_frame(), *opening, *OPEN, *text.t.lines, *stores, *CLOSE])
+    return "\n".join([*_frame(), *opening, *OPEN, *text.lines.lines, *stores, *CLOSE])
 
 
 def _frame() -> list[str]:

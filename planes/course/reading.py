@@ -54,20 +54,20 @@ def _course(reader: Reader, table: SourceTable, folder: Path) -> Course:
     lang = None if get["lang"] is None else reader.word(get["lang"], "lang", langs())
     way = "given" if get["variants"] is None else reader.word(get["variants"], "variants", ("given", "drawn"))
     return Course(
-        reader.file,
-        students[1],
-        assignments,
-        MappingProxyType(read_words(reader, get["title"], "title")),
-        MappingProxyType(sheet.entries if isinstance(sheet, SourceTable) else {}),
-        _whole(reader, get["each"], "each", 1, MOST_EACH),
-        way == "given",
-        _draw(reader, get["draw"], assignments),
-        _sharpness(reader, get["sharpness"]),
-        _words(reader, get["documents"], "documents", DOCUMENTS, DOCUMENTS[:5]),
-        _words(reader, get["formats"], "formats", FORMATS, FORMATS[:1]),
-        _words(reader, get["plans"], "plans", PLANS, PLANS[1:]),
-        _whole(reader, get["seed"], "seed", 1, 10**9),
-        lang,
+        file=reader.file,
+        students=students[1],
+        assignments=assignments,
+        title=MappingProxyType(read_words(reader, get["title"], "title")),
+        sheet=MappingProxyType(sheet.entries if isinstance(sheet, SourceTable) else {}),
+        each=_whole(reader, get["each"], "each", 1, MOST_EACH),
+        given_first=way == "given",
+        draw=_draw(reader, get["draw"], assignments),
+        sharpness_deg=_sharpness(reader, get["sharpness"]),
+        documents=_words(reader, get["documents"], "documents", DOCUMENTS, DOCUMENTS[:5]),
+        formats=_words(reader, get["formats"], "formats", FORMATS, FORMATS[:1]),
+        plans=_words(reader, get["plans"], "plans", PLANS, PLANS[1:]),
+        seed=_whole(reader, get["seed"], "seed", 1, 10**9),
+        lang=lang,
     )
 
 

@@ -109,14 +109,14 @@ def calculate(scene: Scene) -> Calculation:
     cut = sections(shape, given.shaft, held) if given.shaft and held else {}
     rod, pin, steels = given.rod, given.pin, given.materials
     result = Calculation(
-        scene,
-        given,
-        motion,
-        pressure,
-        points,
-        plane,
-        found,
-        forces,
+        scene=scene,
+        given=given,
+        motion=motion,
+        pressure=pressure,
+        points=points,
+        plane=plane,
+        found=found,
+        forces=forces,
         simple=classical(shape, motion, plane),
         parts=replaced(shape),
         work=done,

@@ -54,24 +54,24 @@ def read(scene: Scene) -> Given:
     pascals = UNITS[indicator.unit]
     flywheel = top.inner("flywheel", KEYS["flywheel"])
     given = Given(
-        shape,
-        top.above("bore"),
-        top.not_negative("ambient", 0.1e6 / pascals) * pascals,
-        indicator,
-        _step(top),
-        top.part("speed", KEYS["speed"], _speed) or Speed(),
-        flywheel.between("unevenness", 1e-4, 0.5) if flywheel else 0.02,
-        _positions(top, indicator.cycle_deg, indicator.start_deg),
-        top.part("shaft", KEYS["shaft"], _shaft),
-        top.part("counterweights", KEYS["counterweights"], _counterweights),
-        top.part("rod", KEYS["rod"], _rod),
-        top.part("piston_pin", KEYS["piston_pin"], _pin),
-        top.part(
+        shape=shape,
+        bore=top.above("bore"),
+        ambient=top.not_negative("ambient", 0.1e6 / pascals) * pascals,
+        indicator=indicator,
+        step_deg=_step(top),
+        speed=top.part("speed", KEYS["speed"], _speed) or Speed(),
+        allowed_unevenness=flywheel.between("unevenness", 1e-4, 0.5) if flywheel else 0.02,
+        positions=_positions(top, indicator.cycle_deg, indicator.start_deg),
+        shaft=top.part("shaft", KEYS["shaft"], _shaft),
+        counterweights=top.part("counterweights", KEYS["counterweights"], _counterweights),
+        rod=top.part("rod", KEYS["rod"], _rod),
+        pin=top.part("piston_pin", KEYS["piston_pin"], _pin),
+        materials=top.part(
             "materials", KEYS["materials"], lambda table: {key: _material(table, key) for key in table.table.entries}
         )
         or {},
-        top.part("fatigue", KEYS["fatigue"], _concentration) or {},
-        top.part("limits", KEYS["limits"], _limits) or Limits(),
+        concentration=top.part("fatigue", KEYS["fatigue"], _concentration) or {},
+        limits=top.part("limits", KEYS["limits"], _limits) or Limits(),
     )
     _check_parts(scene, top, given)
     return given

@@ -29,32 +29,32 @@ class _Motion:
     """The links as they lie and turn."""
 
     def __init__(self, s: Statics, velocity: Rates, acceleration: Rates) -> None:
-        self.b, self.rates = s.b, (velocity, acceleration)
+        self.bodies, self.rates = s.b, (velocity, acceleration)
         self.beside = {SCHEME: (), **{r.plan: tuple(r.driven) for r in self.rates}}
 
     def point(self, link: str, name: str) -> Point:
         marks = at(SCHEME, name), *(r.mark(name) for r in self.rates)
-        return Point(self.b.mechanism.link(link).points[name], marks)
+        return Point(self.bodies.mechanism.link(link).points[name], marks)
 
     def frame(self, link: str) -> LinkMotion:
         if link == FRAME:
             return LinkMotion(Point(0j, tuple(at(plan, POLE) for plan in (SCHEME, *RATES))))
-        body = self.b.known[link]
+        body = self.bodies.known[link]
         origin = self.point(link, body.link.first_point)
         omega, epsilon = ("" if body.root == FRAME else r.spin(body.root) for r in self.rates)
         return LinkMotion(origin, body.axis, omega, epsilon)
 
     def rigid(self) -> Iterator[Proof]:
-        for name, link in self.b.mechanism.links.items():
+        for name, link in self.bodies.mechanism.links.items():
             points = tuple(self.point(name, p) for p in link.points if p != link.first_point)
             for plan in (SCHEME, *RATES) if points else ():
                 yield Rigid(plan, name, self.frame(name), points, beside=self.beside[plan])
 
     def slid(self) -> Iterator[Proof]:
-        for name, link in self.b.mechanism.links.items():
+        for name, link in self.bodies.mechanism.links.items():
             if link.slides:
-                guide, owner = link.slides.guide, self.b.mechanism.owner(link.slides.guide)
-                line = self.b.mechanism.guide(guide)
+                guide, owner = link.slides.guide, self.bodies.mechanism.owner(link.slides.guide)
+                line = self.bodies.mechanism.guide(guide)
                 turn = cmath.rect(1.0, math.radians(line.angle_deg))
                 slider = replace(self.point(name, link.first_point), local=line.through)
                 for plan in (SCHEME, *RATES):
