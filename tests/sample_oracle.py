@@ -48,9 +48,18 @@ SKETCHES: dict[str, dict[str, Pose]] = {
     "kind-4-prp": {"1": (0, 0, -5), "2": (0.31, 0.05, 15), "3": (0.31, 0.05, 80)},
     "kind-5-rpp": {"1": (0, 0, 50), "2": (0.06, 0.08, 75), "3": (0.04, 0, 0)},
     "shaper": {"1": (0, 0, 60), "2": (0.06, 0.1, 83), "3": (0, -0.4, 83), "4": (0.09, 0.34, -2), "5": (0.39, 0.33, 0)},
+    "lift": {"1": (0.9, -0.5, 82), "2": (1.05, 0.6, 82), "3": (0, 0, 29), "4": (-0.36, 0.2, 14), "5": (2.3, 1.3, -96)},
+    "friction-circles": {
+        "1": (0, 0, 60),
+        "2": (0.05, 0.09, -13),
+        "3": (0.44, 0, 0),
+        "4": (0.05, 0.09, 22),
+        "5": (0.33, 0.2, -5),
+    },
     "sliding-driver": {"1": (0.15, 0, 0), "2": (0.15, 0, 65), "3": (0.45, 0.12, 128)},
 }
-UNPUBLISHED = ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp", "shaper", "sliding-driver")
+KINDS = ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp")
+UNPUBLISHED = (*KINDS, "shaper", "sliding-driver", "lift", "friction-circles")
 WORDS = ("title", "note", "plans", "assembly", "parameters", "variants", "planes", "find", "sheet")
 
 

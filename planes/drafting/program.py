@@ -83,8 +83,8 @@ class Program:
 
     @cached_property
     def corners(self) -> frozenset[str]:
-        """Marks where a part of a vector ends, the normal or the Coriolis one: no point of a link."""
-        return frozenset(s.makes for s in self.steps if s.quantity in ("normal", "coriolis"))
+        """Marks where a part of a vector ends, the normal, the Coriolis one or a drive's: no point of a link."""
+        return frozenset(s.makes for s in self.steps if s.quantity in ("normal", "coriolis", "relative"))
 
     def sliced(self, wanted: Iterable[str]) -> Program:
         """The program without the steps that lead to none of the wanted names; it proves what it still draws."""

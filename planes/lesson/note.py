@@ -98,7 +98,7 @@ class Note:
         yield Heading(self.say("note_structure"))
         yield Paragraph(self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant))
         for g in s.groups:
-            yield Paragraph(self.say("note_group_kind", links=", ".join(g.links), kind=g.kind, name=g.name))
+            yield Paragraph(self.say("note_group_kind", links=", ".join(g.whole), kind=g.kind, name=g.name))
         yield Paragraph(self.say("note_formula", formula=formula_of(s, self.scene.frame_number, True)))
         if s.passive:
             yield Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")
@@ -220,8 +220,8 @@ def conditions(mechanism: Mechanism, lang: Lang, forces: bool = True) -> Iterato
         yield say("task_friction", lang, guide=guide, f=number(f, lang))
     for name, journal in mechanism.journals.items():
         sizes = {"f": journal.coefficient, "radius": journal.radius, "circle": journal.circle}
-        key = "task_friction_round" if journal.round else "task_friction_pin"
-        yield say(key, lang, name=name, **{size: number(value, lang) for size, value in sizes.items()})
+        said = {size: number(value, lang) for size, value in sizes.items()}
+        yield say(f"task_friction_{'round' if journal.round else 'pin'}", lang, name=name, rho=f"rho_{name}", **said)
 
 
 def _load(load: Load, name: str, drive: Drive, lang: Lang) -> str:

@@ -59,7 +59,8 @@ class StepWords:
             case s.Same():
                 return "same", "same", {"start": lettered(step.of)}
             case s.Carry():
-                return "carry", "carry", {}
+                key = "carry" if step.quarter else "carry_back"
+                return key, key, {}
             case Choose():
                 return "choose", "choose", {}
         raise AssertionError(step)
@@ -123,7 +124,8 @@ class StepWords:
         shown: Names = {**named, "name": name, "value": slot(step.length), "unit": lambda lang: unit(name, lang)}
         if kind == "position":
             along = self.made[step.along]
-            driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
+            drive = self.plans.mechanism.drive
+            driven = isinstance(along, s.Turn) and drive.kind == "phi" and along.of == f"x_{drive.link}"
             key = "driver" if driven else "along"
             reason = "driver" if driven or step.length == "s" else "along"
             return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
@@ -149,8 +151,8 @@ class StepWords:
     def apart(self, plan: str) -> Iterator[dict[str, str]]:
         """The equilibrium of one link of a group by itself, which gives the reaction inside the group."""
         links, reactions = links_of(plan), self.plans.reactions.values()
-        for r in (r for r in reactions if r.plan == plan and {r.pair.link, r.pair.other} == set(links)):
-            link = links[-1]
+        for r in (r for r in reactions if r.plan == plan and {r.pair.link, r.pair.other} <= set(links)):
+            link = next(x for x in reversed(links) if r.pair.joins(x) and x != self.plans.structure.driver)
             others = (x.pair for x in reactions if x.plan == plan and x is not r and x.pair.joins(link))
             outer = [force_name(link, pair.mate(link)) for pair in others]
             loads = [f.name for f in self.plans.acting.forces[link] if f.quantity != "tangential"]

@@ -14,7 +14,8 @@ from planes.geometry.arithmetic import Real
 from planes.plans.assembly import resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.following import LawValues
-from planes.plans.kinematics import Rates, SlideReading
+from planes.plans.kinematics import Rates
+from planes.plans.legs import SlideReading
 from planes.plans.lever import draw_lever
 from planes.plans.loads import Acting
 from planes.plans.passive import without_passive
@@ -100,6 +101,11 @@ class Plans:
         for segment in self.segments:
             found.setdefault(segment.plan, []).append(segment)
         return found
+
+    def moments_of(self, links: tuple[str, ...]) -> list[Moments]:
+        """The moment equations of some links; those of a driver alone stand with no others."""
+        alone = (self.structure.driver,)
+        return [m for m in self.moments if set(m.links) <= set(links) and (links == alone or m.links != alone)]
 
     @property
     def helpers(self) -> frozenset[str]:

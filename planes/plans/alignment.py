@@ -18,8 +18,8 @@ from typing import Literal
 
 from planes.drafting.tools import Thing
 from planes.plans import Plans
+from planes.plans.groups import Group, Pair
 from planes.plans.scales import drawn_in_si
-from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, StructureError

@@ -3,7 +3,7 @@
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.plans.bodies import AssemblyChoice, Bodies
-from planes.plans.structure import Group
+from planes.plans.groups import Group
 from planes.scene.mechanism import Assembly, Mechanism
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError

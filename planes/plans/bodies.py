@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 from planes.drafting.draft import Draft
 from planes.drafting.steps import Similar
 from planes.geometry.arithmetic import Arithmetic
-from planes.plans.structure import Group, Pair, Structure
+from planes.plans.groups import Group, Pair
+from planes.plans.structure import Structure
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.names import POLE, Meaning, at
 
@@ -208,6 +209,11 @@ def angle_deg(p: complex, q: complex) -> Off:
         return (0.0, 0.0) if way.real > 0 else (180.0, 0.0)
     angle = ARITHMETIC.angle_deg(way)
     return angle, math.degrees(_apart(p, q) / abs(way)) + 4 * HALF * abs(angle)
+
+
+def along(way: complex, degrees: float) -> float:
+    """How far a way goes in a direction."""
+    return float((way * ARITHMETIC.cis_deg(-degrees)).real)
 
 
 def ratio(p: complex, q: complex, r: complex) -> tuple[complex, float]:

@@ -12,8 +12,8 @@ from planes.drafting.draft import Draft
 from planes.drafting.steps.reckoning import Product, SenseBetween
 from planes.drafting.steps.settling import Fed, Settle
 from planes.plans.bodies import HALF, Bodies
+from planes.plans.groups import Pair
 from planes.plans.loads import Acting, Couple, force_name
-from planes.plans.structure import Pair
 from planes.scene.mechanism import FRAME
 from planes.words.names import Meaning
 

@@ -9,21 +9,10 @@ from dataclasses import dataclass, field
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Image, Same, Turn
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
-from planes.plans.legs import Leg, legs_of
+from planes.plans.cylinders import driven_end, driven_spot, driven_terms
+from planes.plans.legs import Leg, SlideReading, legs_of
 from planes.scene.mechanism import FRAME, RATES
 from planes.words.names import POLE, Meaning, at
-
-
-@dataclass(frozen=True)
-class SlideReading:
-    """What a slider's rate against its guide is read from: ``value`` is the segment ``ends`` ``along`` the guide;
-    ``coriolis`` are two marks of the acceleration plan, where the guide turns."""
-
-    guide: str
-    value: str
-    ends: tuple[str, str]
-    along: str
-    coriolis: tuple[str, str] | None = None
 
 
 @dataclass
@@ -64,8 +53,11 @@ class Rates:
     def draw_all(self) -> None:
         """The plan: the driver, then every group, then every point of every link."""
         self.b.draft.pole(self.plan)
-        _drive(self)
-        self.show_points(self.b.mechanism.drive.link)
+        if self.b.structure.inner_drive:
+            _rate(self)
+        else:
+            _drive(self)
+            self.show_points(self.b.mechanism.drive.link)
         for group in self.b.structure.groups:
             legs = legs_of(self.b, group)
             for leg in legs:
@@ -76,7 +68,7 @@ class Rates:
             self.driven.append(self.mark(new.name))
             for leg in legs:
                 self.conclude(leg)
-            for link in group.links:
+            for link in group.whole:
                 self.show_points(link)
 
     def chain(self, leg: Leg) -> tuple[Term, ...]:
@@ -85,6 +77,8 @@ class Rates:
         name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.new.name)
         start = Term(self.letter + name, POLE, known, drawn=True, action="=0" if known == POLE else "")
         relative = self.letter + leg.symbol
+        if leg.drive:
+            return start, *driven_terms(self, leg, leg.drive)
         if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
             grounded = Meaning("rate", leg.new.name, link=FRAME)
             self.b.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
@@ -114,9 +108,12 @@ class Rates:
         if leg.pair is None and leg.turns:
             part = "^t" if self.quick else ""
             d.product(self.spin(leg.turns), **{f"{self.letter}{leg.symbol}{part}": 1, leg.length or "": -1})
-            self.turning[leg.turns] = (self.mark(leg.known.name), self.mark(leg.new.name), leg.along)
+            start = driven_end(self, leg) if leg.drive else self.mark(leg.known.name)
+            self.turning[leg.turns] = (start, self.mark(leg.new.name), leg.along)
         elif leg.pair:
             self.slides[leg.pair.link] = self.slide_reading(leg)
+        if leg.drive and leg.spot:
+            self.slides[leg.drive.link] = driven_spot(self, leg, leg.drive, leg.spot)
 
     def slide_reading(self, leg: Leg) -> SlideReading:
         """The slider against its guide, along the guide."""
@@ -158,23 +155,28 @@ class Rates:
         self.b.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
 
 
+def _rate(r: Rates) -> str:
+    """The name of the driver's own rate, as it is given."""
+    d, drive = r.b.draft, r.b.mechanism.drive
+    rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
+    value = d.give(f"{r.letter}drive" if drive.kind == "s" else r.spin(drive.link), rate)
+    d.law(value, None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", RATES[drive.kind][r.quick])))
+    return value
+
+
 def _drive(r: Rates) -> None:
     """The driver's own motion: the first vectors of the plan, fully known."""
-    d, drive = r.b.draft, r.b.mechanism.drive
+    d, drive, value = r.b.draft, r.b.mechanism.drive, _rate(r)
     body = r.b.known[drive.link]
-    rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
-    law = None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", RATES[drive.kind][r.quick]))
     if drive.kind == "s":
         first, guide = body.base.name, r.b.structure.drive_pair.guide
-        ends, value = (at(r.plan, POLE), r.mark(first)), d.give(f"{r.letter}drive", rate)
-        d.law(value, law)
+        ends = at(r.plan, POLE), r.mark(first)
         d.lay_off(r.plan, r.label(first), ends[0], f"∥{guide}", value)
         d.show(r.plan, POLE, r.label(first), r.letter + first)
         r.driven.append(ends[1])
         rate_name = d.measure(f"{r.letter}slide_{drive.link}", *ends, f"∥{guide}")
         r.slides[drive.link] = SlideReading(guide, rate_name, ends, f"∥{guide}")
         return
-    d.law(d.give(r.spin(drive.link), rate), law)
     if body.ref:
         swing(r, body, body.ref[1])
         d.show(r.plan, POLE, r.label(body.ref[1].name), r.letter + body.ref[1].name)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from planes.drafting.steps import Turn
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
+from planes.plans.groups import Group, Pair
 from planes.plans.positions import moving_name
-from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning
 
@@ -33,10 +33,33 @@ class Leg:
     turns: str | None = None
     pair: Pair | None = None
     slider_new: bool = True
+    drive: Pair | None = None  # that moves the new point along the guide of the link that turns
+    spot: BodyPoint | None = None  # of that link, where the new point is
+
+    @property
+    def driven(self) -> str:
+        """Letters of the new point and of that under it: "AA1"."""
+        return self.new.name + self.spot.name if self.spot else ""
+
+
+@dataclass(frozen=True)
+class SlideReading:
+    """What a slider's rate against its guide is read from: ``value`` is the segment ``ends`` ``along`` the guide;
+    ``coriolis`` are two marks of the acceleration plan, where the guide turns; ``under`` is the mark of the guide's
+    point, if it is neither end."""
+
+    guide: str
+    value: str
+    ends: tuple[str, str]
+    along: str
+    coriolis: tuple[str, str] | None = None
+    under: str = ""
 
 
 def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     """The two legs of a group, in the order the method writes them."""
+    if g.drive:
+        return _cylinder_leg(b, g, g.drive), _outer_leg(b, g.last_outer, g.last, BodyPoint(*[g.inner.point] * 2))
     if g.kind in (1, 2, 4):
         new = BodyPoint(g.inner.point, g.inner.point)
         return _outer_leg(b, g.first_outer, g.first, new), _outer_leg(b, g.last_outer, g.last, new)
@@ -45,6 +68,17 @@ def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     known, along = BodyPoint(hinge, hinge), f"∥{g.inner.guide}"
     inner = Leg(new, known, g.first, new.name + hinge, along, pair=g.inner, slider_new=g.inner.link == g.last)
     return inner, _outer_leg(b, g.last_outer, g.last, new)
+
+
+def _cylinder_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
+    """To the hinge of the slider: with the guide's link about its pivot, and along the guide as the drive moves it."""
+    hinge, pivot, d = g.inner.point, g.first_outer.point, b.draft
+    ray = d.ray(SCHEME, pivot, hinge)
+    towards = d.step(Turn(f"{hinge}→{pivot}", ray, 2, means=Meaning("towards", hinge, pivot)))
+    spot = BodyPoint(hinge, moving_name(b, drive.guide, hinge, g.first))
+    new, known, mate = BodyPoint(hinge, hinge), BodyPoint(pivot, pivot), g.first_outer.mate(g.first)
+    turning = (d.square(ray), f"l_{pivot}{hinge}", towards, g.first)
+    return Leg(new, known, mate, spot.name + pivot, *turning, drive=drive, spot=spot)
 
 
 def _outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:

@@ -98,8 +98,9 @@ def say_plan(plan: str, lang: Lang) -> str:
 
 def formula_of(s: Structure, frame: str, kinds: bool = False) -> str:
     """The formula of structure with the frame's number; ``kinds``: lettered, the kind of every group lowered."""
-    groups = (f"II{f'_{{{g.kind}}}' if kinds else ''}({';'.join(g.links)})" for g in s.groups)
-    return (" → " if kinds else " -> ").join([f"I({frame};{s.driver})", *groups])
+    groups = (f"II{f'_{{{g.kind}}}' if kinds else ''}({g.members})" for g in s.groups)
+    base = s.drive_pair.other if s.inner_drive else frame
+    return (" → " if kinds else " -> ").join([f"I({base};{s.driver})", *groups])
 
 
 def counted(s: Structure) -> tuple[str, str]:

@@ -2,8 +2,9 @@
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Touch
-from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint, angle_deg, difference
-from planes.plans.structure import Group, Pair
+from planes.drafting.steps.reckoning import Product, SenseOf, SizeOf
+from planes.plans.bodies import HALF, SCHEME, AssemblyChoice, Bodies, Body, BodyPoint, along, angle_deg, difference
+from planes.plans.groups import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError
@@ -19,9 +20,10 @@ def place_all(b: Bodies) -> None:
     for name, place in frame.points.items():
         b.draft.put(SCHEME, name, place)
     b.known[FRAME] = Body(frame, BodyPoint(POLE, POLE), "", FRAME)
-    _place_driver(b)
+    if not b.structure.inner_drive:
+        _place_driver(b)
     for group in b.structure.groups:
-        _PLACERS[group.kind](b, group)
+        (_place_driven if group.drive else _PLACERS[group.kind])(b, group)
 
 
 def _place_driver(b: Bodies) -> None:
@@ -103,6 +105,53 @@ def _place_hinged(b: Bodies, g: Group) -> None:
             _place_slider(b, pair, link, hinge, lines[link][1])
         else:
             b.place_points(_rigid_body(b, link, pair.point, hinge))
+
+
+def _place_driven(b: Bodies, g: Group) -> None:
+    """A cylinder and the link it moves: how long the cylinder is, that is a засечка with the other link."""
+    assert g.drive
+    pair, hinge, pivot = g.drive, g.inner.point, g.first_outer.point
+    reach, offset, length = cylinder(b, pair, pivot, hinge)
+    chains = {g.first: _chain(hinge, pivot, length)}
+    if g.kind == 1:
+        own = b.length(b.mechanism.link(g.last), g.last_outer.point, hinge)
+        chains[g.last] = _chain(hinge, g.last_outer.point, own)
+    else:
+        start, direction = _on_line(b, g.last_outer, g.last, hinge)
+        chains[g.last] = _chain(hinge, start, along=direction)
+    one, two = (chains[link] for link in (g.links if g.kind == 1 else (g.first, g.last)))
+    b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", _side(b, hinge, g)))
+    if g.kind == 1:
+        b.place_points(_rigid_body(b, g.last, g.last_outer.point, hinge))
+    else:
+        _place_slider(b, g.last_outer, g.last, hinge, direction)
+    means, ends = Meaning("along", pair.guide), (at(SCHEME, pivot), at(SCHEME, hinge))
+    way = b.draft.step(SenseOf(f"way_{pair.guide}", reach))
+    along = b.draft.step(Touch(f"∥{pair.guide}", *ends, offset, "mu_position", way, means=means))
+    ref = BodyPoint(pivot, pivot), BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.first))
+    b.place_points(Body(b.mechanism.link(g.first), ref[0], b.axis_along(pair, g.first, along), g.first, ref))
+    _place_slider(b, pair, pair.link, hinge, along)
+
+
+def cylinder(b: Bodies, pair: Pair, pivot: str, hinge: str) -> tuple[str, str | None, str]:
+    """How far its hinges are apart along the guide and across it, and as they lie: names of values, SI."""
+    d, carrier, slider = b.draft, b.mechanism.link(pair.other), b.mechanism.link(pair.link)
+    guide, angle = carrier.guides[pair.guide], slider.slides.angle_deg if slider.slides else None
+    more = along(slider.points[hinge] - slider.points[slider.first_point], -(angle or 0.0))
+    more -= along(carrier.points[pivot] - guide.through, guide.angle_deg)
+    reach = d.give("s", b.mechanism.drive.position)
+    if hinge != slider.first_point or guide.through_point != pivot:
+        own = d.give(f"s_{hinge}{pivot}_given", more, 8 * HALF * abs(more), Meaning("offset", hinge, pivot))
+        reach = d.total(f"s_{hinge}{pivot}", [Product(1.0, ((reach, 1),)), Product(1.0, ((own, 1),))])
+    across = difference(b.offset(pair, slider.name, hinge), b.offset(pair, carrier.name, pivot))
+    name = f"l_{pivot}{hinge}"
+    if across is None:
+        return reach, None, d.step(SizeOf(name, reach))
+    offset, helper = d.give(f"e_{pivot}{hinge}", *across, Meaning("offset", pivot, hinge)), Meaning("guide", pair.guide)
+    level = d.aim("→", 0.0, Meaning("given", pair.guide))
+    foot = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", at(SCHEME, pivot), level, reach, helper)
+    end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}", foot, d.square(level), offset, helper)
+    return reach, offset, d.measure(name, at(SCHEME, pivot), end)
 
 
 def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:

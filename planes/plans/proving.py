@@ -12,6 +12,7 @@ from planes.drafting.proofs import Proof, Twofold, VectorProof
 from planes.drafting.steps.reckoning import Calculate
 from planes.plans.bodies import SCHEME
 from planes.plans.kinematics import Rates
+from planes.plans.loads import force_name
 from planes.plans.reactions import Statics
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, force_plan
@@ -83,10 +84,11 @@ def _balanced(s: Statics) -> Iterator[Proof]:
                 sides.append((r.start, r.end, 1 if link == r.pair.link else -1, where, r.moment))
         if link == drive.link and drive.kind == "phi":
             couples.append((s.balancing, 1))
-        elif link == drive.link:
-            pair = s.b.structure.drive_pair
-            forces.append((s.balancing, f"∥{pair.guide}", s.b.foot(pair)))
-        groups = [g.links for g in s.b.structure.groups if link in g.links]
+        pair = s.b.structure.drive_pair
+        if drive.kind == "s" and pair.joins(link):
+            plan, sign = force_plan(drive.link), 1 if link == drive.link else -1
+            sides.append((at(plan, force_name(drive.link, pair.other)), at(plan, POLE), sign, s.b.foot(pair), ""))
+        groups = [g.whole for g in s.b.structure.groups if link in g.whole]
         plan = force_plan(*(groups[0] if groups else (link,)))
         yield Balanced(plan, link, tuple(forces), tuple(sides), tuple(couples))
 

@@ -15,9 +15,9 @@ from planes.drafting.equations import Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Choose, Drop, Lean, Product, Sense, Trial
 from planes.plans.bodies import SCHEME, Bodies
+from planes.plans.groups import Pair
 from planes.plans.hinges import Grip
 from planes.plans.loads import Acting, Couple, Force, force_name
-from planes.plans.structure import Pair
 from planes.words.names import Meaning, at, label_of, mu_of
 
 

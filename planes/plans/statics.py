@@ -12,10 +12,10 @@ from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.settling import Fed
 from planes.plans.bodies import SCHEME
+from planes.plans.groups import Group, Pair
 from planes.plans.hinges import Grip, grip_of, settle
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.reactions import Reaction, Statics, meet_with_friction
-from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, force_plan
 
@@ -42,9 +42,10 @@ class _GroupForces:
 
     def __init__(self, statics: Statics, group: Group) -> None:
         self.s, self.g, self.b, self.d = statics, group, statics.b, statics.b.draft
-        self.plan = force_plan(*group.links)
-        self.loads = {x: list(statics.acting.forces[x]) for x in group.links}
-        self.couples = {x: list(statics.acting.couples[x]) for x in group.links}
+        self.plan = force_plan(*group.whole)
+        acting = statics.acting
+        self.loads = {x: [f for part in group.parts(x) for f in acting.forces[part]] for x in group.links}
+        self.couples = {x: [c for part in group.parts(x) for c in acting.couples[part]] for x in group.links}
         self.grips: dict[Pair, Grip] = {}
 
     def draw(self) -> None:
@@ -65,8 +66,8 @@ class _GroupForces:
         """Let the links feel the couples of hinges."""
         self.grips = grips
         for grip in grips.values():
-            for link in (x for x in (grip.pair.link, grip.pair.other) if x in self.couples):
-                self.couples[link].append(grip.on(link))
+            for link in self.g.links:
+                self.couples[link] += [grip.on(x) for x in self.g.parts(link) if grip.pair.joins(x)]
 
     def polygon(self) -> dict[str, tuple[str, str]]:
         """Draw the polygon; the marks between which the reaction of each pair stands, on the pair's own first link."""
@@ -77,7 +78,7 @@ class _GroupForces:
         e_a = first[-1].end if first else POLE
         last = chain_of(self.loads[g.last] + tail, e_a)
         e_b = last[-1].end if last else e_a
-        name_b = force_name(g.last, g.last_outer.mate(g.last))
+        name_b = self.name(g.last, g.last_outer)
         x = name_b + ("n" if tail else "")
         for term in first + last:
             self.d.lay(self.plan, term)
@@ -104,7 +105,7 @@ class _GroupForces:
             found = Term(rays["first"].name, x, POLE, drawn=True)
             self.close((found, *first, *last), rays["last"])
         else:
-            on_last = force_name(self.g.last, self.g.first)
+            on_last = self.name(self.g.last, self.g.inner)
             self.solve((*last, rays["last"]), replace(rays["inner"], name=on_last, sign=-1), x)
             self.close((*first, replace(rays["inner"], drawn=True)), rays["first"])
 
@@ -125,7 +126,7 @@ class _GroupForces:
 
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
-        name = force_name(link, pair.mate(link)) + ("^n" if split else "")
+        name = self.name(link, pair) + ("^n" if split else "")
         along: str | None = self.d.square(f"∥{pair.guide}") if pair.kind == "P" else None
         if split:  # along the link: from its outer hinge to the point its moments are taken about
             ends = (self.g.last_outer.point, pair.point) if self.g.kind == 3 else (pair.point, self.g.inner.point)
@@ -137,18 +138,30 @@ class _GroupForces:
         d, g = self.d, self.g
         if g.kind == 3:
             about, ray = g.last_outer.point, d.ray(SCHEME, g.last_outer.point, pair.point)
-            links: tuple[str, ...] = (g.first, g.last)
+            sides: tuple[str, ...] = (g.first, g.last)
             length, sign = d.measure(f"l_{about}{pair.point}", at(SCHEME, about), at(SCHEME, pair.point)), -1.0
         else:
-            about, links, ray = g.inner.point, (link,), d.ray(SCHEME, pair.point, g.inner.point)
-            length, sign = self.b.length(self.b.mechanism.links[link], pair.point, about), 1.0
-        forces = [f for x in links for f in self.loads[x]]
-        couples = [c for x in links for c in self.couples[x]]
+            about, sides, ray = g.inner.point, (link,), d.ray(SCHEME, pair.point, g.inner.point)
+            length, sign = self.arm(link, pair.point, about), 1.0
+        forces = [f for x in sides for f in self.loads[x]]
+        couples = [c for x in sides for c in self.couples[x]]
         products, shown = self.s.moment_terms(at(SCHEME, about), forces, couples, sign, length)
-        name = force_name(link, pair.mate(link)) + "^t"
+        name = self.name(link, pair) + "^t"
         d.total(name, products)
+        links = tuple(part for x in sides for part in g.parts(x))
         d.moments.append(Moments(about, links, shown, name, length))
         return [Force(name, link, name, d.square(ray), at(SCHEME, pair.point), "tangential")]
+
+    def arm(self, link: str, point: str, about: str) -> str:
+        """The distance of the two hinges of a link; of a cylinder, what it is now."""
+        if self.g.parts(link)[1:]:
+            return f"l_{point}{about}"
+        return self.b.length(self.b.mechanism.links[link], point, about)
+
+    def name(self, link: str, pair: Pair) -> str:
+        """What the reaction of a pair on a link (on the part of it that has the pair) is called."""
+        holder = self.g.holder(link, pair)
+        return force_name(holder, pair.mate(holder))
 
     def read(self, ends: dict[str, tuple[str, str]]) -> None:
         """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
@@ -160,11 +173,12 @@ class _GroupForces:
         for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
             if pair.mate(link) != FRAME:
                 self.s.hand_over(self.s.reactions[found[which].key], pair.mate(link))
+        if g.drive:
+            self.s.hand_over(found["inner"], g.drive.link)
 
-    @staticmethod
-    def on(pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
+    def on(self, pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
         """The ends of the reaction on ``link`` from start to end, turned for the pair's own first link."""
-        return (start, end) if link == pair.link else (end, start)
+        return (start, end) if pair.link in self.g.parts(link) else (end, start)
 
     def seat_all(self, found: dict[str, Reaction]) -> None:
         """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
@@ -197,7 +211,7 @@ class DriverForces:
     def draw(self) -> None:
         """Draw the driver's polygon and find what balances it."""
         self.d.pole(self.plan)
-        terms, key = chain_of(self.forces, POLE), force_name(self.link, FRAME)
+        terms, key = chain_of(self.forces, POLE), force_name(self.link, self.pair.other)
         for term in terms:
             self.d.lay(self.plan, term)
         balance = self.turning if self.pair.kind == "R" else self.sliding

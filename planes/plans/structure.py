@@ -8,63 +8,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
+from planes.plans.groups import KIND_NAMES, Group, Pair
 from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words import Phrase
 from planes.words.errors import StructureError
 from planes.words.records import Json
-
-KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
-
-
-@dataclass(frozen=True)
-class Pair:
-    """A kinematic pair of ``link`` with the earlier solved ``other``; in a sliding pair ``link`` slides.
-
-    ``kind`` "R" meets at ``point``; "P" is along ``guide``, carried by ``other``.
-    """
-
-    kind: Literal["R", "P"]
-    link: str
-    other: str
-    point: str = ""
-    guide: str = ""
-
-    def joins(self, link: str) -> bool:
-        """Whether this pair is one of the link's."""
-        return link in (self.link, self.other)
-
-    def mate(self, link: str) -> str:
-        """The other link of the pair."""
-        return self.other if link == self.link else self.link
-
-
-@dataclass(frozen=True)
-class Group:
-    """An Assur group of class II: two links, their inner pair and one outer pair each.
-
-    ``links`` stand in the order of the file. ``first`` and ``last`` are the same two in the order the method
-    takes them (RRP: connecting rod, slider; RPR: slider, guide link; RPP: hinged link, the other), with
-    outer pairs ``first_outer`` and ``last_outer``.
-    """
-
-    links: tuple[str, str]
-    kind: int
-    first: str
-    last: str
-    inner: Pair
-    first_outer: Pair
-    last_outer: Pair
-
-    @property
-    def pairs(self) -> tuple[Pair, Pair, Pair]:
-        """Its pairs: outer, inner, outer."""
-        return self.first_outer, self.inner, self.last_outer
-
-    @property
-    def name(self) -> str:
-        """The letters of its pairs, e.g. "RRP"."""
-        return KIND_NAMES[self.kind - 1]
 
 
 @dataclass(frozen=True)
@@ -79,20 +28,26 @@ class Structure:
     passive: tuple[str, ...] = ()  # links it is found without, which hold what is held already
 
     @property
+    def inner_drive(self) -> bool:
+        """Whether the drive is between two moving links."""
+        return self.drive_pair.other != FRAME
+
+    @property
     def pairs(self) -> tuple[Pair, ...]:
         """Every pair once: the drive's, then each group's outer, inner, outer."""
         return (self.drive_pair, *(p for g in self.groups for p in g.pairs))
 
     def json(self) -> Json:
         """W, q, formula and groups as the JSON has them."""
-        groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in self.groups]
+        groups = [g.json() for g in self.groups]
         passive = {"passive": list(self.passive)} if self.passive else {}
         return {"W": self.W, "q": self.q, "formula": self.formula, "groups": groups, **passive}
 
     @property
     def formula(self) -> str:
-        """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"."""
-        return " -> ".join([f"I({FRAME};{self.driver})", *(f"II({';'.join(g.links)})" for g in self.groups)])
+        """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"; of a cylinder of 1 and 2 that moves 3,
+        "I(1;2) -> II(1-2;3)"."""
+        return " -> ".join([f"I({self.drive_pair.other};{self.driver})", *(f"II({g.members})" for g in self.groups)])
 
 
 def analyse(mechanism: Mechanism, file: str = "") -> Structure:
@@ -106,7 +61,7 @@ def analyse(mechanism: Mechanism, file: str = "") -> Structure:
         why = Phrase("wrong_freedom", **counted, hint=hint, listed=finder.pair_words())
         raise finder.error(why, "links", finder.suspect(freedom > 1))
     drive_pair = finder.drive_pair()
-    groups = finder.groups()
+    groups = finder.groups(drive_pair)
     redundant = freedom - 6 * len(mechanism.links) + 5 * pair_count
     return Structure(freedom, redundant, drive_pair, groups, mechanism.drive.link)
 
@@ -160,6 +115,9 @@ class _Finder:
     def drive_pair(self) -> Pair:
         """The pair of the driver with the frame that the drive's motion is given in."""
         drive = self.mechanism.drive
+        slides = self.mechanism.links[drive.link].slides
+        if drive.kind == "s" and slides and self.mechanism.owner(slides.guide) != FRAME:
+            return next(s for s in self.slides if s.link == drive.link)
         found = self.between(drive.link, FRAME)
         wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
         fitting = [p for p in found if p.kind == wanted]
@@ -190,10 +148,14 @@ class _Finder:
             if slide.mate(link) in self.left:
                 self.outer[slide.mate(link)].append(slide)
 
-    def groups(self) -> tuple[Group, ...]:
+    def groups(self, drive: Pair) -> tuple[Group, ...]:
         """Dyads in the order they attach; refuses what is left when none attaches."""
         found: list[Group] = []
-        solved: tuple[str, ...] = (FRAME, self.mechanism.drive.link)
+        solved: tuple[str, ...] = (FRAME, drive.link)
+        if drive.other != FRAME:
+            self.solve(FRAME)
+            found.append(self.driven(drive))
+            solved = drive.link, *found[0].links
         while True:
             for link in solved:
                 self.solve(link)
@@ -220,6 +182,20 @@ class _Finder:
         one, two = links
         inner = [p for p in self.between(two, one) if p.kind == "P" or p.point not in self.reached]
         return self.classified(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
+
+    def driven(self, drive: Pair) -> Group:
+        """The dyad that is moved from inside: a cylinder, whose guide's link hangs on the frame and whose slider has a
+        hinge with a link that hangs on the frame."""
+        slider, carrier = drive.link, drive.other
+        for link in (x for x in self.left if x not in (slider, carrier)):
+            inner = [p for p in self.between(link, slider) if p.kind == "R" and p.point not in self.reached]
+            outer = [self.outer[x] for x in (slider, carrier, link)]
+            free = not self.between(link, carrier) and not self.between(slider, carrier)[1:]
+            if [len(o) for o in outer] == [0, 1, 1] and len(inner) == 1 and outer[1][0].kind == "R" and free:
+                one, two = sorted((carrier, link), key=self.links.index)
+                kind = 1 if outer[2][0].kind == "R" else 2
+                return Group((one, two), kind, carrier, link, inner[0], outer[1][0], outer[2][0], drive)
+        raise self.error(Phrase("inner_drive", link=slider, carrier=carrier), "drive")
 
     def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
         """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""

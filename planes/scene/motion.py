@@ -47,7 +47,7 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
     kind = reader.one_of(table, ("phi", "s"), what)
     _check_rates(reader, table, kind)
     slides = links[link].slides
-    if kind == "s" and (slides is None or slides.guide not in frame.guides):
+    if kind == "s" and slides is None:
         raise reader.error(Phrase("drive_no_slide", link=link), table.lines["s"])
     rates = (reader.said(table, key, what) for key in RATES[kind])
     velocity, acceleration = (0.0 if rate is None else rate for rate in rates)

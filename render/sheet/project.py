@@ -103,8 +103,8 @@ class Project:
         def make() -> View:
             parts = [self.part(position, (structure.driver,), say("primary", c.lang), True, letter)]
             for g in structure.groups:
-                text = say("group_of_kind", c.lang, links="–".join(map(c.naming.link, g.links)), kind=g.kind)
-                parts.append(self.part(position, g.links, text, False, letter))
+                text = say("group_of_kind", c.lang, links="–".join(map(c.naming.link, g.whole)), kind=g.kind)
+                parts.append(self.part(position, g.whole, text, False, letter))
             lines = [";  ".join(counted(structure)), formula_of(structure, c.naming.frame, True)]
             passive = ", ".join(map(c.naming.link, structure.passive))
             lines += [say("passive_link", c.lang, links=passive)] if passive else []
@@ -205,9 +205,9 @@ class ForceSheet:
             loading = Loading(position, c.naming, links)
             loading.loads(carried=True)
             loading.reactions(plan)
-            if position.plans.structure.driver in links:
-                loading.balancing()
-            loading.arms([m for m in position.plans.moments if set(m.links) <= set(links)])
+            if links == (position.plans.structure.driver,):
+                loading.balancing(*links)
+            loading.arms(position.plans.moments_of(links))
             drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
             key = "loaded_group" if len(links) > 1 else "loaded_driver"
             title = c.titled(position, key, links="–".join(map(c.naming.link, links)))
@@ -232,8 +232,8 @@ class ForceSheet:
         loading = Loading(position, self.composer.naming, (link,))
         loading.loads(carried=False)
         loading.whole_reactions()
-        if link == position.plans.structure.driver:
-            loading.balancing()
+        if position.plans.structure.drive_pair.joins(link):
+            loading.balancing(link)
         scheme = Scheme(position, self.composer.naming, (link,), False)
         return view("part", "", scheme.drawn(False, loading.marks, loading.named))
 

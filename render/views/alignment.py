@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, replace
 
 from planes.plans.alignment import Aligned, Sign
-from planes.plans.structure import Pair
+from planes.plans.groups import Pair
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
 from planes.words import say

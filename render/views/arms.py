@@ -10,6 +10,7 @@ from render.paper.marks import Line, Mark
 NAME_MM = 3.5
 LEAST_MM = 2.0  # of an arm
 SAME_MM = 0.1  # arms that differ by less are one
+BREAK_MM = 2.5  # half of a break along its line
 
 
 @dataclass
@@ -36,3 +37,14 @@ class Arms:
 def drops_of(drawing: Drawing) -> dict[str, Drop]:
     """The steps that measure arms, by what they make."""
     return {s.makes: s for s in drawing.program.steps if isinstance(s, Drop)}
+
+
+def broken(start: complex, end: complex) -> list[Mark]:
+    """A guide drawn out to a line of action that is too far for the paper: shortened by a break."""
+    along, middle = (end - start) / abs(end - start), (start + end) / 2
+    zigzag = [middle + z * along for z in (-BREAK_MM, complex(-0.3, 0.8) * BREAK_MM, complex(0.3, -0.8) * BREAK_MM)]
+    return [
+        Line((start, zigzag[0]), "axis", "axis"),
+        Line((*zigzag, middle + BREAK_MM * along), "thin", "axis"),
+        Line((middle + BREAK_MM * along, end), "axis", "axis"),
+    ]

@@ -15,7 +15,7 @@ from render import labels
 from render.paper import symbols
 from render.paper.marks import Arc, Arrow, Line, Mark
 from render.paper.style import BLOCK_MM
-from render.views.arms import Arms, drops_of
+from render.views.arms import BREAK_MM, Arms, broken, drops_of
 from render.views.plotted import Ends, Places, set_apart
 from render.views.senses import freest
 
@@ -28,7 +28,6 @@ BESIDE_MM = 5.0  # how far the line that is tangent to a friction circle is draw
 NAME_MM = 3.5
 NOTHING = 1e-9  # of the largest force: none
 FAR_MM = 60.0  # an arm longer than this, and than its links, is drawn with a break
-BREAK_MM = 2.5  # half of a break along its line
 FAR_M = 10.0  # an arm longer than this is that of a couple
 
 
@@ -68,13 +67,14 @@ class Loading:
 
     def loads(self, carried: bool) -> None:
         """Weights, inertia, loads; and, where ``carried``, the reactions that came from groups solved before."""
-        acting = self.position.plans.acting
+        acting, inner = self.position.plans.acting, self.inner() if carried else set[str]()
         for link in self.links:
-            for force in acting.forces[link]:
-                if (force.spot or carried) and force.size in self.drawing and self.big(float(self.drawing[force.size])):
-                    way = complex(self.drawing[force.along])
-                    self.force(force.name, complex(self.drawing[force.point]), way * _sign(self.drawing[force.size]))
-            for k, couple in enumerate(c for c in acting.couples[link] if carried or not c.handed):
+            for f in (f for f in acting.forces[link] if f.spot or (carried and f.name not in inner)):
+                if f.size in self.drawing and self.big(float(self.drawing[f.size])):
+                    way = complex(self.drawing[f.along]) * _sign(self.drawing[f.size])
+                    self.force(f.name, complex(self.drawing[f.point]), way)
+            couples = (c for c in acting.couples[link] if not c.handed or (carried and c.value not in inner))
+            for k, couple in enumerate(couples):
                 value = float(self.drawing[couple.value]) * couple.sign if couple.value in self.drawing else 0.0
                 if abs(value) > 1e-9:
                     self.couple(couple.name, link, value, k, about=self.hinge(couple.value))
@@ -133,8 +133,9 @@ class Loading:
 
     def friction_circle(self, key: str) -> None:
         """The circle in a hinge that the line of the reaction is tangent to, and that line."""
-        pair, place = self.position.plans.reactions[key].pair, self.seat(key)
-        if pair.kind == "R" and (shift := place - (centre := self.places.at(pair.point))):
+        pair = self.position.plans.reactions[key].pair
+        place = self.seat(key) if pair.kind == "R" else 0j
+        if place and (shift := place - (centre := self.places.at(pair.point))):
             along = 1j * shift / abs(shift) * BESIDE_MM
             self.marks.append(Arc(centre, abs(shift), style="thin", layer="construction"))
             self.marks.append(Line((place - along, place + along), "thin", "construction"))
@@ -152,35 +153,35 @@ class Loading:
         arm = (self.arm(key) or 0.0) * self.position.scales[mu_of(SCHEME)]
         shown = math.copysign(min(abs(arm), max(FAR_MM, self.places.size(self.links))), arm)
         if shown != arm:
-            self.broken(foot, foot + shown * along, abs(self.arm(key) or 0.0))
+            ends = foot, foot + shown * along
+            text = f"{number(abs(self.arm(key) or 0.0), self.naming.lang)} {say('m', self.naming.lang)}"
+            self.named.append(labels.Label(text, (sum(ends) / 2, ends[1]), NAME_MM, clear=BREAK_MM, name="arm"))
+            self.marks += broken(*ends)
         elif abs(arm) > BLOCK_MM[0] / 2:
             self.marks.append(Line((foot, foot + arm * along), "axis", "axis"))
         return foot + shown * along
 
-    def broken(self, start: complex, end: complex, arm: float) -> None:
-        """A guide drawn out to a line of action that is too far for the paper: shortened by a break, with the arm."""
-        along, middle = (end - start) / abs(end - start), (start + end) / 2
-        zigzag = [middle + z * along for z in (-BREAK_MM, complex(-0.3, 0.8) * BREAK_MM, complex(0.3, -0.8) * BREAK_MM)]
-        self.marks += [
-            Line((start, zigzag[0]), "axis", "axis"),
-            Line((*zigzag, middle + BREAK_MM * along), "thin", "axis"),
-            Line((middle + BREAK_MM * along, end), "axis", "axis"),
-        ]
-        text = f"{number(arm, self.naming.lang)} {say('m', self.naming.lang)}"
-        self.named.append(labels.Label(text, (middle, end), NAME_MM, clear=BREAK_MM, name="arm"))
-
-    def balancing(self) -> None:
-        """The balancing couple (or force) on the driver."""
+    def balancing(self, link: str) -> None:
+        """The balancing couple (or force) on the driver, or the opposite force on a link that it is driven from."""
         plans = self.position.plans
         if plans.balancing not in self.drawing:
             return
         if plans.mechanism.drive.kind == "s":
             foot, along = self.places.foot(plans.mechanism.links[plans.structure.driver])
-            self.force(plans.balancing, foot, along * _sign(self.drawing[plans.balancing]))
+            sign = _sign(self.drawing[plans.balancing]) * (1 if link == plans.structure.driver else -1)
+            self.force(plans.balancing, foot, along * sign)
         else:
             taken = len([c for c in plans.acting.couples[plans.structure.driver] if not c.handed])
             name = self.naming.balancing(True)
             self.couple(name, plans.structure.driver, float(self.drawing[plans.balancing]), taken, name)
+
+    def inner(self) -> set[str]:
+        """Names of the reactions between these links, and of their couples."""
+        found = set[str]()
+        for key, r in self.position.plans.reactions.items():
+            if {r.pair.link, r.pair.other} <= set(self.links):
+                found |= {key, force_name(r.pair.other, r.pair.link), r.moment}
+        return found
 
     def outer(self) -> dict[str, str]:
         """Names of the reactions from outside on these links, whole and in parts, that no plan before found; with the

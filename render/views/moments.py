@@ -39,9 +39,10 @@ class MomentLines:
     def drawn(self, links: tuple[str, ...] | None = None) -> tuple[Mark, ...]:
         """All equations (those of some links) that say anything, from the top down."""
         setter, y = Setter(self.letter), 0.0
-        for equation in self.position.plans.moments:
-            wanted = equation.links != ("lever",) if links is None else set(equation.links) <= set(links)
-            if wanted and (words := self.words(equation)):
+        plans = self.position.plans
+        whole = (m for m in plans.moments if m.links != ("lever",))
+        for equation in whole if links is None else plans.moments_of(links):
+            if words := self.words(equation):
                 y = setter.row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
 

@@ -240,5 +240,6 @@ class Scheme:
         for link in (x for x in self.links if x.slides and x.first_point == point and x.name in plans.velocity_slides):
             reading = plans.velocity_slides[link.name]
             if self.mechanism.owner(reading.guide) in drawn:
-                found += (x.upper() for x in map(label_of, reading.ends) if x not in known)
+                ends = (reading.under,) if reading.under else reading.ends
+                found += (x.upper() for x in map(label_of, ends) if x not in known)
         return found

@@ -196,13 +196,40 @@ class Builder:
             return {"phi": math.degrees(wrapped(driver.turn))}
         u = self.direction(self.frame)
         driver = self.link([(next(self.names), at)], u)
-        spec = self.frame.guides[self.slide(driver, self.frame, u)]
+        return {"s": self.slid(driver, self.frame, u)}
+
+    def slid(self, driver: Body, owner: Body, u: float) -> float:
+        """Let a driver slide on a body; its place along the guide."""
+        spec = owner.guides[self.slide(driver, owner, u)]
         through = complex(spec.get("x", 0), spec.get("y", 0))
         if "through" in spec:
             to = spec["through"]
-            through = self.frame.points[to] if isinstance(to, str) else complex(*to)
+            through = owner.local(owner.points[to]) if isinstance(to, str) else complex(*to)
+        through = owner.origin + through * cmath.rect(1.0, owner.turn)
         first = next(iter(driver.points.values()))
-        return {"s": ((first - through) * cmath.rect(1.0, -u)).real}
+        return float(((first - through) * cmath.rect(1.0, -u)).real)
+
+    def cylinder(self) -> dict[str, Any]:
+        """A cylinder hinged to the frame, that moves a link hinged to it or sliding on it; its part of the scene."""
+        rng, kind = self.rng, self.rng.choice(("RRR", "RRP"))
+        for _ in range(1000):
+            d, a, o = self.spot(), self.spot(), self.spot()
+            u, u2 = cmath.phase(a - d), self.direction(self.frame)
+            lean = math.sin(u - cmath.phase(a - o)) if kind == "RRR" else math.cos(u2 - u)
+            if min(abs(a - d), abs(a - o)) > 0.3 * self.size and abs(lean) > 0.35:
+                break
+        u += rng.choice((0.0, 0.0, rng.uniform(-1, 1), math.pi))
+        hinge, pivot = next(self.names), self.add(self.frame, d)
+        rod, barrel = self.link([(hinge, a)], u), self.link([(pivot, d)], u)
+        s = self.slid(rod, barrel, u)
+        if kind == "RRR":
+            other = self.add(self.frame, o)
+            self.dyads.append(Dyad(kind, barrel, self.link([(hinge, a), (other, o)]), (pivot, other), hinge, hinge))
+        else:
+            moved = self.link([(hinge, a)], u2)
+            self.slide(moved, self.frame, u2)
+            self.dyads.append(Dyad(kind, barrel, moved, (pivot,), hinge, hinge, lean > 0))
+        return {"s": s}
 
     def group(self, kind: str, ill: bool) -> None:
         """A group on two different earlier bodies, sharpness over 0.35 or, `ill`, down to `self.ill`."""
@@ -331,8 +358,9 @@ def make(
     rest: bool = False,
     limit: float = 1e9,
     every: bool = False,
+    inner: bool = False,
 ) -> Case:
-    """A random mechanism of these groups in this order.
+    """A random mechanism of these groups in this order; with ``inner`` a cylinder between moving links drives it.
 
     `sliding`: the driver slides (None: one in four); `size`: half width of the field, m; `ill` < 1: one
     group of the chain has a sharpness between that and 0.1; `swapped`: an earlier link may slide on a later
@@ -343,7 +371,7 @@ def make(
     for _ in range(200):
         try:
             slid = rng.random() < 0.25 if sliding is None else sliding
-            case = attempt(rng, kinds, slid, size, ill, swapped, friction, pins, loads, assembly, rest, every)
+            case = attempt(rng, kinds, slid, size, ill, swapped, friction, pins, loads, assembly, rest, every, inner)
         except (NoSolution, np.linalg.LinAlgError):
             continue
         if case.solution.condition < limit:
@@ -364,10 +392,12 @@ def attempt(
     assembly: str | None,
     rest: bool,
     every: bool = False,
+    inner: bool = False,
 ) -> Case:
     """One try of `make`; raises NoSolution where the draw is of no use."""
     build = Builder(rng, size, ill, swapped, every)
-    drive = build.drive(sliding)
+    sliding |= inner
+    drive = build.cylinder() if inner else build.drive(sliding)
     blunt = rng.randrange(len(kinds)) if ill < 1 else -1
     for k, kind in enumerate(kinds):
         build.group(kind, k == blunt)

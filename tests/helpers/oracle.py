@@ -178,7 +178,8 @@ def read(scene: Scene) -> Model:
     slides = [Pair(s.name, s.i, s.j, s.p / size, s.g / size, s.u, s.turn, s.offset / size, s.friction) for s in slides]
     drive = scene["drive"]
     driver, revolving = str(drive["link"]), "phi" in drive
-    groups = order_of_groups(list(links), points, slides, driver)
+    inner = [s.j for s in slides if s.i == driver and s.j != FRAME and not revolving]
+    groups = order_of_groups(list(links), points, slides, driver, inner)
     order = [FRAME, driver, *itertools.chain.from_iterable(groups)]
     hinges = []
     for name in dict.fromkeys(k for n in order for k in points[n]):
@@ -199,10 +200,16 @@ def read(scene: Scene) -> Model:
 
 
 def order_of_groups(
-    links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair], driver: str
+    links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair], driver: str, carriers: list[str]
 ) -> list[tuple[str, str]]:
-    """Dyads in order of solving: each time the first two links, in file order, that can be solved."""
+    """Dyads in order of solving: each time the first two links, in file order, that can be solved. With a drive on a
+    guide of a moving link (``carriers``), that link and the one its slider moves come first."""
     solved, groups = {FRAME, driver}, []
+    for carrier in carriers:
+        held = {s.i for s in slides if s.j == FRAME} | {n for n in links if points[n].keys() & points[FRAME].keys()}
+        moved = next(n for n in links if n in held - {carrier} and points[n].keys() & points[driver].keys())
+        groups.append((carrier, moved) if links.index(carrier) < links.index(moved) else (moved, carrier))
+        solved |= {carrier, moved}
     while len(solved) <= len(links):
         known = {k for n in solved for k in points[n]}
         ends = [n for s in slides for n, other in ((s.i, s.j), (s.j, s.i)) if other in solved]

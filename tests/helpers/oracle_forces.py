@@ -136,7 +136,7 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
         cols.append(wrench(m.driver, 0j, 0j, m.size))
     else:
         at = sol.feet[m.driver] if balancing_at == "foot" else next(sol.points[k][0] for k in m.points[m.driver])
-        cols.append(wrench(m.driver, at, sol.guides[m.driver][2]))
+        cols.append(between(m.driver, sol.guides[m.driver][1], at, sol.guides[m.driver][2]))
     grips, quick = [], max(abs(w) for _, w in sol.motion.values())
     for k, h in enumerate(m.hinges):
         turning = sol.motion[h.i][1] - sol.motion[h.j][1]
@@ -181,11 +181,12 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
             Action("friction", link, sol.feet[s.i], sign * rub * u) for link, sign in ((s.i, 1), (s.j, -1)) if rub
         ]
     sol.balancing = float(x[-1]) * (m.size if m.revolving else 1.0)
-    sol.actions.append(
-        Action("balancing", m.driver, 0j, 0j, sol.balancing)
-        if m.revolving
-        else Action("balancing", m.driver, at, sol.balancing * sol.guides[m.driver][2])
-    )
+    if m.revolving:
+        sol.actions.append(Action("balancing", m.driver, 0j, 0j, sol.balancing))
+        return
+    for link, sign in ((m.driver, 1), (sol.guides[m.driver][1], -1)):
+        if link != FRAME:
+            sol.actions.append(Action("balancing", link, at, sign * sol.balancing * sol.guides[m.driver][2]))
 
 
 def power_balance(sol: Solution) -> tuple[float, float]:

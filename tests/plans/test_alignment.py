@@ -10,7 +10,7 @@ import pytest
 
 from planes.plans import Plans, plans_of
 from planes.plans.alignment import CHOICES, FREEDOMS, _places, aligned, determinant, firm, steadily
-from planes.plans.structure import Pair
+from planes.plans.groups import Pair
 from planes.scene import load
 from tests.diagrams.test_diagrams import ROCKER, plans_from
 from tests.helpers import ROOT

@@ -185,7 +185,7 @@ def test_underlines_count_what_is_known():
     assert [sum(abs(x - at[n]) < 1e-9 for x in under) for n in ("vC", "vB", "vCB")] == [1, 2, 1]
 
 
-TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver")]
+TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver", "lift")]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 
 

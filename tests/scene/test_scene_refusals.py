@@ -90,7 +90,7 @@ BAD = [
     ("phi: phi_1", "phi: 1, s: 1", "both phi and s", 17),
     ("omega: -20", "velocity: -20", "given by phi has no velocity; write omega", 17),
     ("phi: phi_1, omega: -20", "s: 0", "given by s has no epsilon; write acceleration", 17),
-    ("phi: phi_1, omega: -20, epsilon: 80", "s: 0", "link 1 slides on no guide of the frame", 17),
+    ("phi: phi_1, omega: -20, epsilon: 80", "s: 0", "link 1 slides on no straight guide", 17),
     ("omega: -20", "omega: fast", '"fast" is not defined', 17),
     ("phi: phi_1", "phi: phi_2", "did you mean phi_1?", 17),
     ("drive: {link: 1, phi: phi_1, omega: -20, epsilon: 80}", "drive:", "drive is empty", 17),

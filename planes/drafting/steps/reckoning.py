@@ -128,6 +128,18 @@ class SenseOf(Step):
 
 
 @dataclass(frozen=True)
+class SizeOf(Step):
+    """A value without its sign."""
+
+    value: str
+    kind: ClassVar[Kind] = "value"
+    needs = values("value")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        return abs(env[self.value])
+
+
+@dataclass(frozen=True)
 class SenseBetween(Step):
     """+1, -1 or 0: which way one thing turns against another, or against what stands still (""); each at its ``rate``
     unless its ``sense`` says that it stands."""

@@ -1,0 +1,126 @@
+"""Drives between two moving links: a cylinder, against closed forms and the independent solver."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+
+import numpy as np
+import pytest
+
+from planes import cycle, solve
+from planes.plans import plans_of, structure_of
+from planes.scene import loads
+from planes.words.errors import PlanesError, StructureError
+from tests.helpers.comparing import against, closing_mm, power, standing
+from tests.helpers.mechanisms import KINDS, make
+
+LIFT = """\
+planes: 1
+parameters: {reach: 0.4}
+frame: {points: {O: [0, 0], D: [0.5, 0]}}
+links:
+  1: {points: {D: 0}, guides: {cyl: {through: D, angle: 0}}}
+  2: {points: {A: 0}, slides: cyl}
+  3: {points: {O: 0, A: 0.4, P: 0.8}, centre: P, mass: 100}
+assembly: {A: left}
+drive: {link: 2, s: reach, velocity: 0.1, acceleration: 0.3}
+gravity: 9.81
+"""
+
+
+@pytest.mark.parametrize("reach", [0.35, 0.5, 0.7])
+def test_a_boom_by_the_law_of_cosines(reach: float) -> None:
+    """The triangle ODA gives the boom's angle, its derivatives the rates, the power the force."""
+    found = solve(loads(LIFT), s=reach)
+    cosine = (0.5**2 + 0.4**2 - reach**2) / (2 * 0.5 * 0.4)
+    turned = math.acos(cosine)
+    assert cmath.phase(found.r["A"]) == pytest.approx(-turned, abs=1e-13)  # on the left from D to O
+    slope = reach / (0.5 * 0.4 * math.sin(turned))
+    omega = -slope * 0.1
+    second = 1 / (0.5 * 0.4 * math.sin(turned)) - slope**2 / math.tan(turned)
+    epsilon = -(slope * 0.3 + second * 0.1**2)
+    assert found.omega["3"] == pytest.approx(omega, rel=1e-12)
+    assert found.epsilon["3"] == pytest.approx(epsilon, rel=1e-11)
+    moment = 100 * 0.8**2 * epsilon + 100 * 9.81 * found.r["P"].real
+    assert found.value("Fb_2") == pytest.approx(moment * omega / 0.1, rel=1e-11)
+    assert found.value("Fb_2") == pytest.approx(found.value("zhukovsky_force"), rel=1e-11)
+
+
+def test_a_weightless_cylinder_pushes_along_itself_alone() -> None:
+    found = solve(loads(LIFT))
+    along = found.r["A"] - 0.5
+    force = found.value("F_32")
+    assert abs((force * along.conjugate()).imag) <= 1e-12 * abs(force * along)
+    assert found.value("Fb_2") == pytest.approx((force * along.conjugate()).real / abs(along), rel=1e-12)
+
+
+def test_its_structure() -> None:
+    structure = structure_of(loads(LIFT).mechanism)  # type: ignore[arg-type]
+    assert structure.formula == "I(1;2) -> II(1-2;3)"
+    assert structure.json()["groups"] == [{"links": ["1", "3"], "kind": 1, "name": "RRR", "drive": ["1", "2"]}]
+    assert structure.q == 1 - 6 * 3 + 5 * 4
+
+
+def test_values_change_no_program() -> None:
+    other = LIFT.replace("0.4", "0.45").replace("0.5", "0.6")
+    one, two = (plans_of(loads(text).mechanism).program for text in (LIFT, other))  # type: ignore[arg-type]
+    assert one == two
+
+
+def test_at_rest_and_in_the_loop() -> None:
+    rest = loads(LIFT.replace("velocity: 0.1", "velocity: 0"))
+    assert solve(rest).value("Fb_2") == pytest.approx(solve(rest).value("zhukovsky_force"), rel=1e-11)
+    reaches = np.linspace(0.3, 0.7, 5)
+    found = cycle(loads(LIFT), s=reaches)
+    for k, reach in enumerate(reaches):
+        assert found["Fb_2"][k] == pytest.approx(solve(loads(LIFT), s=float(reach)).value("Fb_2"), rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ("2: {points: {A: 0}, slides: cyl}", "2: {points: {B: 0}, slides: cyl}", "W"),
+        (
+            "1: {points: {D: 0}, guides: {cyl: {through: D, angle: 0}}}\n  2: {points: {A: 0}, slides: cyl}",
+            "1: {points: {A: 0}, guides: {cyl: {through: A, angle: 0}}}\n  2: {points: {D: 0}, slides: cyl}",
+            "turn the cylinder round",
+        ),
+        ("link: 2, s", "link: 3, s", "slides on no straight guide"),
+    ],
+)
+def test_what_cannot_be_drawn_is_one_sentence(old: str, new: str, why: str) -> None:
+    with pytest.raises((StructureError, PlanesError), match=why):
+        plans_of(loads(LIFT.replace(old, new)).mechanism)  # type: ignore[arg-type]
+
+
+def test_too_long_a_cylinder_is_one_sentence() -> None:
+    with pytest.raises(PlanesError):
+        solve(loads(LIFT), s=2.0)
+
+
+def examined(seed: int) -> float | None:
+    """The worst number of one random mechanism driven by a cylinder; None where something stands still."""
+    rng = random.Random(f"inner {seed}")
+    kinds = rng.choices(KINDS, k=seed % 3)
+    case = make(rng, kinds, inner=True, pins=seed % 2 == 0, friction=seed % 5 == 0, rest=seed % 7 == 0)
+    if standing(case):
+        return None
+    drawn, wrong = against(case)
+    total, largest = power(drawn)
+    assert abs(total) * drawn.sharpest <= 1e-10 * largest, seed
+    assert closing_mm(drawn) <= 1e-9, seed
+    return max(wrong.values()) * drawn.sharpest
+
+
+def test_random_mechanisms_with_cylinders() -> None:
+    found = [e for seed in range(40) if (e := examined(seed)) is not None]
+    assert len(found) > 30 and max(found) <= 1e-11
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("fifth", range(5))
+def test_more_random_mechanisms_with_cylinders(fifth: int) -> None:
+    found = [e for seed in range(1000 + 80 * fifth, 1080 + 80 * fifth) if (e := examined(seed)) is not None]
+    assert len(found) > 60 and max(found) <= 1e-9
