@@ -14,6 +14,7 @@ from planes.documents.packages import prairielearn
 from planes.documents.platforms import moodle, stack
 from planes.words import Lang
 
+_DATE = re.compile(rb"(?<=/CreationDate\(D:)\d+")
 _OWN_NAME = re.compile(rb"(?<=[\[>])<[0-9A-F]{32}>(?=[<\]])")
 
 
@@ -45,4 +46,5 @@ def book(keys: Sequence[Path]) -> bytes:
     whole.save(held)
     whole.close()
     named = hashlib.sha256(b"".join(key.read_bytes() for key in keys)).hexdigest()[:32].upper().encode()
-    return _OWN_NAME.sub(b"<" + named + b">", held.getvalue())  # the library names every file it writes by chance
+    plain = _OWN_NAME.sub(b"<" + named + b">", held.getvalue())  # the library names a file by chance, and dates it
+    return _DATE.sub(lambda date: b"0" * len(date[0]), plain)
