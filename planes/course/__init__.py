@@ -14,7 +14,7 @@ says more; all its keys but ``course`` may be left out::
     variants: given                      # the variants of the scene first, then drawn numbers; or: drawn
     draw: {phi_1: {from: 0, to: 345, step: 15}, l_AB: 10 %, F_5: [1000, 1500, 2000]}
     sharpness: 15                        # degrees: with drawn numbers no lines of any plan meet at less, all round
-    documents: [task, blank, key, sheets, lesson]   # note as well
+    documents: [task, blank, key, sheets, lesson]   # note, book, scorm, moodle, stack, prairielearn too
     formats: [pdf]                       # of the sheets: dxf, svg, png as well
     plans: [velocity, acceleration, force]          # what the blanks are for
     seed: 1
@@ -32,7 +32,8 @@ from planes.scene.source import Node
 from planes.words import Lang
 from planes.words.errors import Doubt
 
-DOCUMENTS = ("task", "blank", "key", "sheets", "lesson", "note")
+PLATFORMS = ("moodle", "stack", "prairielearn")
+DOCUMENTS = ("task", "blank", "key", "sheets", "lesson", "note", "book", "scorm", *PLATFORMS)
 FORMATS = ("pdf", "dxf", "svg", "png")
 
 

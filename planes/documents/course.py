@@ -1,5 +1,6 @@
 """The documents of one student, made by any worker: plain data in, the contents of files out."""
 
+import json
 import threading
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -8,12 +9,15 @@ from functools import cached_property
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked
 from planes.check.sheet_mark import SheetMark
-from planes.course import Course
+from planes.course import PLATFORMS, Course
 from planes.course.ledger import fingerprint
 from planes.course.numbers import why
 from planes.course.papers import answers, clearest, task
+from planes.course.quiz import Quiz, questions
+from planes.documents import picture
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed
+from planes.documents.packages import scorm
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
 from planes.plans.scales import FIT_MM
@@ -60,6 +64,7 @@ class Made:
 def names_of(course: Course) -> dict[str, str]:
     """The files each student gets: name -> the folder it is in, "students" or "teacher"."""
     known = {"sheets": [f"sheet-{n}.{f}" for n in (1, 2) for f in course.formats], "lesson": ["lesson.html"]}
+    known |= {"scorm": ["scorm.zip"], "book": ["key.pdf"]} | {key: ["quiz.json"] for key in PLATFORMS}
     side = {"task": "students", "blank": "students"}
     return {n: side.get(d, "teacher") for d in course.documents for n in known.get(d, [f"{d}.pdf"])}
 
@@ -102,7 +107,8 @@ class Desk:
         if kind.startswith("sheet-"):
             sheet = self.sheet(int(kind[-1]))
             return sheet.rendered(f".{suffix}"), sheet.warnings
-        makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson, "note": self.note}
+        makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson}
+        makers |= {"note": self.note, "scorm": self.scorm, "quiz": self.quiz}
         return makers[kind](), ()
 
     def sheet(self, number: int) -> Sheet:
@@ -138,6 +144,30 @@ class Desk:
     def lesson(self) -> bytes:
         """The lesson's page."""
         return page(lesson_data(self.scene), self.order.lang).encode()
+
+    def scorm(self) -> bytes:
+        """The lesson as a package of a learning platform."""
+        assignment, _, student = self.order.whose
+        scored = page(lesson_data(self.scene), self.order.lang, scored=True).encode()
+        return scorm(scored, f"{assignment} {student}", self.order.heads[0])
+
+    def quiz(self) -> bytes:
+        """What platforms ask, with the scheme in another position as a picture."""
+        assignment, _, student = self.order.whose
+        plans, lang = self.drawn.plans, self.order.lang
+        shown = position(self.scene, plans, None, clearest(plans, self.drawn.at), None, lang)
+        given = {n: v for n, v in self.scene.parameters.items() if n in self.order.used}
+        held = Quiz(
+            student=str(self.scene.sheet.get("student", "")),
+            group=str(self.scene.sheet.get("group", "")),
+            assignment=assignment,
+            title=self.order.heads[0],
+            place=student,
+            given=given,
+            questions=questions(self.scene, lang),
+            picture=picture(shown, None, lang).rendered(".png"),
+        )
+        return (json.dumps(held.json(), ensure_ascii=False, indent=1) + "\n").encode()
 
     def note(self) -> bytes:
         """The explanatory note."""

@@ -17,6 +17,7 @@ from planes.course.numbers import Question, Settled, question, settle, used_name
 from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each
+from planes.documents.answer_book import together
 from planes.documents.course import Made, Order, make, names_of
 from planes.scene import loads
 from planes.words import Lang, Phrase
@@ -64,7 +65,7 @@ class Conductor:
         orders = {s: self.order(s, settled[s].scene) for s in self.given if not settled[s].fault}
         self.documents(orders)
         wanted = [self.place(s, n) for s in orders for n in (SCENE, KEY, *self.names)]
-        self.ledger.close([*wanted, *self.summary(settled)])
+        self.ledger.close([*wanted, *self.summary(settled), *self.together(list(orders))])
         kept = {(s.place, n): self.ledger.entries.get(self.place(s, n), Entry()) for s in orders for n in self.names}
         self.report.faults.sort()
         self.report.said = sorted((*where, text) for where, entry in kept.items() for text in entry.said)
@@ -180,6 +181,14 @@ class Conductor:
             if not self.ledger.fresh(name, digest(data)):
                 self.ledger.keep(name, digest(data), data)
         return list(made)
+
+    def together(self, made: Sequence[Share]) -> list[str]:
+        """What is made of everybody's files: the book of answers, the questions of platforms."""
+        files = dict(together(self.course, self.ledger.folder, [s.place for s in made], self.lang))
+        for name, data in files.items():
+            if not self.ledger.fresh(name, digest(data)):
+                self.ledger.keep(name, digest(data), data)
+        return list(files)
 
 
 def made_of(thing: object, name: str) -> str:

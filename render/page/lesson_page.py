@@ -21,8 +21,11 @@ NOSCRIPT = (
 )
 
 
-def page(data: Json, lang: str) -> str:
-    """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
+def page(data: Json, lang: str, scored: bool = False) -> str:
+    """The whole page; one that is ``scored`` tells a platform its score.
+
+    ``data`` is what :func:`planes.lesson.data.lesson_data` exports.
+    """
     told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
     words = {key: {of: one[key] for of, one in told.items()} for key in told["en"]}
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
@@ -36,7 +39,7 @@ def page(data: Json, lang: str) -> str:
         "noscript": NOSCRIPT,
     }
     body = web_page.filled(web_page.part("lesson.html"), parts)
-    code = web_page.part(*(f"{name}.js" for name in SCRIPTS))
+    code = web_page.part(*(f"{name}.js" for name in (*SCRIPTS, *(("scorm",) if scored else ()))))
     once: dict[str, int] = {}
     held = {"words": words, "data": _once(data, once), "letters": written(_names(data), data["lettering"])}
     held["sentences"] = [json.loads(text) for text in once]

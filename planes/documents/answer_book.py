@@ -1,0 +1,50 @@
+"""What is made of a whole course at once: the teacher's book of answers, the question files of learning platforms."""
+
+import hashlib
+import io
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import pypdfium2
+
+from planes.course import PLATFORMS, Course
+from planes.course.quiz import Quiz, by_assignment
+from planes.documents.packages import prairielearn
+from planes.documents.platforms import moodle, stack
+from planes.words import Lang
+
+_DATE = re.compile(rb"(?<=/CreationDate\(D:)\d+")
+_OWN_NAME = re.compile(rb"(?<=[\[>])<[0-9A-F]{32}>(?=[<\]])")
+
+
+def together(course: Course, folder: Path, places: Sequence[str], lang: Lang) -> Iterator[tuple[str, bytes]]:
+    """The files of a course that hold everybody's work, by their names within the folder."""
+    here = [folder / "teacher" / place for place in places]
+    if "book" in course.documents:
+        keys = [file for one in here if (file := one / "key.pdf").is_file()]
+        yield "teacher/book.pdf", book(keys)
+    if not {*PLATFORMS} & {*course.documents}:
+        return
+    kept = [file.read_text("utf-8") for one in here if (file := one / "quiz.json").is_file()]
+    quizzes, title = [Quiz.read(text) for text in kept], course.title.get(lang, "")
+    for name, write in (("moodle", moodle), ("stack", stack)):
+        if name in course.documents and quizzes:
+            yield f"teacher/{name}.xml", write(quizzes, title, lang)
+    asked = by_assignment(quizzes) if "prairielearn" in course.documents else {}
+    for name, group in asked.items():
+        for inner, data in prairielearn(name, group, lang).items():
+            yield f"teacher/prairielearn/{name}/{inner}", data
+
+
+def book(keys: Sequence[Path]) -> bytes:
+    """The pages of everybody's key, one after another in the order of the list."""
+    whole, held = pypdfium2.PdfDocument.new(), io.BytesIO()
+    for key in keys:
+        with pypdfium2.PdfDocument(key) as one:
+            whole.import_pages(one)
+    whole.save(held)
+    whole.close()
+    named = hashlib.sha256(b"".join(key.read_bytes() for key in keys)).hexdigest()[:32].upper().encode()
+    plain = _OWN_NAME.sub(b"<" + named + b">", held.getvalue())  # the library names a file by chance, and dates it
+    return _DATE.sub(lambda date: b"0" * len(date[0]), plain)

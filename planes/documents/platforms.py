@@ -1,0 +1,219 @@
+"""Questions of a course as learning platforms import them: Moodle XML, numerical and calculated questions, and STACK.
+
+Formats: https://docs.moodle.org/en/Moodle_XML_format; STACK questions stand in the same file format. Numbers carry
+a point, tolerances are what a pupil's pencil may be off by; every picture is in the file.
+"""
+
+import base64
+import html
+import re
+from collections.abc import Iterable, Sequence
+from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+from planes.course.quiz import Quiz, QuizItem, by_assignment, task_text, varied
+from planes.words import Lang, decimal, say
+from planes.words.lettering import Naming
+from planes.words.units import unit_of_parameter
+
+PICTURE = "scheme.png"
+STACK_VERSION = "2023121100"
+GRADE = "1.0000000"
+
+
+def signed(name: str, lang: Lang) -> str:
+    """A name as a page letters it: v_C as v with a subscript."""
+    told = Naming(lang).vector(name)
+    return re.sub(r"\^\{(.*?)\}", r"<sup>\1</sup>", re.sub(r"_\{(.*?)\}", r"<sub>\1</sub>", told))
+
+
+def given_of(numbers: Iterable[tuple[str, str]], lang: Lang) -> list[tuple[str, str]]:
+    """Given numbers as a page shows them, each with its unit."""
+    units = ((name, value, unit_of_parameter(name)) for name, value in numbers)
+    return [(signed(name, lang), f"{value} {say(unit, lang)}" if unit else value) for name, value, unit in units]
+
+
+def moodle(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
+    """Numerical questions of every student, a category each; and a calculated question for each answer of an
+    assignment, whose data are everybody's numbers."""
+    quiz = Element("quiz")
+    for one in quizzes:
+        _category(quiz, course, one.place)
+        for item in one.questions:
+            _numerical(quiz, one, item, lang)
+    for name, group in by_assignment(quizzes).items():
+        _category(quiz, course, say("quiz_pool", lang, name=name))
+        for number in range(len(group[0].questions)):
+            _calculated(quiz, group, number, lang)
+    return _file(quiz)
+
+
+def stack(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
+    """A STACK question for each assignment: a variant is one student's numbers, every answer has its own input."""
+    quiz = Element("quiz")
+    _category(quiz, course, "STACK")
+    for name, group in by_assignment(quizzes).items():
+        _stack(quiz, name, group, lang)
+    return _file(quiz)
+
+
+def _file(quiz: Element) -> bytes:
+    indent(quiz, " ")
+    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(quiz, "unicode").encode() + b"\n"
+
+
+def _text(parent: Element, tag: str, text: str, **how: str) -> Element:
+    """An element whose words stand in a <text>, as Moodle has it."""
+    found = SubElement(parent, tag, how)
+    SubElement(found, "text").text = text
+    return found
+
+
+def _category(quiz: Element, course: str, name: str) -> None:
+    plain = "/".join(part.replace("/", "//") for part in ("top", course or "planes", name))
+    _text(SubElement(quiz, "question", type="category"), "category", f"$course$/{plain}")
+
+
+def _question(quiz: Element, kind: str, name: str, text: str, picture: bytes) -> Element:
+    """The head every question has, with the picture in the file."""
+    question = SubElement(quiz, "question", type=kind)
+    _text(question, "name", name)
+    shown = f'{text}<p><img src="@@PLUGINFILE@@/{PICTURE}" alt="" style="max-width: 100%"/></p>'
+    told = _text(question, "questiontext", shown, format="html")
+    held = SubElement(told, "file", name=PICTURE, path="/", encoding="base64")
+    held.text = base64.b64encode(picture).decode()
+    _text(question, "generalfeedback", "", format="html")
+    for tag, value in (("defaultgrade", GRADE), ("penalty", "0.3333333"), ("hidden", "0")):
+        SubElement(question, tag).text = value
+    return question
+
+
+def asked(item: QuizItem, lang: Lang) -> str:
+    """What is asked, with the unit."""
+    return f"<p>{say('quiz_find', lang, name=signed(item.name, lang), unit=say(item.unit, lang))}</p>"
+
+
+def _numbers(quiz: Quiz, lang: Lang) -> list[tuple[str, str]]:
+    return given_of(((n, decimal(f"{v:.6g}", lang)) for n, v in quiz.given.items()), lang)
+
+
+def _numerical(quiz: Element, one: Quiz, item: QuizItem, lang: Lang) -> None:
+    text = f"<p>{html.escape(one.title)}</p><p>{task_text(_numbers(one, lang), lang)}</p>{asked(item, lang)}"
+    question = _question(quiz, "numerical", f"{one.assignment}: {item.name}", text, one.picture)
+    answer = _text(question, "answer", f"{item.value:.10g}", fraction="100", format="moodle_auto_format")
+    SubElement(answer, "tolerance").text = f"{item.tolerance:.6g}"
+    _text(answer, "feedback", "", format="html")
+    for tag, value in (("unitgradingtype", "0"), ("unitpenalty", "0.1"), ("showunits", "3"), ("unitsleft", "0")):
+        SubElement(question, tag).text = value
+
+
+def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -> None:
+    """One answer of an assignment, its numbers drawn from those of the students."""
+    first, item = group[0], group[0].questions[number]
+    own = varied(group)
+    shown = ((n, f"{{{n}}}" if n in own else decimal(f"{v:.6g}", lang)) for n, v in first.given.items())
+    text = f"<p>{html.escape(first.title)}</p><p>{task_text(given_of(shown, lang), lang)}</p>{asked(item, lang)}"
+    question = _question(quiz, "calculated", f"{first.assignment}: {item.name}", text, first.picture)
+    for tag, value in (("synchronize", "1"), ("single", "0"), ("answernumbering", "abc"), ("shuffleanswers", "0")):
+        SubElement(question, tag).text = value
+    for tag in ("correctfeedback", "partiallycorrectfeedback", "incorrectfeedback"):
+        _text(question, tag, "")
+    answer = SubElement(question, "answer", fraction="100")
+    SubElement(answer, "text").text = f"{{{item.key}}}"
+    least = min(q.questions[number].tolerance for q in group)
+    told = {"tolerance": f"{least:.6g}", "tolerancetype": "2", "correctanswerformat": "2", "correctanswerlength": "4"}
+    for tag, value in told.items():  # nominal; significant figures
+        SubElement(answer, tag).text = value
+    _text(answer, "feedback", "", format="html")
+    for tag, value in (("unitgradingtype", "0"), ("unitpenalty", "0.1"), ("showunits", "3"), ("unitsleft", "0")):
+        SubElement(question, tag).text = value
+    rows = {n: [q.given[n] for q in group] for n in own} | {item.key: [q.questions[number].value for q in group]}
+    definitions = SubElement(question, "dataset_definitions")
+    for name, values in rows.items():
+        _dataset(definitions, f"{name}", values)
+
+
+def _dataset(definitions: Element, name: str, values: Sequence[float]) -> None:
+    """The numbers a wildcard stands for, one for each student."""
+    own = SubElement(definitions, "dataset_definition")
+    _text(own, "status", "private")
+    _text(own, "name", name)
+    SubElement(own, "type").text = "calculated"
+    for tag, text in {
+        "distribution": "uniform",
+        "minimum": f"{min(values):.10g}",
+        "maximum": f"{max(values):.10g}",
+    }.items():
+        _text(own, tag, text)
+    _text(own, "decimals", "4")
+    SubElement(own, "itemcount").text = str(len(values))
+    items = SubElement(own, "dataset_items")
+    for number, one in enumerate(values, 1):
+        item = SubElement(items, "dataset_item")
+        SubElement(item, "number").text = str(number)
+        SubElement(item, "value").text = f"{one:.10g}"
+    SubElement(own, "number_of_items").text = str(len(values))
+
+
+def _stack(quiz: Element, name: str, group: Sequence[Quiz], lang: Lang) -> None:
+    first, own = group[0], varied(group)
+    shown = ((n, f"{{@d_{k}@}}" if n in own else f"{v:.6g}") for k, (n, v) in enumerate(first.given.items()))
+    inputs = [
+        f"{asked(item, lang)}<p>[[input:ans{k}]] [[validation:ans{k}]]</p>" for k, item in enumerate(first.questions, 1)
+    ]
+    text = f"<p>{html.escape(first.title)}</p><p>{task_text(given_of(shown, lang), lang)}</p>{''.join(inputs)}"
+    question = _question(quiz, "stack", name, text, first.picture)
+    _text(question, "stackversion", STACK_VERSION)
+    _text(question, "questionvariables", _variables(group))
+    feedback = "".join(f"[[feedback:prt{k}]]" for k in range(1, len(first.questions) + 1))
+    _text(question, "specificfeedback", feedback, format="html")
+    _text(question, "questionnote", "{@k@}")
+    for tag, value in (
+        ("questionsimplify", "1"),
+        ("assumepositive", "0"),
+        ("multiplicationsign", "dot"),
+        ("sqrtsign", "1"),
+    ):
+        SubElement(question, tag).text = value
+    for k in range(1, len(first.questions) + 1):
+        _input(question, k)
+    for k in range(1, len(first.questions) + 1):
+        _tree(question, k, 1.0 / len(first.questions), lang)
+    for seed in range(1, len(group) + 1):
+        SubElement(question, "deployedseed").text = str(seed)
+
+
+def _variables(group: Sequence[Quiz]) -> str:
+    """Maxima: which student's numbers they are, those numbers, answers and tolerances."""
+    lines = [f"k: rand({len(group)}) + 1;"]
+    for k, name in enumerate(group[0].given):
+        lines.append(f"d_{k}: [{', '.join(f'{q.given[name]:.6g}' for q in group)}][k];")
+    for k in range(len(group[0].questions)):
+        for letter, part in (("ta", "value"), ("tol", "tolerance")):
+            numbers = ", ".join(f"{getattr(q.questions[k], part):.10g}" for q in group)
+            lines.append(f"{letter}{k + 1}: [{numbers}][k];")
+    return "\n".join(lines)
+
+
+def _input(question: Element, k: int) -> None:
+    found = SubElement(question, "input")
+    told = {"name": f"ans{k}", "type": "numerical", "tans": f"ta{k}", "boxsize": "12", "strictsyntax": "1"}
+    told |= {"insertstars": "0", "forbidfloat": "0", "requirelowestterms": "0", "checkanswertype": "0"}
+    for tag, value in (told | {"mustverify": "0", "showvalidation": "1"}).items():
+        SubElement(found, tag).text = value
+
+
+def _tree(question: Element, k: int, share: float, lang: Lang) -> None:
+    """Right within the tolerance."""
+    tree = SubElement(question, "prt")
+    for tag, value in (("name", f"prt{k}"), ("value", f"{share:.7f}"), ("autosimplify", "1"), ("feedbackstyle", "1")):
+        SubElement(tree, tag).text = value
+    _text(tree, "feedbackvariables", f"near{k}: is(abs(ans{k} - ta{k}) <= tol{k});")
+    node = SubElement(tree, "node")
+    told = {"name": "0", "answertest": "AlgEquiv", "sans": f"near{k}", "tans": "true", "testoptions": "", "quiet": "1"}
+    for tag, value in told.items():
+        SubElement(node, tag).text = value
+    for side, score, key in (("true", "1", "quiz_right"), ("false", "0", "quiz_wrong")):
+        for tag, value in (("scoremode", "="), ("score", score), ("penalty", ""), ("nextnode", "-1")):
+            SubElement(node, f"{side}{tag}").text = value
+        SubElement(node, f"{side}answernote").text = f"prt{k}-1-{side[0].upper()}"
+        _text(node, f"{side}feedback", say(key, lang), format="html")
