@@ -10,6 +10,7 @@ from conftest import SAMPLES, SCENES, angles, peak, plans
 
 from planes.batch import Cycle
 from planes.drafting.drawing import run
+from planes.drafting.program import Program
 from planes.plans.quantities import MOTION, catalogue
 from planes.scene import load
 from planes.scene.ranges import Span
@@ -62,6 +63,17 @@ def bench_everything(benchmark, name: str, count: int, forces: bool, way: str) -
     group = f"{name}, all {'with forces' if forces else 'of motion'}, {count}"
     drawn = {"one by one": lambda: run(cycle.program, given)}
     timed(benchmark, group, way, count, drawn.get(way, lambda: through(cycle, values, way == "fused")))
+
+
+@pytest.mark.parametrize("way", ["fused", "arrays"])
+@pytest.mark.parametrize("proved", [True, False], ids=["proved", "unproved"])
+@pytest.mark.parametrize("name", list(SCENES))
+def bench_proofs(benchmark, name: str, proved: bool, way: str) -> None:
+    """What it costs to prove every position."""
+    cycle, values = Cycle(plans(name)), angles(name, 80_000)
+    cycle.program = cycle.program if proved else Program(cycle.program.steps)
+    what = "proved" if proved else "unproved"
+    timed(benchmark, f"{name}, {way}", what, len(values), lambda: through(cycle, values, way == "fused"))
 
 
 @pytest.mark.parametrize("count", LENGTHS)
