@@ -7,15 +7,15 @@ the drawing is right is judged afterwards, from the places.
 """
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any, Self
 
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, redrawn, variants_of
+from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
 from planes.check.vision.ink_cover import (
     ANYWHERE,
     COVERED,
@@ -30,12 +30,13 @@ from planes.check.vision.ink_cover import (
     slip,
 )
 from planes.check.vision.places import Place, Seen, pole_on
-from planes.check.vision.print_scale import SAME, UNLIKELY, by_ruler, shares_of
+from planes.check.vision.print_scale import UNLIKELY, by_ruler, shares_of
 from planes.drafting.steps import Step
 from planes.words import Phrase
 from planes.words.names import POLE, at, label_of, plan_of
 
 NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
+FAR = 1.5  # a place that costs more may be another mark's, its own not seen
 ASTRAY_MM = 10.0  # a mark anywhere is the less likely the farther it is from where it should be
 EVEN_MM = 0.9  # marks nearer than this may be one
 
@@ -48,7 +49,7 @@ class LaidPlan:
     found: dict[str, Place] = field(default_factory=dict)  # by mark
     variant: Variant | None = None
     vanished: bool = False  # whether a mark that should be elsewhere came to the pole, where it leaves no trace
-    others: list[tuple[str, Place]] = field(default_factory=list)  # nearly as likely places of marks
+    others: list[tuple[str, Place | None]] = field(default_factory=list)  # nearly as likely places of marks, or nowhere
 
 
 @dataclass
@@ -63,6 +64,7 @@ class Search:
     vectors: list[tuple[str, str]]
     ink: InkCover
     share: float = 1.0  # of its size that the sheet was printed at
+    drawn: Container[int] = (0,)  # in which ways the plan may have been drawn there: 0 rightly, then with each mistake
 
     @classmethod
     def of(
@@ -74,23 +76,13 @@ class Search:
         hand = Hand(bench.program, bench.given, bench.asked.skill, {m: ReadMark(m, z) for m, z in true.items()})
         return cls(bench, ink.seen, pole, hand.misses(bench.marks), true, vectors, ink, share)
 
-    @property
-    def told(self) -> tuple[str, float] | None:
-        """The mark the sheet's scale was taken from, and how far it is from the pole."""
-        return self.seen.ink.flat.told
-
-    def meant(self, variant: Variant | None) -> bool:
-        """Whether the sheet is seen at this share of its size where the plan was drawn so."""
-        z = drawn_at(self.bench, variant, self.told[0]) if self.told else None
-        return self.told is None or (z is not None and abs(abs(z) / self.told[1] - 1) < SAME)
-
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
         """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
-        best, chosen = self.way(variant, None, cost), dict[str, Place]()
+        best, chosen = self.way(variant, None, cost), dict[str, Place | None]()
         tried = set[tuple[str, int]]()
         while best and best.cost < most + CLOSE:
             mark, place = next(((m, p) for m, p in best.others if (m, id(p)) not in tried), ("", None))
-            if place is None:
+            if not mark:
                 break
             tried.add((mark, id(place)))
             trial = self.way(variant, None, cost, {**chosen, mark: place})
@@ -103,10 +95,10 @@ class Search:
         variant: Variant | None,
         fixed: tuple[str, Place] | None = None,
         cost: float = 0.0,
-        chosen: Mapping[str, Place] = MappingProxyType({}),
+        chosen: Mapping[str, Place | None] = MappingProxyType({}),
     ) -> LaidPlan | None:
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
-        out = LaidPlan(cost + UNLIKELY * (self.share != 1 and not self.told), {}, variant)
+        out = LaidPlan(cost + UNLIKELY * (self.share != 1 and not self.seen.ink.flat.told), {}, variant)
         places, lost = dict[str, complex](), list[complex]()
 
         def snap(step: Step, drawn: Any) -> Any:
@@ -117,9 +109,11 @@ class Search:
                 found: Place | None = fixed[1]
             else:
                 likely = self._likely(step, goal, places, out.found)
-                price, found = next((one for one in likely if one[1] is chosen.get(step.makes)), likely[0])
+                mine = (one for one in likely if step.makes in chosen and one[1] is chosen[step.makes])
+                price, found = next(mine, likely[0])
                 out.cost += price
-                out.others += [(step.makes, p) for dear, p in likely[1:] if p and dear < price + NEARLY]
+                others = ((p, dear - price < NEARLY if p else price > FAR) for dear, p in likely[1:])
+                out.others += [(step.makes, p) for p, worth in others if worth]
             if found is None:
                 lost.append(complex(drawn))
                 return drawn
@@ -147,7 +141,7 @@ class Search:
             price += 0.0 if self._led_to(step, place.z, places) else NO_LINE
             if price <= NO_MARK:
                 likely.append((price, place))
-        return sorted(likely, key=lambda one: one[0]) or [(self._missing(step.makes), None)]
+        return [*sorted(likely, key=lambda one: one[0]), (self._missing(step.makes), None)]
 
     def _led_to(self, step: Step, z: complex, places: Mapping[str, complex]) -> bool:
         """Whether a line leads to a place from where its mark is found from, or from the pole."""
@@ -212,12 +206,12 @@ def _starts(step: Step) -> list[str]:
 def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
     """The way that explains the picture best, of a sheet that may have been printed at several sizes."""
     bench = searches[0].bench
-    ways = [(s, w) for s in searches if s.meant(None) for w in (s.settled(None),) if w]
+    ways = [(s, w) for s in searches if 0 in s.drawn for w in (s.settled(None),) if w]
     best, count = min(ways, key=_cost, default=None), len(variants_of(bench, {}, bench.said_mu))
     if best is None or len(best[1].found) < len(bench.marks) or best[1].cost > slip(count):
         for search in searches:
             variants = variants_of(search.bench, {}, search.bench.said_mu)
-            for variant in filter(search.meant, variants):
+            for variant in (v for k, v in enumerate(variants) if k + 1 in search.drawn):
                 most = min((w.cost for _, w in ways), default=math.inf)
                 ways += [(search, w) for w in (search.settled(variant, slip(len(variants)), most),) if w]
         best = min(ways, key=_cost, default=None)
@@ -235,7 +229,8 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     pole, ends = pole_on(seen, near), bench.vectors
     shares = shares_of(bench, seen, pole.z)
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
-    search, way = best_way([Search.of(bench, ink, pole, ends, share) for share in shares]) or (None, None)
+    searches = [replace(Search.of(bench, ink, pole, ends, k), drawn=drawn) for k, drawn in shares.items()]
+    search, way = best_way(searches) or (None, None)
     if search is None or way is None or not way.found:
         return [], 0.0
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]

@@ -7,7 +7,7 @@ than printers do.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from planes.check.grading.paper import ReadMark
@@ -40,23 +40,24 @@ def likely_shares(flat: Flat, pairs: Iterable[tuple[str, complex, complex]]) -> 
     return found[: 1 + TRIED]
 
 
-def shares_of(bench: PreparedPlan, seen: Seen, pole: complex) -> list[float]:
-    """At what shares of its size a sheet may be seen, the likeliest first."""
-    if told := seen.ink.flat.told:
-        ways = (None, *variants_of(bench, {}, bench.said_mu))
-        return shares_told(seen.ink.flat, (drawn_at(bench, way, told[0]) for way in ways))
-    return likely_shares(seen.ink.flat, seen_from(seen, pole, bench.true_marks))
+def shares_of(bench: PreparedPlan, seen: Seen, pole: complex) -> dict[float, Container[int]]:
+    """At what shares of its size a sheet may be seen, the likeliest first; and for which ways its plan may have been
+    drawn: 0 rightly, then with each mistake.
 
-
-def shares_told(flat: Flat, drawn: Iterable[complex | None]) -> list[float]:
-    """At what shares of its size a picture may be seen by two points: the mark its scale was taken from, which some
-    mistakes put elsewhere (``drawn``, mm from the pole), was so far from the pole in truth."""
-    found = [1.0]
-    for z in drawn:
-        share = abs(z) / flat.told[1] if flat.told and z is not None else 1.0
-        if 1 / WILDEST < share < WILDEST and all(abs(share / one - 1) > SAME for one in found):
-            found.append(share)
-    return found
+    By two points: the mark its scale was taken from, which some mistakes put elsewhere, was so far from the pole.
+    """
+    flat, variants = seen.ink.flat, variants_of(bench, {}, bench.said_mu)
+    if flat.told is None:
+        pairs = seen_from(seen, pole, bench.true_marks)
+        return dict.fromkeys(likely_shares(flat, pairs), range(len(variants) + 1))
+    found: dict[float, list[int]] = {1.0: [0]}
+    for k, variant in enumerate(variants):
+        z = drawn_at(bench, variant, flat.told[0])
+        share = 1.0 if z is None else abs(z) / flat.told[1]
+        one = next((known for known in found if abs(share / known - 1) < SAME), share)
+        if 1 / WILDEST < share < WILDEST:
+            found.setdefault(one, []).append(k + 1)
+    return dict(found)
 
 
 def seen_from(seen: Seen, pole: complex, true: Mapping[str, complex]) -> Iterator[tuple[str, complex, complex]]:
