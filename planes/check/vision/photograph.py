@@ -15,7 +15,7 @@ from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_printed import PrintedSheet
 from planes.check.vision.match_scheme import origin_found, points_on
 from planes.check.vision.page_parts import A2_MM2, parts_of
-from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
+from planes.check.vision.picture import Flat, by_points, by_scale, cv, fits, flatten
 from planes.check.vision.places import Seen, pole_found, pole_on, sheet_of
 from planes.geometry.arrays import Greys
 from planes.words import Phrase
@@ -94,7 +94,7 @@ def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterat
     elif flat := None if known.format else flatten(grey):
         yield flat, None
     else:
-        if scale is not None and known.format is None:
+        if scale is not None and known.format is None and fits(grey, scale):
             yield by_scale(grey, scale), None
         yield from ((flat, None) for flat in by_frame(grey, known.format))
 

@@ -170,11 +170,17 @@ def by_points(grey: Greys, pole: complex, mark: complex, vector: complex, name: 
     return flat
 
 
+def fits(grey: Greys, scale: float) -> bool:
+    """Whether a picture of so many pixels to a mm is of a sheet no larger than people draw on."""
+    factor = PX_PER_MM / scale
+    return 0.05 < factor < 8 and grey.size * factor * factor <= MOST_FLAT
+
+
 def by_scale(grey: Greys, scale: float, pole: complex | None = None, askew_deg: float = 0.0) -> Flat:
     """The picture of so many pixels to a mm, turned back by how much it lies askew; the pole, if it is named, becomes
     the origin."""
     cv2, factor = cv(), PX_PER_MM / scale
-    if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_FLAT:
+    if not fits(grey, scale):
         raise PlanesError(Phrase("check_points"))
     how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
     flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
