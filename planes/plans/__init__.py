@@ -19,6 +19,7 @@ from planes.plans.legs import SlideReading
 from planes.plans.lever import draw_lever
 from planes.plans.loads import Acting
 from planes.plans.passive import without_passive
+from planes.plans.passive_motion import LinkValues, values_of
 from planes.plans.positions import place_all
 from planes.plans.proving import proofs_of
 from planes.plans.reactions import Reaction, Statics
@@ -38,15 +39,6 @@ class PointMarks:
     position: str
     velocity: str
     acceleration: str
-
-
-@dataclass(frozen=True)
-class LinkValues:
-    """Names of a link's angle, angular velocity and angular acceleration ("" where it never turns)."""
-
-    angle: str
-    omega: str
-    epsilon: str
 
 
 @dataclass(frozen=True)
@@ -144,7 +136,7 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
     except StructureError as error:
         freedom = error.phrase.parts.get("freedom") if isinstance(error.phrase, Phrase) else None
         if isinstance(freedom, int) and (plans := without_passive(mechanism, freedom, plans_of)):
-            return plans
+            return _with_passive(plans)
         raise
     try:
         plans = _state(mechanism, structure, file)
@@ -152,6 +144,14 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
         raise SceneError(error.phrase, file, mechanism.where.get(("links",))) from None
     proved(plans.program, {**plans.given, **{mu_of(plan): 1.0 for plan in plans.drawn}})
     return plans
+
+
+def _with_passive(plans: Plans) -> Plans:
+    """The plans with the motion of the passive links they are stated without."""
+    b = plans.acting.b
+    links = {**plans.links, **{link.name: values_of(b, link) for link in plans.passive}}
+    program = Program(tuple(b.draft.steps.values()), plans.program.proofs)
+    return replace(plans, program=program, given=b.draft.given, links=links, means={**plans.means, **b.draft.means})
 
 
 def structure_of(mechanism: Mechanism, file: str = "") -> Structure:

@@ -53,8 +53,8 @@ class AlignedScheme(Scheme):
     def slider(self, link: Link, foot: complex, along: complex) -> None:
         """A cylindrical slider is a bushing: the round rod is seen through it, its axis chain-dotted."""
         super().slider(link, foot, along)
-        pair = next(p for p in self.position.plans.structure.pairs if p.kind == "P" and p.link == link.name)
-        if self.aligned.sign(pair) == "C":
+        pairs = (p for p in self.position.plans.structure.pairs if p.kind == "P" and p.link == link.name)
+        if any(self.aligned.sign(pair) == "C" for pair in pairs):  # of a passive link there is none
             long = self.size(link)[0] / 2 + ROD_MM
             self.hinges.append(Line((foot - long * along, foot + long * along), "axis", "axis"))
             self.hinges += _bushing(foot, degrees(along), self.size(link))

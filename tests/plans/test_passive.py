@@ -10,6 +10,7 @@ import pytest
 
 from planes import solve
 from planes.batch import Cycle
+from planes.documents.lesson import note
 from planes.documents.sheets import sheet_of
 from planes.plans import mechanism_plans
 from planes.scene import loads
@@ -90,3 +91,19 @@ def test_every_reader_draws_or_tells_the_passive_link() -> None:
     assert "4" in texts and any("пассивная связь" in t for t in texts)
     (block,) = Cycle(plans, ["v_B"]).blocks(np.array([20.0, 40.0]))
     assert np.allclose(block.table[:2].ravel(order="F")[:2], [0.0, 2 * math.cos(math.radians(20))], atol=1e-9)
+
+
+@pytest.mark.parametrize("phi", [5.0, 40.0, 130.0])
+def test_passive_links_move_as_what_holds_them(phi: float) -> None:
+    """The third crank of a parallelogram turns as the driver does; the slider of an ellipsograph keeps its turn."""
+    found = solve(loads(parallelogram(phi)))
+    assert mechanism_plans(loads(parallelogram(phi))).structure.passive == ("4",)
+    turned = math.remainder(found.value("phi_4") - phi, 360)
+    assert turned == pytest.approx(0.0, abs=1e-9) and found.omega["4"] == pytest.approx(10.0, rel=1e-10)
+    assert found.epsilon["4"] == pytest.approx(0.0, abs=1e-7)
+    held = solve(loads(trammel(phi)))
+    assert held.value("phi_4") == 90.0 and held.omega["4"] == 0.0
+
+
+def test_a_note_of_a_mechanism_with_a_passive_slider_has_its_self_aligning_variant() -> None:
+    assert note(loads(trammel()), None, ".html", "en")

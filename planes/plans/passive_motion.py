@@ -1,0 +1,38 @@
+"""How passive links move: they are held by points that are drawn without them, so that their turning is read off."""
+
+from dataclasses import dataclass
+
+from planes.drafting.steps.reckoning import Protractor
+from planes.plans.bodies import SCHEME, Bodies, angle_deg
+from planes.plans.kinematics import Rates
+from planes.scene.mechanism import Link
+from planes.words.names import Meaning
+
+
+@dataclass(frozen=True)
+class LinkValues:
+    """Names of a link's angle, angular velocity and angular acceleration ("" where it never turns)."""
+
+    angle: str
+    omega: str
+    epsilon: str
+
+
+def values_of(b: Bodies, link: Link) -> LinkValues:
+    """The values of a link that two hinges hold, or a hinge and a guide of the frame; their steps join the draft."""
+    held = [p for p in link.points if p in b.mechanism.names]
+    if link.slides:
+        angle = b.mechanism.guide(link.slides.guide).angle_deg + (link.slides.angle_deg or 0.0)
+        axis = b.draft.aim(f"x_{link.name}", angle, Meaning("own", link.name))
+        return LinkValues(b.draft.step(Protractor(f"phi_{link.name}", axis)), "", "")
+    one, two = held
+    turned, off = angle_deg(link.points[one], link.points[two])
+    ray = b.draft.ray(SCHEME, one, two)
+    axis = b.draft.turn(f"x_{link.name}", ray, -turned, off, Meaning("own", link.name))
+    across, length = b.draft.square(ray), b.length(link, one, two)
+    angle_name, rates = b.draft.step(Protractor(f"phi_{link.name}", axis)), []
+    for plan in (Rates(b, "velocity"), Rates(b, "acceleration")):
+        ends = plan.mark(one), plan.mark(two)
+        rate = b.draft.measure(f"Δ{plan.letter}{link.name}", *ends, across)
+        rates.append(b.draft.product(plan.spin(link.name), **{rate: 1, length: -1}))
+    return LinkValues(angle_name, *rates)
