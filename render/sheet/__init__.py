@@ -102,10 +102,14 @@ Way = tuple[Sizes, float, bool, Upright]
 """Sizes of plans, a letter height, whether equations stand under their plans, and which blocks stand upright."""
 
 
-def ways(sizes: Sizes, name: str, fits: Callable[[Way], bool]) -> Way | None:
-    """The best looking way to fill a format; where the smallest letters have no room, larger ones are not tried."""
+def ways(sizes: Sizes, name: str, fits: Callable[[Way], bool], best: Way | None = None) -> Way | None:
+    """The best looking way to fill a format, if one is known to be the ``best`` no better than that; where the smallest
+    letters have no room, larger ones are not tried."""
     fit, how = cache(fits), [*product(LETTERS[name[:2]], (True, False))]
     levels = [[(sizes, *h, upright) for h in how] for upright in UPRIGHT]
+    if best:
+        k = UPRIGHT.index(best[-1])
+        levels = [levels[k][levels[k].index(best) :], *levels[k + 1 :]]
     if not any(map(fit, levels[-1][-2:])):
         return None
     return next(filter(fit, next(level for level in levels if any(map(fit, level[-2:])))))
@@ -133,7 +137,7 @@ def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[C
             wanted, spare = more.lettered(*how)
             return packed([*wanted, *spare] if whole else wanted, Paper(name))
 
-        other = ways(how[0], name, fits)
+        other = ways(how[0], name, fits, how)
         contents, how = (more, other) if other else (contents, how)
     return contents, how
 
