@@ -23,8 +23,6 @@ SMALLER = (0.8, 0.63, 0.5, 0.4)
 """How small, against the scene's choice, plans may become where μ is open and no paper holds them; it is said."""
 LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5), "A0": (5.0, 3.5)}
 """Letter heights of tables to try on a format, or on several of it side by side, in mm; equations are a step larger."""
-
-
 Upright = tuple[str, ...]
 UPRIGHT: tuple[Upright, ...] = (("motion", "rates"), ("motion",), ("rates",), ())
 """Blocks of views that are to stand beneath each other: as many as a format has room for."""
@@ -103,8 +101,7 @@ Way = tuple[Sizes, float, bool, Upright]
 
 
 def ways(sizes: Sizes, name: str, fits: Callable[[Way], bool], best: Way | None = None) -> Way | None:
-    """The best looking way to fill a format, if one is known to be the ``best`` no better than that; where the smallest
-    letters have no room, larger ones are not tried."""
+    """The best looking way to fill a format, but none better than ``best``; large letters only where small ones fit."""
     fit, how = cache(fits), [*product(LETTERS[name[:2]], (True, False))]
     levels = [[(sizes, *h, upright) for h in how] for upright in UPRIGHT]
     if best:
@@ -121,8 +118,8 @@ def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | N
     def fits(how: Way) -> bool:
         wanted, spare = contents.lettered(*how)
         shown = [*wanted, *spare] if whole else wanted
-        knotted = whole and spare and factor < 1 and any(v.crowded for v in shown)
         # rather is left out what may be than all drawn too small for its letters
+        knotted = whole and spare and factor < 1 and any(v.crowded for v in shown)
         return bool(whole or spare) and not knotted and packed(shown, Paper(name))
 
     return ways(Sizes(factor), name, fits)

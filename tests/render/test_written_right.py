@@ -28,6 +28,7 @@ from render.paper.letters import pieces
 from render.paper.marks import Line, Text
 from render.paper.typeset import layout, plain
 from render.views.arms import Arms
+from render.views.loading import Arrows
 from render.views.tables import TableGrid
 from tests.helpers import ROOT
 
@@ -177,6 +178,16 @@ def test_cells_keep_clear_of_the_rules(letter: float, cell: str) -> None:
     rules = ink([m for m in marks if isinstance(m, Line)])
     for text in (m for m in marks if isinstance(m, Text)):
         assert len(rules.within(np.array([letters(text)]), 0.3)[0]) == 0
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.03, 0.05])
+def test_forces_that_slant_but_slightly_are_not_drawn_upon_each_other(turn: float) -> None:
+    arrows, far = Arrows(), 60 + 0j
+    one = arrows.placed(0j, 1 + 0j)
+    arrows.upon[0] = one = (one[0], far)  # a long one
+    two = arrows.placed(10 - 0.2j, cmath.rect(1, turn))
+    lines = [shapely.LineString([(z.real, z.imag) for z in ends]) for ends in (one, two)]
+    assert lines[0].buffer(0.3).intersection(lines[1]).length < 4
 
 
 def test_an_arm_of_two_forces_is_drawn_once() -> None:
