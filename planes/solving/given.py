@@ -134,8 +134,8 @@ class GivenTable:
         for point, z in link.points.items():
             way = z - link.points[first]
             polar = abs(way), round(math.degrees(cmath.phase(way)), 9)
-            coordinate = f"l_{first}{point}" in self.parameters  # which may be one of them
-            if way.imag and (coordinate or _signs(way.real, way.imag) < _signs(*polar)):
+            told = self.parameters.get(f"l_{first}{point}", polar[0])  # which may be a coordinate
+            if way.imag and (not _equal(told, polar[0]) or _signs(way.real, way.imag) < _signs(*polar)):
                 yield from self.place(first + point, way)
                 continue
             yield GivenRow(f"l_{{{first}{point}}}", polar[0], "m")

@@ -21,7 +21,6 @@ Bounds = tuple[float, float, float, float]
 Shapes = NDArray[np.object_]
 """Geometries of shapely."""
 
-HARDLY_MM = 0.25  # ink no farther apart runs together
 TOUCH_MM = 0.01
 PIECE = 10  # chords of a curve in one shape
 
@@ -155,33 +154,11 @@ def meeting(lines: Complexes, others: Complexes) -> Booleans:
 
 
 def overprinted(marks: Sequence[Mark]) -> list[str]:
-    """Labels whose letters, not their boxes alone, lie on another label or on any stroke but their own bars, or so near
-    that they can hardly be told from it."""
+    """Labels that touch another label, or any stroke but their own bars."""
     held = [m for m in marks if not (isinstance(m, Line) and m.layer == "text" and m.name != "leader")]
-    texts = [m for m in held if isinstance(m, Text) and layout(m).strokes]
+    texts = list(dict.fromkeys(m for m in held if isinstance(m, Text) and layout(m).strokes))
     rest = ink([m for m in held if not isinstance(m, Text)])
-    crowded = {label.text for label in crowded_boxes(tuple(dict.fromkeys(texts)), rest)}
-    inked = {k: letters(t) for k, t in enumerate(texts) if t.text in crowded}
-    found = []
-    for k, own in inked.items():
-        others = [shape for j, shape in inked.items() if j != k]
-        struck = len(rest.shapes) and len(rest.within(np.array([own]), HARDLY_MM)[0])
-        if struck or any(shapely.dwithin(own, other, HARDLY_MM) for other in others):
-            found.append(texts[k].text)
-    return found
-
-
-def crowded_boxes(labels: Sequence[Text], rest: InkedShapes) -> list[Text]:
-    """The labels whose boxes touch each other, or any other ink."""
-    boxes = shapely.buffer(polygons([box_of(label) for label in labels]), -TOUCH_MM)
+    boxes = shapely.buffer(polygons([box_of(text) for text in texts]), -TOUCH_MM)
     one, other = shapely.STRtree(boxes).query(boxes, predicate="intersects")
-    met = {*one[one != other].tolist(), *(rest.within(boxes, 0.0)[0].tolist() if len(rest.shapes) and labels else ())}
-    return [labels[k] for k in met]
-
-
-def letters(text: Text) -> shapely.Geometry:
-    """The ink of a text's own letters."""
-    laid = layout(text)
-    drawn = [(pen_mm, line) for pen_mm, line in zip(laid.pens, laid.strokes, strict=True) if len(line) > 1]
-    halves = [pen_mm / 2 or TOUCH_MM for pen_mm, _ in drawn]
-    return shapely.union_all(shapely.buffer(_strings([line for _, line in drawn], shapely.linestrings), halves))
+    struck = rest.within(boxes, 0.0)[0].tolist() if len(rest.shapes) and texts else []
+    return [texts[k].text for k in sorted({*one[one != other].tolist(), *struck})]

@@ -23,8 +23,6 @@ SMALLER = (0.8, 0.63, 0.5, 0.4)
 """How small, against the scene's choice, plans may become where μ is open and no paper holds them; it is said."""
 LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5), "A0": (5.0, 3.5)}
 """Letter heights of tables to try on a format, or on several of it side by side, in mm; equations are a step larger."""
-
-
 Upright = tuple[str, ...]
 UPRIGHT: tuple[Upright, ...] = (("motion", "rates"), ("motion",), ("rates",), ())
 """Blocks of views that are to stand beneath each other: as many as a format has room for."""
@@ -102,10 +100,13 @@ Way = tuple[Sizes, float, bool, Upright]
 """Sizes of plans, a letter height, whether equations stand under their plans, and which blocks stand upright."""
 
 
-def ways(sizes: Sizes, name: str, fits: Callable[[Way], bool]) -> Way | None:
-    """The best looking way to fill a format; where the smallest letters have no room, larger ones are not tried."""
+def ways(sizes: Sizes, name: str, fits: Callable[[Way], bool], best: Way | None = None) -> Way | None:
+    """The best looking way to fill a format, but none better than ``best``; large letters only where small ones fit."""
     fit, how = cache(fits), [*product(LETTERS[name[:2]], (True, False))]
     levels = [[(sizes, *h, upright) for h in how] for upright in UPRIGHT]
+    if best:
+        k = UPRIGHT.index(best[-1])
+        levels = [levels[k][levels[k].index(best) :], *levels[k + 1 :]]
     if not any(map(fit, levels[-1][-2:])):
         return None
     return next(filter(fit, next(level for level in levels if any(map(fit, level[-2:])))))
@@ -117,8 +118,8 @@ def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | N
     def fits(how: Way) -> bool:
         wanted, spare = contents.lettered(*how)
         shown = [*wanted, *spare] if whole else wanted
-        knotted = whole and spare and factor < 1 and any(v.crowded for v in shown)
         # rather is left out what may be than all drawn too small for its letters
+        knotted = whole and spare and factor < 1 and any(v.crowded for v in shown)
         return bool(whole or spare) and not knotted and packed(shown, Paper(name))
 
     return ways(Sizes(factor), name, fits)
@@ -133,7 +134,7 @@ def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[C
             wanted, spare = more.lettered(*how)
             return packed([*wanted, *spare] if whole else wanted, Paper(name))
 
-        other = ways(how[0], name, fits)
+        other = ways(how[0], name, fits, how)
         contents, how = (more, other) if other else (contents, how)
     return contents, how
 

@@ -22,6 +22,7 @@ from render.views.senses import freest
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
 STEP_MM = 6.0  # by which the next one of the same point and direction is longer
 ASIDE_MM, NEAR_MM = 1.5, 1.2  # how far it is set beside, and how near to it, or to a rod, no force may lie
+TOUCH_MM = 0.4  # how near to it they may come where they slant but slightly
 BEFORE_MM = 1.6  # from the tip of a reaction to the place it acts at: the radius of a hinge
 COUPLE_MM = 6.5  # radius of a couple's curved arrow
 BESIDE_MM = 5.0  # how far the line that is tangent to a friction circle is drawn to either side
@@ -45,7 +46,7 @@ class Arrows:
         like = sum(abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9 for p, s in self.taken)
         self.taken.append((point, side))
         near, far = point + BEFORE_MM * side * from_outside, point + (FORCE_MM + STEP_MM * like) * side
-        near, far = set_apart((near, far), self.upon, ASIDE_MM, NEAR_MM)
+        near, far = set_apart((near, far), self.upon, ASIDE_MM, NEAR_MM, TOUCH_MM)
         self.upon.append((near, far))
         return (far, near) if from_outside else (near, far)
 

@@ -79,6 +79,7 @@ def of_vectors(found: VectorResults) -> Plotted:
 
 
 NEAR_MM = 0.4  # places closer than this are one
+SLIGHT = 0.06  # lines whose slopes differ by less run upon each other where they cross
 
 
 @dataclass(frozen=True)
@@ -156,24 +157,27 @@ class Places:
         return through + ((first - through) * along.conjugate()).real * along, along
 
 
-def upon(one: Ends, other: Ends, near: float) -> bool:
-    """Whether two lines run side by side for more than a millimetre, nowhere there farther apart than so many mm."""
+def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
+    """Whether two lines run side by side for more than a millimetre, nowhere there farther apart than so many mm; or
+    slant but slightly, and come nearer than to ``touch`` mm."""
     way = (other[1] - other[0]) / abs(other[1] - other[0])
     a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
     low, high = max(a.real, 0.0), min(b.real, abs(other[1] - other[0]))
     if high - low <= 1.0:
         return False
     slope = (b.imag - a.imag) / (b.real - a.real)
-    return max(abs(a.imag + slope * (t - a.real)) for t in (low, high)) <= near
+    apart = [a.imag + slope * (t - a.real) for t in (low, high)]
+    least = min(map(abs, apart)) if apart[0] * apart[1] > 0 else 0.0
+    return max(map(abs, apart)) <= near or (abs(slope) < SLIGHT and least < touch)
 
 
-def set_apart(ends: Ends, others: Iterable[Ends], step: float, near: float) -> Ends:
+def set_apart(ends: Ends, others: Iterable[Ends], step: float, near: float, touch: float = -1.0) -> Ends:
     """The ends of a vector, moved sideways by steps of so many mm where it would lie upon others, or ``near`` them."""
     side, others = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0]), list(others)
     if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
         side = -side
     places = ((ends[0] + k * step * side, ends[1] + k * step * side) for k in (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5))
-    return next((two for two in places if not any(upon(two, other, near) for other in others)), ends)
+    return next((two for two in places if not any(upon(two, other, near, touch) for other in others)), ends)
 
 
 def degrees(along: complex) -> float:

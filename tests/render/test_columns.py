@@ -77,6 +77,15 @@ def test_a_table_gives_way_to_figures_and_stands_where_there_is_room() -> None:
     assert found.cost < OVER and order == [0, 2, 1]
 
 
+def test_no_table_stands_before_the_first_view_nor_for_nothing_before_an_earlier_table() -> None:
+    field = Module((0.0, 0.0, 370.0, 210.0), ())
+    views = [Item(80.0, 190.0), *(Item(80.0, high, loose=True) for high in (40.0, 60.0, 50.0, 30.0))]
+    order, found = broken(views, field).arranged()
+    assert found.cost < OVER and order == [0, 1, 2, 3, 4]
+    wide = [Item(350.0, 100.0), Item(80.0, 90.0, loose=True)]
+    assert broken(wide, Module((0.0, 0.0, 370.0, 230.0), ((0.0, 0.0, 200.0, 20.0),))).arranged()[0] == [0, 1]
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_no_other_breaking_is_cheaper(seed: int) -> None:
     """Every way to end columns after some views and units, tried one by one."""

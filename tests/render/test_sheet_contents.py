@@ -56,6 +56,21 @@ def test_numbers_without_a_name_are_listed_too_and_the_drive_is_where_it_stands(
     assert found["y_{C}"] == ("−0,28", "м") and found["x_{A} = y_{A}"][0] == "0"  # whatever equals them
 
 
+def test_a_place_is_told_by_what_is_shorter():
+    assert given(RPR)["x_{BS2}"][0] == "0,02" and "∠BS2" not in given(RPR)
+    hanging = given(load(SAMPLES / "assignments" / "44.yaml"))
+    assert (hanging["l_{KS5}"][0], hanging["∠KS5"][0]) == ("0,15", "30")
+
+
+def test_the_note_of_a_scene_stands_where_there_is_room_or_is_told():
+    first, second = (sheet("six-link", number) for number in (1, 2))
+    (note,) = (v for v, _, _ in second.views if v.key == "note")
+    lines = [m.text for m in note.marks if isinstance(m, Text)]
+    assert "Верное значение M1 = 287,2 Н·м" in " ".join(lines) and "v_{H}" in " ".join(lines)
+    assert all(v.key != "note" for v, _, _ in first.views)
+    assert any("Примечание" in sentence for sentence in first.warnings)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["kind-3-rpr", "assignments/12"])
 def test_inner_reactions_are_drawn_on_links_apart(name):

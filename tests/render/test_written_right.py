@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import shapely
 
 from planes.cli import main
 from planes.documents import view_of
@@ -22,11 +23,12 @@ from planes.scene import Scene, load, loads
 from planes.solving import Position, solve
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
-from render.labels.footprints import ink, letters, overprinted
+from render.labels.footprints import ink, overprinted
 from render.paper.letters import pieces
 from render.paper.marks import Line, Text
-from render.paper.typeset import plain
+from render.paper.typeset import layout, plain
 from render.views.arms import Arms
+from render.views.loading import Arrows
 from render.views.tables import TableGrid
 from tests.helpers import ROOT
 
@@ -153,13 +155,20 @@ def test_vectors_too_short_to_draw_are_told() -> None:
     assert view_of(scene, "force-2-3", None, "en").warnings == ()
 
 
-def test_labels_on_labels_and_strokes_are_told_by_their_letters() -> None:
+def test_labels_on_labels_and_strokes_are_told() -> None:
     bar = Line((0j, 20 + 0j), "thin", "construction")
     clear, over, struck = Text("AB", 0 + 2j), Text("AB", 1 + 2j), Text("CD", 30 - 2j)
     assert overprinted([bar, clear]) == []
     assert overprinted([bar, clear, over]) == ["AB", "AB"]
     assert overprinted([replace(bar, points=(25 + 0j, 45 + 0j)), clear, struck]) == ["CD"]
     assert overprinted([Line((0j, 20 + 0j), "thin", "text"), Text("AB", 0 - 2j)]) == []  # its own bar
+
+
+def letters(text: Text) -> shapely.Geometry:
+    """The ink of a text's own letters."""
+    laid = layout(text)
+    lines = (([(z.real, z.imag) for z in line], pen) for line, pen in zip(laid.strokes, laid.pens, strict=True))
+    return shapely.union_all([shapely.LineString(line).buffer(pen / 2) for line, pen in lines if len(line) > 1])
 
 
 @pytest.mark.parametrize("letter", [2.5, 3.5, 5.0])
@@ -169,6 +178,16 @@ def test_cells_keep_clear_of_the_rules(letter: float, cell: str) -> None:
     rules = ink([m for m in marks if isinstance(m, Line)])
     for text in (m for m in marks if isinstance(m, Text)):
         assert len(rules.within(np.array([letters(text)]), 0.3)[0]) == 0
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.03, 0.05])
+def test_forces_that_slant_but_slightly_are_not_drawn_upon_each_other(turn: float) -> None:
+    arrows, far = Arrows(), 60 + 0j
+    one = arrows.placed(0j, 1 + 0j)
+    arrows.upon[0] = one = (one[0], far)  # a long one
+    two = arrows.placed(10 - 0.2j, cmath.rect(1, turn))
+    lines = [shapely.LineString([(z.real, z.imag) for z in ends]) for ends in (one, two)]
+    assert lines[0].buffer(0.3).intersection(lines[1]).length < 4
 
 
 def test_an_arm_of_two_forces_is_drawn_once() -> None:
