@@ -36,6 +36,7 @@ class Tool:
     still: float = 2e-14  # relative: a speed at or below this is a standstill
     doubt_mm: float = 0.0  # marks no farther apart than this may be one mark
     plans: int = 40  # drawn one after another, each with what the one before gave, until nothing changes
+    settled: float = 1e-10  # relative: what the last of them may change
     shape: tuple[int, ...] = ()  # of what is drawn at once; () for one
     sharpness: dict[str, Real] = field(default_factory=dict)
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
@@ -93,7 +94,15 @@ class Tool:
     def calm(self) -> "Tool":
         """A tool that draws aside, without the errors of hand and ruler; what it fails at, this one does."""
         limits = self.slack, self.flat, self.still
-        return Tool(self.ar, self.many, *limits, plans=self.plans, shape=self.shape, failures=self.failures)
+        return Tool(
+            self.ar,
+            self.many,
+            *limits,
+            plans=self.plans,
+            settled=self.settled,
+            shape=self.shape,
+            failures=self.failures,
+        )
 
     def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         """Fail where ``ok`` is false: one position raises, many are masked with their reason."""

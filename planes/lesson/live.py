@@ -26,6 +26,8 @@ from planes.words.records import Json
 CARRIED = ("velocity", "motion", "lever")
 """Plans of one scale: the lever's segments are carried from one of velocities."""
 SHAKEN = 0.07  # of itself: how far a number is changed to see which terms are nothing whatever it is
+FEW, NEAR = 12, 1e-5
+"""Successive plans of a page, which shows four digits, and how near the last of them is."""
 
 
 class Live:
@@ -33,7 +35,7 @@ class Live:
 
     def __init__(self, program: Program, given: Mapping[str, Thing]) -> None:
         self.tape = Tape()
-        self.tool = TracingTool(PlainRecording(), True, tape=self.tape)
+        self.tool = TracingTool(PlainRecording(), True, tape=self.tape, plans=FEW, settled=NEAR)
         things = {n: given_on(self.tape, n, z) for n, z in given.items()}
         draw_steps(program.steps, things, self.tool)
         self.drawing = Drawing(program, things, self.tool)

@@ -54,7 +54,7 @@ class _Desk:
         late = [m for m in grading.marks if m not in hand.taken]
         self.program, self.taken = hand.program, hand.taken
         self.tape = Tape()
-        self.tool = _TapeHand(PlainRecording(), True, tape=self.tape, errors=errors, late=late)
+        self.tool = _TapeHand(PlainRecording(), True, tape=self.tape, errors=errors, late=late, plans=12, settled=1e-5)
         self.own = {mark: self._read(mark) for mark in (*hand.taken, *late) if mark in hand.program.made}
         self.tool.own, self.tool.values = self.own, hand.given
         self.things: Env = dict(hand.given)

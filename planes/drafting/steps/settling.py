@@ -8,8 +8,6 @@ from planes.drafting.steps import Kind, Read, Step, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real
 
-SETTLED = 1e-10  # relative: what the last plan may change
-
 
 @dataclass(frozen=True)
 class Fed(Step):
@@ -65,7 +63,7 @@ class Settle(Step):
             if still is True or (hasattr(still, "all") and still.all()):
                 return things[self.makes]
         if self._anew:
-            tool.require(change <= SETTLED * largest, self, "not_settled", plans=tool.plans)
+            tool.require(change <= tool.settled * largest, self, "not_settled", plans=tool.plans)
         return things[self.makes]
 
     def _drawn(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> list[Real]:
