@@ -37,7 +37,7 @@ function crank() {
   $("zone").className = live.failed ? "bad" : "";
   const near = live.failed && live.nearest(), there = near !== null && near !== false ? say("nearest").replace("{name}", symbol).replace("{value}", `${number(near)}${turning ? "°" : ""}`) : "";
   put("zone", held ? held[state.lang] : live.failed ? `⚠ ${filled(live.failed[state.lang])}${there}` : zone && zone.mark ? "⚠ " + sentence(data.blunt[zone.mark][state.lang], "") : "");
-  put("rates", data.results.map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[state.lang]}</span>`).join(""));
+  put("rates", data.results.filter(r => found(r.value) <= state.frame).map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[state.lang]}</span>`).join(""));
   document.querySelectorAll("#knobs input").forEach(e => {
     const v = live.given[e.dataset.given];
     if (e !== document.activeElement || e.type === "range") e.value = e.type === "range" ? v / data.home[e.dataset.given] : +v.toPrecision(6);

@@ -39,6 +39,10 @@ function sentence(text, key) {
   return filled(text).replace(/⟨([^⟩]*)⟩/g, (_, n) => `<i class="name" data-name="${n}">${html(n, key)}</i>`);
 }
 function plain(text) { return filled(text).replace(/[⟨⟩]/g, ""); }
+function found(name) { // the frame in which a value is first told
+  found.at ||= {};
+  return found.at[name] ??= data.frames.findIndex(f => f.said.en.includes(`⟦v¦${name}⟧`));
+}
 function born(name, key) { // the frame of its plan in which a vector is first in hand
   if (!born.of) {
     born.of = {};
@@ -54,7 +58,7 @@ function written(f, key, frame, plainly) { // the equations of a plan: those beg
   const begun = e => key.startsWith("force") || terms(e).some(t => t.action !== "=0" && born(t.name, key) <= frame);
   const own = e => f.terms.length && terms(e).some(t => f.terms.includes(t.name));
   const index = f.equation !== null ? f.equation : data.equations.findIndex(e => e.plan === key && own(e));
-  return data.equations.map((e, k) => e.plan === key && key !== "position" && begun(e) ? lines(e, !plainly && k === index, f, frame, plainly) : "").join("");
+  return data.equations.map((e, k) => e.plan === key && key !== "position" && (begun(e) || k === f.equation) ? lines(e, !plainly && k === index, f, frame, plainly) : "").join("");
 }
 function terms(e) { return e.sides.flat(); }
 function lines(e, current, f, frame, plainly) {
