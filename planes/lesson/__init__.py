@@ -16,6 +16,7 @@ from planes.geometry.arrays import Floats
 from planes.lesson.formulas import formula, slot, unit
 from planes.lesson.frame import Frame, in_both
 from planes.lesson.reckoning import Reckoning
+from planes.lesson.stating import Stating
 from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
 from planes.plans import Plans
 from planes.plans.reactions import Reaction
@@ -45,7 +46,7 @@ class Teller:
         self.ends = {p: x.makes for x in drawn if kind_of(p := shown_on(x)) == "force"}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
         self.reckoning = Reckoning(plans, self.made, self.divided)
-        self.words = StepWords(plans, drawing, self.made)
+        self.words, self.stating = StepWords(plans, drawing, self.made), Stating(plans)
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
@@ -63,7 +64,7 @@ class Teller:
             found.append(self.mark(step))
             if step.makes == self.ends.get(shown_on(step)):
                 found += self.closing(shown_on(step))
-        return self.in_order(found + self.readings(readings, found))
+        return self.in_order(self.stating.stated(found + self.readings(readings, found), self.frame))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
         """The frames, each after one that finds whatever number it needs and none before it told."""
@@ -140,12 +141,16 @@ class Teller:
         if not any(f.plan in ("velocity", "acceleration") for f in before):
             rates = []
         crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
-        found = [self.measured(rates, before)] if rates or crossed else []
+        plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
+        found = (
+            [*self.stating.turns(rates, plan, self.frame), self.measured(plan, rates, before)]
+            if rates or crossed
+            else []
+        )
         return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
-    def measured(self, rates: list[Calculate], before: list[Frame]) -> Frame:
+    def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
         """What is read off a plan of rates once an equation is solved, and the angular rates that follow."""
-        plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
         index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
         solved = self.plans.equations[index] if index is not None else None
         return self.read_off("measured", plan, self.sought(solved) if solved else [], rates)

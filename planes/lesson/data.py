@@ -64,6 +64,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "scheme": scheme(plans, drawing),
         "moments": arms(plans),
         "related": related(plans),
+        "under": {at("position", u.point): u.other for u in teller.stating.under.values()},
         "equations": [_equation(plans, e) for e in plans.equations],
         "frames": [{**vars(f), "values": told_values(f)} for f in frames],
         "results": (results := _results(plans)),

@@ -20,7 +20,8 @@ def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
 class Frame:
     """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
     is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by
-    language; ``moments`` the index of the moment equation it states, or leads to."""
+    language; ``moments`` the index of the moment equation it states, or leads to; ``turns`` the vector carried to a
+    point of the scheme to see which way it turns about another, and the rate found so."""
 
     key: str
     plan: str
@@ -31,6 +32,7 @@ class Frame:
     said: Mapping[Lang, str]
     why: Mapping[Lang, str]
     moments: int | None = None
+    turns: Mapping[str, str] | None = None
 
 
 def needed(frames: list[Frame]) -> list[str]:

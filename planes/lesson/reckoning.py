@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.drafting.steps.settling import Fed, Settle
-from planes.lesson.formulas import formula, slot, slots, unit
+from planes.lesson.formulas import SLOT, formula, slot, unit
 from planes.plans import Plans
 from planes.plans.loads import load_names
 from planes.words import Lang, say
@@ -23,12 +23,12 @@ class Reckoning:
 
     def tell(self, text: str) -> None:
         """A sentence has been said."""
-        self.told |= {*map(plain, slots(text)), *_FOUND.findall(text)}
+        self.told |= {*map(plain, used(text)), *_FOUND.findall(text)}
 
     def missing(self, text: str) -> list[Step]:
         """The steps that find what the sentence needs, in the order they can be told; they are told now."""
         own, found = set(_FOUND.findall(text)), dict[str, Step]()
-        for name in slots(text):
+        for name in used(text):
             if plain(name) not in own:
                 self._find(name, found)
         return list(found.values())
@@ -67,6 +67,11 @@ class Reckoning:
         names = {"couple": step.makes, "circle": circle, "force": force, "long": slot(circle), "size": slot(fed.size)}
         key = "lesson_couple" if isinstance(step, Fed) else "lesson_couple_settled"
         return say(key, lang, **names, value=slot(step.makes))
+
+
+def used(text: str) -> list[str]:
+    """The values a sentence gives as numbers, not by their sense alone."""
+    return [name for how, name, _ in SLOT.findall(text) if how != "s"]
 
 
 def factors(step: Calculate) -> Iterator[str]:

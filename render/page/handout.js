@@ -3,7 +3,8 @@
 
 function handout() { // every frame as a numbered picture and its sentence, for printing
   let last = "";
-  $("handout").innerHTML = "";
+  const own = live.altered.map(n => data.knobs.find(k => k.given === n)).map(k => `; ${k.plan ? "μ" : html(k.name)} = ${number(live.given[k.given])} ${k.plan ? "" : k.unit[state.lang]}`);
+  $("handout").innerHTML = `<p>${$("value").textContent}${own.join("")}</p>`;
   data.frames.forEach((f, k) => {
     const key = planOf(k), onScheme = f.plan === "position", p = data.plans.find(p => p.key === f.plan);
     if (f.plan !== last && !(onScheme && f.moments !== null)) {

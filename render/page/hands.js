@@ -37,12 +37,23 @@ function crank() {
   $("zone").className = live.failed ? "bad" : "";
   const near = live.failed && live.nearest(), there = near !== null && near !== false ? say("nearest").replace("{name}", symbol).replace("{value}", `${number(near)}${turning ? "°" : ""}`) : "";
   put("zone", held ? held[state.lang] : live.failed ? `⚠ ${filled(live.failed[state.lang])}${there}` : zone && zone.mark ? "⚠ " + sentence(data.blunt[zone.mark][state.lang], "") : "");
-  put("rates", data.results.map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[state.lang]}</span>`).join(""));
+  put("rates", data.results.filter(r => found(r.value) <= state.frame).map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[state.lang]}</span>`).join(""));
   document.querySelectorAll("#knobs input").forEach(e => {
     const v = live.given[e.dataset.given];
     if (e !== document.activeElement || e.type === "range") e.value = e.type === "range" ? v / data.home[e.dataset.given] : +v.toPrecision(6);
     e.disabled = practising;
   });
+}
+function fitting(key) { // a scale of the series at which a plan that has grown is as large as in its own position; null where it fits
+  const marks = plan.own(key), own = plan.box(marks, n => live.home(n)), now = plan.box(marks), long = b => Math.hypot(b[2] - b[0], b[3] - b[1]);
+  const knob = data.knobs.find(k => k.plan === key || (key === "lever" && /velocity|motion/.test(k.plan || "")));
+  if (!own || !now || !knob || long(now) < 4 * long(own) || long(own) < 1) return null;
+  const most = live.given[knob.given] * long(own) / long(now), power = 10 ** Math.floor(Math.log10(most));
+  return [knob.given, +([5, 4, 2.5, 2, 1].find(m => m * power <= most * (1 + 1e-9)) * power).toPrecision(3)];
+}
+function large(key) { // what a draughtsman does near a dead point: another scale, and it is said why
+  const fit = key === "position" || live.failed ? null : fitting(key);
+  put("large", fit ? `${say("large").replace("{mu}", scaled(fit[1]))} <button type="button" data-mu="${fit[1]}" data-given="${fit[0]}">${say("large_fit")}</button>` : "");
 }
 function zones() { // positions that fail, and blunt ones, marked over the slider by pattern as well as colour
   const { from, to } = data.drive, long = to - from || 1, said = z => z.kind === "bad" ? say("zone_bad") : plain(data.blunt[z.mark][state.lang]);
@@ -115,6 +126,7 @@ for (const [id, figure] of [["scheme", scheme], ["plan", plan]]) {
     figure.fixed_view = node.held;
     e.preventDefault();
   });
+  node.addEventListener("touchstart", e => { if (node.held) e.preventDefault(); }, { passive: false });
   node.addEventListener("pointermove", e => {
     if (!node.held) { node.style.cursor = !practice.on && e.pointerType !== "touch" && grip(figure, e) ? "grab" : ""; return; }
     const r = node.getBoundingClientRect();
@@ -126,6 +138,7 @@ $("spin").onclick = () => spin();
 $("crank").oninput = e => turn(+e.target.value);
 $("exact").onchange = e => { const v = parseFloat(e.target.value.replace(",", ".")); if (Number.isFinite(v)) turn(v); else crank(); };
 $("home").onclick = () => { live.reset(); put("follow", ""); zones(); writeAddress(); later(); };
+$("large").onclick = e => { if (e.target.dataset.mu) change({ [e.target.dataset.given]: +e.target.dataset.mu }); };
 $("knobs").addEventListener("input", e => {
   const k = data.knobs.find(k => k.given === e.target.dataset.given), text = e.target.value.replace(",", ".");
   const v = e.target.type === "range" ? +(k.at * text).toPrecision(4) : +text;

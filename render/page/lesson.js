@@ -50,9 +50,19 @@ function draw() {
     const p = data.plans.find(p => p.key === key);
     $("plan-title").textContent = `${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])}`;
   }
+  $("scheme").setAttribute("aria-label", described(scheme, seen, key));
+  $("plan").setAttribute("aria-label", described(plan, seen, key));
   if (practising) practice.paint(); else told(f, key);
+  facing(f);
   put("equations", written(f, key, state.frame, practising));
   crank();
+  large(key);
+}
+function facing(f) { // on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
+  const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;
+  if (facing.frame === f || panels.scrollWidth <= panels.clientWidth + 2) return;
+  facing.frame = f;
+  panels.scrollLeft = on * panels.clientWidth;
 }
 function put(id, text) { // only what has changed
   if (put[id] !== text) $(id).innerHTML = put[id] = text;
@@ -61,8 +71,6 @@ function told(f, key) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
   put("sentence", sentence(f.said[state.lang], f.plan));
   put("why", sentence(f.why[state.lang], f.plan));
-  $("scheme").setAttribute("aria-label", `${say("scheme")}. ${plain(f.said[state.lang])}`);
-  $("plan").setAttribute("aria-label", plain(f.said[state.lang]));
   $("back").disabled = state.frame === 0;
   $("next").disabled = state.frame === data.frames.length - 1;
   $("progress").value = state.frame + 1;

@@ -82,15 +82,16 @@ const practice = {
     const box = $("task"), f = this.frame, text = t => sentence(t, f.plan);
     for (const id of ["scheme", "plan"]) {
       $(id).classList.remove("place");
-      $(id).setAttribute("aria-label", plain(this.question())); // and not the answer
     }
     $("back").disabled = this.index === 0; $("next").disabled = this.index + 1 >= data.practice.length;
     $("number").textContent = `${this.index + 1} / ${data.practice.length}`;
     const said = this.said ? `<p class="said ${this.said[0]}">${this.said[0] === "yes" ? "✓" : "✗"} ${text(this.said[1])}</p>` : "";
     const score = `<span class="score">${say("score")}: ${this.good} / ${this.asked}</span>`;
     if (this.over) { box.innerHTML = `${said}<h2>${say("over")} ${this.good} / ${this.asked}.</h2><div class="answers"><button type="button" data-do="again">${say("again")}</button></div>`; return; }
-    box.innerHTML = `${score}<h2>${text(this.question())}</h2>${this.choices()}${said}`;
+    const held = box.contains(document.activeElement);
+    box.innerHTML = `${score}<h2 tabindex="-1">${text(this.question())}</h2>${this.choices()}${said}`;
     this.aid();
+    if (held) (box.querySelector("input") || box.querySelector("h2")).focus(); // where the hand was
   },
   question() {
     const t = this.task, mark = this.mark(t.mark), name = this.frame.terms[0] || t.mark.split(":").pop();
@@ -125,7 +126,7 @@ const practice = {
   panel() { return this.frame.plan === "position" ? scheme : plan; },
   aid() { // what helps to answer, drawn on the plan
     const p = this.panel(), t = this.task, circle = (q, label, act) => {
-      svg("circle", { cx: q[0], cy: q[1], r: 11, class: "choice", "data-do": act }, p.node);
+      svg("circle", { cx: q[0], cy: q[1], r: 13, class: "choice", "data-do": act }, p.node);
       svg("text", { x: q[0], y: q[1] + 4.5, "text-anchor": "middle", class: "choice-text" }, p.node).textContent = label;
     };
     if (this.now === "direction") {

@@ -18,10 +18,30 @@ class Scheme extends Figure {
     this.hinges(there, lit);
     if (frame && frame.moments !== null && frame.plan === "position") this.forces(this.data.moments[frame.moments], frame.terms);
     for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
+    if (frame && frame.turns) this.carried(frame);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots])];
     for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
-      this.beside(g.q, g.names, "position", 9).dataset.name = g.names.map(n => "position:" + n).join(" ");
+      const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n && state.frame >= this.introduced(n));
+      this.beside(g.q, [...g.names, ...under], "position", 9).dataset.name = g.names.map(n => "position:" + n).join(" ");
     }
+  }
+  introduced(name) { // the frame that tells of the point under a slider
+    this.first ||= {};
+    return this.first[name] ??= this.data.frames.findIndex(f => f.key === "equation" && f.why.en.includes(`⟨${name}⟩`));
+  }
+  carried(frame) { // a relative vector at its point, and which way it turns the link
+    const { vector, rate, point, about } = frame.turns, s = this.data.segments.find(s => s.plan === frame.plan && s.names.includes(vector));
+    const [p, o] = [point, about].map(n => this.at(n) && this.px(this.at(n))), [a, b] = s ? [s.start, s.end].map(n => this.at(`${s.plan}:${n}`)) : [];
+    if (!p || !o || !a || !b) return;
+    const n = Math.hypot(b[0] - a[0], b[1] - a[1]), long = Math.min(64, Math.max(26, n * this.k)), q = [p[0] + (b[0] - a[0]) / n * long, p[1] - (b[1] - a[1]) / n * long];
+    if (n < 1e-6) return;
+    this.arrow(p, q, "force", vector);
+    this.along(p, q, [vector], frame.plan);
+    const from = Math.atan2(p[1] - o[1], p[0] - o[0]), r = Math.min(0.55 * Math.hypot(p[0] - o[0], p[1] - o[1]), 70), way = live.value(rate) > 0 ? -1 : 1;
+    const at = t => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)], [c, d] = [at(-0.1), at(0.75)];
+    svg("path", { class: "about turning", d: `M${c[0].toFixed(1)} ${c[1].toFixed(1)}A${r.toFixed(1)} ${r.toFixed(1)} 0 0 ${way > 0 ? 1 : 0} ${d[0].toFixed(1)} ${d[1].toFixed(1)}` }, this.node);
+    this.arrow(at(0.62), d, "force", rate);
+    this.put([rate], (half, tall) => [0.33, 0.05, 0.6].map((t, k) => { const m = at(t), u = Math.hypot(m[0] - o[0], m[1] - o[1]) || 1; return [m[0] + (m[0] - o[0]) / u * (half + 6), m[1] + (m[1] - o[1]) / u * (tall + 6), k * 0.2]; }), frame.plan);
   }
   guide(g, p, angle, there) {
     if (!p || angle == null) return;

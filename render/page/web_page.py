@@ -14,7 +14,7 @@ from importlib.resources import files
 
 NONE: Mapping[str, object] = {}
 _PLACE = re.compile(r"\{(\w+)\}")
-_REMARKS = re.compile(r"^(?: +|//.*\n)", re.MULTILINE)
+_REMARKS = re.compile(r"^ +|^//.*\n| +// .*$", re.MULTILINE)
 _ACTIVE = re.compile("[<>&\u2028\u2029]")
 
 
@@ -49,6 +49,6 @@ def embedded(thing: object) -> str:
 
 
 def part(*names: str) -> str:
-    """Files of the pages' own folder, one after another; of a script neither indents nor whole lines of remarks."""
+    """Files of the pages' own folder, one after another; of a script neither indents nor remarks."""
     text = "".join((files("render") / "page" / name).read_text("utf-8") for name in names)
     return _REMARKS.sub("", text) if names[0].endswith(".js") else text

@@ -38,7 +38,20 @@ function filled(text) { // the numbers of a sentence, for what is shown
 function sentence(text, key) {
   return filled(text).replace(/⟨([^⟩]*)⟩/g, (_, n) => `<i class="name" data-name="${n}">${html(n, key)}</i>`);
 }
-function plain(text) { return filled(text).replace(/[⟨⟩]/g, ""); }
+function spoken(name, key) { return lettered(name, key).map(([t]) => t).join(""); }
+function plain(text, key) { return filled(text).replace(/⟨([^⟩]*)⟩/g, (_, n) => spoken(n, key)); }
+function described(figure, seen, key) { // what is on a figure, for those who hear it
+  const list = figure === scheme
+    ? [...new Set(data.scheme.links.flatMap(l => l.points))].filter(n => seen.has(n) && live.at(n)).map(n => n.slice(9))
+    : data.segments.filter(s => s.plan === key && seen.has(`${key}:${s.start}`) && seen.has(`${key}:${s.end}`)).flatMap(s => s.names);
+  const title = figure === scheme ? say("scheme") : data.plans.find(p => p.key === key)?.title[state.lang] ?? "";
+  const names = [...new Set(list)].map(n => spoken(n, figure === scheme ? "position" : key)).join(", ");
+  return `${title}. ${names ? say(figure === scheme ? "hear_points" : "hear_vectors").replace("{names}", names) : say("hear_nothing")}`;
+}
+function found(name) { // the frame in which a value is first told
+  found.at ||= {};
+  return found.at[name] ??= data.frames.findIndex(f => f.said.en.includes(`⟦v¦${name}⟧`));
+}
 function born(name, key) { // the frame of its plan in which a vector is first in hand
   if (!born.of) {
     born.of = {};
@@ -54,7 +67,7 @@ function written(f, key, frame, plainly) { // the equations of a plan: those beg
   const begun = e => key.startsWith("force") || terms(e).some(t => t.action !== "=0" && born(t.name, key) <= frame);
   const own = e => f.terms.length && terms(e).some(t => f.terms.includes(t.name));
   const index = f.equation !== null ? f.equation : data.equations.findIndex(e => e.plan === key && own(e));
-  return data.equations.map((e, k) => e.plan === key && key !== "position" && begun(e) ? lines(e, !plainly && k === index, f, frame, plainly) : "").join("");
+  return data.equations.map((e, k) => e.plan === key && key !== "position" && (begun(e) || k === f.equation) ? lines(e, !plainly && k === index, f, frame, plainly) : "").join("");
 }
 function terms(e) { return e.sides.flat(); }
 function lines(e, current, f, frame, plainly) {
@@ -71,7 +84,7 @@ function term(t, key, f, frame, plainly) { // a vector: its own small segment, i
   const action = secret ? "" : t.action === "=0" ? "= 0" : t.action === "↓" ? "↓" : acted(t.action);
   const known = secret || (plainly && practice.asking(t.name)) ? practice.given(t.name) : t.known;
   return `<span class="term known${known}${lit ? " lit" : ""}${later ? " later" : ""}" data-name="${t.name}">` +
-    `${secret ? '<svg class="mini"></svg>' : mini(t, later)}<b>${html(t.name, key)}</b><small>${action}</small></span>`;
+    `${secret ? '<svg class="mini"></svg>' : mini(t, later)}<b>${html(t.name, key)}</b><span class="sr"> (${say("known" + known)})</span><small>${action}</small></span>`;
 }
 function acted(text) { return text.replace(/^([-+])([va]q?_\w+)$/, (_, s, v) => `${s === "-" ? "↑↓" : "↑↑"} ${html(v)}`); }
 function mini(t, later) { // the segment itself, as small as a word: an arrow, or only its line while its length is sought

@@ -1,0 +1,133 @@
+"""How a vector equation comes about, and which way a link turns: told before the equation is drawn, before a rate is
+reckoned."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from itertools import permutations
+
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps.reckoning import Calculate
+from planes.lesson.formulas import slot
+from planes.lesson.frame import Frame
+from planes.lesson.steps import Names, whole
+from planes.plans import Plans
+from planes.plans.loads import force_name
+from planes.words import Lang, say
+from planes.words.names import at, kind_of, links_of, parts_of
+
+LETTERS = {"velocity": "v", "acceleration": "a"}
+Make = Callable[..., Frame]  # a frame with its words in every language
+
+
+@dataclass(frozen=True)
+class Under:
+    """The ``other`` point, of a link that carries a guide, under the ``point`` of a slider; "" of the frame."""
+
+    point: str
+    other: str
+    link: str
+    guide: str
+
+
+@dataclass(frozen=True)
+class Stating:
+    """Tells the equations of a mechanism, and its turning links."""
+
+    plans: Plans
+
+    def stated(self, frames: list[Frame], make: Make) -> list[Frame]:
+        """The frames, each vector equation written before the first that draws of it."""
+        found, told = list[Frame](), set[int]()
+        for f in frames:
+            if f.equation is not None and f.equation not in told and kind_of(f.plan) != "position":
+                told.add(f.equation)
+                e = self.plans.equations[f.equation]
+                names: Names = {"equation": self.written(e), "unknown": partial(self.unknown, e)}
+                frame = make("equation", f.plan, (), (), partial(self.why, e), (), names=names)
+                found.append(replace(frame, equation=f.equation))
+            found.append(f)
+        return found
+
+    def written(self, e: Equation) -> str:
+        """The equation in letters, without a side that is the whole itself, along a guide of the frame."""
+        chains = [list(dict.fromkeys(whole(e, t.name) for t in chain)) for chain in e.chains]
+        if e.total is None:
+            return " + ".join(f"⟨{n}⟩" for chain in chains for n in chain) + " = 0"
+        along = any(t.action == "=0" and t.name.endswith("0") for t in e.terms)  # its own vector, along that guide
+        sides = [names for names in chains if names and not (along and e.total in names)]
+        return " = ".join([f"⟨{e.total}⟩", *(" + ".join(f"⟨{n}⟩" for n in names if n != e.total) for names in sides)])
+
+    def unknown(self, e: Equation, lang: Lang) -> str:
+        """What is sought, in words."""
+        parts = dict.fromkeys((whole(e, name), part) for name, part in e.unknowns)
+        return ", ".join(say(f"lesson_unknown_{part}", lang, name=name) for name, part in parts)
+
+    def why(self, e: Equation, lang: Lang) -> str:
+        """Of forces, what is in equilibrium; of rates, how the motion of a point is made of two."""
+        if kind_of(e.plan) in LETTERS:
+            return " ".join(dict.fromkeys(self.parted(e, lang))) or say("why_equation_circle", lang)
+        links: tuple[str, ...] = tuple(links_of(e.plan))
+        inner = {force_name(a, b): a for a, b in permutations(links, 2)}
+        links = next(((inner[t.name],) for t in e.terms if t.name in inner), links)
+        return say("why_equation_links" if len(links) > 1 else "why_equation_link", lang, links="–".join(links))
+
+    def parted(self, e: Equation, lang: Lang) -> Iterator[str]:
+        """For each relative vector whose motion it is."""
+        for term in e.terms:
+            _, of, _ = parts_of(term.name)
+            if link := self.carrying.get(of):
+                yield say("why_equation_turns", lang, one=link[1], two=link[2], link=link[0])
+            elif under := self.sliding(term):
+                key = "why_equation_slides" if under.other else "why_equation_guide"
+                yield say(key, lang, **vars(under))
+
+    @cached_property
+    def under(self) -> dict[str, Under]:
+        """The sliders by the names of their motion against the guide: HL, B3B."""
+        m, found = self.plans.mechanism, {}
+        for x in (x for x in m.links.values() if x.slides):
+            owner = next((y.name for y in (m.frame, *m.links.values()) if x.slides and x.slides.guide in y.guides), "")
+            for pair in (parts_of(s.name)[1] for s in self.plans.segments if s.plan == "velocity"):
+                p = x.first_point
+                other = pair.removesuffix(p) if pair.endswith(p) else pair.removeprefix(p)
+                if x.slides and p != pair and other not in (pair, "", "0") and owner in (*m.links,):
+                    marked = m.links[owner].guides[x.slides.guide].mark
+                    if other in (marked, p + owner):
+                        found[pair] = Under(p, other, owner, x.slides.guide)
+        return found
+
+    def sliding(self, term: Term) -> Under | None:
+        """Whose motion along a guide a vector is."""
+        line = self.plans.means.get(term.direction or "")
+        _, of, _ = parts_of(term.name)
+        if of in self.under or line is None or line.quantity != "along":
+            return self.under.get(of)
+        frame = self.plans.mechanism.frame
+        point = next(
+            (x.first_point for x in self.plans.mechanism.links.values() if x.slides and x.slides.guide == line.line), ""
+        )
+        return Under(point, "", frame.name, line.line) if point and line.line in frame.guides else None
+
+    @cached_property
+    def carrying(self) -> dict[str, tuple[str, str, str]]:
+        """The link that carries both points of "CB", and them; the point under a slider is its link's too."""
+        own = {x.name: {*x.points} for x in self.plans.mechanism.links.values()}
+        for under in self.under.values():
+            own[under.link].add(under.other)
+        return {a + b: (link, a, b) for link, points in own.items() for a, b in permutations(sorted(points), 2)}
+
+    def turns(self, rates: list[Calculate], plan: str, make: Make) -> Iterator[Frame]:
+        """For each rate that is a vector over a length, the vector carried to its point."""
+        places = {under.other: under.point for under in self.under.values()}
+        for rate in rates:
+            factors = rate.terms[0].factors if len(rate.terms) == 1 else ()
+            vector = factors[0][0].strip("|‖") if [power for _, power in factors] == [1, -1] else ""
+            letter, of, _ = parts_of(vector)
+            link = self.carrying.get(of)
+            if link and letter in LETTERS.values():
+                name, point, about = link
+                said: Names = {"vector": vector, "point": point, "about": about, "link": name, "rate": rate.makes}
+                frame = make("sense", plan, terms=(vector,), names={**said, "sense": slot(rate.makes, "s")})
+                spots = {k: at("position", places.get(p, p)) for k, p in (("point", point), ("about", about))}
+                yield replace(frame, turns={**spots, "vector": vector, "rate": rate.makes})

@@ -1,0 +1,103 @@
+"""The lesson for whoever hears it, types it, turns the lights off, or holds it in a hand: axe finds nothing, nothing is
+given away, nothing runs off the page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from planes.lesson.data import lesson_data
+from planes.scene import load
+from render.page.lesson_page import page as written
+from tests.documents.test_browser import watched
+from tests.helpers import ROOT
+
+SIX = ROOT / "samples" / "six-link.yaml"
+RULES = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]}
+STATES = {
+    "first": "go(0)",
+    "equation": "go(data.frames.findIndex(f => f.key === 'equation'))",
+    "sense": "go(data.frames.findIndex(f => f.key === 'sense'))",
+    "last": "go(data.frames.length - 1)",
+    "numbers": "go(20); document.getElementById('dims').open = true",
+    "failed": "turn(40); draw()",
+    "practice": "practice.toggle()",
+    "practice, a length": "practice.toggle(); practice.index = 3; practice.open(); practice.answer(false)",
+}
+
+
+@pytest.fixture(scope="module")
+def lesson(tmp_path_factory: pytest.TempPathFactory) -> str:
+    target = tmp_path_factory.mktemp("lesson") / "lesson.html"
+    target.write_text(written(lesson_data(load(str(SIX))), "ru"), encoding="utf-8")
+    return target.as_uri()
+
+
+@pytest.fixture
+def page(browser: Any, lesson: str) -> Iterator[Any]:
+    one = browser.new_page()
+    one.set_viewport_size({"width": 1280, "height": 900})
+    errors = watched(one)
+    one.goto(lesson)
+    yield one
+    one.close()
+    assert errors == []
+
+
+def complaints(page: Any) -> list[str]:
+    """What axe finds against it."""
+    axe = pytest.importorskip("axe_playwright_python", reason="install the test extra: pip install -e '.[test]'")
+    page.evaluate((Path(axe.__file__).parent / "axe.min.js").read_text(encoding="utf-8"))
+    found = page.evaluate("rules => axe.run(document, rules)", RULES)["violations"]
+    return [f"{v['id']}: {[n['html'][:90] for n in v['nodes'][:3]]}" for v in found]
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("state", STATES)
+def test_axe_finds_nothing(page: Any, state: str) -> None:
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        page.evaluate(STATES[state] if scheme == "light" else "draw()")
+        assert complaints(page) == []
+
+
+def test_what_is_heard_is_what_is_seen_and_no_answer(page: Any) -> None:
+    page.evaluate("go(data.frames.findIndex(f => f.makes[0] === 'velocity:c'))")
+    heard = page.get_attribute("#plan", "aria-label")
+    assert "vC" in heard and "vCB" in heard and "vH" not in heard and "_" not in heard
+    page.evaluate("practice.toggle(); practice.index = data.practice.findIndex(t => t.mark === 'velocity:c')")
+    page.evaluate("practice.open()")
+    assert "vCB" not in page.get_attribute("#plan", "aria-label")
+    page.evaluate("practice.toggle(); go(data.frames.length - 1)")
+    assert "ω" not in page.get_attribute("#scheme", "aria-label")
+
+
+def test_practice_by_keys_alone_keeps_the_focus(page: Any) -> None:
+    page.focus("#practise")
+    page.keyboard.press("Enter")
+    for _ in range(6):
+        page.evaluate("document.querySelector('#task button, #task input').focus()")
+        page.keyboard.press("Enter")
+        assert page.evaluate("document.getElementById('task').contains(document.activeElement)")
+
+
+@pytest.mark.parametrize("size", [(320, 640), (390, 844), (640, 450), (1920, 1080)])
+def test_nothing_runs_off_any_screen(page: Any, size: tuple[int, int]) -> None:
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    for k in (0, 10, 30, 60):
+        page.evaluate(f"go({k})")
+        assert page.evaluate("document.documentElement.scrollWidth") <= size[0]
+    figure = page.evaluate("document.querySelector('figure').getBoundingClientRect().width")
+    assert figure > 0.9 * size[0] - 20 if size[0] < 760 else figure > 0.4 * size[0]
+
+
+def test_results_are_shown_as_they_are_found(page: Any) -> None:
+    page.evaluate("go(0)")
+    assert page.inner_text("#rates") == ""
+    page.evaluate("go(data.frames.findIndex(f => f.key === 'sense'))")
+    assert "ω2" not in page.inner_text("#rates").replace("\\n", "")
+    page.evaluate("go(data.frames.length - 1)")
+    assert page.locator("#rates span").count() == page.evaluate("data.results.length")
