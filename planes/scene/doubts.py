@@ -91,6 +91,13 @@ def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Key
         weighed = bool(mechanism.gravity or link.centre) and not incomplete
         if weighed and link.inertia is not None and link.mass is None:
             yield Phrase("doubt_massless", link=link.name), (*path, "inertia")
+        apart = (
+            len(link.points) > 1
+            and not (link.slides or link.slides_round)
+            and link.first_point not in mechanism.frame.points
+        )
+        if apart and link.mass and link.centre is None and not incomplete:
+            yield Phrase("doubt_centre", link=link.name, point=link.first_point), (*path, "mass")
         if (size := _size(link)) >= LONG_M:
             yield Phrase("doubt_long", link=link.name, size=f"{size:g}", less=f"{size / 1000:g}"), (*path, "points")
 
@@ -105,7 +112,8 @@ def _size(link: Link) -> float:
 def _drive(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
     drive = mechanism.drive
     rate = RATES[drive.kind][0]
-    statics = mechanism.loads or mechanism.gravity
+    at_rest = all(link.inertia is None for link in mechanism.links.values())
+    statics = at_rest and (mechanism.loads or mechanism.gravity)
     if ("drive", rate) not in mechanism.where and not statics:
         yield Phrase("doubt_at_rest", key=rate), ("drive",)
     link = mechanism.links[drive.link]
