@@ -66,8 +66,7 @@ class Teller:
             found.append(self.mark(step))
             solved = ((e.plan, self.sought(e)) for e in self.solved.get(step.makes, ()))
             found += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
-            if step.makes == self.ends.get(shown_on(step)):
-                found += self.closing(shown_on(step))
+            found += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
         return self.in_order(found + self.readings(readings, found))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
@@ -144,9 +143,9 @@ class Teller:
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
         if self.plans.moves and not any(f.plan in ("velocity", "acceleration") for f in before):
             rates = []
-        crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
         if not self.plans.moves:
             return [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
+        crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
         found = [self.measured(rates, before)] if rates or crossed else []
         return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 

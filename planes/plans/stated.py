@@ -58,12 +58,12 @@ class StatedPlansBuilder:
         """All equations, each as soon as it has but two unknowns; then what is reckoned last."""
         left = [(e, (e.sides[0], side)) for e in self.statement.equations for side in e.sides[1:]]
         while left:
-            self.vectors.reckon()
+            self.vectors.settle()
             done = self._one(left) or self._pair(left)
             if not done:
                 raise self._stuck([e for e, _ in left])
             left = [row for row in left if row not in done]
-        self.vectors.reckon()
+        self.vectors.settle()
         self._check_used()
         plans = self._plans()
         self._try(plans)
@@ -118,7 +118,13 @@ class StatedPlansBuilder:
         other: VectorEquation | None = None,
     ) -> None:
         d, plan = self.draft, self.plan_of[equation.line, equation.text]
-        if not total and len(one) == 1 and one[0].times == 1 and self.vectors.parts(one[0].name) == (None, None):
+        if (
+            not total
+            and two
+            and len(one) == 1
+            and one[0].times == 1
+            and self.vectors.parts(one[0].name) == (None, None)
+        ):
             total, one = one[0].name, ()
         plan, chains = self.chains.of(plan, one, two, total)
         terms = [*chains[0], *chains[1]]
@@ -167,14 +173,16 @@ class StatedPlansBuilder:
 
     def _check_used(self) -> None:
         """Whatever is said of a vector must have an effect."""
+        named = {name for equation in self.statement.equations for name in equation.names}
         for name, given in self.statement.vectors.items():
-            idle = not self.vectors.spanned(name) and name not in self.vectors.used
+            idle = name not in named and name not in self.vectors.used
             if idle or (given.near_deg is not None and name not in self.chosen):
                 line = self.scene.where.get(("vectors", name))
                 raise SceneError(Phrase("vector_idle" if idle else "near_idle", name=name), self.scene.file, line)
-        for name, needed in self.vectors.waiting.items():
-            line = self.scene.where.get(("values", name))
-            raise SceneError(Phrase("value_waits", name=name, needed=needed), self.scene.file, line)
+        for name in self.statement.values:
+            if needed := self.vectors.needs(name):
+                line = self.scene.where.get(("values", name))
+                raise SceneError(Phrase("value_waits", name=name, needed=needed[0]), self.scene.file, line)
 
     def _plans(self) -> Plans:
         d = self.draft
@@ -193,7 +201,7 @@ class StatedPlansBuilder:
             means=d.means | {s.makes: s.means for s in program.steps if s.means},
             off=d.off,
             vectors={n: self.vectors.span(n) for n in names},
-            values=self.vectors.values,
+            values={n: self.vectors.values[n] for n in self.statement.values},
             links={FRAME: LinkValues("", "", "")},
         )
 

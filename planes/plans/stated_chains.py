@@ -39,7 +39,7 @@ class Chains:
         """Where the known vectors start, if they lie end to end on one plan; else nothing."""
         known = [t for t in terms if not self.open(t)]
         spans = [self.vectors.states[t.name].span for t in known]
-        if not 1 < len(known) <= MOST_LYING or not all(spans) or any(t.times != 1 for t in known):
+        if not 1 <= len(known) <= MOST_LYING or not all(spans) or any(t.times != 1 for t in known):
             return []
         for way in permutations(s for s in spans if s):
             if all(a[1] == b[0] for a, b in pairwise(way)):

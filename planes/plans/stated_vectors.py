@@ -12,7 +12,7 @@ from planes.drafting.steps import Similar, Turn
 from planes.drafting.steps.reckoning import Product, Protractor
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vector_equations import SideTerm
-from planes.scene.vectors import Amount, Similarity, Statement, VectorGiven
+from planes.scene.vectors import AlongVector, Amount, Similarity, Statement, VectorGiven
 from planes.words.names import Meaning, at, parts_of
 
 _POINTS = re.compile(r"([^\W\d_]\d*)([^\W\d_]\d*)")
@@ -30,15 +30,13 @@ class VectorState:
 
 
 class StatedVectors:
-    """The vectors and values of a statement by name; ``used`` are those that others are found from, ``waiting`` the
-    values that cannot be reckoned yet, each with what it needs."""
+    """The vectors and values of a statement by name; ``used`` are those that others are found from."""
 
     def __init__(self, statement: Statement) -> None:
         self.statement, self.draft = statement, Draft()
         self.states: dict[str, VectorState] = {}
         self.values: dict[str, str] = {}
         self.used: set[str] = set()
-        self.waiting: dict[str, str] = {}
 
     def given(self, name: str) -> VectorGiven:
         """What the scene says of a vector."""
@@ -57,19 +55,16 @@ class StatedVectors:
     def missing(self, name: str) -> Iterator[str]:
         """What has to be found before the vector can be drawn as it is given."""
         given = self.given(name)
-        if name in self.states:
-            return
         if isinstance(given.value, VectorAmount):
             yield from (n for n in given.value.names if not self.known(n))
-        if not isinstance(given.direction, float | None) and not self.has_direction(given.direction.vector):
+        if isinstance(given.direction, AlongVector) and not self.has_direction(given.direction.vector):
             yield given.direction.vector
         if given.like:
-            shape = given.like.shape or ()
-            yield from (n for n in (given.like.of, *shape) if not self.spanned(n))
+            yield from (n for n in (given.like.of, *(given.like.shape or ())) if not self.spanned(n))
 
     def ready(self, name: str) -> bool:
         """Whether all that is given of it can be drawn."""
-        return next(self.missing(name), None) is None
+        return name in self.states
 
     def known(self, name: str) -> bool:
         """Whether a vector's length, or a value, is there to be reckoned with."""
@@ -83,18 +78,16 @@ class StatedVectors:
 
     def parts(self, name: str) -> tuple[str | None, str | None]:
         """The names of its length and direction, each None where it is not known; a vector that was drawn has both."""
-        state = self.stated(name)
+        state = self.states[name]
         if state.span or self.given(name).like:
             return state.length or "", state.direction or ""
         return state.length, state.direction
 
-    def stated(self, name: str) -> VectorState:
-        """Its state; what is given of it becomes part of the program."""
-        if name not in self.states:
-            given = self.given(name)
-            length = None if given.value is None else self.amount(name, given.value, f"|{name}|")
-            self.states[name] = VectorState(length, self.given_direction(name, given))
-        return self.states[name]
+    def state(self, name: str) -> None:
+        """Make what is given of a vector a part of the program."""
+        given = self.given(name)
+        length = None if given.value is None else self.amount(name, given.value, f"|{name}|")
+        self.states[name] = VectorState(length, self.given_direction(name, given))
 
     def amount(self, name: str, amount: Amount, plain: str) -> str:
         """The name of a number: given as ``plain``, or reckoned as ``name``."""
@@ -115,14 +108,14 @@ class StatedVectors:
 
     def length(self, name: str) -> str:
         """The name of a vector's length, measured where it was not given."""
-        state = self.stated(name)
+        state = self.states[name]
         if state.length is None:
             state.length = self.draft.measure(name, *self.span(name), state.direction)
         return state.length
 
     def direction(self, name: str) -> str:
         """The name of a vector's direction, taken off the plan where it was not given."""
-        state = self.stated(name)
+        state = self.states[name]
         if state.direction is None:
             state.direction = self.draft.through(f"→{name}", *self.span(name), Meaning("own", *line_of(name)))
         return state.direction
@@ -149,7 +142,7 @@ class StatedVectors:
 
     def transfer(self, name: str, like: Similarity) -> None:
         """The length and the direction of a vector that is similar to another."""
-        state, d = self.stated(name), self.draft
+        state, d = self.states[name], self.draft
         base, turn, size = self.direction(like.of), math.degrees(cmath.phase(like.ratio)), abs(like.ratio)
         factors = {self.length(like.of): 1}
         if like.shape:
@@ -177,20 +170,22 @@ class StatedVectors:
         kind = _LOADS.get(letter)
         return Meaning(kind, name, link=index) if kind else None  # type: ignore[arg-type]  # of the table
 
-    def reckon(self) -> None:
-        """Every value for which all is known by now."""
-        left = [n for n in self.statement.values if n not in self.values]
-        while left:
-            amounts = ((n, self.statement.values[n]) for n in left)
-            needs = {n: x.names if isinstance(x, VectorAmount) else () for n, x in amounts}
-            self.waiting = {n: m for n in left for m in [*needs[n]][::-1] if not self.known(m)}
-            done = [n for n in left if n not in self.waiting]
-            for name in done:
-                self.values[name] = self.amount(name, self.statement.values[name], name)
-            if not done:
-                return
-            left = [n for n in left if n not in done]
-        self.waiting = {}
+    def settle(self) -> None:
+        """State every vector, and reckon every value, for which all is known by now."""
+        before = -1
+        while before != len(self.states) + len(self.values):
+            before = len(self.states) + len(self.values)
+            for name in self.statement.vectors:
+                if name not in self.states and next(self.missing(name), None) is None:
+                    self.state(name)
+            for name, value in self.statement.values.items():
+                if name not in self.values and not self.needs(name):
+                    self.values[name] = self.amount(name, value, name)
+
+    def needs(self, name: str) -> list[str]:
+        """What a value waits for."""
+        value = self.statement.values[name]
+        return [n for n in value.names if not self.known(n)] if isinstance(value, VectorAmount) else []
 
     def learn(self, equation: Equation, terms: dict[str, SideTerm]) -> None:
         """From now on the vectors of an equation are on its plan."""
@@ -203,20 +198,17 @@ class StatedVectors:
             if abs(stated.times) != 1:
                 self._whole(equation, term, stated, ends)
                 continue
-            state = self.stated(stated.name)
+            state = self.states[stated.name]
             state.span = ends
             if state.length is None and not term.drawn:
                 state.length = term.name
         if equation.total and not self.spanned(equation.total):
             chain = equation.chains[0] or equation.chains[1]
-            self.stated(equation.total).span = at(equation.plan, chain[0].start), at(equation.plan, chain[-1].end)
+            self.states[equation.total].span = at(equation.plan, chain[0].start), at(equation.plan, chain[-1].end)
 
     def _whole(self, equation: Equation, term: Term, stated: SideTerm, ends: tuple[str, str]) -> None:
         """A vector of which a multiple was found: the whole of it beside."""
-        state = self.stated(stated.name)
-        if state.length and state.direction:
-            self.used.add(stated.name)
-            return
+        state = self.states[stated.name]
         label = stated.name.replace("^", "") + "″"
         ratio = self.draft.give(f"ratio_{stated.name}", complex(1 / abs(stated.times)))
         whole = self.draft.step(Similar(at(equation.plan, label), *ends, ratio))

@@ -17,6 +17,7 @@ from planes.words.errors import EquationError, ExpressionError, SceneError, choi
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
 _NAME = re.compile(VECTOR)
 Amount = float | VectorAmount
+MOST_VECTORS = 300  # with the values
 
 
 @dataclass(frozen=True)
@@ -73,8 +74,14 @@ class _StatementReader:
         self.values = reader.table(values, "values") if values else SourceTable({}, 0, {})
         if not self.vectors.entries:
             raise reader.error(Phrase("vectors_empty"), self.vectors)
+        self._check_count()
         self._check_names()
         self.names = (*self.vectors.entries, *self.values.entries)
+
+    def _check_count(self) -> None:
+        count = len(self.vectors.entries) + len(self.values.entries)
+        if count > MOST_VECTORS:
+            raise self.reader.error(Phrase("vectors_many", count=count, most=MOST_VECTORS), self.vectors)
 
     def _check_names(self) -> None:
         taken: dict[str, Phrase] = {n: Phrase("a_parameter") for n in self.reader.parameters}
