@@ -30,6 +30,9 @@ from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError, StructureError
 from planes.words.names import HELPERS, Meaning, at, kind_of, mu_of
 
+STILL = "°still"
+"""The given in the place of a drive, where nothing moves."""
+
 
 @dataclass(frozen=True)
 class PointMarks:
@@ -75,8 +78,10 @@ class Plans:
 
     @property
     def drive_given(self) -> str:
-        """Name of the given that moves the driver: its angle in degrees, or s in m."""
+        """Name of the given that moves the driver: its angle in degrees, or s in m; one that nothing reads."""
         drive = self.mechanism.drive
+        if not self.moves:
+            return STILL
         return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
 
     def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from planes.drafting.drawing import run
 from planes.drafting.equations import Equation, unknown
 from planes.drafting.program import Program
-from planes.plans import Plans
+from planes.plans import STILL, Plans
 from planes.plans.groups import Pair
 from planes.plans.loads import Loads
 from planes.plans.passive_motion import LinkValues
@@ -193,7 +193,7 @@ class StatedPlansBuilder:
             mechanism=nothing,
             structure=Structure(0, 0, Pair("R", FRAME, FRAME), (), FRAME),
             program=program,
-            given=d.given,
+            given={**d.given, STILL: 0.0},
             equations=tuple(d.equations),
             moments=(),
             segments=tuple(dict.fromkeys(d.segments)),

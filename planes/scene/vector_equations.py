@@ -25,7 +25,7 @@ class SideTerm:
     @property
     def text(self) -> str:
         """As it is written, without the sign."""
-        return self.name if abs(self.times) == 1 else f"{abs(self.times):.10g}·{self.name}"
+        return self.name if abs(self.times) == 1 else f"{abs(self.times):.4g}·{self.name}"
 
 
 Side = tuple[SideTerm, ...]

@@ -16,6 +16,7 @@ from planes.words.errors import EquationError, ExpressionError, SceneError, choi
 
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
 _NAME = re.compile(VECTOR)
+_FACTOR = re.compile(r"\s*[*(·]")  # a coefficient, or a function in one
 Amount = float | VectorAmount
 MOST_VECTORS = 300  # with the values
 
@@ -186,12 +187,15 @@ class _StatementReader:
         text = self.reader.text(node, what).strip()
         if "=" not in text:
             raise self.reader.error(Phrase("not_equation", text=shown(text)), node)
+        for match in _NAME.finditer(text):
+            if not _FACTOR.match(text, match.end()) and match[0] not in self.reader.parameters:
+                self.named(node, match[0], text)
         try:
             found = read_equation(text, lambda times: evaluate(times, self.reader.parameters), node.line)
         except (EquationError, ExpressionError) as error:
             phrase = error.phrase
             told = phrase if isinstance(error, EquationError) else Phrase("about", what=text, why=phrase)
             raise SceneError(told, self.reader.file, node.line) from None
-        for name in found.names:
+        for name in found.names:  # a parameter in the place of one
             self.named(node, name, text)
         return found

@@ -4,19 +4,23 @@ arcs against their closed form, numbers carried from plan to plan, and what cann
 from __future__ import annotations
 
 import cmath
+import json
 import math
 import random
 import re
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import planes
+from planes.cli import main
 from planes.drafting.instruments import Pencil
 from planes.plans.of_scene import scene_plans
 from planes.scene import load, loads
 from planes.solving import Position, solve
+from planes.words.errors import SceneError
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -43,7 +47,7 @@ def vectors(found: Position) -> dict[str, complex]:
 
 
 def test_the_six_link_by_equations_has_the_numbers_of_the_mechanism() -> None:
-    stated, mechanism = (planes.solve(planes.load(SAMPLES / f"{n}.yaml")) for n in ("vectors-six-link", "six-link"))
+    stated, mechanism = (planes.solve(planes.load(SAMPLES / f"{n}.yaml")) for n in ("vectors/six-link", "six-link"))
     found = vectors(stated)
     for point in ("B", "C", "S2", "H"):
         assert found[f"v_{point}"] == pytest.approx(mechanism.v[point], rel=1e-11)
@@ -56,7 +60,7 @@ def test_the_six_link_by_equations_has_the_numbers_of_the_mechanism() -> None:
 
 
 def test_the_group_by_its_equation_has_the_reactions_of_the_mechanism() -> None:
-    stated, mechanism = (planes.solve(planes.load(SAMPLES / f"{n}.yaml")) for n in ("vectors-group", "six-link"))
+    stated, mechanism = (planes.solve(planes.load(SAMPLES / f"{n}.yaml")) for n in ("vectors/group", "six-link"))
     found = vectors(stated)
     for name, own in (("F_21", "F_21"), ("F_36", "F_30"), ("F_32", "F_32")):
         assert found[name] == pytest.approx(mechanism.value(own), rel=1e-9)
@@ -64,7 +68,7 @@ def test_the_group_by_its_equation_has_the_reactions_of_the_mechanism() -> None:
 
 
 def test_the_slider_by_its_equation_has_friction_as_the_mechanism() -> None:
-    stated, mechanism = (planes.solve(planes.load(SAMPLES / f"{n}.yaml")) for n in ("vectors-friction", "bntu-2"))
+    stated, mechanism = (planes.solve(planes.load(SAMPLES / f"{n}.yaml")) for n in ("vectors/friction", "bntu-2"))
     found = vectors(stated)
     assert found["F_30"] == pytest.approx(mechanism.value("F_30"), rel=1e-11)
     assert found["F_21"] == pytest.approx(mechanism.value("F_21"), rel=1e-11)
@@ -203,7 +207,7 @@ def test_a_figure_like_another_on_its_plan() -> None:
 
 
 def test_what_lies_end_to_end_is_read_there() -> None:
-    plans = scene_plans(load(str(SAMPLES / "vectors-group.yaml")))
+    plans = scene_plans(load(str(SAMPLES / "vectors" / "group.yaml")))
     spans = {name: tuple(mark.rpartition(":")[2] for mark in ends) for name, ends in plans.vectors.items()}
     assert (
         spans["F_36"] == ("G_3", "F_36n") and spans["F_21"] == ("F_36n", "F_21t") and spans["F_32"] == ("F_36n", "F_24")
@@ -211,8 +215,87 @@ def test_what_lies_end_to_end_is_read_there() -> None:
 
 
 def test_each_plan_has_its_own_scale() -> None:
-    two = (ROOT / "samples" / "vectors-six-link.yaml").read_text("utf-8")
+    two = (ROOT / "samples" / "vectors" / "six-link.yaml").read_text("utf-8")
     mus = {plan: one["mu"] for plan, one in solved(two).results["plans"].items()}
     assert mus == {"contour": "250 mm/m", "velocity": "30 mm/(m/s)", "acceleration": "2 mm/(m/s²)"}
     forces = scene({"F_1": "value: 100, direction: 0", "F_2": "value: 50, direction: 90", "R": ""}, ["R = F_1 + F_2"])
     assert solved(forces).results["plans"]["force"]["segments"]["pF_2"]["unit"] == "N"
+
+
+@pytest.mark.parametrize("path", sorted((SAMPLES / "vectors").glob("*.yaml")), ids=lambda p: p.stem)
+def test_samples_are_told_in_two_languages(path: Path) -> None:
+    found = load(str(path))
+    for words in (found.title, found.note):
+        assert re.search("[а-я]", words["ru"]) and not re.search("[а-я]", words["en"]) and words["en"]
+    remarks = [
+        line.partition("# ")[2].partition(" / ") for line in path.read_text("utf-8").splitlines()[1:] if "# " in line
+    ]
+    assert all(ru and en and not re.search("[а-я]", en) for ru, _, en in remarks if re.search("[а-яA-Za-z]{3}", ru))
+
+
+# readers
+
+
+@pytest.mark.parametrize("command", ["sheet {} -o a.svg", "note {} -o a.html", "lesson {} -o a.html"])
+@pytest.mark.parametrize("name", ["six-link", "group", "friction"])
+def test_every_document_is_made(command: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for lang in ("ru", "en"):
+        words = command.format(SAMPLES / "vectors" / f"{name}.yaml").split()
+        assert main([*words, "--lang", lang]) == 0
+        text = Path(words[-1]).read_text("utf-8")
+        assert len(text) > 5000 and not re.search("NaN|undefined|Traceback", text.partition("<script")[0])
+
+
+def test_a_drawing_of_a_stated_plan_is_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path, file = str(SAMPLES / "vectors" / "six-link.yaml"), tmp_path / "marks.csv"
+    (found,) = solve(load(path)).positions
+    labels = ("b", "c", "s2", "l", "h")
+    marks = {label: complex(found.drawing[f"velocity:{label}"]) for label in labels}
+    for label, wrong, status in (("c", 0j, 0), ("c", 6 + 6j, 1)):
+        rows = (
+            f"{n},{z.real + (n == label) * wrong.real},{z.imag + (n == label) * wrong.imag}" for n, z in marks.items()
+        )
+        file.write_text("mark,x_mm,y_mm\np,0,0\n" + "\n".join(rows), encoding="utf-8")
+        assert main(["check", path, str(file), "--plan", "velocity", "--work", "cad", "--json"]) == status
+        report = json.loads(capsys.readouterr().out)
+        assert report["verdict"] == ("wrong" if wrong else "right")
+        assert report["first_wrong"] == (label if wrong else None)
+
+
+# refusals
+
+BASE = {"v_B": "value: 2, direction: 120", "v_CB": "direction: 35", "v_C": "direction: 80"}
+BAD: list[tuple[dict[str, str], list[str], str, str]] = [
+    ({}, ["v_C = v_B + v_CD"], "", "s.yaml:7: v_C = v_B + v_CD: there is no vector v_CD"),
+    ({"v_CB": "direction: v_X"}, ["v_C = v_B + v_CB"], "", "s.yaml:4: direction of vector v_CB: there is no vector"),
+    ({"v_CB": "direction: v_CB"}, ["v_C = v_B + v_CB"], "", "s.yaml:7: v_C = v_B + v_CB: v_CB is found from v_CB"),
+    ({"v_B": "value: v_C^2, direction: 3"}, ["v_C = v_B + v_CB"], "", "v_B is found from v_C, which no equation"),
+    ({"v_CB": ""}, ["v_C = v_B + v_CB"], "", "length of v_C, length of v_CB, direction of v_CB"),
+    ({"v_CB": "direction: 80"}, ["v_C = v_B + v_CB"], "", "s.yaml:7: v_C = v_B + v_CB: "),
+    ({}, ["v_C = v_B + v_CB"], "mu: 1 mm/N\n", "s.yaml:8: mu does not fit v_C: a velocity plan"),
+    ({}, ["v_C = v_B + v_CB"], "mu: 1 mm/m\nplans: {position: {mu: 2 mm/m}}\n", "both mu and plans.position"),
+    ({}, ["v_C = v_B + v_CB"], "values: {k: v_C/(v_B + v_CB)}\n", 's.yaml:8: k of values: "v_C/(v_B + v_CB)": what'),
+    ({}, ["v_C = v_B + v_CB"], "values: {k: sqrt(v_C)}\n", "sqrt takes numbers and parameters"),
+    ({}, ["v_C = v_B + v_CB"], "values: {k: v_C^0.5}\n", "raised to a whole power from 1 to 9"),
+    ({}, ["v_C = v_B + v_CB"], "values: {k: h, h: k}\n", "s.yaml:8: values: k is found from h, which nothing gives"),
+    ({}, ["v_C = v_B + v_CB"], "values: {v_C: 1}\n", "v_C would name a vector and a value"),
+    ({}, ["v_C = 0 = v_B + v_CB"], "", "0 stands among several sides"),
+    ({}, ["v_C = v_B + 0*v_CB"], "", "v_CB is taken zero times"),
+    ({}, ["v_C = v_B + q*v_CB"], "", '"q" is not defined'),
+    ({"v_CB": "similar: v_C"}, ["v_C = v_B + v_CB"], "", "needs one of the keys ratio, as"),
+    ({"v_CB": "similar: v_C, as: [v_B]"}, ["v_C = v_B + v_CB"], "", "as of vector v_CB has 1 vectors; write two"),
+    ({"v_CB": "similar: v_C, ratio: 2, value: 3"}, ["v_C = v_B + v_CB"], "", "both similar and value"),
+    ({"v_CB": "similar: v_C, ratio: 2"}, ["v_C = v_B + v_CB"], "", "v_CB is found from v_C"),
+]
+
+
+@pytest.mark.parametrize(("changed", "equations", "more", "words"), BAD)
+def test_what_cannot_be_drawn_is_one_sentence(
+    changed: dict[str, str], equations: list[str], more: str, words: str
+) -> None:
+    with pytest.raises(SceneError) as caught:
+        solved(scene(BASE | changed, equations, more))
+    told = caught.value.told("en")
+    assert words in told and re.match(r"s\.yaml:\d+: ", told) and "\n" not in told
+    assert re.search("[а-я]", caught.value.told("ru"))
