@@ -97,7 +97,7 @@ def test_every_reader_draws_or_tells_the_passive_link() -> None:
 def test_passive_links_move_as_what_holds_them(phi: float) -> None:
     """The third crank of a parallelogram turns as the driver does; the slider of an ellipsograph keeps its turn."""
     found = solve(loads(parallelogram(phi)))
-    assert mechanism_plans(loads(parallelogram(phi))).structure.passive == ("4",)
+    assert scene_plans(loads(parallelogram(phi))).structure.passive == ("4",)
     turned = math.remainder(found.value("phi_4") - phi, 360)
     assert turned == pytest.approx(0.0, abs=1e-9) and found.omega["4"] == pytest.approx(10.0, rel=1e-10)
     assert found.epsilon["4"] == pytest.approx(0.0, abs=1e-7)
