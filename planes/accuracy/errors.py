@@ -6,7 +6,6 @@ carried to first order.
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,6 @@ from planes.plans import Plans
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import Column, Measured, Quantity, nested, told_of
 from planes.solving import Position, Solved
-from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, mu_of
 from planes.words.records import or_none
 
@@ -97,17 +95,6 @@ def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
             for key, error in segments["segments"].items():
                 if error["mm"] is not None:
                     position.results["plans"][plan]["segments"][key]["error_mm"] = error["mm"]
-
-
-def vector_errors(results: VectorResults, instrument: Instrument | None = None) -> VectorResults:
-    """A drawn scene of vectors with its ± beside: of the ends of vectors, and of their segments."""
-    columns = [Column(f"{n}_{part}", "", "", *span, part) for n, span in results.spans.items() for part in _PARTS]
-    claims = _claims(Ready(results.drawing.program, results.given, columns, {}), instrument)
-    bounds = dict(zip((c.name for c in columns), map(float, claims.bounds([0.0])[:, 0]), strict=True))
-    ruler = _ruler_mm(instrument)
-    vectors = {n: [or_none(bounds[f"{n}_{part}"]) for part in "xy"] for n in results.spans}
-    segments = {n: _measured(bounds[f"{n}_size"], results.mu, ruler) for n in results.spans}
-    return replace(results, errors={"vectors": vectors, "plans": {PLAN: {"segments": segments}}})
 
 
 def _claims(ready: Ready, by: Instrument | None, off: Mapping[str, float] | None = None) -> Margins:

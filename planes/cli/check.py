@@ -22,7 +22,7 @@ from planes.cli.options import check_options, value_of
 from planes.course.handed_out import HandedOut, handed_out, is_course
 from planes.course.ledger import MANIFEST
 from planes.scene import Scene
-from planes.solving.tables import table
+from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, guarded
 from planes.words.names import kind_of

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from planes.cli.options import check_needs, check_options, values_of
-from planes.drafting.instruments import Exact, Instrument, Pencil
+from planes.drafting.instruments import Exact, Pencil
 from planes.scene import Scene, load
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
@@ -50,8 +50,6 @@ def solve(args: Namespace) -> int:
 
         print(explain(scene, args.lang), end="")
         return 0
-    if scene.mechanism is None:
-        return _vectors(args, scene, instrument)
     solved = solved_at(scene, values, instrument, args.lang)
     if args.remedy:
         from planes.solving.remedies import remedy
@@ -69,20 +67,6 @@ def solve(args: Namespace) -> int:
     elif solved.positions:
         print(report(solved, args.lang), end="")
     return 0 if solved.positions else 2
-
-
-def _vectors(args: Namespace, scene: Scene, instrument: Instrument) -> int:
-    """A scene of vectors alone."""
-    from planes.solving.tables import vector_report
-    from planes.solving.vectors import solve_vectors
-
-    results = solve_vectors(scene, instrument)
-    if args.errors:
-        from planes.accuracy.errors import vector_errors
-
-        results = vector_errors(results, instrument)
-    print(as_json(results.json(args.lang)) if args.json else vector_report(results, args.lang))
-    return 0
 
 
 def _survey(args: Namespace) -> int:
@@ -106,8 +90,9 @@ def _survey(args: Namespace) -> int:
 
 def structure(args: Namespace) -> int:
     """Links, pairs, groups of Assur, and the self-aligning variant."""
-    from planes.plans import mechanism_plans, structure_of
+    from planes.plans import structure_of
     from planes.plans.alignment import aligned
+    from planes.plans.of_scene import scene_plans
     from planes.solving.structure_text import alignment_report, structure_report
 
     scene = scene_of(args)
@@ -115,7 +100,7 @@ def structure(args: Namespace) -> int:
         raise PlanesError(Phrase("no_structure", file=args.scene))
     found = structure_of(scene.mechanism, scene.file)
     try:
-        variant = aligned(mechanism_plans(scene), scene.file)
+        variant = aligned(scene_plans(scene), scene.file)
     except PlanesError as error:  # the structure is known all the same
         print(error.told(args.lang), file=sys.stderr)
         variant = None

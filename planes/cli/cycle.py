@@ -94,18 +94,18 @@ def _table(args: Namespace, scene: Scene, span: Span | None) -> int:
     if args.show is None:
         return write_cycle(scene, span, args.output, args.lang, fast, args.errors)
     from planes.diagrams.turn import turn_of
-    from planes.plans import mechanism_plans
+    from planes.plans.of_scene import scene_plans
 
-    turn = turn_of(mechanism_plans(scene), _names(args), file=scene.file, slopes=False)
+    turn = turn_of(scene_plans(scene), _names(args), file=scene.file, slopes=False)
     return write_curves(turn, span, args.output, args.lang, fast)
 
 
 def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.long_run import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
-    from planes.plans import mechanism_plans
+    from planes.plans.of_scene import scene_plans
 
-    plans = mechanism_plans(scene)
+    plans = scene_plans(scene)
     chosen = span or Span(plans.mechanism.drive.position, 0.0, 1)
     if chosen.count > LISTED:
         raise PlanesError(Phrase("listing_long", count=chosen.count, most=LISTED))
@@ -124,9 +124,9 @@ def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
     from planes.diagrams.turn import reach
-    from planes.plans import mechanism_plans
+    from planes.plans.of_scene import scene_plans
 
-    plans = mechanism_plans(scene)
+    plans = scene_plans(scene)
     turning = plans.mechanism.drive.kind == "phi"
     ends = span.ends if span else (0.0, FULL) if turning else reach(plans)
     found = summary(scene, plans, *ends, _names(args))

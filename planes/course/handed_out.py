@@ -16,7 +16,7 @@ from planes.check.sheet_mark import SheetMark
 from planes.course.ledger import MANIFEST
 from planes.course.reading import NAME, scenes_in
 from planes.course.students import FILES
-from planes.plans import mechanism_plans
+from planes.plans.of_scene import scene_plans
 from planes.scene import Scene, load
 from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
@@ -84,7 +84,7 @@ def variant_named(stem: str, variants: Sequence[str]) -> str | None:
 def plan_named(stem: str, scene: Scene) -> str | None:
     """The plan a file's name tells: velocity, скорости, force 2-3."""
     text = " ".join(words_of(stem))
-    plans = known_plans(mechanism_plans(scene)) if scene.mechanism else []
+    plans = known_plans(scene_plans(scene)) if scene.mechanism else []
     forms = {p: _KINDS.get(p, rf"\b{' '.join(words_of(p))}\b") for p in plans}
     found = [p for p in plans if re.search(forms[p], text)]
     return found[0] if len(found) == 1 else None

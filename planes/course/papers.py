@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from planes.drafting.drawing import Drawing
+from planes.lesson.conditions import conditions
 from planes.lesson.formulas import unit
-from planes.lesson.note import Note, conditions
+from planes.lesson.note import Note
 from planes.plans import Plans
 from planes.plans.measuring import say_plan
 from planes.plans.scales import drawn_in_si

@@ -13,7 +13,8 @@ from collections.abc import Callable, Mapping
 import numpy
 
 from planes.course import ParameterChoice
-from planes.plans import Plans, mechanism_plans
+from planes.plans import Plans
+from planes.plans.of_scene import scene_plans
 from planes.plans.scales import drawn_in_si
 from planes.scene import Scene
 from planes.scene.reader import entries_of
@@ -112,7 +113,7 @@ def draw_numbers(
 
 def _fault(scene: Scene, least_deg: float) -> str | None:
     """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
-    plans, limit = mechanism_plans(scene), math.sin(math.radians(least_deg))
+    plans, limit = scene_plans(scene), math.sin(math.radians(least_deg))
     around = around_turn(plans) if plans.mechanism.drive.kind == "phi" else []
     if None in around:
         return "apart"

@@ -10,8 +10,8 @@ from planes.diagrams.summary import summary
 from planes.plans import Plans
 from planes.scene import Scene, load
 from planes.solving import Position, solve, told
-from planes.solving.tables import difference, table
-from planes.solving.vectors import solve_vectors
+from planes.solving.tables import difference
+from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError, guarded
 from planes.words.records import Json
@@ -76,7 +76,7 @@ def _line(scene: Scene, name: str, variant: str, lang: Lang) -> SurveyRow:
     """One variant solved."""
     missing = tuple(text for text in (scene.missing.get(lang, ""), *(d.told(lang) for d in scene.doubts)) if text)
     if scene.mechanism is None:
-        solve_vectors(scene)
+        solve(scene, lang=lang)
         return SurveyRow(name, variant, "", True, remarks=missing)
     drive = scene.mechanism.drive
     at = f"{'φ' if drive.kind == 'phi' else 's'} = {told(drive.position, drive.kind, lang)}"

@@ -12,7 +12,7 @@ from planes.crank_slider.pages import ChapterWriter
 from planes.crank_slider.pages_mechanics import write_forces, write_given, write_kinematics
 from planes.crank_slider.pages_strength import checks, write_balance, write_strength, write_summary
 from planes.solving.document import Block, DocumentTable, Heading
-from planes.solving.tables import table
+from planes.solving.text_tables import table
 from planes.words import Lang
 from planes.words.records import Json
 

@@ -7,9 +7,9 @@ from planes.diagrams.graphical import Construction, Stage, differentiated, integ
 from planes.diagrams.motion import motion_of
 from planes.drafting.drawing import Drawing
 from planes.drafting.instruments import Exact, Pencil
-from planes.plans import mechanism_plans
+from planes.plans.of_scene import scene_plans
 from planes.scene import Scene
-from planes.solving.tables import table
+from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.records import Json
@@ -45,7 +45,7 @@ def constructed(scene: Scene, sections: int, pole_mm: float | None = None) -> li
     """Both graphical constructions of the driven link's motion."""
     if pole_mm is not None and not 1.0 <= pole_mm <= 500.0:
         raise PlanesError(Phrase("graphical_pole", pole=pole_mm))
-    motion = motion_of(mechanism_plans(scene), sections, scene.file)
+    motion = motion_of(scene_plans(scene), sections, scene.file)
     return [differentiated(motion, pole_mm), integrated(motion, pole_mm)]
 
 

@@ -15,13 +15,14 @@ from planes.batch.streams import TableHead, opened
 from planes.diagrams.curves import Curve
 from planes.diagrams.turn import WholeTurn
 from planes.drafting.drawing import proved, run
-from planes.plans import Plans, mechanism_plans
+from planes.plans import Plans
+from planes.plans.of_scene import scene_plans
 from planes.plans.scales import unit_scales
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.solving import failed, key_of, told
 from planes.solving.nearest import nearest
-from planes.solving.tables import table
+from planes.solving.text_tables import table
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
 from planes.words.records import Json, or_none
@@ -45,7 +46,7 @@ def write_cycle(
     scene: Scene, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
 ) -> int:
     """Write the table, with ``errors`` the ± of every result after the results; the exit status."""
-    plans = mechanism_plans(scene)
+    plans = scene_plans(scene)
     table = Cycle(plans, scene.find)
     span = values or whole(plans)
     blocks, heads = table.blocks(span, fast=fast), [(c.name, c.unit) for c in table.columns]

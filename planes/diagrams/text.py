@@ -6,7 +6,7 @@ from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
 from planes.plans.measuring import formula_of
 from planes.solving import told
-from planes.solving.tables import table
+from planes.solving.text_tables import table
 from planes.words import Lang, say
 from planes.words.names import index_of
 from planes.words.records import Json, or_none

@@ -10,7 +10,6 @@ from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position
-from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase, home_lang
 from planes.words.errors import PlanesError
 from render.files import SUFFIXES, Page
@@ -19,7 +18,7 @@ from render.paper.hues import coloured
 from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet.composer import Composer
-from render.sheet.single import Makers, of_mechanism, of_scene_of_vectors, page, traced
+from render.sheet.single import Makers, of_mechanism, of_vectors, page, traced
 from render.sheet.sizes import Sizes
 from render.views import stacked
 
@@ -85,14 +84,13 @@ def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = Non
 
 def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
     with lettered(face_of(scene)):
-        if scene.mechanism is None:
-            composer = Composer(scene, lang)
-            return page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
         drawn = DrawnPosition(replace(scene, find=None), values, lang)
         composer = Composer(scene, lang, drawn.stated[0])
         return page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
 
 
 def _mechanism_views(scene: Scene, drawn: Position, composer: Composer) -> Makers:
+    if not drawn.plans.moves:
+        return of_vectors(drawn, composer)
     more = views_beside(scene, drawn, composer)
     return of_mechanism(drawn, composer, lambda: turned_once(scene, drawn.plans, composer, True), more)

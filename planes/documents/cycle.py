@@ -13,7 +13,8 @@ from planes.diagrams.motion import Runs, ends_of
 from planes.diagrams.turn import WholeTurn, grid, turn_of, unwound
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
-from planes.plans import Plans, mechanism_plans
+from planes.plans import Plans
+from planes.plans.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
@@ -118,7 +119,7 @@ def cycle_page(
     """A page with diagrams of the curves, those joined by a plus on the same axes, hodographs and paths."""
     if span is not None and span.count < 2:
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
-    plans = mechanism_plans(scene)
+    plans = scene_plans(scene)
     if show is None:  # the driven link's motion, and what balances the driver
         drive = plans.mechanism.drive
         balancing = f"{'M' if drive.kind == 'phi' else 'Fb'}_{drive.link}"

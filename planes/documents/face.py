@@ -18,7 +18,7 @@ from planes.documents import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
 from planes.drafting.instruments import Instrument
-from planes.plans import mechanism_plans
+from planes.plans.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import asked_of_drive
 from planes.solving import Position, Solved, plans_of, position
@@ -95,7 +95,7 @@ def cycle(
 
 def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str, float]) -> Table:
     """The results of one set of parameters."""
-    plans = mechanism_plans(scene)
+    plans = scene_plans(scene)
     drive, run = plans.mechanism.drive, Cycle(plans, names)
     if values is None:
         values = np.arange(360.0) if drive.kind == "phi" else [drive.position]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
-from planes.lesson.note import Note
+from planes.lesson.stated_note import note_of
 from planes.scene import Scene
 from planes.scene.files import keep
 from planes.solving import Position, failed, plans_of, position
@@ -54,7 +54,7 @@ def write_note(scene: Scene, values: list[float] | None, output: str, lang: Lang
 def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> bytes:
     """The contents of a note's file."""
     drawn = placed(scene, values, lang)
-    return rendered(Note(scene, drawn, lang).blocks(), suffix, Composer(scene, lang, drawn.plans).naming)
+    return rendered(note_of(scene, drawn, lang).blocks(), suffix, Composer(scene, lang, drawn.plans).naming)
 
 
 def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:

@@ -12,11 +12,12 @@ from planes.batch.table import Table
 from planes.check import Outcome
 from planes.check.report import heads, numbers_of, rows_of
 from planes.documents import picture, shown
-from planes.plans import mechanism_plans, structure_of
+from planes.plans import structure_of
+from planes.plans.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position, told
 from planes.words import Lang, Phrase, decimal, home_lang, say
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, SceneError
 from planes.words.units import number, quantity
 
 if TYPE_CHECKING:
@@ -52,11 +53,13 @@ def _of_scene(scene: Scene, lang: Lang) -> Iterable[str]:
 
 def _of_position(here: Position, lang: Lang) -> Iterable[str]:
     drive = here.plans.mechanism.drive
-    yield f"<b>{'φ' if drive.kind == 'phi' else 's'} = {decimal(told(here.at, drive.kind, lang), lang)}</b>"
+    if here.plans.moves:
+        yield f"<b>{'φ' if drive.kind == 'phi' else 's'} = {decimal(told(here.at, drive.kind, lang), lang)}</b>"
     yield shown(here) or ""
     rates = [(f"v_{p}", abs(v), "m/s") for p, v in here.v.items()] + [
         (f"a_{p}", abs(a), "m/s²") for p, a in here.a.items()
     ]
+    rates += [(n, abs(f.vector), f.quantity.columns[0].unit) for n, f in here.of("vectors").items()]
     rates += [(f"omega_{n}", w, "rad/s") for n, w in here.omega.items()]
     rates += [(f"epsilon_{n}", e, "rad/s²") for n, e in here.epsilon.items()]
     rates += [(f"|{n}|", abs(f.vector), "N") for n, f in here.of("reactions").items()]
@@ -124,7 +127,9 @@ def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), la
     except ImportError:
         raise PlanesError(Phrase("needs_anywidget")) from None
     plans, wanted = plans_of(scene)
-    drive, said = mechanism_plans(scene).mechanism.drive, lang or home_lang()
+    if scene.mechanism is None:
+        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
+    drive, said = scene_plans(scene).mechanism.drive, lang or home_lang()
     turns = drive.kind == "phi"
     reach = (0.0, 360.0, 1.0) if turns else (drive.position - 1.0, drive.position + 1.0, 0.01)
 

@@ -23,7 +23,6 @@ from planes.plans.scales import extent, fits_on, fitting
 from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
-from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import kind_of, mu_of
@@ -48,10 +47,6 @@ def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", nu
 
 
 def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: int | None) -> Sheet:
-    if scene.mechanism is None:
-        check_names(scene, None)
-        found, composer = solve_vectors(scene), Composer(scene, lang)
-        return compose(scene, Contents(lambda _, *how: (composer.vector_views(found, *how), [])), lang)
     drawn = DrawnPosition(replace(scene, find=None) if number else scene, values, lang)
     check_names(scene, drawn.stated[0])
     composer = Composer(scene, lang, drawn.stated[0])
@@ -125,10 +120,15 @@ class DrawnPosition:
             self.kept[key] = self._drawn(fits)
         return self.kept[key]
 
+    @property
+    def alone(self) -> float:
+        """What stands for μ of the scheme where there is none."""
+        return fitting("position", 0.0, 0.0)
+
     @cached_property
     def kept(self) -> dict[tuple[float, float], Position]:
         """The position by the factor of its plans and μ of its scheme."""
-        return {(1.0, self.first.scales[mu_of("position")]): self.first}
+        return {(1.0, self.first.scales.get(mu_of("position"), self.alone)): self.first}
 
     @cached_property
     def first(self) -> Position:
@@ -138,7 +138,7 @@ class DrawnPosition:
     @property
     def wide(self) -> float:
         """How large the scheme is, m."""
-        return extent(self.first.drawing, "position") / self.first.scales[mu_of("position")]
+        return extent(self.first.drawing, "position") / self.first.scales.get(mu_of("position"), self.alone)
 
     def _drawn(self, fits: Mapping[str, float]) -> Position:
         plans, wanted = self.stated

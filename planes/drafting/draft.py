@@ -4,6 +4,7 @@ A :class:`Draft` grows a program in the order a draughtsman would draw it. Each 
 the name back; asking twice for the same direction makes one step.
 """
 
+from collections.abc import Mapping
 from copy import copy
 from dataclasses import dataclass, replace
 
@@ -16,8 +17,9 @@ from planes.scene.mechanism import Law
 from planes.words import Phrase
 from planes.words.errors import ProgramError
 from planes.words.lettering import name_in_words, plan_phrase
-from planes.words.names import AGAIN, POLE, Meaning, at, mu_of, plan_of
+from planes.words.names import AGAIN, POLE, Meaning, Quantity, at, mu_of, plan_of
 
+_REVERSED: Mapping[Quantity, Quantity] = {"with": "against", "against": "with"}
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
 
 
@@ -184,8 +186,17 @@ class Draft:
         """Lay a known vector off (or find it drawn already); the mark it ends at."""
         if not term.drawn and term.length and term.direction:
             place = start or at(plan, term.start)
-            return self.lay_off(plan, term.end, place, term.direction, term.length, term.means)
+            along = term.direction if term.sign > 0 else self.reversed(term.direction)
+            return self.lay_off(plan, term.end, place, along, term.length, term.means)
         return at(plan, term.end)
+
+    def reversed(self, of: str) -> str:
+        """A direction the other way."""
+        line = self.steps[of].means
+        turned = line and replace(line, quantity=_REVERSED.get(line.quantity, line.quantity))
+        if turned and turned.quantity == "towards":
+            turned = replace(turned, of=turned.about, about=turned.of)
+        return self.step(Turn(f"−{of}", of, 2, means=turned))
 
     def _meet(self, equation: Equation, ends: list[str], open_terms: list[list[Term]]) -> None:
         """Cross the lines or arcs of the two open terms."""

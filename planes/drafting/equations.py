@@ -40,6 +40,9 @@ class Term:
         return 2 if self.drawn else (self.length is not None) + (self.direction is not None)
 
 
+SignedTerm = tuple[int, Term]
+
+
 @dataclass(frozen=True)
 class Equation:
     """Two chains of vectors on one plan with one start and one end, and exactly two unknowns between them.
@@ -94,12 +97,29 @@ class Equation:
         return "arc"
 
     @property
+    def closed(self) -> bool:
+        """Whether it is written as a closed polygon: all vectors add up to nothing."""
+        return not self.total and all(t.sign < 0 for t in self.chains[1])
+
+    @property
+    def written(self) -> tuple[tuple[SignedTerm, ...], ...]:
+        """The sides as they are written, each term with its sign: of a closed polygon one."""
+        one, two = self.chains
+        if self.closed:
+            return (tuple((t.sign, t) for t in one) + tuple((-t.sign, t) for t in two),)
+        return tuple(tuple((t.sign, t) for t in chain) for chain in self.chains)
+
+    @property
     def text(self) -> str:
         """The equation in a line of text."""
-        one, two = (" + ".join(t.name for t in chain) for chain in self.chains)
-        if self.total:
-            return f"{self.total} = {one} = {two}" if two else f"{self.total} = {one}"
-        return f"{one} = {two}"
+        sides = [_sum(side) for side in self.written if side]
+        return " = ".join([self.total, *sides] if self.total else [*sides, "0"] if self.closed else sides)
+
+
+def _sum(side: tuple[SignedTerm, ...]) -> str:
+    """A side in a line of text."""
+    text = "".join(f" {'+' if sign > 0 else '−'} {t.name}" for sign, t in side)
+    return text.removeprefix(" + ").strip()
 
 
 def unknown(name: str, part: str) -> Phrase:

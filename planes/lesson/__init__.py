@@ -13,16 +13,17 @@ from planes.drafting.equations import Equation
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import formula, slot, unit
+from planes.lesson.formulas import UNITS, formula, mu_said, slot, unit
 from planes.lesson.frame import Frame, in_both
 from planes.lesson.reckoning import Reckoning
+from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
-from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
+from planes.lesson.steps import Names, Said, StepWords, moment_words, shown_on, whole
 from planes.plans import Plans
 from planes.plans.reactions import Reaction
 from planes.words import Lang, say
-from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of
-from planes.words.units import Convention, mu_text
+from planes.words.names import POLE, at, force_plan, kind_of, label_of, letter_of, lettered, mu_of, plan_of
+from planes.words.units import Convention
 
 NOTHING: Names = {}
 
@@ -46,7 +47,10 @@ class Teller:
         self.ends = {p: x.makes for x in drawn if kind_of(p := shown_on(x)) == "force"}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
         self.reckoning = Reckoning(plans, self.made, self.divided)
-        self.words, self.stating = StepWords(plans, drawing, self.made), Stating(plans)
+        self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
+        self.rates |= {value for value in plans.values.values() if value in self.made}
+        self.solved = {} if plans.moves else last_marks(plans)
+        self.stating = Stating(plans)
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
@@ -62,8 +66,9 @@ class Teller:
             found += self.readings(readings, found)
             readings = []
             found.append(self.mark(step))
-            if step.makes == self.ends.get(shown_on(step)):
-                found += self.closing(shown_on(step))
+            solved = ((e.plan, self.sought(e)) for e in self.solved.get(step.makes, ()))
+            found += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
+            found += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
         return self.in_order(self.stating.stated(found + self.readings(readings, found), self.frame))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
@@ -138,8 +143,10 @@ class Teller:
     def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
         """Frames of what was reckoned since the last mark: rates together, each moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
-        if not any(f.plan in ("velocity", "acceleration") for f in before):
+        if self.plans.moves and not any(f.plan in ("velocity", "acceleration") for f in before):
             rates = []
+        if not self.plans.moves:
+            return [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
         crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
         plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
         found = (
@@ -160,10 +167,15 @@ class Teller:
 
         def told(lang: Lang) -> str:
             parts = [self.reading(n, plan, lang) for n in names]
-            return "; ".join(parts + [f"{formula(r, lang)} ({slot(r.makes, 's')})" for r in rates])
+            return "; ".join(parts + [self.reckoned(r, lang) for r in rates])
 
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
         return self.frame(key, plan, uses=uses, terms=tuple(names), names={"readings": told})
+
+    def reckoned(self, rate: Calculate, lang: Lang) -> str:
+        """A value with its formula; of one that turns its sense."""
+        turns = UNITS.get(letter_of(rate.makes)) in ("rad/s", "rad/s²")
+        return formula(rate, lang) + (f" ({slot(rate.makes, 's')})" if turns else "")
 
     def sought(self, equation: Equation) -> list[str]:
         """Vectors whose lengths an equation gives: its unknown terms and its total."""
@@ -193,8 +205,7 @@ class Teller:
         """The reactions read off a force plan that has closed."""
         names = [r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan)]
         drive = self.plans.mechanism.drive
-        if drive.kind == "s" and plan == force_plan(drive.link):
-            names.append(self.plans.balancing)
+        names += [self.plans.balancing] * (drive.kind == "s" and plan == force_plan(drive.link))
         found = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
         found += [self.frame("apart", plan, names=own, terms=(own["force"],)) for own in self.words.apart(plan)]
         reactions = self.plans.reactions.values()
@@ -229,17 +240,6 @@ class Teller:
         found = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
         return found + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
-
-
-def shown_on(step: s.Step) -> str:
-    """The plan a mark stands on (a tangent's, the scheme)."""
-    return plan_of(step.makes) or "position"
-
-
-def mu_said(plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
-    """The scale of a plan as the language writes it, its number in a slot; the lever is drawn as velocities are."""
-    how, kind = "k" if convention == "mm_per_unit" else "i", "velocity" if plan == "lever" else kind_of(plan)
-    return f"{slot(mu_of(plan), how)} {mu_text(1.0, kind, lang, convention).partition(' ')[2]}"
 
 
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:

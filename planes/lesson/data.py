@@ -13,8 +13,8 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.tools import Thing
-from planes.lesson import Teller, mu_said, value_of
-from planes.lesson.formulas import slot, unit
+from planes.lesson import Teller, value_of
+from planes.lesson.formulas import mu_said, slot, unit
 from planes.lesson.frame import Frame, in_both, needed
 from planes.lesson.live import Knobs, Live
 from planes.lesson.practice import Practice, told_values
@@ -40,7 +40,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     plans, _ = plans_of(scene, shown=True)
     try:
         mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
-        given = {**plans.given, **mus}
+        given = {**plans.given, **plans.at(plans.mechanism.drive.position), **mus}
         drawing = run(plans.program, given)
     except PlanFailure as failure:
         raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
@@ -52,7 +52,8 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     frames = teller.frames()
     return {
         "title": dict(scene.title),
-        "formula": formula_of(plans.structure, scene.frame_number).replace("->", "→"),
+        "moves": plans.moves,
+        "formula": formula_of(plans.structure, scene.frame_number).replace("->", "→") if plans.moves else "",
         "lettering": lettering(scene, plans),
         "drive": drive,
         "home": knobs.home(),
@@ -80,6 +81,8 @@ def _drive(plans: Plans) -> Json:
     turns = drive.kind == "phi"
     reach, start = (0.0, drive.position % 1.0) if turns else (plans.reach, drive.position)
     told: Json = {"symbol": "φ" if turns else "s", "given": plans.drive_given, "at": drive.position, "held": None}
+    if not plans.moves:
+        return {**told, "from": drive.position, "to": drive.position}
     try:
         plans.at(drive.position + numpy.ones(1))
     except SceneError as law:  # a number that holds where the drive stands in the file alone
@@ -165,15 +168,18 @@ def _traces(drawing: Drawing) -> Json:
 
 def _equation(plans: Plans, e: Equation) -> Json:
     """An equation as it is written: without the vectors that are nothing, a vector along the frame's guide itself."""
-    total: Json | None = {"name": e.total, "action": "", "known": 0} if e.total else None
+    if not e.total:
+        sides = [[{**_term(plans, e.plan, t), "minus": sign < 0} for sign, t in side] for side in e.written]
+        return {"plan": e.plan, "total": None, "closed": e.closed, "sides": sides}
+    total: Json | None = {"name": e.total, "action": "", "known": 0}
     sides = []
     for chain in e.chains:
         alone = [t for t in chain if total and whole(e, t.name) == e.total and t.name != e.total]
         if alone and total:
             total.update(action=_acted(plans, alone[0]), known=alone[0].known)
         elif chain:
-            sides.append([_term(plans, e.plan, t) for t in chain])
-    return {"plan": e.plan, "total": total, "sides": sides}
+            sides.append([{**_term(plans, e.plan, t), "minus": t.sign < 0} for t in chain])
+    return {"plan": e.plan, "total": total, "closed": False, "sides": sides}
 
 
 def _term(plans: Plans, plan: str, t: Term) -> Json:

@@ -10,8 +10,8 @@ from collections.abc import Callable
 
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.words import Lang, decimal, say
-from planes.words.names import parts_of
-from planes.words.units import Convention, mu_number, number
+from planes.words.names import kind_of, mu_of, parts_of
+from planes.words.units import Convention, mu_number, mu_text, number
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
 SCALES: dict[str, Convention] = {"k": "mm_per_unit", "i": "unit_per_mm"}
@@ -23,7 +23,7 @@ _LETTERS = {
     "m": "l h e r s arm rho",
     "kg": "m",
     "kgm2": "J",
-    "N": "G I P F N T FZ Fb",
+    "N": "G I Φ Ф P Q R F N T FZ Fb",
     "N·m": "M MI MR MP MZ MT",
     "W": "PT",
 }
@@ -64,10 +64,11 @@ def slots(text: str) -> list[str]:
     return [name for _, name, _ in SLOT.findall(text)]
 
 
-def formula(step: Calculate, lang: Lang) -> str:
-    """``name = symbols = numbers = value unit``."""
+def formula(step: Calculate, lang: Lang, called: str = "") -> str:
+    """``name = symbols = numbers = value unit``; by the name of the step, or the one it is ``called`` by."""
     symbols, numbers = sides(step, lambda name: name)
-    return f"⟨{step.makes}⟩ = {symbols} = {numbers} = {slot(step.makes)} {unit(step.makes, lang)}"
+    name = called or step.makes
+    return f"⟨{name}⟩ = {symbols} = {numbers} = {slot(step.makes)} {unit(name, lang)}"
 
 
 def sides(
@@ -103,3 +104,9 @@ def _sum(parts: list[tuple[bool, str]]) -> str:
     for minus, part in parts:
         text += (" − " if minus else " + ") + part if text else ("−" if minus else "") + part
     return text or "0"
+
+
+def mu_said(plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
+    """The scale of a plan as the language writes it, its number in a slot; the lever is drawn as velocities are."""
+    how, kind = "k" if convention == "mm_per_unit" else "i", "velocity" if plan == "lever" else kind_of(plan)
+    return f"{slot(mu_of(plan), how)} {mu_text(1.0, kind, lang, convention).partition(' ')[2]}"

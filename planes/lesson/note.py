@@ -5,18 +5,19 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count, groupby
+from typing import ClassVar
 
-from planes.lesson import Teller, mu_said, value_of
-from planes.lesson.formulas import fill, unit
+from planes.lesson import Teller, value_of
+from planes.lesson.conditions import conditions
+from planes.lesson.formulas import fill, mu_said, unit
 from planes.lesson.frame import Frame
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.alignment import aligned
 from planes.plans.law_words import law_said
-from planes.plans.loads import load_names
 from planes.plans.measuring import counted, formula_of, lettering, say_plan
 from planes.plans.quantities import Measured
 from planes.scene import Scene
-from planes.scene.mechanism import FRAME, Drive, Load, LoadLaw, Mechanism
+from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.given import GivenTable
@@ -38,6 +39,9 @@ class Note:
     scene: Scene
     position: Position
     lang: Lang
+    task: ClassVar[str] = "note_task"  # words that are other where vectors are stated
+    given_table: ClassVar[str] = "note_given_table"
+    alone: ClassVar[str] = "note_driver"
 
     def __post_init__(self) -> None:
         p = self.position
@@ -74,19 +78,23 @@ class Note:
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
-        asked = tuple(f"⟨{name}⟩" for name in self.scene.find or ())
-        yield Paragraph(self.say("note_task_find" if asked else "note_task", title=title, drive=where, names=asked))
+        asked = tuple(f"⟨{name}⟩" for name in self.sought())
+        yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", title=title, drive=where, names=asked))
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
         rows = GivenTable(self.position, self.naming, self.scene.parameters).rows()
-        yield from self.table("note_given_table", head, [*rows, *self.laws()])
+        yield from self.table(self.given_table, head, [*rows, *self.laws()])
         yield from map(Paragraph, conditions(plans.mechanism, self.lang, plans.forces))
         if remark := self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
 
+    def sought(self) -> Sequence[str]:
+        """What the task names."""
+        return self.scene.find or ()
+
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""
         plans, drawing = self.position.plans, self.position.drawing
-        for name, law in plans.acting.laws.said.items() if plans.forces else ():
+        for name, law in plans.acting.laws.items() if plans.forces else ():
             told = law_said(law, plans.mechanism.drive, "⟨{}⟩".format, self.lang)
             now = number(float(drawing[name]), self.lang) if name in drawing else "—"
             yield f"⟨{name}⟩ = {told}", now, unit(name, self.lang) or "°"
@@ -129,8 +137,6 @@ class Note:
             yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
             if plan == "velocity" and self.scene.find is None:
                 yield from self.transfers()
-        if self.scene.find is None and not self.position.plans.forces:
-            yield Paragraph(self.say("note_no_forces"))
 
     def transfers(self) -> Iterator[Block]:
         """Analogues of velocities and ratios by segments of the velocity plan."""
@@ -148,8 +154,10 @@ class Note:
     def heading(self, plan: str) -> str:
         if kind_of(plan) != "force":
             return self.say(f"note_{plan}")
-        links = links_of(plan)
-        return self.say("note_group" if len(links) > 1 else "note_driver", links=", ".join(links))
+        links = [x for x in links_of(plan) if x]
+        return self.say(
+            "note_group" if len(links) > 1 else self.alone if links else "note_forces", links=", ".join(links)
+        )
 
     def caption(self, plan: str) -> str:
         mu = fill(mu_said(plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang)
@@ -176,6 +184,8 @@ class Note:
     def results(self) -> Iterator[Block]:
         """Tables of what was found, and what must be known of it."""
         p = self.position
+        if self.scene.find is None and not p.plans.forces:
+            yield Paragraph(self.say("note_no_forces"))
         yield Heading(self.say("note_results"))
         v, a, w, e, n = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon", "F"))
         angle = self.say("note_angle")
@@ -189,7 +199,11 @@ class Note:
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
             head = (self.say("reaction"), f"|F|, {n}", angle)
             yield from self.table("note_reactions_table", head, [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces])
-        for warning in p.results["warnings"]:
+        yield from self.warned()
+
+    def warned(self) -> Iterator[Block]:
+        """What must be known of the results."""
+        for warning in self.position.results["warnings"]:
             yield Paragraph(self.say("note_warning", text=warning.rstrip(".")))
 
     def vector(self, found: Measured | None) -> tuple[str, str]:
@@ -201,45 +215,3 @@ class Note:
 
     def number(self, found: Measured | None) -> str:
         return "—" if found is None else number(0.0 if abs(found.number) <= 1e-9 else found.number, self.lang)
-
-
-def conditions(mechanism: Mechanism, lang: Lang, forces: bool = True) -> Iterator[str]:
-    """Axes; if there are ``forces``, loads, weight and friction in words."""
-    if origin := next((name for name, place in mechanism.frame.points.items() if place == 0), None):
-        yield say("task_axes", lang, point=f"⟨{origin}⟩")
-    if not forces:
-        return
-    for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
-        yield _load(load, name, mechanism.drive, lang)
-    masses = any(link.mass for link in mechanism.links.values())
-    if masses and mechanism.gravity:
-        yield say("task_weight", lang, g=number(mechanism.gravity, lang))
-    elif masses:
-        yield say("task_no_weight", lang)
-    for guide, f in mechanism.friction.items():
-        yield say("task_friction", lang, guide=guide, f=number(f, lang))
-    for name, journal in mechanism.journals.items():
-        sizes = {"f": journal.coefficient, "radius": journal.radius, "circle": journal.circle}
-        said = {size: number(value, lang) for size, value in sizes.items()}
-        yield say(f"task_friction_{'round' if journal.round else 'pin'}", lang, name=name, rho=f"rho_{name}", **said)
-
-
-def _load(load: Load, name: str, drive: Drive, lang: Lang) -> str:
-    """One force or moment: its size, and which way it acts; its law, if it is one, after that."""
-    size, angle = (law_said(x or 0.0, drive, "⟨{}⟩".format, lang) for x in (load.value, load.direction_deg))
-    if isinstance(load.direction_deg, LoadLaw):
-        angle = f"({angle})"
-    if isinstance(load.value, float | int):
-        return _acting(load, size, angle, lang)
-    return _acting(load, f"⟨{name}⟩", angle, lang) + " " + say("task_law", lang, name=name, law=size)
-
-
-def _acting(load: Load, size: str, angle: str, lang: Lang) -> str:
-    what = {"link": load.link, "point": f"⟨{load.point}⟩", "value": size}
-    if load.kind == "moment":
-        return say(f"task_moment_{load.sense}" if load.sense else "task_moment", lang, **what)
-    if load.sense:
-        return say(f"task_force_{load.sense}", lang, **what)
-    if load.direction_link:
-        return say("task_force_link", lang, **what, angle=angle, other=load.direction_link)
-    return say("task_force", lang, **what, angle=angle)

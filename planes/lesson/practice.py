@@ -80,7 +80,7 @@ class Practice:
                 progress(k + 1, len(plans))
             wanted = [s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan]
             ways = PlanSteps(self.plans, self.plans.program.sliced(wanted), plan)
-            for variant in catalogue(ways, {}, self.mu("position")):
+            for variant in catalogue(ways, {}, self.mu(ways.plan)):
                 if wrong := self.drawn(ways, variant):
                     found[at(plan, variant.blames)].append(wrong)
         return found

@@ -40,7 +40,8 @@ class Stating:
         """The frames, each vector equation written before the first that draws of it."""
         found, told = list[Frame](), set[int]()
         for f in frames:
-            if f.equation is not None and f.equation not in told and kind_of(f.plan) != "position":
+            new = f.equation not in told and kind_of(f.plan) != "position" and self.plans.moves  # else it is given
+            if f.equation is not None and new:
                 told.add(f.equation)
                 e = self.plans.equations[f.equation]
                 names: Names = {"equation": self.written(e), "unknown": partial(self.unknown, e)}

@@ -142,7 +142,7 @@ class StepWords:
 
     def why_load(self, value: str) -> str | Callable[[Lang], str]:
         """That a force is given; where it is a law, which."""
-        law = self.plans.acting.laws.said.get(f"{value}_given")
+        law = self.plans.acting.laws.get(f"{value}_given")
         if law is None:
             return "load"
         read = partial(law_said, law, self.plans.mechanism.drive, "⟨{}⟩".format)
@@ -165,6 +165,11 @@ class StepWords:
         terms = [t.name for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
         segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
         return (terms or segments or [label])[0]
+
+
+def shown_on(step: s.Step) -> str:
+    """The plan a mark stands on (a tangent's, the scheme)."""
+    return plan_of(step.makes) or "position"
 
 
 def whole(equation: Equation, name: str) -> str:

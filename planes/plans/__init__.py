@@ -1,7 +1,7 @@
 """From a mechanism to all it asks for: one program, its givens, and where each result is read."""
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from planes.drafting.draft import Draft, Moments, Segment
@@ -17,7 +17,7 @@ from planes.plans.following import LawValues
 from planes.plans.kinematics import Rates
 from planes.plans.legs import SlideReading
 from planes.plans.lever import draw_lever
-from planes.plans.loads import Acting
+from planes.plans.loads import Acting, Loads
 from planes.plans.passive import without_passive
 from planes.plans.passive_motion import LinkValues, values_of
 from planes.plans.positions import place_all
@@ -25,11 +25,13 @@ from planes.plans.proving import proofs_of
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.statics import draw_forces
 from planes.plans.structure import Structure, analyse
-from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Law, Link, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError, StructureError
 from planes.words.names import HELPERS, Meaning, at, kind_of, mu_of
+
+STILL = "°still"
+"""The given in the place of a drive, where nothing moves."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +43,10 @@ class PointMarks:
     acceleration: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Plans:
-    """A mechanism stated: the whole program and the names of what is measured on it."""
+    """A mechanism stated, or vectors alone (of nothing that moves): the whole program and the names of what is measured
+    on it."""
 
     mechanism: Mechanism
     structure: Structure
@@ -52,24 +55,33 @@ class Plans:
     equations: tuple[Equation, ...]
     moments: tuple[Moments, ...]
     segments: tuple[Segment, ...]
-    points: Mapping[str, PointMarks]
-    links: Mapping[str, LinkValues]
-    velocity_slides: Mapping[str, SlideReading]
-    acceleration_slides: Mapping[str, SlideReading]
-    reactions: Mapping[str, Reaction]
-    balancing: str
-    zhukovsky: str
-    acting: Acting
-    at_rest: bool
-    laws: Mapping[str, SceneError]
+    acting: Loads
     means: Mapping[str, Meaning]  # of the names whose makers say so
     off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
+    points: Mapping[str, PointMarks] = field(default_factory=dict)
+    links: Mapping[str, LinkValues] = field(default_factory=dict)
+    velocity_slides: Mapping[str, SlideReading] = field(default_factory=dict)
+    acceleration_slides: Mapping[str, SlideReading] = field(default_factory=dict)
+    reactions: Mapping[str, Reaction] = field(default_factory=dict)
+    balancing: str = ""
+    zhukovsky: str = ""
+    at_rest: bool = False
+    laws: Mapping[str, SceneError] = field(default_factory=dict)
     passive: tuple[Link, ...] = ()  # that hold what is held already: the mechanism is stated without them
+    vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: the marks they run between
+    values: Mapping[str, str] = field(default_factory=dict)  # reckoned from them: their names in the program
+
+    @property
+    def moves(self) -> bool:
+        """Whether there is a mechanism: what moves has other positions."""
+        return bool(self.mechanism.links)
 
     @property
     def drive_given(self) -> str:
-        """Name of the given that moves the driver: its angle in degrees, or s in m."""
+        """Name of the given that moves the driver: its angle in degrees, or s in m; one that nothing reads."""
         drive = self.mechanism.drive
+        if not self.moves:
+            return STILL
         return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
 
     def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
@@ -148,7 +160,8 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
 
 def _with_passive(plans: Plans) -> Plans:
     """The plans with the motion of the passive links they are stated without."""
-    b = plans.acting.b
+    assert plans.acting.motion
+    b = plans.acting.motion.b
     links = {**plans.links, **{link.name: values_of(b, link) for link in plans.passive}}
     program = Program(tuple(b.draft.steps.values()), plans.program.proofs)
     return replace(plans, program=program, given=b.draft.given, links=links, means={**plans.means, **b.draft.means})
@@ -160,18 +173,6 @@ def structure_of(mechanism: Mechanism, file: str = "") -> Structure:
         return analyse(mechanism, file)
     except StructureError:
         return plans_of(mechanism, file).structure
-
-
-def mechanism_plans(scene: Scene) -> Plans:
-    """All the plans of a scene's mechanism, stated once and kept with it: neither changes. :class:`SceneError` for a
-    scene of vectors alone."""
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
-    kept = vars(scene.mechanism)
-    if "plans" not in kept:
-        kept["plans"] = plans_of(scene.mechanism, scene.file)
-    plans: Plans = kept["plans"]
-    return plans
 
 
 def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
@@ -211,7 +212,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
         reactions=statics.reactions,
         balancing=statics.balancing,
         zhukovsky=zhukovsky,
-        acting=acting,
+        acting=acting.loads,
         at_rest=at_rest,
         laws={name: _frozen(mechanism, law, file) for name, law in draft.laws.items()},
         means=draft.means | {s.makes: s.means for s in program.steps if s.means},

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from planes.plans import Plans
 from planes.plans.loads import pair_index
+from planes.words.units import unit_of_parameter
 
 
 class Derived(NamedTuple):
@@ -37,8 +38,10 @@ def derived(plans: Plans) -> Iterator[Derived]:
 
 
 def of_laws(plans: Plans) -> Iterator[Derived]:
-    """Loads that are laws, each what it is in the position."""
-    for name in plans.acting.laws.said:
+    """Loads that are laws, each what it is in the position; values that are reckoned from stated vectors."""
+    for name, value in plans.values.items():
+        yield Derived((name,), unit_of_parameter(name), value, "values")
+    for name in plans.acting.laws:
         load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
         if unit and load in plans.program.made:
             yield Derived((load,), unit, load, "loads")

@@ -1,6 +1,7 @@
 """What acts on the links from outside the pairs: weights, inertia, and the scene's forces and couples."""
 
 from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.drafting.steps import Aim, Turn
@@ -8,7 +9,7 @@ from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
 from planes.plans.following import LawValues
 from planes.plans.kinematics import Rates
-from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism
+from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism, StrokeLoad
 from planes.words.names import POLE, Meaning, Quantity, at
 
 
@@ -64,6 +65,16 @@ def pair_index(on: str, by: str) -> str:
     return on + by if len(on) == len(by) == 1 else f"{on}_{by}"
 
 
+@dataclass(frozen=True)
+class Loads:
+    """All forces and couples by link, by name the loads that are laws, and the ``motion`` they were sensed by."""
+
+    forces: Mapping[str, Sequence[Force]] = field(default_factory=dict)
+    couples: Mapping[str, Sequence[Couple]] = field(default_factory=dict)
+    laws: Mapping[str, LoadLaw | StrokeLoad] = field(default_factory=dict)
+    motion: Rates | None = None
+
+
 @dataclass
 class Acting:
     """All forces and couples on each link, those of pairs joining as they are found."""
@@ -87,6 +98,11 @@ class Acting:
             for path, law in self.b.mechanism.laws.items():
                 if path[:2] == ("loads", str(number)):
                     self.b.draft.law(name, law)
+
+    @property
+    def loads(self) -> Loads:
+        """What was found."""
+        return Loads(self.forces, self.couples, self.laws.said, self.motion)
 
     def _weight(self, link: Link) -> None:
         if link.mass is None or self.b.mechanism.gravity is None:

@@ -1,6 +1,7 @@
 """What is read off a drawing: results by name, in SI, with the segments they were measured on; and how its plans,
 their names and the structure are told."""
 
+import cmath
 import math
 from collections.abc import Mapping
 
@@ -89,6 +90,11 @@ class DrawingReader:
         program, sharpness = self.drawing.program, self.drawing.sharpness
         crossed = (s.makes for s in program.marks.get(plan, ()) if s.makes in sharpness)
         return {label_of(name): float(sharpness[name]) for name in crossed if name not in program.trials}
+
+
+def polar(z: complex) -> Json:
+    """A stated vector as the JSON has it."""
+    return {"value": abs(z), "direction_deg": math.degrees(cmath.phase(z)), "xy": [z.real, z.imag]}
 
 
 def say_plan(plan: str, lang: Lang) -> str:

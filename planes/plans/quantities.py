@@ -140,10 +140,9 @@ def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
 
 def catalogue(plans: Plans) -> dict[str, Quantity]:
     """Every quantity of a mechanism by the name a student writes: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
-    found: dict[str, Quantity] = {}
-    for quantity in (*_results(plans), *_plain(derived(plans)), *_segments(plans)):
-        found.setdefault(quantity.name, quantity)
-    return found
+    known = [*_results(plans), *_plain(derived(plans)), *_segments(plans)]
+    first = {q.name: q for q in reversed(known)}
+    return {q.name: first[q.name] for q in known}
 
 
 def results_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
@@ -152,16 +151,14 @@ def results_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Q
 
 
 def told_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
-    """The same with what is reckoned on the way to them: what one position is told with."""
+    """The same with what is reckoned on the way to them."""
     return results_of(plans, (*_results(plans), *_plain(derived(plans))) if wanted is None else wanted)
 
 
 def once(quantities: Iterable[Quantity]) -> list[Quantity]:
     """Each of the quantities once, by the first of its names."""
-    found: dict[tuple[str, ...], Quantity] = {}
-    for q in quantities:
-        found.setdefault(q.path, q)
-    return list(found.values())
+    found = dict[tuple[str, ...], Quantity]()
+    return [found.setdefault(q.path, q) for q in quantities if q.path not in found]
 
 
 def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
@@ -177,6 +174,8 @@ def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
 
 
 def _results(plans: Plans) -> Iterator[Quantity]:
+    for name, ends in plans.vectors.items():
+        yield Quantity(name, _vector(name, UNIT[kind_of(ends[0])], ends), "vectors", name)
     for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing):
         yield from part(plans)
     yield from _plain(of_laws(plans))
@@ -234,7 +233,7 @@ def _balancing(plans: Plans) -> Iterator[Quantity]:
     drive = plans.mechanism.drive
     what, letter, unit = ("moment", "M", "N·m") if drive.kind == "phi" else ("force", "Fb", "N")
     for by, sign, value in (("balancing", "", plans.balancing), ("zhukovsky", "Z", plans.zhukovsky)):
-        for name in (f"{letter}{sign}_{drive.link}", f"{by}_{what}"):
+        for name in (f"{letter}{sign}_{drive.link}", f"{by}_{what}") if value else ():
             yield Quantity(name, (Column(name, unit, value),), f"{by}_{what}")
 
 

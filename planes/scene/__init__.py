@@ -19,19 +19,19 @@ from planes.scene.motion import read_assembly, read_drive, read_loads
 from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
 from planes.scene.reader import Reader, entries_of
 from planes.scene.source import Node, SourceTable
-from planes.scene.vectors import VectorGiven, read_equations, read_vectors
+from planes.scene.vectors import Statement, VectorGiven, read_statement
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError, shown
 from planes.words.names import latin
 from planes.words.records import Pictured
 from planes.words.units import Convention, mu_text
 
-__all__ = ["ReadWith", "Scene", "VectorGiven", "load", "loads"]
+__all__ = ["ReadWith", "Scene", "Statement", "VectorGiven", "load", "loads"]
 
 FORMAT = "1"
-COMMON_KEYS = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet")
-MECHANISM_KEYS = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans", "crank_slider")
-VECTORS_KEYS = ("vectors", "equations", "mu")
+COMMON_KEYS = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet", "plans")
+MECHANISM_KEYS = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "crank_slider")
+VECTORS_KEYS = ("vectors", "equations", "values", "mu")
 _EXAMPLES = {
     "frame": "frame: {points: {O: [0, 0]}}",
     "links": "links: {1: {points: {O: 0, A: 0.1}}}",
@@ -58,10 +58,10 @@ class ReadWith:
 
 @dataclass(frozen=True)
 class Scene(Pictured):
-    """All that a scene file says. Either ``mechanism`` is there, or ``vectors`` and ``equations`` are.
+    """All that a scene file says. Either ``mechanism`` is there, or the ``statement`` of vectors and equations is.
 
-    ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and "vectors" in
-    a scene of vectors, where ``quantity`` is the plan whose unit that μ has. ``crank_slider`` is kept as written;
+    ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and in a scene of
+    vectors "contour" and "vectors" too. ``crank_slider`` is kept as written;
     the integrated calculation of a crank-slider reads it. ``missing`` says what the data of an assignment do not give,
     so that it is not in the scene.
     """
@@ -71,11 +71,8 @@ class Scene(Pictured):
     note: Mapping[str, str] = field(default_factory=_none)
     reading: ReadWith = field(default_factory=ReadWith)
     mechanism: Mechanism | None = None
-    vectors: Mapping[str, VectorGiven] = field(default_factory=_none)
-    equations: tuple[str, ...] = ()
-    equation_lines: tuple[int, ...] = ()
+    statement: Statement | None = None
     mu: Mapping[str, float | None] = field(default_factory=_none)
-    quantity: str | None = None
     find: tuple[str, ...] | None = None
     sheet: Mapping[str, object] = field(default_factory=_none)
     frame_number: str = "0"
@@ -172,10 +169,9 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
     where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
     of_vectors = "vectors" in table.entries
     mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
-    vectors = read_vectors(reader, table.entries["vectors"]) if of_vectors else {}
-    equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
-    mu = settings.read_plans(reader, reader.optional(table, "plans"))
-    generic, quantity = settings.read_vector_mu(reader, reader.optional(table, "mu"))
+    mu, quantity = settings.read_plans(reader, reader.optional(table, "plans")), None
+    if of_vectors:
+        mu, quantity = settings.read_vector_mu(reader, table, mu)
     if "note" in table.entries and "text" in table.entries:
         reader.one_of(table, ("note", "text"), Phrase("the_scene"))
     said = {key: reader.optional(table, key) for key in ("title", "note", "missing")}
@@ -187,11 +183,8 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         note=words["note"],
         reading=reading,
         mechanism=mechanism,
-        vectors=MappingProxyType(vectors),
-        equations=equations,
-        equation_lines=equation_lines,
-        mu=MappingProxyType({**mu, "vectors": generic} if of_vectors else mu),
-        quantity=quantity,
+        statement=read_statement(reader, table, quantity) if of_vectors else None,
+        mu=MappingProxyType(mu),
         find=settings.read_find(reader, reader.optional(table, "find")),
         sheet=MappingProxyType(dict(settings.read_sheet(reader, reader.optional(table, "sheet")))),
         frame_number=settings.read_number_of_frame(reader, table.entries.get("frame")),

@@ -89,10 +89,19 @@ def _mu(reader: Reader, node: Node, plan: str) -> float | None:
     return mu
 
 
-def read_vector_mu(reader: Reader, node: Node | None) -> tuple[float | None, str | None]:
-    """μ of a scene of vectors in mm per SI unit, and the plan whose unit it is written in."""
-    mu = None if node is None else _mu(reader, node, "vectors")
-    return mu, plan_of_mu(node.text) if mu is not None and isinstance(node, SourceScalar) else None
+def read_vector_mu(
+    reader: Reader, table: SourceTable, plans: Mapping[str, float | None]
+) -> tuple[dict[str, float | None], str | None]:
+    """μ of each plan of a scene of vectors in mm per SI unit, and the plan whose unit its ``mu`` is written in."""
+    node, mu, quantity = reader.optional(table, "mu"), dict(plans), None
+    if isinstance(node, SourceScalar) and (size := _mu(reader, node, "vectors")) is not None:
+        quantity = plan_of_mu(node.text)
+        if mu[quantity] is not None:
+            raise reader.error(Phrase("both_keys", what=Phrase("the_scene"), one="mu", two=f"plans.{quantity}"), node)
+        mu[quantity] = size
+    elif node is not None:
+        _mu(reader, node, "vectors")
+    return {**mu, "contour": mu["position"], "vectors": None}, quantity
 
 
 def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:

@@ -1,149 +1,201 @@
-"""A scene without a mechanism: vectors of which something is given, and the equations that tie them."""
+"""A scene without a mechanism: vectors of which something is given, values reckoned from them, and the equations that
+tie them."""
 
 import re
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
 
-from planes.scene.reader import MAX_NAME, Reader
-from planes.scene.source import Node, SourceScalar
-from planes.words import Phrase
-from planes.words.errors import EquationError, shown
-from planes.words.names import POLE
+from planes.scene.expressions import evaluate, is_name
+from planes.scene.reader import MAX_NAME, MOST, Reader, part
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.vector_amounts import VectorAmount, read_amount
+from planes.scene.vector_equations import VECTOR, VectorEquation, read_equation
+from planes.words import Phrase, Told
+from planes.words.errors import EquationError, ExpressionError, SceneError, choices, shown
 
-_RATE = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
+VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
+_NAME = re.compile(VECTOR)
+_FACTOR = re.compile(r"\s*[*(·]")  # a coefficient, or a function in one
+Amount = float | VectorAmount
+MOST_VECTORS = 300  # with the values
 
 
 @dataclass(frozen=True)
-class Sides:
-    """An equation as names: the vectors of each side, each with its sign made plus by moving it across."""
+class AlongVector:
+    """The direction of another vector, turned by ``quarter`` right angles."""
 
-    text: str
-    left: tuple[str, ...]
-    right: tuple[str, ...]
-
-    def __str__(self) -> str:
-        return " = ".join(" + ".join(side) or "0" for side in (self.left, self.right))
+    vector: str
+    quarter: int = 0
 
 
-def read_equation(text: str) -> Sides:
-    """Read "v_C = v_B + v_CB" or "F_21 + G_2 - F_03 = 0"; a minus carries a vector to the other side.
+@dataclass(frozen=True)
+class Similarity:
+    """A vector that is to the vector ``of`` as a complex ``ratio``, or as the first of ``shape`` to the second."""
 
-    :class:`EquationError` where the text is no sum of names, a name stands twice, or a chain breaks.
-    """
-    parts = text.split("=")
-    if len(parts) != 2:
-        raise EquationError(Phrase("one_equals", text=text))
-    sides: tuple[list[str], list[str]] = ([], [])
-    for index, side in enumerate(parts):
-        for sign, name in _terms(side, text):
-            sides[index if sign == "+" else 1 - index].append(name)
-    names = sides[0] + sides[1]
-    for name in names:
-        if names.count(name) > 1:
-            raise EquationError(Phrase("vector_twice", text=text, name=name))
-    if not names:
-        raise EquationError(Phrase("no_vectors", text=text))
-    found = Sides(text, tuple(sides[0]), tuple(sides[1]))
-    check_chain(found)
-    return found
-
-
-def _terms(part: str, text: str) -> list[tuple[str, str]]:
-    part = part.strip().replace("−", "-")
-    if part == "0":
-        return []
-    pieces = re.split(r"([+-])", part)
-    pieces = pieces[1:] if pieces[0].strip() == "" else ["+", *pieces]
-    found = []
-    for sign, name in zip(pieces[::2], pieces[1::2], strict=False):
-        if not re.fullmatch(r"[^\W\d][\w^'′]*", name.strip()):
-            word = repr(name.strip()) if name.strip() else Phrase("nothing")
-            raise EquationError(Phrase("not_vector", text=text, name=word))
-        found.append((sign, name.strip()))
-    if not found:
-        raise EquationError(Phrase("side_empty", text=text))
-    return found
-
-
-def ends(name: str) -> tuple[str, str] | None:
-    """Marks a velocity or acceleration runs between by its name: v_C p→c, v_CB b→c, a_CB^n b'→n_CB; else None."""
-    match = _RATE.fullmatch(name)
-    if not match:
-        return None
-    letter, one, other, part = match.groups()
-    prime = "'" if letter == "a" else ""
-    start = other.lower() + prime if other else POLE
-    end = one.lower() + prime
-    middle = f"{'n' if part in 'nt' else 'k'}_{one}{other or ''}" if part else ""
-    if part in ("n", "k"):
-        return start, middle
-    return (middle, end) if part else (start, end)
-
-
-def check_chain(sides: Sides) -> None:
-    """Each vector of a side starts where the one before it ends, and both sides join the same marks."""
-    reached = []
-    for side in (sides.left, sides.right):
-        spans = [(name, ends(name)) for name in side]
-        if not spans or any(span is None for _, span in spans):
-            return
-        for (_, before), (name, after) in pairwise(spans):
-            assert before and after
-            if before[1] != after[0]:
-                ends_at = {"start": after[0], "reached": before[1]}
-                raise EquationError(Phrase("chain_order", text=sides.text, name=name, **ends_at))
-        first, last = spans[0][1], spans[-1][1]
-        assert first and last
-        reached.append((first[0], last[1]))
-    if len(reached) == 2 and reached[0] != reached[1]:
-        (start, end), (other_start, other_end) = reached
-        why = Phrase("chain_ends", text=sides.text, start=start, end=end, other_start=other_start, other_end=other_end)
-        raise EquationError(why)
-
-
-VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near")
-_NAME = re.compile(r"[^\W\d][\w'′″^]*")
+    of: str
+    ratio: complex = 1 + 0j
+    shape: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True)
 class VectorGiven:
     """What a scene says of a vector; ``near_deg`` tells which of two solutions is meant."""
 
-    value: float | None = None
-    direction_deg: float | None = None
+    value: Amount | None = None
+    direction: float | AlongVector | None = None
     near_deg: float | None = None
+    like: Similarity | None = None
 
 
-def read_vectors(reader: Reader, node: Node) -> dict[str, VectorGiven]:
-    """The vectors in the order of the file."""
-    table = reader.table(node, "vectors")
-    if not table.entries:
-        raise reader.error(Phrase("vectors_empty"), table)
-    for name, line in table.lines.items():
-        if len(name) > MAX_NAME or not _NAME.fullmatch(name):
-            raise reader.error(Phrase("bad_vector", name=shown(name), most=MAX_NAME), line)
-    return {name: _vector(reader, name, entry) for name, entry in table.entries.items()}
+@dataclass(frozen=True)
+class Statement:
+    """All that a scene of vectors states; ``values`` are numbers reckoned from its vectors and ``parameters``,
+    ``quantity`` the plan whose unit its ``mu`` has."""
+
+    vectors: Mapping[str, VectorGiven]
+    equations: tuple[VectorEquation, ...]
+    values: Mapping[str, Amount] = field(default_factory=lambda: MappingProxyType({}))
+    parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    quantity: str | None = None
 
 
-def _vector(reader: Reader, name: str, node: Node) -> VectorGiven:
-    what = Phrase("vector", name=name)
-    if isinstance(node, SourceScalar) and node.absent:
-        return VectorGiven()
-    table = reader.table(node, what, VECTOR_KEYS)
-    if "direction" in table.entries and "perpendicular_to" in table.entries:
-        reader.one_of(table, ("direction", "perpendicular_to"), what)
-    given = {key: reader.said(table, key, what) for key in VECTOR_KEYS}
-    normal = given["perpendicular_to"]
-    return VectorGiven(given["value"], given["direction"] if normal is None else normal + 90.0, given["near"])
+def read_statement(reader: Reader, scene: SourceTable, quantity: str | None) -> Statement:
+    """The vectors, values and equations of a scene, in the order of the file."""
+    return _StatementReader(reader, scene).read(quantity)
 
 
-def read_equations(reader: Reader, node: Node) -> tuple[tuple[str, ...], tuple[int, ...]]:
-    """The equations as they are written, and their lines."""
-    nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, "equations")
-    if not nodes:
-        raise reader.error(Phrase("equations_empty"), node)
-    texts = tuple(reader.text(entry, Phrase("equation", number=n)).strip() for n, entry in enumerate(nodes, 1))
-    for text, entry in zip(texts, nodes, strict=True):
-        if text.count("=") != 1:
-            raise reader.error(Phrase("not_equation", text=shown(text)), entry)
-    return texts, tuple(entry.line for entry in nodes)
+class _StatementReader:
+    """Reads what is named first, so that it may be used anywhere."""
+
+    def __init__(self, reader: Reader, scene: SourceTable) -> None:
+        self.reader, self.scene = reader, scene
+        self.vectors = reader.table(scene.entries["vectors"], "vectors")
+        values = reader.optional(scene, "values")
+        self.values = reader.table(values, "values") if values else SourceTable({}, 0, {})
+        if not self.vectors.entries:
+            raise reader.error(Phrase("vectors_empty"), self.vectors)
+        self._check_count()
+        self._check_names()
+        self.names = (*self.vectors.entries, *self.values.entries)
+
+    def _check_count(self) -> None:
+        count = len(self.vectors.entries) + len(self.values.entries)
+        if count > MOST_VECTORS:
+            raise self.reader.error(Phrase("vectors_many", count=count, most=MOST_VECTORS), self.vectors)
+
+    def _check_names(self) -> None:
+        taken: dict[str, Phrase] = {n: Phrase("a_parameter") for n in self.reader.parameters}
+        for table, key, of in ((self.vectors, "bad_vector", "a_vector"), (self.values, "bad_value_name", "a_value")):
+            for name, line in table.lines.items():
+                fits = _NAME.fullmatch(name) if table is self.vectors else is_name(name)
+                if len(name) > MAX_NAME or not fits:
+                    raise self.reader.error(Phrase(key, name=shown(name), most=MAX_NAME), line)
+                if name in taken:
+                    raise self.reader.error(Phrase("name_taken", name=name, one=taken[name], other=Phrase(of)), line)
+                taken[name] = Phrase(of)
+
+    def read(self, quantity: str | None) -> Statement:
+        vectors = {name: self.vector(name, node) for name, node in self.vectors.entries.items()}
+        values = {
+            name: self.amount(node, part(name, Phrase("section", name="values")))
+            for name, node in self.values.entries.items()
+        }
+        equations = self.equations(self.scene.entries["equations"])
+        return Statement(
+            MappingProxyType(vectors), equations, MappingProxyType(values), self.reader.parameters, quantity
+        )
+
+    def amount(self, node: Node, what: Told) -> Amount:
+        """A number, or an expression of vectors, values and parameters."""
+        if not isinstance(node, SourceScalar) or node.absent:
+            return self.reader.number(node, what)
+        try:
+            found = read_amount(node.text, self.reader.parameters, self.names)
+        except ExpressionError as error:
+            raise self.reader.error(Phrase("about", what=what, why=error.phrase), node) from None
+        if isinstance(found, VectorAmount):
+            return found
+        if abs(found) > MOST:
+            raise self.reader.error(Phrase("out_of_range", what=what, value=found, most=MOST), node)
+        return found
+
+    def vector(self, name: str, node: Node) -> VectorGiven:
+        what = Phrase("vector", name=name)
+        if isinstance(node, SourceScalar) and node.absent:
+            return VectorGiven()
+        table = self.reader.table(node, what, VECTOR_KEYS)
+        if {"similar", "ratio", "angle", "as"} & {*table.entries}:
+            return VectorGiven(like=self.similarity(table, what))
+        if "direction" in table.entries and "perpendicular_to" in table.entries:
+            self.reader.one_of(table, ("direction", "perpendicular_to"), what)
+        value = self.reader.optional(table, "value")
+        size = None if value is None else self.amount(value, part("value", what))
+        direction = self.direction(table, "direction", what, 0)
+        if direction is None:
+            direction = self.direction(table, "perpendicular_to", what, 1)
+        return VectorGiven(size, direction, self.reader.said(table, "near", what))
+
+    def direction(self, table: SourceTable, key: str, what: Told, quarter: int) -> float | AlongVector | None:
+        """Degrees, or the direction of another vector: r_BC, and -r_BC the other way."""
+        node = self.reader.optional(table, key)
+        text = node.text.strip().replace("−", "-") if isinstance(node, SourceScalar) else ""
+        name = text.removeprefix("-").strip()
+        if name in self.vectors.entries:
+            return AlongVector(name, quarter + 2 * text.startswith("-"))
+        if node is not None and _NAME.fullmatch(name) and name not in self.reader.parameters and name != "pi":
+            self.named(node, name, part(key, what))
+        found = self.reader.said(table, key, what)
+        return None if found is None else found + 90.0 * quarter
+
+    def named(self, node: Node, name: str, what: Told) -> str:
+        """The name of a vector of the scene."""
+        if name not in self.vectors.entries:
+            valid, told = choices(name, self.vectors.entries), name if len(name) <= MAX_NAME else shown(name)
+            raise self.reader.error(Phrase("no_vector", text=what, name=told, valid=valid), node)
+        return name
+
+    def similarity(self, table: SourceTable, what: Told) -> Similarity:
+        """{similar: v_CB, ratio: 0.4, angle: 30} or {similar: v_CB, as: [r_BS, r_BC]}."""
+        for key in ("value", "direction", "perpendicular_to", "near"):
+            if key in table.entries:
+                raise self.reader.error(Phrase("both_keys", what=what, one="similar", two=key), table.lines[key])
+        node = self.reader.required(table, "similar", what)
+        of = self.named(node, self.reader.text(node, part("similar", what)), part("similar", what))
+        if self.reader.one_of(table, ("ratio", "as"), what) == "ratio":
+            ratio = self.reader.number(self.reader.required(table, "ratio", what), part("ratio", what))
+            turn = self.reader.said(table, "angle", what) or 0.0
+            return Similarity(of, ratio * complex(evaluate(f"cos({turn!r})", {}), evaluate(f"sin({turn!r})", {})))
+        shape = self.reader.required(table, "as", what)
+        told = part("as", what)
+        if "angle" in table.entries:
+            raise self.reader.error(Phrase("both_keys", what=what, one="as", two="angle"), table.lines["angle"])
+        items = self.reader.items(shape, told)
+        if len(items) != 2:
+            raise self.reader.error(Phrase("similar_pair", what=told, count=len(items)), shape)
+        one, two = (self.named(item, self.reader.text(item, told), told) for item in items)
+        return Similarity(of, shape=(one, two))
+
+    def equations(self, node: Node) -> tuple[VectorEquation, ...]:
+        """The equations with their lines."""
+        nodes = self.reader.items(node, "equations") if isinstance(node, Items | SourceTable) else [node]
+        if not nodes:
+            raise self.reader.error(Phrase("equations_empty"), node)
+        return tuple(self.equation(entry, Phrase("equation", number=n)) for n, entry in enumerate(nodes, 1))
+
+    def equation(self, node: Node, what: Told) -> VectorEquation:
+        text = self.reader.text(node, what).strip()
+        if "=" not in text:
+            raise self.reader.error(Phrase("not_equation", text=shown(text)), node)
+        for match in _NAME.finditer(text):
+            if not _FACTOR.match(text, match.end()) and match[0] not in self.reader.parameters:
+                self.named(node, match[0], text)
+        try:
+            found = read_equation(text, lambda times: evaluate(times, self.reader.parameters), node.line)
+        except (EquationError, ExpressionError) as error:
+            phrase = error.phrase
+            told = phrase if isinstance(error, EquationError) else Phrase("about", what=text, why=phrase)
+            raise SceneError(told, self.reader.file, node.line) from None
+        for name in found.names:  # a parameter in the place of one
+            self.named(node, name, text)
+        return found

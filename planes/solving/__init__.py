@@ -6,18 +6,18 @@ from pathlib import Path
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing, proved, run
-from planes.drafting.instruments import PENCILS, Instrument, Pencil, is_exact
-from planes.drafting.program import Program
-from planes.drafting.tools import Thing
-from planes.plans import Plans, mechanism_plans, sliced
-from planes.plans.measuring import DrawingReader
+from planes.drafting.instruments import Instrument, Pencil, is_exact
+from planes.plans import Plans, sliced
+from planes.plans.measuring import DrawingReader, polar
+from planes.plans.of_scene import scene_plans
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, told_of
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.solving.nearest import nearest
+from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
-from planes.words.errors import PlanFailure
+from planes.words.errors import PlanFailure, SceneError
 from planes.words.names import POLE, at, label_of
 from planes.words.records import Json, Pictured
 
@@ -109,6 +109,8 @@ class Position(Pictured):
     def __repr__(self) -> str:
         drive = self.plans.mechanism.drive
         unit = "°" if drive.kind == "phi" else " m"
+        if not self.plans.moves:
+            return f"<Position: vectors {', '.join(self.of('vectors'))}>"
         return f"<Position {drive.kind} = {self.at:g}{unit}: {self.plans.structure.formula}>"
 
 
@@ -136,10 +138,13 @@ class Solved:
     def json(self) -> Json:
         """The object ``planes solve --json`` prints."""
         doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
+        head = {"planes": 1, "scene": Path(self.scene.file).name, "variant": self.scene.variant}
+        if not self.plans.moves:
+            (one,) = self.positions
+            vectors = {n: polar(complex(*xy)) for n, xy in one.results.get("vectors", {}).items()}
+            return {**head, **one.results, "vectors": vectors, "warnings": doubts + one.results["warnings"]}
         return {
-            "planes": 1,
-            "scene": Path(self.scene.file).name,
-            "variant": self.scene.variant,
+            **head,
             "structure": self.plans.structure.json(),
             "positions": [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions],
             "failed": self.failed,
@@ -148,11 +153,11 @@ class Solved:
 
 def plans_of(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] | None]:
     """The plans of a scene cut to what it asks for, ``shown`` on the whole scheme; and what it asks for (None: all)."""
-    plans = mechanism_plans(scene)
+    plans = scene_plans(scene)
     if scene.find is None:
         return plans, None
     wanted = asked(plans, scene.find, scene.file)
-    scheme = [step.makes for step in plans.program.marks["position"] if shown]
+    scheme = [step.makes for step in plans.program.marks.get("position", ()) if shown]
     return sliced(plans, [*(n for q in wanted for n in q.needs), *scheme]), wanted
 
 
@@ -168,6 +173,8 @@ def solve(
         try:
             solved.positions.append(solved.at(value))
         except PlanFailure as failure:
+            if not plans.moves:
+                raise SceneError(failure.phrase, scene.file) from None
             near = nearest(plans, value) if len(solved.failed) < TOLD else None
             solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near).told(lang)})
     return solved
@@ -216,7 +223,8 @@ def position(
     proved(plans.program, given, exact)  # a pencil's errors prove nothing: what he was to draw must hold
     reader = DrawingReader(plans, drawing, mus)
     found = tuple(map(reader.read, told_of(plans, wanted)))
-    results = {key_of(plans): value, **as_json(plans, found, GROUPS if wanted is None else ())}
+    at_drive, groups = ({key_of(plans): value}, GROUPS) if plans.moves else ({}, ())
+    results = {**at_drive, **as_json(plans, found, groups if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
     errors = None
     if isinstance(instrument, Pencil):
@@ -236,15 +244,3 @@ def as_json(plans: Plans, found: Iterable[Measured], groups: Iterable[str] = ())
     for link, one in out.get("slides", {}).items():
         out["slides"][link] = {"guide": plans.velocity_slides[link].guide, **one}
     return out
-
-
-def scatter_mm(
-    program: Program, given: Mapping[str, Thing], repeated: str, pencil: Pencil, spans: Mapping[str, tuple[str, str]]
-) -> dict[str, float]:
-    """Standard deviation, in mm, of the length between marks over many draughtsmen with the same pencil; one given is
-    ``repeated`` for each of them."""
-    import numpy
-
-    crowd = run(program, {**given, repeated: numpy.full(PENCILS, given[repeated])}, pencil)
-    found = {name: numpy.nanstd(abs(crowd[end] - crowd[start])) for name, (start, end) in spans.items()}
-    return {name: float(size) for name, size in found.items()}

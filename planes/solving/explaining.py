@@ -3,21 +3,16 @@
 from collections.abc import Iterable, Iterator
 
 from planes.drafting.steps import Step
-from planes.plans import mechanism_plans
+from planes.plans.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import plans_of
-from planes.solving.vectors import program_of, stated
 from planes.words import Lang, say
 from planes.words.names import is_scale
 
 
 def explain(scene: Scene, lang: Lang = "en") -> str:
     """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
-    if scene.mechanism is None:
-        plan, spans = stated(scene)
-        whole, kept = program_of(plan, plan.spans), program_of(plan, spans)
-    else:
-        whole, kept = mechanism_plans(scene).program, plans_of(scene)[0].program
+    whole, kept = scene_plans(scene).program, plans_of(scene)[0].program
     dropped = [s for s in whole.steps if s.makes not in kept.made]
     lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
     if dropped:

@@ -11,10 +11,10 @@ from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat, greek
-from planes.words.names import letter_of
-from planes.words.units import number, unit_of_parameter
+from planes.words.names import kind_of, letter_of
+from planes.words.units import UNIT, number, unit_of_parameter
 
-RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
+RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m", "units")
 """Units in the order their rows stand in."""
 SAME = 1e-9
 LONGEST = 60  # signs of a law in a cell
@@ -65,6 +65,8 @@ class GivenTable:
     def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""
         drive = self.position.plans.mechanism.drive
+        if not self.position.plans.moves:
+            return []
         letters, units = ("φωε", ("°", "rad/s", "rad/s²")) if drive.kind == "phi" else ("sva", ("m", "m/s", "m/s²"))
         names = (f"{letter}_{{{self.naming.link(drive.link)}}}" for letter in letters)
         values = (self.position.at, drive.velocity, drive.acceleration)
@@ -88,8 +90,9 @@ class GivenTable:
         return any(r.same == row.same and _equal(r.value, row.value) for r in named)
 
     def unnamed(self) -> Iterator[GivenRow]:
-        """Every number of the mechanism."""
+        """Every number of the mechanism, or of the vectors."""
         m = self.position.plans.mechanism
+        yield from self.vectors()
         for point, z in m.frame.points.items():
             yield from self.place(self.naming.point(point).replace("_{", "").replace("}", ""), z)
         for guide in m.frame.guides.values():
@@ -107,6 +110,14 @@ class GivenTable:
             yield GivenRow(f"f_{{{dashed(name)}}}", journal.coefficient, "")
             yield GivenRow(f"r_{{{dashed(name)}}}", journal.radius, "m")
             yield GivenRow(f"ρ_{{{dashed(name)}}}", journal.circle, "m")
+
+    def vectors(self) -> Iterator[GivenRow]:
+        """What is given of vectors that a scene states."""
+        given, drawn = self.position.plans.given, self.position.drawing
+        for name, (start, _) in self.position.plans.vectors.items():
+            for key, sign, unit in ((f"|{name}|", "", UNIT[kind_of(start)]), (f"angle_∠{name}", "∠", "°")):
+                if key in given and key in drawn:
+                    yield GivenRow(sign + self.naming.vector(name), float(given[key]), unit, place=bool(sign))
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:
         """The coordinates of a place."""
@@ -175,7 +186,7 @@ class GivenTable:
     def ruled(self) -> Iterator[tuple[str, str, str, Amount | StrokeLoad]]:
         """Loads that are laws: their names, as they are lettered, the keys of their units, the laws."""
         plans = self.position.plans
-        for name, law in plans.acting.laws.said.items() if plans.forces else ():
+        for name, law in plans.acting.laws.items() if plans.forces else ():
             m = plans.means[name]
             key, sign = {"load": "N", "couple": "N·m"}.get(m.quantity, "°"), self.naming.vector(m.of)
             yield name, f"∠{sign}" if key == "°" else sign, key, law

@@ -1,43 +1,30 @@
 """Results as tables a person reads in a terminal, in Russian or English."""
 
-import cmath
 import math
 from collections.abc import Iterable
 
-from planes.drafting.drawing import Drawing
-from planes.plans.measuring import formula_of, lettering, say_plan
+from planes.plans.measuring import formula_of, lettering
 from planes.plans.quantities import Measured
 from planes.solving import Position, Solved, key_of
-from planes.solving.vectors import VectorResults
+from planes.solving.stated_tables import stated_tables
+from planes.solving.text_tables import directed, error_of, errors_told, number_cell, pm, spelt, table, titled
 from planes.words import Lang, say
 from planes.words.lettering import Naming
-from planes.words.names import kind_of, mu_of
+from planes.words.names import kind_of
 from planes.words.records import Json
-from planes.words.units import UNIT, mu_text, quantity
+from planes.words.units import UNIT
 
 Row = dict[str, Measured]
 
 
-def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> list[str]:
-    """Aligned columns under a title; nothing at all when there are no rows."""
-    lines = [list(head), *map(list, rows)]
-    if len(lines) == 1:
-        return []
-    widths = [max(len(row[i]) for row in lines) for i in range(len(lines[0]))]
-    text = [
-        "  ".join(c.ljust(w) if i == 0 else c.rjust(w) for i, (c, w) in enumerate(zip(row, widths, strict=True)))
-        for row in lines
-    ]
-    return ["", title, *(f"  {line.rstrip()}" for line in text)]
-
-
 def report(solved: Solved, lang: Lang = "en") -> str:
     """The whole answer of ``planes solve`` as text."""
-    s = solved.plans.structure
+    s, moves = solved.plans.structure, solved.plans.moves
     naming = Naming(lang, **lettering(solved.scene, solved.plans))
-    lines = [solved.scene.title.get(lang, ""), f"W = {s.W}, q = {s.q}, {formula_of(s, naming.frame)}"]
+    lines = [solved.scene.title.get(lang, "")]
+    lines += [f"W = {s.W}, q = {s.q}, {formula_of(s, naming.frame)}"] if moves else []
     for p in solved.positions:
-        lines += _position(p, key_of(solved.plans), lang, naming)
+        lines += _position(p, key_of(solved.plans), lang, naming) if moves else stated_tables(p, lang, naming)
     if some := next((p for p in solved.positions if "errors" in p.results), None):
         lines += errors_told(True, some.drawing, lang)
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
@@ -59,18 +46,6 @@ def _position(p: Position, key: str, lang: Lang, naming: Naming) -> list[str]:
     return lines + [f"! {w}" for w in r["warnings"]]
 
 
-def _spelt(lettered: str) -> str:
-    """A lettered name as a terminal has it: F_{56}^{t} -> F_56^t."""
-    return lettered.replace("{", "").replace("}", "")
-
-
-def _number(value: float | None, beside: float = 0.0) -> str:
-    """A number for people; one that is nothing ``beside`` the largest of its kind is 0."""
-    if value is None:
-        return "—"
-    return quantity(0.0 if abs(value) <= 1e-12 * beside else value)
-
-
 def _largest(things: Iterable[Row], key: str) -> float:
     """The largest size of ``key`` among results."""
     found = [t[key].numbers for t in things if key in t]
@@ -79,46 +54,20 @@ def _largest(things: Iterable[Row], key: str) -> float:
 
 def _vector(found: Measured | None, beside: float = 0.0) -> tuple[str, str]:
     """Size and direction in degrees of a vector."""
-    return ("", "") if found is None else _directed(found.vector, beside)
-
-
-def _directed(z: complex, beside: float) -> tuple[str, str]:
-    if abs(z) <= 1e-12 * beside:
-        return "0", "—"
-    angle = round(math.degrees(cmath.phase(z)), 2)
-    return _number(abs(z)), f"{180.0 if angle == -180 else angle + 0.0:.2f}"
-
-
-def error_of(errors: Json | None, *path: str) -> list[str]:
-    """The cell with a result's ± (of a vector: of its end), or no cell when none was asked."""
-    if errors is None:
-        return []
-    found: object = errors
-    for key in path:
-        found = found.get(key, {}) if isinstance(found, dict) else {}
-    numbers = found if isinstance(found, list) else [found]
-    if found == {} or None in numbers:
-        return ["" if found == {} else "—"]
-    size = math.hypot(*numbers)
-    return [f"{size:.1e}" if size else "0"]
+    return ("", "") if found is None else directed(found.vector, beside)
 
 
 def _points(points: dict[str, Row], lang: Lang, e: Json | None) -> list[str]:
     far, fast, quick = (_largest(points.values(), key) for key in ("r", "v", "a"))
     rows = []
     for name, p in points.items():
-        x, y = (_number(c, far) for c in p["r"].numbers) if "r" in p else ("", "")
+        x, y = (number_cell(c, far) for c in p["r"].numbers) if "r" in p else ("", "")
         r, v, a = (error_of(e, "points", name, letter) for letter in "rva")
         rows.append([name, x, y, *r, *_vector(p.get("v"), fast), *v, *_vector(p.get("a"), quick), *a])
     m, speed, rate = say("m", lang), say("m/s", lang), say("m/s²", lang)
     o = pm(e)
     head = ["", f"x, {m}", f"y, {m}", *o, f"v, {speed}", "∠°", *o, f"a, {rate}", "∠°", *o]
     return table(say("points", lang), head, rows)
-
-
-def pm(errors: Json | None) -> list[str]:
-    """The head of a column of ±, where there is one."""
-    return [] if errors is None else ["±"]
 
 
 def _links(links: dict[str, Row], lang: Lang, e: Json | None, driver: str) -> list[str]:
@@ -129,7 +78,7 @@ def _links(links: dict[str, Row], lang: Lang, e: Json | None, driver: str) -> li
     rows = []
     for n, v in links.items():
         most = dict.fromkeys(keys, 0.0) if n == driver else beside
-        cells = ([_number(v[k].number, most[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
+        cells = ([number_cell(v[k].number, most[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
         rows.append([n, *(c for cell in cells for c in cell)])
     head = ["", "φ, °", *pm(e), f"ω, {say('rad/s', lang)}", *pm(e), f"ε, {say('rad/s²', lang)}", *pm(e)]
     return table(say("links", lang), head, rows)
@@ -141,7 +90,7 @@ def _slides(p: Position, lang: Lang, e: Json | None) -> list[str]:
     for n, v in slides.items():
         numbers: list[str] = []
         for k, most in (("v", fast), ("a", quick)):
-            numbers += [_number(v[k].number, most) if k in v else "", *error_of(e, "slides", n, k)]
+            numbers += [number_cell(v[k].number, most) if k in v else "", *error_of(e, "slides", n, k)]
         turn = [_vector(v.get("coriolis"), quick)[0], *error_of(e, "slides", n, "coriolis")]
         rows.append([n, p.plans.velocity_slides[n].guide, *numbers, *turn])
     rate, o = say("m/s²", lang), pm(e)
@@ -156,11 +105,10 @@ def _plan(p: Position, name: str, lang: Lang, naming: Naming) -> list[str]:
     for vector, ends, s in p.measured_on(name):
         key = ends.start + ends.end
         mm, value = (error_of(e, "plans", name, "segments", key, what) for what in ("mm", "value"))
-        shown = "".join(_spelt(naming.named(x, name)) for x in (ends.start, ends.end))
-        rows.append([_spelt(naming.vector(vector)), shown, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
+        shown = "".join(spelt(naming.named(x, name)) for x in (ends.start, ends.end))
+        rows.append([spelt(naming.vector(vector)), shown, f"{s['mm']:.2f}", *mm, number_cell(s["value"], most), *value])
     unit = say(UNIT[kind_of(name)], lang)
-    title = f"{say_plan(name, lang)}, μ = {mu_text(p.scales[mu_of(name)], kind_of(name), lang, naming.convention)}"
-    return table(title, ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
+    return table(titled(p, name, lang, naming), ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
 
 
 def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None, naming: Naming) -> list[str]:
@@ -171,9 +119,15 @@ def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None, namin
         more = ["", *o, "", *o]
         if r.slides:
             arm, moment = (error_of(e, "reactions", name, key) for key in ("arm", "moment"))
-            more = [_number(r.arm, 1.0), *arm, _number(r.moment, most), *moment]
+            more = [number_cell(r.arm, 1.0), *arm, number_cell(r.moment, most), *moment]
         rows.append(
-            [_spelt(naming.vector(name)), *(_number(c, most) for c in r.numbers[:2]), *_vector(r, most), *force, *more]
+            [
+                spelt(naming.vector(name)),
+                *(number_cell(c, most) for c in r.numbers[:2]),
+                *_vector(r, most),
+                *force,
+                *more,
+            ]
         )
     n, reach, couple = say("N", lang), f"{say('arm', lang)}, {say('m', lang)}", f"M, {say('N·m', lang)}"
     o = pm(e)
@@ -187,9 +141,9 @@ def _derived(p: Position, lang: Lang, naming: Naming) -> list[str]:
     for group in ("loads", "friction"):
         rows, e = [], p.results.get("errors")
         for of, f in p.of(group).items():
-            name = _spelt(naming.vector(f.quantity.columns[0].value))
+            name = spelt(naming.vector(f.quantity.columns[0].value))
             error = error_of(e, group, of)
-            rows.append([name, _number(f.number), *error, say(f.quantity.columns[0].unit, lang)])
+            rows.append([name, number_cell(f.number), *error, say(f.quantity.columns[0].unit, lang)])
         lines += table(say(f"of_{group}", lang), ["", say("value", lang), *pm(e), ""], rows)
     return lines
 
@@ -200,10 +154,10 @@ def _balance(p: Position, lang: Lang) -> list[str]:
         found, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
         own, other = (error_of(p.results.get("errors"), f"{by}_{what}") for by in ("balancing", "zhukovsky"))
         if found is not None:
-            number = " ± ".join([_number(found), *own])
+            number = " ± ".join([number_cell(found), *own])
             lines.append(f"{say(f'balancing_{what}', lang)}: {number} {say(unit, lang)}")
         if check is not None:
-            lines.append(f"{say('by_lever', lang)}: {' ± '.join([_number(check), *other])} {say(unit, lang)}")
+            lines.append(f"{say('by_lever', lang)}: {' ± '.join([number_cell(check), *other])} {say(unit, lang)}")
         if found is not None and check is not None:
             lines.append(f"{say('difference', lang)}: {100 * difference(found, check):.2g} %")
     return ["", *lines] if lines else []
@@ -213,23 +167,3 @@ def difference(found: float, check: float) -> float:
     """How far two values are apart, relative to the larger."""
     largest = max(abs(found), abs(check))
     return abs(found - check) / largest if largest else 0.0
-
-
-def vector_report(results: VectorResults, lang: Lang = "en") -> str:
-    """The vectors of a scene without a mechanism."""
-    e, found = results.errors, results.vectors()
-    most = max(map(abs, found.values()))
-    rows = []
-    for n, v in found.items():
-        read, angle = results.segment(n), _directed(v, most)[1]
-        mm = [f"{read['mm']:.2f}", *error_of(e, "plans", "vectors", "segments", n, "mm")]
-        rows.append([n, _number(read["value"], most), angle, *error_of(e, "vectors", n), *mm])
-    head = ["", say(UNIT[results.quantity], lang), "∠°", *pm(e), say("mm", lang), *pm(e)]
-    lines = table(f"μ = {mu_text(results.mu, results.quantity, lang, results.scene.mu_convention)}", head, rows)
-    lines += [f"! {warning}" for warning in results.warnings(lang)] + errors_told(e, results.drawing, lang)
-    return "\n".join([results.scene.title.get(lang, ""), *lines[1:]]).lstrip("\n")
-
-
-def errors_told(errors: object, drawing: Drawing, lang: Lang) -> list[str]:
-    """What the ± are, where there are any."""
-    return ["", say("errors_pencil" if drawing.tool.doubt_mm > 0 else "errors_bound", lang)] if errors else []

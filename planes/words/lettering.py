@@ -191,4 +191,6 @@ def line_in_words(along: str, start: str) -> Phrase:
 
 def plan_phrase(plan: str) -> Phrase:
     """The name of a plan in words."""
+    if plan == "force":
+        return Phrase("plan_forces")
     return Phrase(f"plan_{kind_of(plan)}", links=", ".join(links_of(plan)))

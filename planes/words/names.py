@@ -98,8 +98,8 @@ def links_of(plan: str) -> tuple[str, ...]:
 
 
 def force_plan(*links: str) -> str:
-    """The force plan of a group, or of the driver."""
-    return at("force", "-".join(links))
+    """The force plan of a group, of a link, or of whatever the forces act on."""
+    return at("force", "-".join(links)) if links else "force"
 
 
 def letter_of(value: str) -> str:

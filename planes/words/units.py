@@ -21,7 +21,8 @@ PLANS = ("position", "velocity", "acceleration", "force")
 
 SERIES = (1.0, 2.0, 2.5, 4.0, 5.0)
 
-UNIT = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N", "vectors": "units"}
+UNIT = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
+UNIT |= {"contour": "m", "vectors": "units"}
 RATES = {False: ("rad", "rad/s", "rad/s²"), True: ("m", "m/s", "m/s²")}
 """Units of a link's place and its rates: of one that turns, and of one that slides."""
 RATE_UNITS = {"v": "m/s", "a": "m/s²", "omega": "rad/s", "epsilon": "rad/s²"}

@@ -76,6 +76,7 @@ function told(f, key) {
   $("progress").value = state.frame + 1;
   $("progress").setAttribute("aria-valuetext", $("number").textContent);
 }
+if (!data.moves) document.body.classList.add("still"); // vectors alone: no scheme, no crank
 function language() {
   zones();
   knobs();

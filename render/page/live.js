@@ -95,6 +95,7 @@ class Live {
   view(boxes) { // what is in view in most positions; the rest is followed as it leaves
     const names = Object.keys(this.data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !this.data.helpers.includes(n));
     const own = names.map(n => this.own[n]).filter(Boolean).reduce((b, p) => union(b, [...p, ...p]), [Infinity, Infinity, -Infinity, -Infinity]);
+    if (!names.length) return [0, 0, 1, 1];
     if (!boxes.length) return own;
     const part = (k, share) => quantile(boxes.map(b => b[k]), share);
     const usual = union(own, [part(0, 0.12), part(1, 0.12), part(2, 0.88), part(3, 0.88)]);

@@ -13,7 +13,7 @@ class Plan extends Figure {
     return Math.hypot(now[2] - now[0], now[3] - now[1]) < 0.2 * far ? own : union(own, held);
   }
   show(key, seen, frame, hidden) {
-    const lit = new Set(frame ? frame.terms : []), force = key.startsWith("force"), lever = key === "lever";
+    const lit = new Set(frame ? frame.terms : []), force = !["velocity", "acceleration", "lever"].includes(key), lever = key === "lever";
     this.more = lever || hidden ? (this.size ? 14 : 44) : 0;
     this.start(this.frame(key));
     const there = n => seen.has(n) && this.at(n) && this.px(this.at(n));
@@ -33,6 +33,7 @@ class Plan extends Figure {
       if (q && m.startsWith(key + ":")) svg("circle", { cx: q[0], cy: q[1], r: 5.5, class: "fresh" }, this.node);
     }
     if (lever && frame && frame.moments !== null) Scheme.prototype.forces.call(this, this.data.moments[frame.moments], frame.terms);
+    if (pole && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
     if (force) for (const [a, b, n] of names) this.along(a, b, n, key);
     else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q, this.fixed(g.names, key), key);
   }

@@ -72,10 +72,10 @@ function written(f, key, frame, plainly) { // the equations of a plan: those beg
 function terms(e) { return e.sides.flat(); }
 function lines(e, current, f, frame, plainly) {
   const one = t => term(t, e.plan, f, frame, plainly);
-  const side = list => list.map(one).join('<span class="sign">+</span>');
+  const side = list => list.map((t, k) => (t.minus ? '<span class="sign">−</span>' : k ? '<span class="sign">+</span>' : "") + one(t)).join("");
   const first = e.total ? one(e.total) : "";
-  const rows = e.sides.filter(s => s.length).map((s, k) => `<div class="side">${k && first ? '<span class="sign">=</span>' : first ? first + '<span class="sign">=</span>' : ""}${side(s)}</div>`);
-  const body = e.total ? rows.join("") : `<div class="side">${side(e.sides.flat())}<span class="sign">= 0</span></div>`;
+  const rows = e.sides.filter(s => s.length).map((s, k) => `<div class="side">${k ? '<span class="sign">=</span>' : first ? first + '<span class="sign">=</span>' : ""}${side(s)}</div>`);
+  const body = e.closed ? `<div class="side">${side(e.sides.flat())}<span class="sign">= 0</span></div>` : rows.join("");
   return `<div class="equation${current ? " current" : ""}">${body}</div>`;
 }
 function term(t, key, f, frame, plainly) { // a vector: its own small segment, its letters, underlines, line of action

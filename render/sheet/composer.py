@@ -9,7 +9,6 @@ from planes.plans import Plans
 from planes.plans.measuring import lettering
 from planes.scene import Scene
 from planes.solving import Position
-from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, say
 from planes.words.lettering import Naming, indexed
 from planes.words.names import kind_of, links_of, mu_of
@@ -17,12 +16,12 @@ from render.sheet.module import GAP_MM, MODULE_MM
 from render.views import REMARK_MM, View, paragraph, stacked, view
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
-from render.views.plotted import Plotted, of_position, of_vectors
+from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
 from render.views.tables import Tables
 
-RANK = {"velocity": 0, "acceleration": 0, "force": 1}
+RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1}
 """Of kinds of plans that are shown beside the scheme: rates first."""
 LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
 """Letter height of equations beside that of tables, mm."""
@@ -60,7 +59,8 @@ class Composer:
     def views(self, position: Position, letter: float, together: bool) -> list[View]:
         """Every view of one position, in the order they are read; ``together``: equations under their plans."""
         plotted = of_position(position)
-        found = [self.scheme(position), *self.plans(plotted, drawn_plans(plotted, position), letter, together)]
+        found = [self.scheme(position)] if position.plans.moves else []
+        found += self.plans(plotted, drawn_plans(plotted, position), letter, together)
         found += [*self.tables(position, letter).all(), self.note(letter)]
         return [v for v in found if v]
 
@@ -74,12 +74,6 @@ class Composer:
     def tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
         return Tables(position, self.naming, letter, self.scene.parameters, self.once)
-
-    def vector_views(self, results: VectorResults, letter: float, together: bool) -> list[View]:
-        """The views of a scene of vectors alone."""
-        plotted = of_vectors(results)
-        rows = Tables.of_vectors(results, self.naming, letter)
-        return [v for v in (*self.plans(plotted, [PLAN], letter, together), rows, self.note(letter)) if v]
 
     def plans(self, plotted: Plotted, plans: list[str], letter: float, together: bool) -> list[View | None]:
         """Plans with their equations: beneath each, or all of a kind in one view."""
@@ -95,7 +89,7 @@ class Composer:
     def mu(self, plotted: Plotted, plan: str) -> str:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
         kind = plotted.kind(plan)
-        letter = {"position": "l", "velocity": "v", "acceleration": "a", "force": "F", "vectors": ""}[kind]
+        letter = {"position": "l", "contour": "l", "velocity": "v", "acceleration": "a", "force": "F"}.get(kind, "")
         return f"μ{letter and f'_{{{letter}}}'} = {self.naming.mu(plotted.scales[mu_of(plan)], kind)}"
 
     def scheme(self, position: Position) -> View | None:
@@ -119,8 +113,9 @@ class Composer:
         """The name of a plan in its title."""
         if kind_of(plan) != "force":
             return say(plan, self.lang)
-        numbers = [self.naming.link(x) for x in links_of(plan)]
-        return say("force_group" if len(numbers) > 1 else "force_driver", self.lang, links="–".join(numbers))
+        numbers = [self.naming.link(x) for x in links_of(plan) if x]
+        key = "force_group" if len(numbers) > 1 else "force_driver" if self.scene.mechanism else "force_link"
+        return say(key if numbers else "force_any", self.lang, links="–".join(numbers))
 
     def formulas(self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str) -> View | None:
         """The vector equations of some plans."""
@@ -138,7 +133,7 @@ class Composer:
             marks = MomentLines(position, self.naming, LARGER[letter]).drawn(links)
             return view("moments", "" if links else say("moments", self.lang), marks) if marks else None
 
-        return self.once(("moments", letter, links, position.scales[mu_of("position")]), make)
+        return self.once(("moments", letter, links, position.scales.get(mu_of("position"))), make)
 
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:

@@ -8,7 +8,6 @@ from types import MappingProxyType
 from planes.drafting.drawing import Drawing
 from planes.plans.measuring import say_plan
 from planes.solving import Position
-from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
@@ -21,8 +20,7 @@ from render.sheet import unseen
 from render.sheet.composer import Composer, drawn_plans
 from render.sheet.project import ForceSheet, Project
 from render.views import View, stacked, view
-from render.views.plotted import of_position, of_vectors
-from render.views.tables import Tables
+from render.views.plotted import of_position
 
 MARGIN_MM = 5.0
 LETTER_MM = 3.5  # letter height of tables; equations are a step larger
@@ -92,14 +90,22 @@ def of_mechanism(
     }
 
 
-def of_scene_of_vectors(results: VectorResults, composer: Composer) -> Makers:
+def of_vectors(position: Position, composer: Composer) -> Makers:
     """The views of a scene of vectors alone."""
-    plotted, written = of_vectors(results), say("equations", composer.lang)
+    plotted, tables = of_position(position), composer.tables(position, LETTER_MM)
+    shown = tuple(drawn_plans(plotted, position))
     return {
-        "vectors": partial(composer.plan, plotted, PLAN),
-        "equations": partial(composer.formulas, plotted, (PLAN,), LETTER_MM, written),
-        "measured": partial(Tables.of_vectors, results, composer.naming, LETTER_MM),
+        **{name_of_view(plan): partial(composer.plan, plotted, plan) for plan in shown},
+        "equations": partial(composer.formulas, plotted, shown, LETTER_MM, say("equations", composer.lang)),
+        "given": tables.given,
+        "measured": tables.vectors,
+        "values": tables.values,
     }
+
+
+def name_of_view(plan: str) -> str:
+    """What the view of a plan is asked for by."""
+    return plan.replace(":", "-") if kind_of(plan) in ("force", "vectors") else f"{plan}-plan"
 
 
 def traced(drawing: Drawing, lang: Lang = "ru") -> Page | None:

@@ -142,16 +142,22 @@ class Formulas:
         found = [first]
         for terms in sides:
             for k, term in enumerate(terms):
-                found += [Word("+" if k else "=", vector=False), self.word(term, equation.plan)]
+                sign = "−" if term.sign < 0 else "+" if k else ""
+                found += [Word("=", vector=False)] * (not k)
+                found += [Word(sign, vector=False)] * bool(sign)
+                found.append(self.word(term, equation.plan))
         return found
 
     def closed_words(self, equation: Equation) -> list[Word]:
         """The unit; both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
         unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
-        one, two = ([self.word(t, equation.plan) for t in chain] for chain in equation.chains)
-        if two and all(term.sign > 0 for term in equation.chains[1]):
-            return [Word("", vector=False, value=unit), *_sum(one), Word("=", vector=False), *_sum(two)]
-        return [Word("", vector=False, value=unit), *_sum([*one, *two]), Word("= 0", vector=False)]
+        found, sides = [Word("", vector=False, value=unit)], equation.written
+        for n, side in enumerate(sides):
+            found += [Word("=", vector=False)] * bool(n)
+            for k, (sign, term) in enumerate(side):
+                found += [Word("−" if sign < 0 else "+", vector=False)] * bool(k or sign < 0)
+                found.append(self.word(term, equation.plan))
+        return [*found, Word("= 0", vector=False)] if equation.closed else found
 
     def word(self, term: Term, plan: str) -> Word:
         """A vector with its underlines, its line of action and, where it is known, its number."""
@@ -174,8 +180,3 @@ class Formulas:
             return say("leans", self.naming.lang, angle=fixed(leaning, 1, self.naming.lang), line=text[1:])
         along = parallel_to(term.action)
         return f"∥{self.naming.vector(along)}" if along else lines(term.action)
-
-
-def _sum(words: list[Word]) -> list[Word]:
-    """The words with a plus between them."""
-    return [w for k, word in enumerate(words) for w in ([Word("+", vector=False)] * bool(k) + [word])]

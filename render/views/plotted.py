@@ -15,7 +15,6 @@ from planes.drafting.equations import Equation
 from planes.plans.bodies import SCHEME
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
-from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, kind_of, label_of, mu_of, plan_of
 
 Ends = tuple[complex, complex]
@@ -23,15 +22,13 @@ Ends = tuple[complex, complex]
 
 @dataclass(frozen=True)
 class Plotted:
-    """One drawing: ``scales`` are mm per SI unit, ``fixed`` the labels of points of the frame (they stand in poles),
-    ``quantity`` the kind of plan whose unit the vectors have, where the plan itself does not tell."""
+    """One drawing: ``scales`` are mm per SI unit, ``fixed`` the labels of points of the frame (they stand in poles)."""
 
     drawing: Drawing
     segments: tuple[Segment, ...]
     equations: tuple[Equation, ...]
     scales: Mapping[str, float]
     fixed: tuple[str, ...] = ()
-    quantity: str = ""
 
     def mark(self, plan: str, label: str) -> complex:
         """Where a mark stands, mm from the pole of its plan."""
@@ -56,7 +53,7 @@ class Plotted:
 
     def kind(self, plan: str) -> str:
         """The kind of a plan, which tells the unit of its vectors."""
-        return self.quantity or kind_of(plan)
+        return kind_of(plan)
 
     def still(self, plan: str) -> bool:
         """Whether every mark of the plan stands in its pole: there is nothing to draw."""
@@ -68,14 +65,6 @@ def of_position(p: Position) -> Plotted:
     m = p.plans.mechanism
     shared = tuple(n.lower() for n in m.frame.points if any(n in link.points for link in m.links.values()))
     return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared)
-
-
-def of_vectors(found: VectorResults) -> Plotted:
-    """The plan of a scene that states vectors alone."""
-    draft = found.plan.draft
-    spans = {name: (label_of(s), label_of(e)) for name, (s, e) in found.spans.items()}
-    segments = tuple(Segment(PLAN, start, end, name) for name, (start, end) in spans.items())
-    return Plotted(found.drawing, segments, tuple(draft.equations), {mu_of(PLAN): found.mu}, (), found.quantity)
 
 
 NEAR_MM = 0.4  # places closer than this are one

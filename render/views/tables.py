@@ -11,12 +11,11 @@ from planes.plans.loads import force_name
 from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.tables import difference
-from planes.solving.vectors import VectorResults
 from planes.words import say
 from planes.words.lettering import Naming
-from planes.words.names import kind_of
+from planes.words.names import kind_of, plan_of
 from planes.words.read_off import fixed, measured
-from planes.words.units import UNIT, number
+from planes.words.units import RATES, UNIT, number
 from render.paper import symbols
 from render.paper.ink import head as ink_head
 from render.paper.marks import Arc, Line, Mark, Shape, Text
@@ -117,17 +116,23 @@ class Tables:
     parameters: Mapping[str, float] = field(default_factory=dict)
     once: Callable[[tuple[object, ...], Callable[[], View]], View | None] = lambda key, make: make()
 
-    @classmethod
-    def of_vectors(cls, results: VectorResults, naming: Naming, letter: float) -> View | None:
-        """Magnitude and direction of every vector of a scene of vectors."""
-        unit = say(UNIT[results.quantity], naming.lang)
-        rows = []
-        for name, v in results.vectors().items():
-            mm = abs(v) * results.mu
-            angle = fixed(math.degrees(cmath.phase(v)), 1, naming.lang) if mm > NOISE_MM else "—"
-            rows.append([naming.vector(name), fixed(mm, 1, naming.lang), measured(abs(v), naming.lang), angle])
-        marks = TableGrid(letter).drawn(["", say("mm", naming.lang), unit, say("angle", naming.lang)], rows)
-        return view("vectors-table", say("measured", naming.lang), marks) if rows else None
+    def vectors(self) -> View | None:
+        """Length on its plan, magnitude and direction of every vector of a scene that states them."""
+        mu, rows = of_position(self.position).mu, []
+        for f in self.position.of("vectors").values():
+            mm = abs(f.vector) * mu(plan_of(f.quantity.needs[0]))
+            angle = self.tenths(math.degrees(cmath.phase(f.vector))) if mm > NOISE_MM else "—"
+            unit = self.say(f.quantity.columns[0].unit)
+            rows.append([self.naming.vector(f.quantity.name), self.tenths(mm), self.number(abs(f.vector)), unit, angle])
+        return self.table("vectors-table", self.say("measured"), ["", self.say("mm"), "", "", self.say("angle")], rows)
+
+    def values(self) -> View | None:
+        """What is reckoned from the vectors."""
+        found = [(f, f.quantity.columns[0].unit) for f in self.position.of("values").values()]
+        told = ((f, unit, self.turning if unit in RATES[False] else self.number) for f, unit in found)
+        name = self.naming.vector
+        rows = [[name(f.quantity.name), tell(f.number), unit and self.say(unit)] for f, unit, tell in told]
+        return self.table("values", self.say("values_found"), ["", "", ""], rows)
 
     def say(self, key: str) -> str:
         """A word of the sheet."""
@@ -157,6 +162,8 @@ class Tables:
 
     def all(self) -> list[View]:
         """Every table that has something to say."""
+        if not self.position.plans.moves:
+            return [t for t in (self.given(), self.vectors(), self.values()) if t]
         rates = self.plan("velocity"), self.plan("acceleration")
         return [t for t in (self.given(), *rates, self.links(), self.reactions(), self.check()) if t]
 

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 import planes
-from planes import plans as room
 from planes.cli import main
+from planes.plans import Plans, of_scene
 from tests.helpers import ROOT
 
 RRR = str(ROOT / "samples" / "kind-1-rrr.yaml")
@@ -31,13 +31,14 @@ COMMANDS = {
 def stated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The files whose mechanisms were stated."""
     found: list[str] = []
-    state = room.plans_of
+    state = vars(of_scene)["plans_of"]
 
-    def counted(mechanism: Any, file: str = "") -> room.Plans:
+    def counted(mechanism: Any, file: str = "") -> Plans:
         found.append(file)
-        return state(mechanism, file)
+        plans: Plans = state(mechanism, file)
+        return plans
 
-    monkeypatch.setattr(room, "plans_of", counted)
+    monkeypatch.setattr(of_scene, "plans_of", counted)
     return found
 
 

@@ -9,7 +9,7 @@ import pytest
 from planes.documents.lesson import note
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
-from planes.plans import mechanism_plans
+from planes.plans.of_scene import scene_plans
 from planes.scene import Scene, load
 from planes.solving import Position, plans_of, position
 from planes.words.lettering import Naming
@@ -22,7 +22,7 @@ SAMPLES = ("six-link", "kind-2-rrp", "kind-5-rpp", "sliding-driver", "shaper")
 
 def asks(scene: Scene) -> dict[str, tuple[str, ...]]:
     """A question of each kind, by the last kind of plans it needs."""
-    plans = mechanism_plans(scene)
+    plans = scene_plans(scene)
     point = list(plans.points)[-1]
     reaction = next(r.key for r in plans.reactions.values() if r.plan)
     return {"position": (f"r_{point}",), "velocity": (f"v_{point}",), "force": (reaction,)}

@@ -10,7 +10,7 @@ import pytest
 from planes.drafting.drawing import reached
 from planes.drafting.steps import Step
 from planes.drafting.tools import Tool
-from planes.plans import mechanism_plans
+from planes.plans.of_scene import scene_plans
 from planes.plans.scales import unit_scales
 from planes.scene import load
 from tests.helpers import ROOT
@@ -18,7 +18,7 @@ from tests.helpers import ROOT
 
 @pytest.mark.parametrize(("phi", "whole"), [(150.0, True), (30.0, False)])
 def test_a_drawing_is_drawn_once_as_far_as_it_goes(monkeypatch: pytest.MonkeyPatch, phi: float, whole: bool) -> None:
-    plans = mechanism_plans(load(str(ROOT / "samples" / "six-link.yaml")))
+    plans = scene_plans(load(str(ROOT / "samples" / "six-link.yaml")))
     drawn, draw = Counter[str](), Tool.draw
 
     def counted(tool: Tool, step: Step, things: dict[str, Any]) -> Any:
@@ -32,7 +32,7 @@ def test_a_drawing_is_drawn_once_as_far_as_it_goes(monkeypatch: pytest.MonkeyPat
 
 
 def test_what_is_fixed_stays_whatever_leads_to_it() -> None:
-    program = mechanism_plans(load(str(ROOT / "samples" / "six-link.yaml"))).program
+    program = scene_plans(load(str(ROOT / "samples" / "six-link.yaml"))).program
     moved = [s.makes for s in program.touched(["l_AB"])]
     assert {"position:B", "position:C"} <= set(moved)
     fixed = [s.makes for s in program.touched(["l_AB"], fixed=["position:B"])]

@@ -214,6 +214,7 @@ def power(d: Drawn) -> tuple[float, float]:
     """(sum, largest term) of F·v + M·ω over all that acts from outside, friction and balancing, as measured."""
     st, terms = d.plans, []
     motion = st.acting.motion
+    assert motion
     for forces in st.acting.forces.values():
         for f in forces:
             if f.spot:
@@ -228,7 +229,7 @@ def power(d: Drawn) -> tuple[float, float]:
     rate = 1.0 if st.at_rest else drive.velocity
     for r in st.reactions.values():
         if r.pair.kind == "R" and r.friction:
-            turning = [st.acting.motion.spin(motion.b.known[x].root) for x in (r.pair.link, r.pair.other)]
+            turning = [motion.spin(motion.b.known[x].root) for x in (r.pair.link, r.pair.other)]
             apart = [0.0 if name.endswith("_0") else d.number(name) for name in turning]
             terms.append(d.number(r.friction) * (apart[0] - apart[1]))
         if r.pair.kind == "P" and r.pair.guide in st.mechanism.friction:

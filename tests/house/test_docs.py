@@ -21,6 +21,8 @@ def test_the_scenes_of_the_format_are_read(text: str) -> None:
     scene = planes.loads(text)
     if scene.mechanism:
         assert planes.solve(scene).omega["2"] == pytest.approx(8.12247, abs=1e-5)
+    else:
+        assert planes.solve(scene).value("omega_2") == pytest.approx(-4.6572, abs=1e-4)
 
 
 def test_every_part_of_a_scene_is_described() -> None:

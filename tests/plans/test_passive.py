@@ -12,7 +12,7 @@ from planes import solve
 from planes.batch import Cycle
 from planes.documents.lesson import note
 from planes.documents.sheets import sheet_of
-from planes.plans import mechanism_plans
+from planes.plans.of_scene import scene_plans
 from planes.scene import loads
 from planes.words.errors import StructureError
 from render.paper.marks import Text
@@ -76,16 +76,16 @@ def test_a_double_parallelogram_goes_round_in_a_circle(phi: float) -> None:
 @pytest.mark.parametrize("scene", [trammel(far=-0.1001), trammel(far=-0.1 - 1e-7), parallelogram(crank=0.1002)])
 def test_what_is_held_too_often_by_a_little_is_refused(scene: str) -> None:
     with pytest.raises(StructureError, match="W = 3·4 - 2·6 = 0"):
-        mechanism_plans(loads(scene))
+        scene_plans(loads(scene))
 
 
 def test_a_link_that_carries_something_is_not_the_one_left_out() -> None:
-    assert mechanism_plans(loads(parallelogram(mass=", mass: 3"))).structure.passive == ("3",)
+    assert scene_plans(loads(parallelogram(mass=", mass: 3"))).structure.passive == ("3",)
 
 
 def test_every_reader_draws_or_tells_the_passive_link() -> None:
     scene = loads(trammel())
-    plans = mechanism_plans(scene)
+    plans = scene_plans(scene)
     assert plans.structure.json()["passive"] == ["4"] and [x.name for x in plans.passive] == ["4"]
     texts = {m.text for m in sheet_of(scene, None, number=1).marks if isinstance(m, Text)}
     assert "4" in texts and any("пассивная связь" in t for t in texts)
@@ -97,7 +97,7 @@ def test_every_reader_draws_or_tells_the_passive_link() -> None:
 def test_passive_links_move_as_what_holds_them(phi: float) -> None:
     """The third crank of a parallelogram turns as the driver does; the slider of an ellipsograph keeps its turn."""
     found = solve(loads(parallelogram(phi)))
-    assert mechanism_plans(loads(parallelogram(phi))).structure.passive == ("4",)
+    assert scene_plans(loads(parallelogram(phi))).structure.passive == ("4",)
     turned = math.remainder(found.value("phi_4") - phi, 360)
     assert turned == pytest.approx(0.0, abs=1e-9) and found.omega["4"] == pytest.approx(10.0, rel=1e-10)
     assert found.epsilon["4"] == pytest.approx(0.0, abs=1e-7)

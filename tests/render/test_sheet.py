@@ -174,18 +174,19 @@ def test_reactions_and_arms_are_told_in_mm_of_their_figures():
 
 
 def test_underlines_count_what_is_known():
-    from planes.solving.vectors import solve_vectors
+    from planes.solving import solve
     from render.sheet.composer import Naming
     from render.views.formulas import Formulas
-    from render.views.plotted import of_vectors
+    from render.views.plotted import of_position
 
-    marks = Formulas(of_vectors(solve_vectors(load(SAMPLES[NAMES.index("vectors")]))), Naming()).drawn(("vectors",))
+    (found,) = solve(load(SAMPLES[NAMES.index("vectors")])).positions
+    marks = Formulas(of_position(found), Naming()).drawn(("velocity",))
     at = {plain(m.text): m.place.real for m in marks if isinstance(m, Text) and m.name}
     under = [m.points[0].real for m in marks if isinstance(m, Line) and m.points[0].imag < 0]
     assert [sum(abs(x - at[n]) < 1e-9 for x in under) for n in ("vC", "vB", "vCB")] == [1, 2, 1]
 
 
-TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver", "lift")]
+TURNING = [n for n in NAMES if not n.startswith("vectors") and n not in ("sliding-driver", "lift")]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 
 

@@ -49,7 +49,7 @@ def test_the_example_is_read_in_full():
     assert mechanism.assembly == {"C": Assembly("right")}
     assert scene.mu == {"position": 250.0, "velocity": 30.0, "acceleration": 2.0, "force": 0.01}
     assert scene.find == ("v_C", "a_H", "omega_2", "F_21", "M_1")
-    assert (scene.vectors, scene.equations, scene.sheet) == ({}, (), {})
+    assert (scene.statement, scene.sheet) == (None, {})
 
 
 @pytest.mark.parametrize(
@@ -160,17 +160,19 @@ def test_names_of_any_alphabet_and_keys_that_are_not_booleans():
 
 def test_a_scene_of_vectors():
     scene = loads(VECTORS)
-    assert scene.mechanism is None and scene.equations == ("v_C = v_B + v_CB",) and scene.equation_lines == (6,)
-    assert scene.vectors == {
+    (equation,) = scene.statement.equations
+    assert scene.mechanism is None and (equation.text, equation.line) == ("v_C = v_B + v_CB", 6)
+    assert scene.statement.vectors == {
         "v_B": VectorGiven(2.0, 120.0),
         "v_CB": VectorGiven(None, 35.0),
         "v_C": VectorGiven(None, 80.0),
     }
-    assert (scene.mu["vectors"], scene.quantity) == (30.0, "velocity")
+    assert (scene.mu["velocity"], scene.statement.quantity) == (30.0, "velocity")
     other = changed("{direction: 35}", "{perpendicular_to: 125, near: -20}", VECTORS).replace("mu: 30 mm/(m/s)", "")
     scene = loads(changed("{direction: 80}", "", other))
-    assert scene.vectors["v_CB"] == VectorGiven(None, 215.0, -20.0) and scene.vectors["v_C"] == VectorGiven()
-    assert (scene.mu["vectors"], scene.quantity) == (None, None)
+    stated = scene.statement.vectors
+    assert stated["v_CB"] == VectorGiven(None, 215.0, -20.0) and stated["v_C"] == VectorGiven()
+    assert (scene.mu["velocity"], scene.statement.quantity) == (None, None)
 
 
 def test_a_file_on_disk(tmp_path):

@@ -13,7 +13,6 @@ import pytest
 from planes.plans.measuring import say_plan
 from planes.scene import Scene, load
 from planes.solving import Position, Solved, solve
-from planes.solving.vectors import solve_vectors
 from planes.words.names import at
 from tests.helpers import ROOT
 from tests.helpers.oracle import Solution, follow
@@ -246,7 +245,7 @@ def test_variants_of_assignment_12(variant: str) -> None:
 
 def test_vectors_in_closed_form() -> None:
     """v_C = v_B + v_CB with two lines of action: by the law of sines."""
-    out = solve_vectors(scene("vectors")).json()["vectors"]
+    out = solve(scene("vectors")).json()["vectors"]
     turn = {name: math.radians(a) for name, a in (("v_B", 120), ("v_CB", 35), ("v_C", 80))}
     want = {
         "v_B": 2.0,

@@ -10,11 +10,11 @@ from itertools import pairwise
 
 import pytest
 
-from planes.accuracy.errors import vector_errors
-from planes.drafting.instruments import Pencil
-from planes.scene import loads
+from planes.accuracy.errors import add_errors
+from planes.drafting.instruments import Instrument, Pencil
+from planes.scene import Scene, loads
+from planes.solving import Position, Solved, solve
 from planes.solving.explaining import explain
-from planes.solving.vectors import VectorResults, solve_vectors
 from planes.words.errors import SceneError
 
 FORCES = """planes: 1
@@ -43,20 +43,35 @@ def scene_of(vectors: str, *equations: str, more: str = "") -> str:
     return f"planes: 1\nvectors: {{{vectors}}}\nequations: {list(equations)}\n{more}"
 
 
-def total(text: str, found: VectorResults) -> complex:
+def drawn(scene: Scene | str, by: Instrument | None = None) -> Position:
+    """The scene as it is solved, with its ±."""
+    return with_errors(scene, by).positions[0]
+
+
+def with_errors(scene: Scene | str, by: Instrument | None = None) -> Solved:
+    found = solve(loads(scene) if isinstance(scene, str) else scene, instrument=by)
+    add_errors(found, by)
+    return found
+
+
+def vectors(found: Position) -> dict[str, complex]:
+    return {name: one.vector for name, one in found.of("vectors").items()}
+
+
+def total(text: str, found: Position) -> complex:
     """Left minus right of an equation, with the vectors found."""
     left, right = text.split("=")
     side = {1: left, -1: right}
     terms = [(s, t) for s, part in side.items() for t in re.findall(r"([+-]?)\s*([^\s+-]+)", part) if t[1] != "0"]
-    return sum(s * (-1 if sign == "-" else 1) * found.vectors()[name] for s, (sign, name) in terms)
+    return sum(s * (-1 if sign == "-" else 1) * vectors(found)[name] for s, (sign, name) in terms)
 
 
 def test_a_force_polygon_closes():
-    found = solve_vectors(loads(FORCES))
+    found = drawn(FORCES)
     assert abs(total("F_21^t + G_2 + Φ_2 + F_24 + F_36^n + F_21^n = 0", found)) < 1e-9
     for name, degrees in (("F_36^n", 83), ("F_21^n", 35)):
-        assert math.sin(cmath.phase(found.vectors()[name]) - math.radians(degrees)) == pytest.approx(0, abs=1e-12)
-    assert found.quantity == "force" and found.json()["plans"]["vectors"]["mu"].endswith("mm/N")
+        assert math.sin(cmath.phase(vectors(found)[name]) - math.radians(degrees)) == pytest.approx(0, abs=1e-12)
+    assert found.results["plans"]["force:2-3"]["mu"].endswith("mm/N")
 
 
 @pytest.mark.parametrize("turn", [7, 83, 190, 301])
@@ -80,81 +95,71 @@ def test_every_kind_on_every_side(hidden, sides, turn):
     moved = [["F_1", "F_2", "F_3", "F_4", "F_5"], ["F_5", "F_1", "F_2"], ["F_2", "F_4"], ["F_1", "F_4"]][sides]
     left = " + ".join(n for n in true if sides == 0 or n not in moved)
     right = "0" if sides == 0 else "-" + " - ".join(moved)
-    vectors = ", ".join(f"{n}: {{{text}}}" for n, text in given.items())
-    found = solve_vectors(loads(scene_of(vectors, f"{left} = {right}")))
-    assert found.vectors() == pytest.approx(true, abs=1e-9)
+    stated = ", ".join(f"{n}: {{{text}}}" for n, text in given.items())
+    found = drawn(scene_of(stated, f"{left} = {right}"))
+    assert vectors(found) == pytest.approx(true, abs=1e-9)
 
 
 def test_minus_signs_close_a_polygon_too():
-    found = solve_vectors(
-        loads(
-            scene_of(
-                "F_1: {value: 3, direction: 0}, F_30: {direction: 90}, F_21: {direction: 45}", "F_1 + F_30 = -F_21"
-            )
-        )
+    found = drawn(
+        scene_of("F_1: {value: 3, direction: 0}, F_30: {direction: 90}, F_21: {direction: 45}", "F_1 + F_30 = -F_21")
     )
-    assert found.vectors()["F_30"] == pytest.approx(3j) and found.vectors()["F_21"] == pytest.approx(-3 - 3j)
+    assert vectors(found)["F_30"] == pytest.approx(3j) and vectors(found)["F_21"] == pytest.approx(-3 - 3j)
 
 
 def test_two_arcs_by_the_nearer_of_either_vector():
-    found = solve_vectors(loads(ARCS))
-    assert abs(total("r_1 + r_2 + r_3 = 0", found)) < 1e-14 and found.vectors()["r_2"].imag > 0
+    found = drawn(ARCS)
+    assert abs(total("r_1 + r_2 + r_3 = 0", found)) < 1e-14 and vectors(found)["r_2"].imag > 0
     other = loads(ARCS.replace(", near: 80", "").replace("value: 0.2}", "value: 0.2, near: 114}"))
-    assert solve_vectors(other).vectors()["r_2"].imag < 0 < solve_vectors(other).vectors()["r_3"].imag
+    assert vectors(drawn(other))["r_2"].imag < 0 < vectors(drawn(other))["r_3"].imag
 
 
 def test_a_vector_found_before_may_stand_alone_on_its_side():
     more = CHAIN.replace('v_C + v_LC"]', 'v_C + v_LC", "v_L = v_D + v_LD"]')
     more = more.replace("v_L: {}", "v_L: {}, v_D: {}, v_LD: {value: 1, direction: 10}")
-    found = solve_vectors(loads(more))
+    found = drawn(more)
     assert abs(total("v_L = v_D + v_LD", found)) < 1e-12
 
 
 @pytest.mark.parametrize(
-    ("names", "quantity", "unit"),
+    ("names", "plan", "unit"),
     [
         ("F_1 F_2 F_3", "force", "mm/N"),
         ("v_B v_CB v_C", "velocity", "mm/(m/s)"),
-        ("r_1 r_2 r_3", "position", "mm/m"),
+        ("r_1 r_2 r_3", "contour", "mm/m"),
         ("a_B a_CB a_C", "acceleration", "mm/(m/s²)"),
         ("a b c", "vectors", "mm/unit"),
         ("P R F_1", "force", "mm/N"),
-        ("Φ_2 G_2 N", "force", "mm/N"),
+        ("Φ_2 G_2 N", "force:2", "mm/N"),
     ],
 )
-def test_the_unit_is_told_by_the_names(names, quantity, unit):
+def test_the_unit_is_told_by_the_names(names, plan, unit):
     one, two, three = names.split()
-    found = solve_vectors(
-        loads(
-            scene_of(
-                f"{one}: {{value: 2, direction: 120}}, {two}: {{direction: 35}}, {three}: {{direction: 80}}",
-                f"{three} = {one} + {two}",
-            )
+    found = drawn(
+        scene_of(
+            f"{one}: {{value: 2, direction: 120}}, {two}: {{direction: 35}}, {three}: {{direction: 80}}",
+            f"{three} = {one} + {two}",
         )
     )
-    assert found.quantity == quantity and found.json()["plans"]["vectors"]["mu"].endswith(unit)
+    assert list(found.results["plans"]) == [plan] and found.results["plans"][plan]["mu"].endswith(unit)
 
 
 @pytest.mark.parametrize(
     ("text", "words"),
     [
         (
-            scene_of(
-                "v_B: {value: 2, direction: 60}, v_C: {}, a_B: {value: 4, direction: 10}, a_C: {}",
-                "v_C = v_B",
-                "a_C = a_B",
-            ),
-            ("s.yaml:2: v_B belongs on the velocity plan and a_B on the acceleration",),
+            scene_of("v_B: {value: 2, direction: 60}, v_C: {}, F_1: {value: 4, direction: 10}", "v_C = v_B + F_1"),
+            ("s.yaml:3: v_C belongs on the velocity plan and F_1 on the force plan",),
         ),
         (FORCES + "mu: 30 mm/(m/s)\n", ("s.yaml:10: mu does not fit F_21^t", "mm/N or N/mm")),
         (CHAIN.replace("v_L: {}", "v_L: {}, v_X: {value: 1, direction: 3}"), ("v_X stands in no equation",)),
         (CHAIN.replace("v_C: {", "v_C: {near: 5, "), ("near of vector v_C decides nothing",)),
-        (CHAIN + "find: [v_Q]\n", ("s.yaml:6: ", "v_Q", "valid: v_C, v_B")),
+        (CHAIN + "find: [v_Q]\n", ("s.yaml:6: ", "v_Q", "valid: v_B, v_CB")),
     ],
 )
 def test_what_would_change_nothing_is_refused(text, words):
     with pytest.raises(SceneError) as caught:
-        solve_vectors(loads(text, "s.yaml"))
+        solve(loads(text, "s.yaml"))
     for word in words:
         assert word in str(caught.value)
     assert re.search("[а-я]", caught.value.told("ru"))
@@ -162,21 +167,22 @@ def test_what_would_change_nothing_is_refused(text, words):
 
 def test_find_draws_no_more_than_it_needs():
     scene = loads(CHAIN + "find: [v_C]\n")
-    found = solve_vectors(scene)
-    assert list(found.vectors()) == ["v_C"] and "vectors:l" not in found.drawing and "dropped" in explain(scene)
-    assert found.vectors()["v_C"] == pytest.approx(solve_vectors(loads(CHAIN)).vectors()["v_C"])
+    found = drawn(scene)
+    assert list(vectors(found)) == ["v_C"] and "vectors:l" not in found.drawing and "dropped" in explain(scene)
+    assert vectors(found)["v_C"] == pytest.approx(vectors(drawn(CHAIN))["v_C"])
 
 
 def test_a_pencil_scatters_as_it_says():
-    exact = solve_vectors(loads(FORCES))
-    drawn = [vector_errors(solve_vectors(loads(FORCES), Pencil(seed=s)), Pencil(seed=s)) for s in range(60)]
-    far = [(r.vectors()["F_36^n"] - exact.vectors()["F_36^n"]).real for r in drawn]
-    claimed = drawn[0].errors["vectors"]["F_36^n"][0]
+    exact = drawn(FORCES)
+    many = [drawn(FORCES, Pencil(seed=s)) for s in range(60)]
+    far = [(vectors(r)["F_36^n"] - vectors(exact)["F_36^n"]).real for r in many]
+    claimed = many[0].results["errors"]["vectors"]["F_36^n"][0]
     assert 0.75 < math.sqrt(sum(x * x for x in far) / len(far)) / claimed < 1.25
-    assert solve_vectors(loads(FORCES), Pencil(seed=3)).json() == solve_vectors(loads(FORCES), Pencil(seed=3)).json()
-    assert drawn[0].segment("G_2")["mm"] % 0.5 == 0 and drawn[0].segment("G_2")["error_mm"] > 0.1
+    assert with_errors(FORCES, Pencil(seed=3)).json() == with_errors(FORCES, Pencil(seed=3)).json()
+    weight = many[0].results["plans"]["force:2-3"]["segments"]["F_21tG_2"]
+    assert weight["name"] == "G_2" and weight["mm"] % 0.5 == 0 and weight["error_mm"] > 0.1
 
 
 def test_the_bound_of_an_exact_drawing_holds():
-    errors = vector_errors(solve_vectors(loads(FORCES))).errors
+    errors = drawn(FORCES).results["errors"]
     assert 0 < errors["vectors"]["F_21^n"][0] < 1e-9 and errors["vectors"]["G_2"][0] < 1e-11

@@ -13,9 +13,8 @@ from planes.scene import loads
 from planes.scene.expressions import evaluate
 from planes.scene.ranges import read_range
 from planes.scene.source import parse
-from planes.scene.vectors import read_equation
+from planes.scene.vector_equations import read_equation
 from planes.solving import solve
-from planes.solving.vectors import solve_vectors
 from planes.words import Phrase, say, table
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.units import read_mu
@@ -267,8 +266,8 @@ def test_a_bad_equation_in_both_languages(text):
 
 @pytest.mark.parametrize(("vectors", "equation", "words"), BAD_PLANS_OF_VECTORS)
 def test_bad_vectors_in_both_languages(vectors, equation, words):
-    scene = loads(f"planes: 1\nvectors: {{{vectors}}}\nequations: [{equation}]\n", "s.yaml")
-    told = refused(solve_vectors, scene)
+    text = f"planes: 1\nvectors: {{{vectors}}}\nequations: [{equation}]\n"
+    told = refused(lambda: solve(loads(text, "s.yaml")))
     assert words in told and re.match(r"s\.yaml:\d+: ", told)
 
 

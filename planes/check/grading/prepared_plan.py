@@ -18,7 +18,8 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
-from planes.plans import Plans, mechanism_plans
+from planes.plans import Plans
+from planes.plans.of_scene import scene_plans
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.words import Phrase, Written
@@ -102,9 +103,7 @@ class PreparedPlan:
 
 def prepare(asked: Asked) -> PreparedPlan:
     """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
-    if asked.scene.mechanism is None:
-        raise PlanesError(Phrase("check_vectors", file=asked.scene.file))
-    plans = mechanism_plans(asked.scene)
+    plans = scene_plans(asked.scene)
     known = known_plans(plans)
     if asked.plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=choices(asked.plan, known)))

@@ -1,0 +1,81 @@
+"""The words of the steps of a scene that states vectors: what is given, reckoned, divided, sought."""
+
+import math
+from cmath import phase
+
+from planes.drafting import steps as s
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import crossings
+from planes.drafting.steps.reckoning import Calculate, Measure
+from planes.lesson.formulas import formula
+from planes.lesson.steps import Names, StepWords, Words
+from planes.plans import Plans
+from planes.words import Lang, say, table
+from planes.words.names import POLE, at, lettered
+from planes.words.units import number
+
+
+class StatedWords(StepWords):
+    """Finds the words of the steps of one drawing of stated vectors."""
+
+    def of(self, step: s.Step) -> Words:
+        match step:
+            case s.Put():
+                return "pole", "pole_stated", {}
+            case crossings.CrossArc() | crossings.CrossArcs():
+                key, _, names = super().of(step)
+                return ("arcs_stated" if key == "arcs" else key), f"{key}_stated", names
+        return super().of(step)
+
+    def action(self, direction: str) -> str:
+        """A line of action: of a given angle the angle."""
+        found = super().action(direction)
+        if found:
+            return found
+        angle = math.degrees(phase(complex(self.drawing[direction])))
+        return f"∠{number(round(angle, 1) + 0.0, 'en')}°"
+
+    def similar(self, step: s.Similar) -> Words:
+        ratio = complex(self.drawing[step.ratio])
+        turned, first, second = abs(ratio.imag) > 1e-9 * abs(ratio), lettered(step.start), lettered(step.end)
+        size, angle = (abs(ratio), math.degrees(phase(ratio))) if turned else (ratio.real, 0.0)
+        names: Names = {"first": first, "second": second, "ratio": lambda lang: number(size, lang)}
+        more: Names = {"angle": lambda lang: number(angle, lang)}
+        return ("turned_stated" if turned else "similar_stated"), "alike_stated", {**names, **more}
+
+    def image(self, step: s.Image) -> Words:
+        vectors = {ends: f"⟨{n}⟩" for n, ends in self.plans.vectors.items()}
+        names: Names = {"start": lettered(step.start), "own": vectors[step.of], "whole": vectors[step.like]}
+        return (
+            "image_stated",
+            "alike_stated",
+            {**names, "first": lettered(step.image[0]), "second": lettered(step.image[1])},
+        )
+
+    def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:
+        line = self.plans.means[term.direction or ""]
+        key = f"why_{line.quantity}_{kind}"
+        known = kind != "force" and key in table(lang) and not term.name.startswith(line.line)
+        return say(key if known else "why_line", lang, name=name, line=line.line)
+
+    def lay_off(self, step: s.LayOff) -> Words:
+        key, reason, names = super().lay_off(step)
+        source = self.made.get(step.length)
+        if isinstance(source, Measure):
+            return "carried_stated", "reckoned", names
+        if isinstance(source, Calculate):
+            told = {**names, "formula": lambda lang: formula(source, lang, self.vector(step))}
+            return "lay_off", reason if step.quantity in ("normal", "coriolis") else "reckoned", told
+        return key, "stated" if key == "given" else reason, names
+
+
+def last_marks(plans: Plans) -> dict[str, list[Equation]]:
+    """The equations by the mark with which all they seek is on the paper."""
+    order = {step.makes: k for k, step in enumerate(plans.program.steps)}
+    found = dict[str, list[Equation]]()
+    for e in plans.equations:
+        ends = {at(e.plan, label) for t in e.terms for label in (t.start, t.end)} - {at(e.plan, POLE)}
+        made = [mark for mark in ends if mark in order]
+        if made and len(made) == len(ends):
+            found.setdefault(max(made, key=order.__getitem__), []).append(e)
+    return found

@@ -1,0 +1,54 @@
+"""Which plan an equation of a scene of vectors is drawn on: by the letters of its vectors, or by the unit of μ."""
+
+import re
+from collections.abc import Iterable
+
+from planes.scene import Scene
+from planes.scene.vector_equations import VectorEquation
+from planes.scene.vectors import Statement
+from planes.words import Phrase
+from planes.words.errors import SceneError
+from planes.words.names import force_plan
+
+_LETTERS = {"contour": r"[rl]_", "velocity": "v_", "acceleration": "a_", "force": r"[FRGINTPQΦФ][_\d]"}
+_ACTS = re.compile(r"(?:[FR]_(\d)\d|[GIΦФP]_(\d+))(?:\^[tn])?(?:_\d+)?")
+_ON = re.compile(r"[FR]_(\d+)_\d+(?:\^[tn])?")
+QUANTITIES = {"contour": "position"}
+"""The plans of a scene of vectors that have the unit of another."""
+
+
+def plans_of_equations(scene: Scene, statement: Statement) -> dict[tuple[int, str], str]:
+    """The plan of every equation, by its line and text. :class:`SceneError` where its vectors are of two kinds, or μ
+    fits none of them."""
+    asked = {v: k for k, v in QUANTITIES.items()}.get(statement.quantity or "", statement.quantity)
+    found = {}
+    for e in statement.equations:
+        kind = _kind(scene, e) or asked or "vectors"
+        found[e.line, e.text] = force_plan(*_links(e.names)) if kind == "force" else kind
+    kinds = {plan.partition(":")[0] for plan in found.values()}
+    if asked and asked not in kinds:
+        equation = statement.equations[0]
+        kind = QUANTITIES.get(kind := found[equation.line, equation.text].partition(":")[0], kind)
+        told = {"plan": Phrase(f"scale_{kind}"), "units": Phrase(f"units_{kind}")}
+        raise SceneError(Phrase("vectors_mu", name=equation.names[0], **told), scene.file, scene.where.get(("mu",)))
+    return found
+
+
+def _kind(scene: Scene, e: VectorEquation) -> str:
+    """The plan the letters of an equation tell; "" where they tell none."""
+    first: dict[str, str] = {}
+    for name in e.names:
+        kind = next((kind for kind, letters in _LETTERS.items() if re.match(letters, name)), "")
+        first.setdefault(kind, name)
+    kinds = [kind for kind in first if kind]
+    if len(kinds) > 1:
+        one, other = kinds[:2]
+        told = {k: Phrase(f"scale_{QUANTITIES.get(v, v)}") for k, v in (("one", one), ("other", other))}
+        raise SceneError(Phrase("vectors_mixed", name=first[one], other_name=first[other], **told), scene.file, e.line)
+    return kinds[0] if kinds else ""
+
+
+def _links(names: Iterable[str]) -> list[str]:
+    """The links these forces act on, as their names tell."""
+    found = {next(filter(None, match.groups())) for n in names if (match := _ACTS.fullmatch(n) or _ON.fullmatch(n))}
+    return sorted(found, key=lambda link: (len(link), link))

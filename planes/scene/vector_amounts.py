@@ -1,0 +1,136 @@
+"""Numbers of a scene of vectors that are found on earlier plans: v_CB^2/l_BC, sums of products of named numbers."""
+
+import math
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+from planes.geometry.arithmetic import Real
+from planes.scene.expressions import ExpressionParser
+from planes.words import Phrase
+
+Factors = tuple[tuple[str, int], ...]
+MOST_TERMS = 200
+HAT = "ˆ"
+"""Stands for ^ in the name of a vector while an expression is read, where ^ is a power."""
+
+
+@dataclass(frozen=True)
+class VectorAmount:
+    """A sum of products: each a number, and names to whole powers; the names are of parameters, values and vectors,
+    whose lengths are meant."""
+
+    text: str
+    terms: tuple[tuple[float, Factors], ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What it is reckoned from."""
+        return tuple(dict.fromkeys(name for _, factors in self.terms for name, _ in factors))
+
+
+class _Sum:
+    """A sum of products in the making; ``number`` is what it is where parameters alone stand in it."""
+
+    def __init__(self, terms: Mapping[Factors, float], number: float | None) -> None:
+        self.terms, self.number = {f: c for f, c in terms.items() if c}, number
+
+    @classmethod
+    def of(cls, x: "_Sum | float") -> "_Sum":
+        return x if isinstance(x, _Sum) else cls({(): float(x)}, float(x))
+
+    def __add__(self, other: "_Sum | float") -> "_Sum":
+        other = _Sum.of(other)
+        terms = {f: self.terms.get(f, 0.0) + other.terms.get(f, 0.0) for f in (*self.terms, *other.terms)}
+        return _Sum(terms, None if None in (self.number, other.number) else self.number + other.number)  # type: ignore[operator]
+
+    def __neg__(self) -> "_Sum":
+        return self * -1.0
+
+    def __sub__(self, other: "_Sum | float") -> "_Sum":
+        return self + _Sum.of(other) * -1.0
+
+    def __mul__(self, other: "_Sum | float") -> "_Sum":
+        other, terms = _Sum.of(other), dict[Factors, float]()
+        if len(self.terms) * len(other.terms) > MOST_TERMS:
+            raise OverflowError
+        for f, c in self.terms.items():
+            for g, d in other.terms.items():
+                terms[_product(f, g)] = terms.get(_product(f, g), 0.0) + c * d
+        return _Sum(terms, None if None in (self.number, other.number) else self.number * other.number)  # type: ignore[operator]
+
+    def __rsub__(self, other: float) -> "_Sum":
+        return _Sum.of(other) - self
+
+    __radd__, __rmul__ = __add__, __mul__
+
+
+def _product(f: Factors, g: Factors) -> Factors:
+    powers = dict(f)
+    for name, power in g:
+        powers[name] = powers.get(name, 0) + power
+    return tuple((name, power) for name, power in powers.items() if power)
+
+
+class AmountParser(ExpressionParser):
+    """Reads an amount without a value of its own: ``named`` are the names that are found on plans."""
+
+    def __init__(self, text: str, parameters: Mapping[str, float], named: Iterable[str]) -> None:
+        names: dict[str, Real] = {n: _Sum({((n, 1),): 1.0}, x) for n, x in parameters.items()}
+        names |= {hatted(n): _Sum({((n, 1),): 1.0}, None) for n in named}
+        super().__init__(_without_powers(text, named), names, [*parameters, *named])
+
+    def divided(self, value: Real, by: Real) -> Real:
+        """By one product; by a sum only where that is a number."""
+        value, by = _Sum.of(value), _Sum.of(by)
+        if len(by.terms) > 1 and by.number is not None:
+            by = _Sum.of(by.number)
+        if len(by.terms) > 1:
+            raise self.fail(Phrase("amount_divided"))
+        if not by.terms or by.number == 0.0:
+            raise self.fail(Phrase("division_by_zero"))
+        ((factors, c),) = by.terms.items()
+        found = value * _Sum({tuple((n, -p) for n, p in factors): 1.0 / c}, None)
+        return _Sum(found.terms, None if None in (value.number, by.number) else value.number / by.number)
+
+    def raised(self, base: Real, exponent: Real) -> Real:
+        """To a small whole power, or a number to any."""
+        base, power = _Sum.of(base), _Sum.of(exponent).number
+        if power is None or (base.number is None and not (power.is_integer() and 0 < power <= 9)):
+            raise self.fail(Phrase("amount_power"))
+        if not (power.is_integer() and 0 < power <= 9):
+            return _Sum.of(super().raised(base.number, power))
+        found = base
+        for _ in range(int(power) - 1):
+            found = found * base
+        return found
+
+    def called(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
+        """A function of numbers."""
+        numbers = [_Sum.of(x).number for x in given]
+        if None in numbers:
+            raise self.fail(Phrase("amount_function", name=name))
+        return _Sum.of(super().called(name, function, numbers))
+
+
+def hatted(name: str) -> str:
+    """The name of a vector as one word of an expression."""
+    return name.replace("^", HAT)
+
+
+def _without_powers(text: str, named: Iterable[str]) -> str:
+    """The text with the ^ of names replaced, the longest name first."""
+    for name in sorted((n for n in named if "^" in n), key=len, reverse=True):
+        text = re.sub(rf"(?<![\w{HAT}]){re.escape(name)}(?![\w'′″])", hatted(name), text)
+    return text
+
+
+def read_amount(text: str, parameters: Mapping[str, float], named: Iterable[str]) -> VectorAmount | float:
+    """A number, or what it is reckoned from on the plans; :class:`ExpressionError` in words."""
+    found = _Sum.of(AmountParser(text, parameters, tuple(named)).value())
+    if not all(math.isfinite(c) for c in found.terms.values()):
+        raise AmountParser(text, parameters, tuple(named)).fail(Phrase("value_large"))
+    plain = found.number is not None and sum(abs(p) for f in found.terms for _, p in f) < 2
+    if plain and found.number is not None:
+        return found.number
+    return VectorAmount(text, tuple((c, f) for f, c in found.terms.items()))

@@ -1,0 +1,150 @@
+"""The text of a vector equation: sides that are equal, each a sum of vectors with their coefficients."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+from planes.scene.expressions import evaluate
+from planes.words import Phrase
+from planes.words.errors import EquationError
+from planes.words.names import POLE
+
+VECTOR = r"[^\W\d][\w^'′″]*"
+_RATE = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
+Number = Callable[[str], float]
+
+
+@dataclass(frozen=True)
+class SideTerm:
+    """A vector of a side, so many times."""
+
+    name: str
+    times: float = 1.0
+
+    @property
+    def text(self) -> str:
+        """As it is written, without the sign."""
+        return self.name if abs(self.times) == 1 else f"{abs(self.times):.4g}·{self.name}"
+
+
+Side = tuple[SideTerm, ...]
+
+
+@dataclass(frozen=True)
+class VectorEquation:
+    """Sides that are all equal; () is nothing."""
+
+    text: str
+    sides: tuple[Side, ...]
+    line: int = 0
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Its vectors, in order."""
+        return tuple(t.name for side in self.sides for t in side)
+
+
+def _plain(text: str) -> float:
+    """A coefficient of numbers alone."""
+    return evaluate(text, {})
+
+
+def read_equation(text: str, number: Number = _plain, line: int = 0) -> VectorEquation:
+    """Read "v_S = v_B + 0.4*v_CB", "F_1 + F_30 - F_03 = 0" or "a_C = a_B + a_CB^n + a_CB^t = a_D + …"; ``number``
+    evaluates a coefficient.
+
+    :class:`EquationError` where a side is no sum of vectors, a vector stands twice, or a chain breaks.
+    """
+    parts = text.split("=")
+    if len(parts) < 2:
+        raise EquationError(Phrase("one_equals", text=text))
+    sides = tuple(tuple(_terms(part, text, number)) for part in parts)
+    found = VectorEquation(text, sides, line)
+    for name in found.names:
+        if found.names.count(name) > 1:
+            raise EquationError(Phrase("vector_twice", text=text, name=name))
+    if not found.names:
+        raise EquationError(Phrase("no_vectors", text=text))
+    if sides.count(()) > (len(sides) == 2):
+        raise EquationError(Phrase("zero_between", text=text))
+    check_chains(found)
+    return found
+
+
+def _terms(part: str, text: str, number: Number) -> list[SideTerm]:
+    part = part.strip().replace("−", "-").replace("·", "*")
+    if part == "0":
+        return []
+    pieces = _parted(part)
+    if not pieces:
+        raise EquationError(Phrase("side_empty", text=text))
+    return [_term(sign, piece, text, number) for sign, piece in pieces]
+
+
+def _parted(part: str) -> list[tuple[str, str]]:
+    """The side cut at the signs that stand in no brackets."""
+    found, depth, piece, sign = list[tuple[str, str]](), 0, "", "+"
+    for char in part:
+        depth += (char == "(") - (char == ")")
+        if char in "+-" and depth == 0 and not piece.rstrip().endswith("*"):
+            found += [(sign, piece)] * bool(piece.strip() or found)
+            sign, piece = char, ""
+        else:
+            piece += char
+    return [*found, (sign, piece)] if piece.strip() or found else []
+
+
+def _term(sign: str, piece: str, text: str, number: Number) -> SideTerm:
+    piece = piece.strip()
+    match = re.fullmatch(rf"(?:(.*)\*)?\s*({VECTOR})\s*(/.*)?", piece)
+    if not match:
+        word = repr(piece) if piece else Phrase("nothing")
+        raise EquationError(Phrase("not_vector", text=text, name=word))
+    before, name, after = match.groups()
+    times = number(f"{before or 1}{after or ''}") if before or after else 1.0
+    if times == 0.0:
+        raise EquationError(Phrase("times_nothing", text=text, name=name))
+    return SideTerm(name, times if sign == "+" else -times)
+
+
+def ends(name: str) -> tuple[str, str] | None:
+    """Marks a velocity or acceleration runs between by its name: v_C p→c, v_CB b→c, a_CB^n b'→n_CB; else None."""
+    match = _RATE.fullmatch(name)
+    if not match:
+        return None
+    letter, one, other, part = match.groups()
+    prime = "'" if letter == "a" else ""
+    start = other.lower() + prime if other else POLE
+    end = one.lower() + prime
+    middle = f"{'n' if part in 'nt' else 'k'}_{one}{other or ''}" if part else ""
+    if part in ("n", "k"):
+        return start, middle
+    return (middle, end) if part else (start, end)
+
+
+def _span(term: SideTerm) -> tuple[str, str] | None:
+    """The marks a term leads between; None where its name or its coefficient tells of none."""
+    found = ends(term.name) if abs(term.times) == 1 else None
+    return found[::-1] if found and term.times < 0 else found
+
+
+def check_chains(equation: VectorEquation) -> None:
+    """Each vector of a side starts where the one before it ends, and all sides join the same marks."""
+    reached, text = [], equation.text
+    for side in equation.sides:
+        spans = [(term.name, _span(term)) for term in side]
+        if not spans or any(span is None for _, span in spans):
+            return
+        for (_, before), (name, after) in pairwise(spans):
+            assert before and after
+            if before[1] != after[0]:
+                raise EquationError(Phrase("chain_order", text=text, name=name, start=after[0], reached=before[1]))
+        first, last = spans[0][1], spans[-1][1]
+        assert first and last
+        reached.append((first[0], last[1]))
+    for other in reached[1:]:
+        if other != reached[0]:
+            (start, end), (other_start, other_end) = reached[0], other
+            found = {"start": start, "end": end, "other_start": other_start, "other_end": other_end}
+            raise EquationError(Phrase("chain_ends", text=text, **found))

@@ -1,0 +1,75 @@
+"""Tables as text: aligned columns, and the cells of numbers, vectors and their ±."""
+
+import cmath
+import math
+from collections.abc import Iterable
+
+from planes.drafting.drawing import Drawing
+from planes.plans.measuring import say_plan
+from planes.solving import Position
+from planes.words import Lang, say
+from planes.words.lettering import Naming
+from planes.words.names import kind_of, mu_of
+from planes.words.records import Json
+from planes.words.units import mu_text, quantity
+
+
+def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> list[str]:
+    """Aligned columns under a title; nothing at all when there are no rows."""
+    lines = [list(head), *map(list, rows)]
+    if len(lines) == 1:
+        return []
+    widths = [max(len(row[i]) for row in lines) for i in range(len(lines[0]))]
+    text = [
+        "  ".join(c.ljust(w) if i == 0 else c.rjust(w) for i, (c, w) in enumerate(zip(row, widths, strict=True)))
+        for row in lines
+    ]
+    return ["", title, *(f"  {line.rstrip()}" for line in text)]
+
+
+def spelt(lettered: str) -> str:
+    """A lettered name as a terminal has it: F_{56}^{t} -> F_56^t."""
+    return lettered.replace("{", "").replace("}", "")
+
+
+def number_cell(value: float | None, beside: float = 0.0) -> str:
+    """A number for people; one that is nothing ``beside`` the largest of its kind is 0."""
+    if value is None:
+        return "—"
+    return quantity(0.0 if abs(value) <= 1e-12 * beside else value)
+
+
+def directed(z: complex, beside: float) -> tuple[str, str]:
+    if abs(z) <= 1e-12 * beside:
+        return "0", "—"
+    angle = round(math.degrees(cmath.phase(z)), 2)
+    return number_cell(abs(z)), f"{180.0 if angle == -180 else angle + 0.0:.2f}"
+
+
+def error_of(errors: Json | None, *path: str) -> list[str]:
+    """The cell with a result's ± (of a vector: of its end), or no cell when none was asked."""
+    if errors is None:
+        return []
+    found: object = errors
+    for key in path:
+        found = found.get(key, {}) if isinstance(found, dict) else {}
+    numbers = found if isinstance(found, list) else [found]
+    if found == {} or None in numbers:
+        return ["" if found == {} else "—"]
+    size = math.hypot(*numbers)
+    return [f"{size:.1e}" if size else "0"]
+
+
+def pm(errors: Json | None) -> list[str]:
+    """The head of a column of ±, where there is one."""
+    return [] if errors is None else ["±"]
+
+
+def titled(p: Position, plan: str, lang: Lang, naming: Naming) -> str:
+    """A plan with its μ."""
+    return f"{say_plan(plan, lang)}, μ = {mu_text(p.scales[mu_of(plan)], kind_of(plan), lang, naming.convention)}"
+
+
+def errors_told(errors: object, drawing: Drawing, lang: Lang) -> list[str]:
+    """What the ± are, where there are any."""
+    return ["", say("errors_pencil" if drawing.tool.doubt_mm > 0 else "errors_bound", lang)] if errors else []
