@@ -15,8 +15,9 @@ from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
 from planes.lesson.formulas import formula, slot, unit
 from planes.lesson.frame import Frame, in_both
+from planes.lesson.moments import moment_words
 from planes.lesson.reckoning import Reckoning
-from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
+from planes.lesson.steps import Names, Said, StepWords, whole
 from planes.plans import Plans
 from planes.plans.reactions import Reaction
 from planes.words import Lang, say
@@ -240,5 +241,4 @@ def mu_said(plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> st
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:
     """A value of a drawing (of one position or many) by the name a slot gives it."""
     start, end, mu = teller.spans.get(name, ("", "", ""))
-    found: Floats = abs(drawing[end] - drawing[start]) / drawing[mu] if mu else drawing[name]
-    return found
+    return abs(drawing[end] - drawing[start]) / drawing[mu] if mu else drawing[name]  # type: ignore[no-any-return]
