@@ -51,7 +51,7 @@ def _link(plans: Plans, name: str, value: float) -> Link:
 def _sides(plans: Plans) -> dict[str, Assembly]:
     """The assemblies in words, also those told by places."""
     found = {}
-    for group in plans.structure.groups:
+    for group in plans.structure.dyads:
         words = WORDS_OF_KIND.get(group.kind)
         key = group.inner.guide if group.kind == 3 else group.inner.point
         if words:

@@ -72,6 +72,9 @@ class Recording(Arithmetic):
         self.turns.append(ahead.at)
         return self.where(ahead, 1.0, self.where(x < 0, -1.0, x))
 
+    def guess(self, x: Real) -> Real:
+        return number(x.tape, "floor", x * 2.0**40) * 2.0**-40 if isinstance(x, Num) else x
+
     def power(self, x: Real, n: int) -> Real:
         return x**n if isinstance(x, Num) else super().power(x, n)
 

@@ -214,15 +214,15 @@ def transfer_curves(plans: Plans) -> tuple[str, ...]:
 def driven(plans: Plans) -> tuple[str, bool]:
     """The link that a mechanism drives, and whether it slides on the frame: the last group's."""
     m, group = plans.mechanism, plans.structure.groups[-1]
-    for name in (group.last, group.first):
+    for name in group.ends:
         slides = m.links[name].slides
         if slides and m.owner(slides.guide) == FRAME:
             return name, True
     on_frame = [p for p in plans.structure.pairs if p.joins(FRAME)]
-    grounded = [n for n in (group.last, group.first) if any(p.joins(n) for p in on_frame)]
-    slid = {n: m.links[n].slides for n in (group.last, group.first)}  # on the driver's guide it only turns with it
+    grounded = [n for n in group.ends if any(p.joins(n) for p in on_frame)]
+    slid = {n: m.links[n].slides for n in group.ends}  # on the driver's guide it only turns with it
     free = [n for n, slides in slid.items() if not slides or m.owner(slides.guide) != m.drive.link]
-    return (grounded or free or [group.last])[0], False
+    return (grounded or free or [*group.ends])[0], False
 
 
 @dataclass(frozen=True)

@@ -15,10 +15,11 @@ from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
 from planes.lesson.formulas import UNITS, formula, mu_said, slot, unit
 from planes.lesson.frame import Frame, in_both
+from planes.lesson.moments import moment_words
 from planes.lesson.reckoning import Reckoning
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
-from planes.lesson.steps import Names, Said, StepWords, moment_words, shown_on, whole
+from planes.lesson.steps import Names, Said, StepWords, shown_on, whole
 from planes.plans import Plans
 from planes.plans.reactions import Reaction
 from planes.words import Lang, say
@@ -245,5 +246,4 @@ class Teller:
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:
     """A value of a drawing (of one position or many) by the name a slot gives it."""
     start, end, mu = teller.spans.get(name, ("", "", ""))
-    found: Floats = abs(drawing[end] - drawing[start]) / drawing[mu] if mu else drawing[name]
-    return found
+    return abs(drawing[end] - drawing[start]) / drawing[mu] if mu else drawing[name]  # type: ignore[no-any-return]

@@ -12,6 +12,7 @@ from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
+from planes.drafting.steps.tracks import CutTrack
 from planes.drafting.tools import Thing
 from planes.lesson import Teller, value_of
 from planes.lesson.formulas import mu_said, slot, unit
@@ -161,6 +162,9 @@ def _traces(drawing: Drawing) -> Json:
                 found[name] = {"lines": [step.start, step.other]}
             case CrossArc():
                 found[name] = {"lines": [step.start], "arcs": [step.centre]}
+            case CutTrack():
+                own = [h for h in step.holds if h.local == step.local]
+                found[name] = {"arcs" if h.kind == "arc" else "lines": [h.place] for h in own}
             case CrossArcs():
                 found[name] = {"arcs": [step.centre, step.other]}
     return found

@@ -106,7 +106,7 @@ class Note:
         yield Heading(self.say("note_structure"))
         yield Paragraph(self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant))
         for g in s.groups:
-            yield Paragraph(self.say("note_group_kind", links=", ".join(g.whole), kind=g.kind, name=g.name))
+            yield Paragraph(self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang)))
         yield Paragraph(self.say("note_formula", formula=formula_of(s, self.scene.frame_number, True)))
         if s.passive:
             yield Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")

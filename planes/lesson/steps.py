@@ -4,16 +4,13 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
-import numpy
-
 from planes.drafting import steps as s
-from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import crossings
-from planes.drafting.steps.reckoning import Calculate, Choose, Measure, Product
-from planes.geometry.arrays import Floats
-from planes.lesson.formulas import formula, sides, slot, unit
+from planes.drafting.steps.reckoning import Calculate, Choose, Measure
+from planes.drafting.steps.tracks import CutTrack
+from planes.lesson.formulas import formula, slot, unit
 from planes.plans import Plans
 from planes.plans.law_words import law_said
 from planes.plans.loads import force_name
@@ -44,9 +41,14 @@ class StepWords:
                 return self.lay_off(step)
             case crossings.Touch():
                 return "touch", "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
+            case crossings.Cross() if step.quantity == "special":
+                lines: Names = {"action": self.action(step.along), "across": self.action(step.across)}
+                return "special", "special", lines
             case crossings.Cross():
                 names: Names = {"action": self.action(step.along), "across": self.action(step.across)}
                 return "cross", self.crossing(step.makes), names
+            case CutTrack():
+                return self.track(step)
             case crossings.CrossArc():
                 return "arc", "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
             case crossings.CrossArcs():
@@ -64,6 +66,18 @@ class StepWords:
             case Choose():
                 return "choose", "choose", {}
         raise AssertionError(step)
+
+    def track(self, step: CutTrack) -> Words:
+        """The crossing of a track with the line of the lead that is taken off; of the others, where they are then."""
+        drawn = (x for x in self.made.values() if isinstance(x, CutTrack) and x.holds == step.holds)
+        key = "track" if next(drawn).makes == step.makes else "track_too"
+        hold = next((h for h in step.holds if h.local == step.local), step.holds[-1])
+        kept = {"start": lettered(hold.place)}
+        if hold.kind == "arc":
+            kept = {**kept, "mm": slot(hold.reach, "mm", step.mu)}
+        elif hold.kind == "line":
+            kept = {**kept, "action": self.action(hold.turn)}
+        return key, key, {"kept": lambda lang: say(f"lesson_kept_{hold.kind}", lang, **kept)}
 
     def action(self, direction: str) -> str:
         """A line of action as it is written."""
@@ -195,55 +209,3 @@ def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
     if step.quantity == "normal":
         return "normal" if any(power < 0 for _, power in source.terms[0].factors) else "normal_w"  # v²/l, ω²l
     return "coriolis" if step.quantity == "coriolis" else "tangential"
-
-
-NOISE = 1e-9  # of the largest term: nothing
-
-
-def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
-    """The key of the sentence, what it says, and the forces it is about."""
-    dropped = nothing(step, cycle)
-    terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
-    without = [f"⟨{name}⟩" for name, arm in m.terms if m.links != ("lever",) and passes(arm, cycle)]
-    through = lambda lang: say("lesson_through", lang, forces=", ".join(without)) if without else ""  # noqa: E731
-    names: Names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang), "through": through}
-    if len(dropped) == len(step.terms):
-        force = step.means.of if step.means else m.unknown
-        return "moments_none" if step.means else "moments_zero", {**names, "force": force}, (force,)
-    # every term is divided by the arm of what is sought; a size that stands for a force has its name on this link
-    over = next((name for name, power in step.terms[0].factors if power == -1), "")
-    forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
-    letters, numbers = sides(step, lambda name: forces.get(name, name), over, dropped)
-    found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
-    more: Names = {
-        "head": f"{found} · ⟨{over}⟩" if over else found,
-        "letters": letters,
-        "numbers": numbers,
-        "result": lambda lang: f"{lead} = {slot(m.unknown)} {unit(m.unknown, lang)}",
-    }
-    return "moments", {**names, **more}, (*terms, m.unknown) if m.arm else terms
-
-
-def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
-    """Which terms are nothing beside the largest, in every position."""
-    sizes = [_size(term, cycle) for term in step.terms]
-    most = NOISE * numpy.maximum.reduce(numpy.broadcast_arrays(0.0, *sizes))
-    return frozenset(i for i, size in enumerate(sizes) if numpy.all((size <= most) | numpy.isnan(most)))
-
-
-def passes(arm: str, cycle: Drawing) -> bool:
-    """Whether a force passes through the point of its moments in every position: its arm there is nothing."""
-    return bool(arm) and float(numpy.nanmax(numpy.abs(cycle[arm]))) <= NOISE
-
-
-def _size(term: Product, cycle: Drawing) -> Floats:
-    """How large a term is, but for what it is divided by."""
-    above = [numpy.asarray(cycle[name], float) ** power for name, power in term.factors if power > 0]
-    size: Floats = abs(term.coefficient * numpy.prod(numpy.broadcast_arrays(1.0, *above), axis=0))
-    return size
-
-
-def _links(m: Moments, lang: Lang) -> str:
-    if m.links == ("lever",):
-        return say("lesson_lever_of", lang)
-    return say("lesson_link" if len(m.links) == 1 else "lesson_links", lang, links=", ".join(m.links))

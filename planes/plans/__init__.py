@@ -20,9 +20,10 @@ from planes.plans.lever import draw_lever
 from planes.plans.loads import Acting, Loads
 from planes.plans.passive import without_passive
 from planes.plans.passive_motion import LinkValues, values_of
-from planes.plans.positions import place_all
 from planes.plans.proving import proofs_of
+from planes.plans.rates import draw_rates
 from planes.plans.reactions import Reaction, Statics
+from planes.plans.scheme import place_all
 from planes.plans.statics import draw_forces
 from planes.plans.structure import Structure, analyse
 from planes.scene.mechanism import FRAME, Law, Link, Mechanism
@@ -181,13 +182,13 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     place_all(bodies)
     resolve(bodies)
     velocity, acceleration = Rates(bodies, "velocity"), Rates(bodies, "acceleration")
-    velocity.draw_all()
-    acceleration.draw_all()
+    draw_rates(velocity)
+    draw_rates(acceleration)
     at_rest = mechanism.drive.velocity == 0
     motion = velocity
     if at_rest:
         motion = Rates(bodies, "motion")
-        motion.draw_all()
+        draw_rates(motion)
     acting = Acting(bodies, motion, acceleration, LawValues(bodies, motion, velocity, acceleration))
     acting.gather()
     statics = Statics(bodies, acting)

@@ -18,7 +18,7 @@ from typing import Literal
 
 from planes.drafting.tools import Thing
 from planes.plans import Plans
-from planes.plans.groups import Group, Pair
+from planes.plans.groups import AnyGroup, Pair
 from planes.plans.scales import drawn_in_si
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
@@ -86,7 +86,7 @@ def aligned(plans: Plans, file: str = "") -> Aligned:
     return Aligned(len(plans.mechanism.links), plans.structure.W, tuple(found))
 
 
-def _variants(group: Group) -> Iterator[tuple[Sign, ...]]:
+def _variants(group: AnyGroup) -> Iterator[tuple[Sign, ...]]:
     """Ways to loosen a group's pairs by as much as is redundant: those that change least and keep bearings first."""
     pairs = group.pairs
     excess = 5 * len(pairs) - 6 * len(group.links)
@@ -95,7 +95,7 @@ def _variants(group: Group) -> Iterator[tuple[Sign, ...]]:
     def awkward(way: tuple[Sign, ...]) -> tuple[int, int, int]:
         changed = sum(FREEDOMS[s] > 1 for s in way)
         grounded = sum(FREEDOMS[s] > 1 for p, s in zip(pairs, way, strict=True) if p.joins(FRAME))
-        sphere_inside = sum(s == "S" for p, s in zip(pairs, way, strict=True) if p == group.inner)
+        sphere_inside = sum(s == "S" for p, s in zip(pairs, way, strict=True) if p in group.inner_pairs)
         return changed, grounded, -sphere_inside
 
     return iter(sorted(ways, key=awkward))
@@ -151,13 +151,13 @@ def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
     return through + along * ((slider - through) * along.conjugate()).real, along
 
 
-def steadily(plans: Plans, group: Group, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
+def steadily(plans: Plans, group: AnyGroup, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
     """Whether the pairs hold the group's links out of the plane exactly, neither loosely nor twice over, everywhere."""
     firmness = [firm(group, signs, places) for places in cycle]
     return all(f > FIRM for f in firmness) or all(f < -FIRM for f in firmness)
 
 
-def firm(group: Group, signs: tuple[Sign, ...], places: PairPlaces) -> float:
+def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
     """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
     column = {link: 3 * k for k, link in enumerate(group.links)}
     rows: list[list[float]] = []

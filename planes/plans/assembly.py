@@ -2,8 +2,9 @@
 
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
-from planes.plans.bodies import AssemblyChoice, Bodies
+from planes.plans.bodies import AssemblyChoice, Bodies, TrackChoice
 from planes.plans.groups import Group
+from planes.plans.tracks import resolve_track
 from planes.scene.mechanism import Assembly, Mechanism
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
@@ -17,6 +18,10 @@ def resolve(b: Bodies) -> None:
     draft, mechanism = b.draft, b.mechanism
     program = Program(tuple(draft.steps.values()))
     for choice in b.choices:
+        if isinstance(choice, TrackChoice):
+            resolve_track(b, program, choice)
+            program = Program(tuple(draft.steps.values()))
+            continue
         key, said = _said(choice, mechanism)
         words = WORDS_OF_KIND[choice.group.kind]
         if said is None:

@@ -1,24 +1,17 @@
-"""What is known of each link while the plans grow: its marks, its x axis, and whose turning it shares.
+"""What is known of each link while the plans grow: its marks, its x axis, and whose turning it shares."""
 
-What is reckoned of a scene's numbers before anything is drawn comes each with how far off it may be: a decimal is off
-by half of the last place of the double that stands for it, and so is every operation.
-"""
-
-import math
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Draft
 from planes.drafting.steps import Similar
-from planes.geometry.arithmetic import Arithmetic
-from planes.plans.groups import Group, Pair
+from planes.drafting.steps.tracks import Hold, SeriesGuess
+from planes.plans.groups import Group, Lead, Pair, Triad
+from planes.plans.reckoned import Off, angle_deg, difference, distance, height, ratio
 from planes.plans.structure import Structure
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.names import POLE, Meaning, at
 
 SCHEME = "position"
-ARITHMETIC = Arithmetic()
-HALF = 2.0**-53  # of a last place, at most, relative to the number
-Off = tuple[float, float]  # a number, and how far off it may be
 
 
 @dataclass(frozen=True)
@@ -57,6 +50,17 @@ class AssemblyChoice:
     group: Group
 
 
+@dataclass(frozen=True)
+class TrackChoice:
+    """Which crossing of a track is meant: the series of a triad's assembly, the sign of it, and what holds the link."""
+
+    key: str
+    group: Triad
+    holds: tuple[Hold, Hold, Hold]
+    guess: SeriesGuess
+    side: str
+
+
 @dataclass
 class Bodies:
     """The links solved so far, and the marks their own points and lines have on the scheme."""
@@ -65,10 +69,20 @@ class Bodies:
     structure: Structure
     draft: Draft
     file: str = ""
-    choices: list[AssemblyChoice] = field(default_factory=list)
+    choices: list[AssemblyChoice | TrackChoice] = field(default_factory=list)
+    leads: dict[str, tuple[Lead, Lead, Lead]] = field(default_factory=dict)  # of a basic link: the first two meet in S
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
+    specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
     coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
+
+    def special(self, basic: str) -> str:
+        """The name of the special point of a basic link, that no other point has."""
+        others = (name for link, name in self.specials.items() if link != basic)
+        name, taken = "S", {*self.mechanism.names, *self.coincident, *others}
+        while name in taken:
+            name += "_" if name != "S" else basic
+        return self.specials.setdefault(basic, name)
 
     def small_letter(self, name: str) -> str:
         """The label of a point on the moving plans: its small letters, unless another point has taken them."""
@@ -135,10 +149,13 @@ class Bodies:
         slides = self.mechanism.link(pair.link).slides
         return (slides.angle_deg or 0.0) if slides else 0.0
 
+    def own_angle(self, pair: Pair, link: str) -> float:
+        """The direction of the pair's guide in the axes of ``link``, one of the pair, degrees."""
+        return -self._slide_angle(pair) if link == pair.link else self.mechanism.guide(pair.guide).angle_deg
+
     def axis_along(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
-        angle = self._slide_angle(pair) if link == pair.link else -self.mechanism.guide(pair.guide).angle_deg
-        return self.draft.turn(f"x_{link}", direction, angle, 0.0, Meaning("own", link))
+        return self.draft.turn(f"x_{link}", direction, -self.own_angle(pair, link), 0.0, Meaning("own", link))
 
     def direction_from(self, pair: Pair, link: str, axis: str) -> str:
         """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
@@ -184,52 +201,3 @@ class Bodies:
         direction = self.direction_from(pair, pair.link, body.axis)
         label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
         return self.shifted(label, means, first, direction, difference((0.0, 0.0), offset))
-
-
-def difference(a: Off | None, b: Off | None) -> Off | None:
-    """a - b, where None is a nothing that stays nothing."""
-    if a is None and b is None:
-        return None
-    (one, off), (other, more) = a or (0.0, 0.0), b or (0.0, 0.0)
-    return one - other, off + more + (HALF * (abs(one) + 2 * abs(other)) if one and other else 0.0)
-
-
-def distance(p: complex, q: complex) -> Off:
-    """The distance of two points."""
-    way = q - p
-    return abs(way), _apart(p, q) + (2 * HALF * abs(way) if way.real and way.imag else 0.0)
-
-
-def angle_deg(p: complex, q: complex) -> Off:
-    """The direction from one point to another, degrees."""
-    way = q - p
-    if not way:
-        return 0.0, 0.0
-    if not (p.imag or q.imag):  # along the link's own axis
-        return (0.0, 0.0) if way.real > 0 else (180.0, 0.0)
-    angle = ARITHMETIC.angle_deg(way)
-    return angle, math.degrees(_apart(p, q) / abs(way)) + 4 * HALF * abs(angle)
-
-
-def along(way: complex, degrees: float) -> float:
-    """How far a way goes in a direction."""
-    return float((way * ARITHMETIC.cis_deg(-degrees)).real)
-
-
-def ratio(p: complex, q: complex, r: complex) -> tuple[complex, float]:
-    """(p - q) / (r - q): how a point stands to two others."""
-    found, base = (p - q) / (r - q), abs(r - q)
-    rounded = 6 if p.imag or q.imag or r.imag else 1
-    return found, (_apart(p, q) + abs(found) * _apart(r, q)) / base + rounded * HALF * abs(found)
-
-
-def height(p: complex, q: complex, degrees: float) -> Off:
-    """How far ``p`` lies to the left of the line through ``q`` at an angle."""
-    way = p - q
-    off = _apart(p, q) + HALF * abs(way) * ((abs(math.radians(degrees)) + 6) if degrees % 90 else 0.0)
-    return (way * ARITHMETIC.cis_deg(-degrees)).imag, off
-
-
-def _apart(p: complex, q: complex) -> float:
-    """How far off a difference of two places is, the decimals of both and its own rounding together."""
-    return HALF * (abs(p) + abs(q) + (abs(p - q) if p and q else 0.0))

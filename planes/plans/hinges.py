@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from planes.drafting.draft import Draft
 from planes.drafting.steps.reckoning import Product, SenseBetween
 from planes.drafting.steps.settling import Fed, Settle
-from planes.plans.bodies import HALF, Bodies
+from planes.plans.bodies import Bodies
 from planes.plans.groups import Pair
 from planes.plans.loads import Acting, Couple, force_name
+from planes.plans.reckoned import HALF
 from planes.scene.mechanism import FRAME
 from planes.words.names import Meaning
 

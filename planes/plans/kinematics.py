@@ -4,12 +4,14 @@ Sources: theorem of plane motion v_C = v_B + v_CB and a_C = a_B + a_CB^n + a_CB^
 a_X = a_Y + a_XY^k + a_XY^r with a^k = 2ω×v_XY (Coriolis).
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Image, Same, Turn
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.cylinders import driven_end, driven_spot, driven_terms
+from planes.plans.groups import Group
 from planes.plans.legs import Leg, SlideReading, legs_of
 from planes.scene.mechanism import FRAME, RATES
 from planes.words.names import POLE, Meaning, at
@@ -50,29 +52,32 @@ class Rates:
         """The full name of a point's mark."""
         return at(self.plan, self.label(name))
 
-    def draw_all(self) -> None:
-        """The plan: the driver, then every group, then every point of every link."""
+    def start(self) -> None:
+        """The pole, and the driver."""
         self.b.draft.pole(self.plan)
         if self.b.structure.inner_drive:
             _rate(self)
         else:
             _drive(self)
             self.show_points(self.b.mechanism.drive.link)
-        for group in self.b.structure.groups:
-            legs = legs_of(self.b, group)
-            for leg in legs:
-                self.image(leg.link, leg.known)
-            chains = self.chain(legs[0]), self.chain(legs[1])
-            new = legs[0].new
-            self.b.draft.draw(Equation(self.plan, chains, self.letter + new.name))
-            self.driven.append(self.mark(new.name))
-            for leg in legs:
-                self.conclude(leg)
-            for link in group.whole:
-                self.show_points(link)
+
+    def dyad(self, group: Group) -> None:
+        """The new point of a group of class II by its two legs, then every point of its links."""
+        legs = legs_of(self.b, group)
+        self.solve(legs[0].new.name, self.chain(legs[0]), self.chain(legs[1]), legs)
+        for link in group.whole:
+            self.show_points(link)
+
+    def solve(self, new: str, one: tuple[Term, ...], two: tuple[Term, ...], legs: Iterable[Leg]) -> None:
+        """A new point by two chains, and what is read off its legs."""
+        self.b.draft.draw(Equation(self.plan, (one, two), self.letter + new))
+        self.driven.append(self.mark(new))
+        for leg in legs:
+            self.conclude(leg)
 
     def chain(self, leg: Leg) -> tuple[Term, ...]:
         """The terms from the pole by the known point to the new one."""
+        self.image(leg.link, leg.known)
         known, new = self.label(leg.known.name), self.label(leg.new.name)
         name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.new.name)
         start = Term(self.letter + name, POLE, known, drawn=True, action="=0" if known == POLE else "")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from planes.drafting.steps import Turn
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
-from planes.plans.groups import Group, Pair
+from planes.plans.groups import Group, Lead, Pair
 from planes.plans.positions import moving_name
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning
@@ -63,11 +63,22 @@ def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     if g.kind in (1, 2, 4):
         new = BodyPoint(g.inner.point, g.inner.point)
         return _outer_leg(b, g.first_outer, g.first, new), _outer_leg(b, g.last_outer, g.last, new)
-    hinge = g.first_outer.point
-    new = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))
-    known, along = BodyPoint(hinge, hinge), f"∥{g.inner.guide}"
-    inner = Leg(new, known, g.first, new.name + hinge, along, pair=g.inner, slider_new=g.inner.link == g.last)
-    return inner, _outer_leg(b, g.last_outer, g.last, new)
+    inner = inner_leg(b, g.inner, g.first, g.first_outer.point, g.last)
+    return inner, _outer_leg(b, g.last_outer, g.last, inner.new)
+
+
+def lead_leg(b: Bodies, basic: str, lead: Lead) -> Leg:
+    """The way a lead holds its basic link, the new point being of that."""
+    if lead.inner.kind == "P":
+        return inner_leg(b, lead.inner, lead.link, lead.outer.point, basic)
+    return _outer_leg(b, lead.outer, lead.link, BodyPoint(lead.inner.point, lead.inner.point))
+
+
+def inner_leg(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
+    """The way from the hinge of a link to the point of the ``new`` one there, along the guide between them."""
+    spot = BodyPoint(hinge, moving_name(b, pair.guide, hinge, new))
+    known, along = BodyPoint(hinge, hinge), f"∥{pair.guide}"
+    return Leg(spot, known, link, spot.name + hinge, along, pair=pair, slider_new=pair.link == new)
 
 
 def _cylinder_leg(b: Bodies, g: Group, drive: Pair) -> Leg:

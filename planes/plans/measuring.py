@@ -104,14 +104,15 @@ def say_plan(plan: str, lang: Lang) -> str:
 
 def formula_of(s: Structure, frame: str, kinds: bool = False) -> str:
     """The formula of structure with the frame's number; ``kinds``: lettered, the kind of every group lowered."""
-    groups = (f"II{f'_{{{g.kind}}}' if kinds else ''}({g.members})" for g in s.groups)
+    kind = {id(g): f"_{{{g.kind}}}" for g in s.dyads if kinds}
+    groups = (f"{g.level}{kind.get(id(g), '')}({g.members})" for g in s.groups)
     base = s.drive_pair.other if s.inner_drive else frame
     return (" → " if kinds else " -> ").join([f"I({base};{s.driver})", *groups])
 
 
 def counted(s: Structure) -> tuple[str, str]:
     """W and q with the numbers put in; p_{1} are pairs of one freedom."""
-    n, p = 1 + 2 * len(s.groups), len(s.pairs)
+    n, p = 1 + sum(len(g.links) for g in s.groups), len(s.pairs)
     redundant = f"q = W − 6n + 5p_{{1}} = {s.W} − 6·{n} + 5·{p} = {s.q}"
     return f"W = 3n − 2p_{{1}} = 3·{n} − 2·{p} = {s.W}", redundant.replace("-", "−")
 

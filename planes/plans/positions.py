@@ -1,57 +1,14 @@
-"""Position plans: the driver, then each group by засечки, as vector equations for the drafting core."""
+"""Position plans of dyads, each by засечки, as vector equations for the drafting core."""
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Product, SenseOf, SizeOf
-from planes.plans.bodies import HALF, SCHEME, AssemblyChoice, Bodies, Body, BodyPoint, along, angle_deg, difference
+from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
 from planes.plans.groups import Group, Pair
-from planes.scene.mechanism import FRAME
+from planes.plans.reckoned import HALF, along, angle_deg, difference
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import POLE, Meaning, at, label_of
-
-APART = 1e-9  # relative: two points of a link nearer than this are at one place, and say nothing of its turning
-
-
-def place_all(b: Bodies) -> None:
-    """Draw the scheme: the frame, the driver in its position, the groups in the order they attach."""
-    b.draft.pole(SCHEME)
-    frame = b.mechanism.frame
-    for name, place in frame.points.items():
-        b.draft.put(SCHEME, name, place)
-    b.known[FRAME] = Body(frame, BodyPoint(POLE, POLE), "", FRAME)
-    if not b.structure.inner_drive:
-        _place_driver(b)
-    for group in b.structure.groups:
-        (_place_driven if group.drive else _PLACERS[group.kind])(b, group)
-
-
-def _place_driver(b: Bodies) -> None:
-    drive, pair = b.mechanism.drive, b.structure.drive_pair
-    link = b.mechanism.links[drive.link]
-    if drive.kind == "phi":
-        axis = b.draft.aim(f"x_{link.name}", drive.position, Meaning("own", link.name))
-        body = Body(link, BodyPoint(pair.point, pair.point), axis, link.name)
-        b.place_points(body)
-        second = _second_point(b, pair.point)
-        if second:
-            body.ref, body.rigid = (body.base, BodyPoint(second, second)), True
-        return
-    mark, direction = b.line(pair, FRAME)
-    first = link.first_point
-    counted = Meaning("guide", pair.guide, first)
-    start = b.shifted(f"{first}°s", counted, mark, direction, b.offset(pair, link.name, first))
-    b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
-    _place_slider(b, pair, link.name, first, direction)
-
-
-def _second_point(b: Bodies, pivot: str) -> str | None:
-    """The driver's point the plans begin with: one it shares with another link, else any away from the pivot."""
-    link = b.mechanism.links[b.mechanism.drive.link]
-    centre = link.points[pivot]
-    away = [p for p, z in link.points.items() if abs(z - centre) > APART * (abs(z) + abs(centre))]
-    shared = [p for p in away if any(p in x.points for x in b.mechanism.links.values() if x is not link)]
-    return next(iter(shared + away), None)
 
 
 def _chain(name: str, start: str, length: str | None = None, along: str | None = None) -> tuple[Term, Term]:
@@ -60,7 +17,7 @@ def _chain(name: str, start: str, length: str | None = None, along: str | None =
     return Term(f"r_{start}", POLE, start, drawn=True), on
 
 
-def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
+def on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
     """Label of a mark, and direction, of the line that a point of ``link`` runs along in a solved pair."""
     mark, direction = b.line(pair, pair.mate(link))
     beside = Meaning("guide", pair.guide, point)
@@ -75,7 +32,7 @@ def _side(b: Bodies, key: str, group: Group) -> str:
     return name
 
 
-def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
+def rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
     """A link known by two of its points; its x axis is drawn from them."""
     link = b.mechanism.link(name)
     places = link.points[one], link.points[two]
@@ -91,7 +48,7 @@ def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
 def _place_hinged(b: Bodies, g: Group) -> None:
     """RRR, RRP and PRP: each link reaches the inner hinge about a pivot or along a guide."""
     hinge, legs = g.inner.point, ((g.first_outer, g.first), (g.last_outer, g.last))
-    lines = {link: _on_line(b, pair, link, hinge) for pair, link in legs if pair.kind == "P"}
+    lines = {link: on_line(b, pair, link, hinge) for pair, link in legs if pair.kind == "P"}
     one, two = (
         _chain(hinge, lines[link][0], along=lines[link][1])
         if link in lines
@@ -102,12 +59,12 @@ def _place_hinged(b: Bodies, g: Group) -> None:
     b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", side))
     for pair, link in legs:
         if link in lines:
-            _place_slider(b, pair, link, hinge, lines[link][1])
+            place_slider(b, pair, link, hinge, lines[link][1])
         else:
-            b.place_points(_rigid_body(b, link, pair.point, hinge))
+            b.place_points(rigid_body(b, link, pair.point, hinge))
 
 
-def _place_driven(b: Bodies, g: Group) -> None:
+def place_driven(b: Bodies, g: Group) -> None:
     """A cylinder and the link it moves: how long the cylinder is, that is a засечка with the other link."""
     assert g.drive
     pair, hinge, pivot = g.drive, g.inner.point, g.first_outer.point
@@ -117,20 +74,20 @@ def _place_driven(b: Bodies, g: Group) -> None:
         own = b.length(b.mechanism.link(g.last), g.last_outer.point, hinge)
         chains[g.last] = _chain(hinge, g.last_outer.point, own)
     else:
-        start, direction = _on_line(b, g.last_outer, g.last, hinge)
+        start, direction = on_line(b, g.last_outer, g.last, hinge)
         chains[g.last] = _chain(hinge, start, along=direction)
     one, two = (chains[link] for link in (g.links if g.kind == 1 else (g.first, g.last)))
     b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", _side(b, hinge, g)))
     if g.kind == 1:
-        b.place_points(_rigid_body(b, g.last, g.last_outer.point, hinge))
+        b.place_points(rigid_body(b, g.last, g.last_outer.point, hinge))
     else:
-        _place_slider(b, g.last_outer, g.last, hinge, direction)
+        place_slider(b, g.last_outer, g.last, hinge, direction)
     means, ends = Meaning("along", pair.guide), (at(SCHEME, pivot), at(SCHEME, hinge))
     way = b.draft.step(SenseOf(f"way_{pair.guide}", reach))
     along = b.draft.step(Touch(f"∥{pair.guide}", *ends, offset, "mu_position", way, means=means))
     ref = BodyPoint(pivot, pivot), BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.first))
     b.place_points(Body(b.mechanism.link(g.first), ref[0], b.axis_along(pair, g.first, along), g.first, ref))
-    _place_slider(b, pair, pair.link, hinge, along)
+    place_slider(b, pair, pair.link, hinge, along)
 
 
 def cylinder(b: Bodies, pair: Pair, pivot: str, hinge: str) -> tuple[str, str | None, str]:
@@ -154,7 +111,7 @@ def cylinder(b: Bodies, pair: Pair, pivot: str, hinge: str) -> tuple[str, str | 
     return reach, offset, d.measure(name, at(SCHEME, pivot), end)
 
 
-def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:
+def place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:
     """A link that cannot turn against its solved mate, known by one point."""
     axis = b.axis_along(pair, name, direction)
     root = b.known[pair.mate(name)].root
@@ -172,7 +129,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
     name = moving_name(b, pair.guide, one, g.last)
     ref = BodyPoint(two, two), BodyPoint(one, name)
     b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
-    _place_slider(b, pair, g.first, one, direction)
+    place_slider(b, pair, g.first, one, direction)
 
 
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
@@ -191,7 +148,7 @@ def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
 
 def _place_rpp(b: Bodies, g: Group) -> None:
     hinge, point = g.first_outer.point, b.mechanism.link(g.last).first_point
-    start, direction = _on_line(b, g.last_outer, g.last, point)
+    start, direction = on_line(b, g.last_outer, g.last, point)
     axis = b.axis_along(g.last_outer, g.last, direction)
     inner = b.direction_from(g.inner, g.last, axis)
     apart = difference(b.offset(g.inner, g.last, point), b.offset(g.inner, g.first, hinge))
@@ -202,7 +159,7 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     root = b.known[g.last_outer.mate(g.last)].root
     reached = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))
     b.place_points(Body(b.mechanism.link(g.last), BodyPoint(point, point), axis, root, moving=reached))
-    _place_slider(b, g.inner, g.first, hinge, inner)
+    place_slider(b, g.inner, g.first, hinge, inner)
 
 
-_PLACERS = {1: _place_hinged, 2: _place_hinged, 3: _place_rpr, 4: _place_hinged, 5: _place_rpp}
+PLACERS = {1: _place_hinged, 2: _place_hinged, 3: _place_rpr, 4: _place_hinged, 5: _place_rpp}

@@ -116,6 +116,16 @@ class Statics:
             self.acting.couples[to].append(Couple(r.moment, to, r.moment, sign, True))
 
 
+def chain_of(forces: list[Force], start: str) -> tuple[Term, ...]:
+    """Forces as known terms of a chain, each ending at a mark of its own name."""
+    terms = []
+    for f in forces:
+        end = f.name.replace("^", "")
+        terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
+        start = end
+    return tuple(terms)
+
+
 def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> dict[str, Term]:
     """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side.
     Returns the leaning terms by name, now with the direction they turned out to have.

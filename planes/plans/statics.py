@@ -15,7 +15,8 @@ from planes.plans.bodies import SCHEME
 from planes.plans.groups import Group, Pair
 from planes.plans.hinges import Grip, grip_of, settle
 from planes.plans.loads import Couple, Force, force_name
-from planes.plans.reactions import Reaction, Statics, meet_with_friction
+from planes.plans.reactions import Reaction, Statics, chain_of, meet_with_friction
+from planes.plans.triad_forces import TriadForces
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, force_plan
 
@@ -23,18 +24,9 @@ from planes.words.names import POLE, at, force_plan
 def draw_forces(statics: Statics) -> None:
     """Every group from the last to the first, then the driver."""
     for group in reversed(statics.b.structure.groups):
-        _GroupForces(statics, group).draw()
+        forces = _GroupForces(statics, group) if isinstance(group, Group) else TriadForces(statics, group)
+        forces.draw()
     DriverForces(statics).draw()
-
-
-def chain_of(forces: list[Force], start: str) -> tuple[Term, ...]:
-    """Forces as known terms of a chain, each ending at a mark of its own name."""
-    terms = []
-    for f in forces:
-        end = f.name.replace("^", "")
-        terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
-        start = end
-    return tuple(terms)
 
 
 class _GroupForces:

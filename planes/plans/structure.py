@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from planes.plans.groups import KIND_NAMES, Group, Pair
+from planes.plans.groups import KIND_NAMES, AnyGroup, Group, Lead, Pair, Triad
 from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words import Phrase
@@ -23,7 +23,7 @@ class Structure:
     W: int
     q: int
     drive_pair: Pair
-    groups: tuple[Group, ...]
+    groups: tuple[AnyGroup, ...]
     driver: str
     passive: tuple[str, ...] = ()  # links it is found without, which hold what is held already
 
@@ -47,7 +47,13 @@ class Structure:
     def formula(self) -> str:
         """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"; of a cylinder of 1 and 2 that moves 3,
         "I(1;2) -> II(1-2;3)"."""
-        return " -> ".join([f"I({self.drive_pair.other};{self.driver})", *(f"II({g.members})" for g in self.groups)])
+        groups = (f"{g.level}({g.members})" for g in self.groups)
+        return " -> ".join([f"I({self.drive_pair.other};{self.driver})", *groups])
+
+    @property
+    def dyads(self) -> tuple[Group, ...]:
+        """The groups of class II."""
+        return tuple(g for g in self.groups if isinstance(g, Group))
 
 
 def analyse(mechanism: Mechanism, file: str = "") -> Structure:
@@ -148,9 +154,9 @@ class _Finder:
             if slide.mate(link) in self.left:
                 self.outer[slide.mate(link)].append(slide)
 
-    def groups(self, drive: Pair) -> tuple[Group, ...]:
-        """Dyads in the order they attach; refuses what is left when none attaches."""
-        found: list[Group] = []
+    def groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
+        """Dyads in the order they attach, and a triad where none does; refuses what is left when none attaches."""
+        found: list[AnyGroup] = []
         solved: tuple[str, ...] = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
@@ -161,11 +167,9 @@ class _Finder:
                 self.solve(link)
             if not self.left:
                 return tuple(found)
-            group = next((g for g in map(self.dyad, self.meeting()) if g), None)
-            if group is None:
-                raise self.stuck()
+            group = next((g for g in map(self.dyad, self.meeting()) if g), None) or self.triad()
             found.append(group)
-            solved = group.links
+            solved = group.solved
 
     def meeting(self) -> Iterator[tuple[str, str]]:
         """Two links that hang on one solved link each and have a hinge or a guide in common, in the order of the
@@ -211,13 +215,33 @@ class _Finder:
         kind = KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
         return Group(links, kind, one, two, inner, a, b)
 
-    def stuck(self) -> StructureError:
-        """The error for links that form a group of a higher class, or are over- or under-constrained."""
+    def triad(self) -> Triad:
+        """The smallest group that is solved only all together, if it is of class III and order 3."""
+        names, free = self.together()
+        if free >= 0 and len(names) == 4:
+            for basic in names:
+                leads = [lead for name in names if name != basic for lead in self.lead(name, basic)]
+                if len(leads) == 3 and not self.outer[basic]:
+                    if twice := next((lead.link for lead in leads if lead.name == "PP"), None):  # it cannot turn
+                        raise self.error(Phrase("lead_slides_twice", link=twice, basic=basic), "links", twice)
+                    return Triad(names, basic, (leads[0], leads[1], leads[2]))
+        raise self.stuck(names, free)
+
+    def lead(self, name: str, basic: str) -> list[Lead]:
+        """The link as a lead of a basic one, if it is one."""
+        inner = [p for p in self.between(name, basic) if p.kind == "P" or p.point not in self.reached]
+        return [Lead(name, inner[0], self.outer[name][0])] if len(inner) == 1 == len(self.outer[name]) else []
+
+    def together(self) -> tuple[tuple[str, ...], int]:
+        """The links that keep what is left from being solved, and their freedom."""
         holders = [*self.holders.values(), *([s.link, s.other] for s in self.slides)]
         here = [tuple(x for x in links if x in self.left) for links in holders]
         joints = [Joint(some, len(some) < len(all_)) for some, all_ in zip(here, holders, strict=True)]
         names = unsolvable(list(self.left), joints)
-        free = freedom(names, joints)
+        return names, freedom(names, joints)
+
+    def stuck(self, names: tuple[str, ...], free: int) -> StructureError:
+        """The error for links that form a group of a higher class, or are over- or under-constrained."""
         if free < 0:
             why = Phrase("overconstrained", names=names, count=(1 - free) // 2, freedom=free)
         else:

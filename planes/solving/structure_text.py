@@ -13,8 +13,7 @@ def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) ->
     numbers = flat(";  ".join(counted(found)))
     lines = [f"W = {found.W}, q = {found.q}", f"  {numbers}", formula_of(found, frame)]
     for g in found.groups:
-        kind = say("class_kind", lang, kind=g.kind, name=g.name)
-        lines.append(f"{say('group', lang)} {', '.join(g.whole)}: {kind}")
+        lines.append(f"{say('group', lang)} {', '.join(g.whole)}: {g.said.told(lang)}")
     lines += [say("passive", lang, links=", ".join(found.passive))] if found.passive else []
     return "\n".join(lines)
 

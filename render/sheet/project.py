@@ -103,7 +103,7 @@ class Project:
         def make() -> View:
             parts = [self.part(position, (structure.driver,), say("primary", c.lang), True, letter)]
             for g in structure.groups:
-                text = say("group_of_kind", c.lang, links="–".join(map(c.naming.link, g.whole)), kind=g.kind)
+                text = say("group_named", c.lang, links="–".join(map(c.naming.link, g.whole)), said=g.brief)
                 parts.append(self.part(position, g.whole, text, False, letter))
             lines = [";  ".join(counted(structure)), formula_of(structure, c.naming.frame, True)]
             passive = ", ".join(map(c.naming.link, structure.passive))

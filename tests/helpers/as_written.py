@@ -11,7 +11,7 @@ import numpy as np
 from planes.accuracy.digits import Long
 from planes.batch import Cycle
 from planes.batch.tracing import given_values
-from planes.plans import bodies, plans_of
+from planes.plans import plans_of, reckoned
 from planes.scene.mechanism import Mechanism
 from tests.helpers.double_double import Two, read_long
 
@@ -40,11 +40,11 @@ def long(thing: Any) -> Any:
 
 def givens(mechanism: Mechanism) -> dict[str, Any]:
     """All that is given to the drawing, reckoned with long numbers."""
-    kept, bodies.ARITHMETIC = bodies.ARITHMETIC, LONG
+    kept, reckoned.ARITHMETIC = reckoned.ARITHMETIC, LONG
     try:
         return dict(plans_of(long(mechanism)).given)
     finally:
-        bodies.ARITHMETIC = kept
+        reckoned.ARITHMETIC = kept
 
 
 def pair(x: Any) -> Two:

@@ -82,6 +82,7 @@ class Builder:
         self.frame = Body(0j, 0.0)
         self.bodies = [self.frame]
         self.dyads: list[Dyad] = []
+        self.triads: list[tuple[Body, list[Body], dict[str, complex]]] = []  # basic link, leads, its hinges
         self.names = iter(rng.sample(NAMES[:20], 20) + NAMES[20:])
 
     def spot(self) -> complex:
@@ -290,6 +291,34 @@ class Builder:
             self.outer_slide(j, two, u2)
             self.dyads.append(Dyad(kind, i, j, (a,)))
 
+    def triad(self, kind: str) -> None:
+        """A group of class III, "RR-PR-RP": a basic link and three leads on earlier bodies; its lines well apart."""
+        rng, moving = self.rng, self.bodies[1:]
+        bases = [rng.choice([moving[-1], *moving]), *rng.choices(self.bodies, k=2)]
+        if bases[0] is bases[1] is bases[2]:
+            bases[2] = self.frame
+        for _ in range(2000):
+            spots, pivots = ([self.spot() for _ in range(3)] for _ in range(2))
+            ways = [rng.uniform(-math.pi, math.pi) for _ in range(3)]
+            if three_lines(kind.split("-"), spots, pivots, ways) > 0.35 * self.size:
+                break
+        else:
+            raise NoSolution("no well conditioned place for a group was drawn")
+        hinges = [(next(self.names), z) for z, lead in zip(spots, kind.split("-"), strict=True) if lead[1] == "R"]
+        basic, leads = self.link(hinges), []
+        names = iter(hinges)
+        for lead, base, pivot, u in zip(kind.split("-"), bases, pivots, ways, strict=True):
+            if lead == "PR":
+                leads.append(self.link([next(names)], u))
+                self.outer_slide(leads[-1], base, u)
+                continue
+            outer = self.add(base, pivot), pivot
+            leads.append(self.link([outer, next(names)] if lead == "RR" else [outer], u))
+            if lead == "RP":
+                turned = basic.slides is None and rng.random() < 0.4
+                self.slide(*((basic, leads[-1]) if turned else (leads[-1], basic)), u)
+        self.triads.append((basic, leads, dict(hinges)))
+
     def assembly(self, way: str | None) -> dict[str, Any]:
         """The assembly by side words or by true places; call it once the bodies stand in file order."""
         out: dict[str, Any] = {}
@@ -308,7 +337,20 @@ class Builder:
                 out[d.key] = "left" if ((end - start).conjugate() * (inner - start)).imag > 0 else "right"
             else:
                 out[d.key] = "ahead" if d.ahead else "behind"
+        for basic, _, hinges in self.triads:
+            z = (hinges or basic.points)[key := self.rng.choice(list(hinges or basic.points))]
+            out[key] = {"near": [z.real, z.imag]}
         return out
+
+
+def three_lines(leads: Sequence[str], spots: list[complex], pivots: list[complex], ways: list[float]) -> float:
+    """How far the lines of three leads are from meeting in one point, times the sine between the first two."""
+    rows = []
+    for lead, spot, pivot, u in zip(leads, spots, pivots, ways, strict=True):
+        at = pivot if lead == "RP" else spot
+        along = (spot - pivot) / abs(spot - pivot) if lead == "RR" else 1j * cmath.rect(1.0, u)
+        rows.append([along.real, along.imag, (at.conjugate() * along).imag])
+    return abs(float(np.linalg.det(np.array(rows))))
 
 
 def spelled(rng: random.Random, z: complex, size: float) -> Any:
@@ -400,7 +442,7 @@ def attempt(
     drive = build.cylinder() if inner else build.drive(sliding)
     blunt = rng.randrange(len(kinds)) if ill < 1 else -1
     for k, kind in enumerate(kinds):
-        build.group(kind, k == blunt)
+        build.triad(kind) if "-" in kind else build.group(kind, k == blunt)
     for body in build.bodies[1:]:
         for _ in range(0 if body.bare else rng.randint(0, 2)):
             build.add(body, build.spot())

@@ -82,7 +82,7 @@ class Model:
     rate: float
     rate2: float
     revolving: bool
-    groups: list[tuple[str, str]] = field(default_factory=list)
+    groups: list[tuple[str, ...]] = field(default_factory=list)
 
 
 @dataclass
@@ -113,7 +113,7 @@ class Solution:
     condition: float
     residual: float
     consistent: int
-    groups: list[tuple[str, str]]
+    groups: list[tuple[str, ...]]
     guides: dict[str, tuple[str, str, complex]]
     hinges: dict[tuple[str, str], complex]
     speeds: dict[str, float]
@@ -201,10 +201,11 @@ def read(scene: Scene) -> Model:
 
 def order_of_groups(
     links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair], driver: str, carriers: list[str]
-) -> list[tuple[str, str]]:
-    """Dyads in order of solving: each time the first two links, in file order, that can be solved. With a drive on a
+) -> list[tuple[str, ...]]:
+    """Groups in order of solving: each time the first two links, in file order, that can be solved. With a drive on a
     guide of a moving link (``carriers``), that link and the one its slider moves come first."""
-    solved, groups = {FRAME, driver}, []
+    solved: set[str] = {FRAME, driver}
+    groups: list[tuple[str, ...]] = []
     for carrier in carriers:
         held = {s.i for s in slides if s.j == FRAME} | {n for n in links if points[n].keys() & points[FRAME].keys()}
         moved = next(n for n in links if n in held - {carrier} and points[n].keys() & points[driver].keys())
@@ -222,8 +223,31 @@ def order_of_groups(
                 solved |= {i, j}
                 break
         else:
-            raise NoSolution(f"no dyad among {sorted(set(links) - solved)}")
+            triad = basic_and_leads([n for n in links if n not in solved], outer, points, slides, known)
+            groups.append(triad)
+            solved |= set(triad)
     return groups
+
+
+def basic_and_leads(
+    left: list[str],
+    outer: Mapping[str, int],
+    points: Mapping[str, Mapping[str, complex]],
+    slides: list[Pair],
+    known: set[str],
+) -> tuple[str, ...]:
+    """A link and three others that hang on solved ones by one pair each, and on it by another."""
+    for basic in (n for n in left if not outer[n]):
+        joined = {
+            n: sum(k not in known for k in points[basic].keys() & points[n].keys())
+            + sum({s.i, s.j} == {basic, n} for s in slides)
+            for n in left
+            if n != basic
+        }
+        leads = [n for n, count in joined.items() if count == outer[n] == 1]
+        if len(leads) == 3:
+            return basic, *leads
+    raise NoSolution(f"no dyad and no triad among {left}")
 
 
 def gap(m: Model, pair: Pair, q: Vector, w: Vector) -> tuple[complex, NDArray[np.complex128], complex]:

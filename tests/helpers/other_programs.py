@@ -56,7 +56,7 @@ class Pylinkage:
     def can(plans: Plans) -> bool:
         """Whether it has all the groups: RRR, and RRP whose slider's hinge runs on a guide of the frame."""
         reached = set(plans.mechanism.frame.points) | set(plans.mechanism.links[plans.mechanism.drive.link].points)
-        for g in plans.structure.groups:
+        for g in plans.structure.dyads:
             if not (g.kind == 1 or (g.kind == 2 and _on_frame(plans.mechanism, g))):
                 return False
             if not {p.point for p in (g.first_outer, g.last_outer) if p.kind == "R"} <= reached:
@@ -75,7 +75,7 @@ class Pylinkage:
         self.extra: list[Any] = []
         self.step = step  # rad of the crank from one position to the next
         self._cranks(value)
-        for g in plans.structure.groups:
+        for g in plans.structure.dyads:
             self._group(g, near[g.inner.point])
         self.linkage = Linkage([*self.named.values(), *self.extra], name="scene")
         for crank in self.cranks:

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from planes.plans.groups import KIND_NAMES
+from planes.plans.groups import KIND_NAMES, Triad
 from planes.plans.structure import Structure, analyse
 from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene import loads
@@ -131,8 +131,7 @@ def test_the_order_of_links_in_the_file_does_not_change_the_groups(kind: str) ->
         assert len(found) == 1
 
 
-def test_class_three_names_its_links() -> None:
-    text = """\
+CLASS_THREE = """\
 planes: 1
 frame: {points: {A: [0, 0], E: [1, 0], F: [0, 1]}}
 links:
@@ -143,9 +142,42 @@ links:
   5: {points: {K: 0, F: 0.3}}
 drive: {link: 1, phi: 0}
 """
+
+
+def test_class_three_names_its_basic_link_and_leads() -> None:
+    s = structure(CLASS_THREE)
+    (group,) = s.groups
+    assert isinstance(group, Triad) and s.dyads == ()
+    assert (group.basic, [lead.link for lead in group.leads], group.name) == ("3", ["2", "4", "5"], "RR-RR-RR")
+    assert (s.W, s.q, s.formula) == (1, 6, "I(0;1) -> III(2;3;4;5)")
+    assert s.json()["groups"] == [
+        {
+            "links": ["2", "3", "4", "5"],
+            "class": 3,
+            "order": 3,
+            "basic": "3",
+            "leads": ["2", "4", "5"],
+            "name": "RR-RR-RR",
+        }
+    ]
+
+
+def test_class_four_names_its_links() -> None:
+    text = """\
+planes: 1
+frame: {points: {A: [0, 0], E: [1, 0]}}
+links:
+  1: {points: {A: 0, B: 0.1}}
+  2: {points: {B: 0, C: 0.3, D: [0.1, 0.2]}}
+  3: {points: {C: 0, G: 0.3}}
+  4: {points: {G: 0, E: 0.3, K: [0.1, 0.2]}}
+  5: {points: {K: 0, D: 0.3}}
+drive: {link: 1, phi: 0}
+"""
     assert refusal(text) == (
-        "scene.yaml:5: links 2, 3, 4, 5 form an Assur group of class III or higher, which plans of class II groups "
-        "cannot draw: take another link as the driver or change the mechanism"
+        "scene.yaml:5: links 2, 3, 4, 5 form an Assur group of class IV, or of class III and a higher order, and plans "
+        "are drawn of groups of class II and of class III and order 3: take another link as the driver or change the "
+        "mechanism"
     )
 
 
@@ -258,7 +290,7 @@ def test_a_large_group_is_refused_with_work_as_links_squared() -> None:
     for sides in (10, 20, 40):
         with at_most(3_000_000) as made:
             said = refusal(ring(sides))
-        assert f"links {', '.join(f'T{k}, P{k}' for k in range(sides))} form an Assur group of class III" in said
+        assert f"links {', '.join(f'T{k}, P{k}' for k in range(sides))} form an Assur group of class IV" in said
         counts.append(made[0])
     assert counts[1] < 4.5 * counts[0] and counts[2] < 4.5 * counts[1]
 

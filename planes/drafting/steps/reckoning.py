@@ -57,6 +57,19 @@ class Protractor(Step):
 
 
 @dataclass(frozen=True)
+class Cosine(Step):
+    """The cosine of the angle between two directions: how much of a vector along one is along the other."""
+
+    of: str
+    along: str
+    kind: ClassVar[Kind] = "value"
+    needs = directions("of", "along")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        return plane.dot(env[self.of], env[self.along])
+
+
+@dataclass(frozen=True)
 class Product:
     """``coefficient`` times named values, each to a whole power."""
 

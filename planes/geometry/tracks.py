@@ -1,0 +1,61 @@
+"""A link held by three ties: where it can lie. Each tie holds a point of it on an arc or a line, or keeps its own guide
+at a distance from a place; the wrench of a tie is a force along its line, and a moment about the link's origin.
+
+Newton's steps on the three closures are written for any arithmetic; ``sextic`` finds all assemblies of one position.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from planes.geometry import plane
+from planes.geometry.arithmetic import Point, Real
+
+TieKind = Literal["arc", "line", "guide"]
+
+
+@dataclass(frozen=True)
+class Tie:
+    """``local`` is the point of the link (of "guide": a place of its guide), ``place`` what it is held from.
+
+    "arc": it stays ``reach`` from the place. "line": ``reach`` to the left of the line through the place along
+    ``turn``. "guide": the place stays ``reach`` to the left of the link's line along ``turn`` in its own axes.
+    """
+
+    kind: TieKind
+    local: Point
+    place: Point
+    reach: Real
+    turn: Point = 1 + 0j
+
+    def wrench(self, origin: Point, axis: Point) -> tuple[Real, Point, Real]:
+        """By how much the tie is missed, the direction it pulls in, and the moment of that about the origin."""
+        if self.kind == "guide":
+            way = self.turn * axis
+            off = self.place - origin
+            miss = plane.cross(way, off - self.local * axis) - self.reach
+            return miss, -1j * way, -plane.dot(way, off)
+        arm = self.local * axis
+        gap = origin + arm - self.place
+        if self.kind == "line":
+            pull = 1j * self.turn
+            return plane.cross(self.turn, gap) - self.reach, pull, plane.cross(arm, pull)
+        length = self.reach + (self.reach == 0)
+        miss = (gap.real * gap.real + gap.imag * gap.imag - self.reach * self.reach) / (2 * length)
+        return miss, gap / length, plane.cross(arm, gap) / length
+
+
+Pose = tuple[Point, Point]  # where the link's origin is, and the direction of its x axis
+
+
+def newton(ties: Sequence[Tie], origin: Point, axis: Point) -> tuple[Point, Point, Real, Real]:
+    """One step of Newton's: the next pose, how far the origin and the points at unit arm moved, and the determinant."""
+    (f, n, m), (g, k, p), (h, w, q) = (t.wrench(origin, axis) for t in ties)
+    kw, wn, nk = plane.cross(k, w), plane.cross(w, n), plane.cross(n, k)
+    det = m * kw + p * wn + q * nk
+    safe = det + (det == 0)
+    turn = -(f * kw + g * wn + h * nk) / safe
+    shift = 1j * (f * (k * q - w * p) + g * (w * m - n * q) + h * (n * p - k * m)) / safe
+    half = 0.5 * turn
+    turned = (1 + 1j * half) * (1 + 1j * half) / (1 + half * half)
+    return origin + shift, axis * turned, abs(shift) + abs(turn), det

@@ -1,0 +1,63 @@
+"""The words of a moment equation: its terms with their arms and numbers, without those that are nothing."""
+
+import numpy
+
+from planes.drafting.draft import Moments
+from planes.drafting.drawing import Drawing
+from planes.drafting.steps.reckoning import Calculate, Product
+from planes.geometry.arrays import Floats
+from planes.lesson.formulas import sides, slot, unit
+from planes.lesson.steps import Names
+from planes.words import Lang, say
+from planes.words.names import lettered
+
+NOISE = 1e-9  # of the largest term: nothing
+
+
+def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
+    """The key of the sentence, what it says, and the forces it is about."""
+    dropped = nothing(step, cycle)
+    terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
+    without = [f"⟨{name}⟩" for name, arm in m.terms if m.links != ("lever",) and passes(arm, cycle)]
+    through = lambda lang: say("lesson_through", lang, forces=", ".join(without)) if without else ""  # noqa: E731
+    names: Names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang), "through": through}
+    if len(dropped) == len(step.terms):
+        force = step.means.of if step.means else m.unknown
+        return "moments_none" if step.means else "moments_zero", {**names, "force": force}, (force,)
+    # every term is divided by the arm of what is sought; a size that stands for a force has its name on this link
+    over = next((name for name, power in step.terms[0].factors if power == -1), "")
+    forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
+    letters, numbers = sides(step, lambda name: forces.get(name, name), over, dropped)
+    found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
+    more: Names = {
+        "head": f"{found} · ⟨{over}⟩" if over else found,
+        "letters": letters,
+        "numbers": numbers,
+        "result": lambda lang: f"{lead} = {slot(m.unknown)} {unit(m.unknown, lang)}",
+    }
+    return "moments", {**names, **more}, (*terms, m.unknown) if m.arm else terms
+
+
+def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
+    """Which terms are nothing beside the largest, in every position."""
+    sizes = [_size(term, cycle) for term in step.terms]
+    most = NOISE * numpy.maximum.reduce(numpy.broadcast_arrays(0.0, *sizes))
+    return frozenset(i for i, size in enumerate(sizes) if numpy.all((size <= most) | numpy.isnan(most)))
+
+
+def passes(arm: str, cycle: Drawing) -> bool:
+    """Whether a force passes through the point of its moments in every position: its arm there is nothing."""
+    return bool(arm) and float(numpy.nanmax(numpy.abs(cycle[arm]))) <= NOISE
+
+
+def _size(term: Product, cycle: Drawing) -> Floats:
+    """How large a term is, but for what it is divided by."""
+    above = [numpy.asarray(cycle[name], float) ** power for name, power in term.factors if power > 0]
+    size: Floats = abs(term.coefficient * numpy.prod(numpy.broadcast_arrays(1.0, *above), axis=0))
+    return size
+
+
+def _links(m: Moments, lang: Lang) -> str:
+    if m.links == ("lever",):
+        return say("lesson_lever_of", lang)
+    return say("lesson_link" if len(m.links) == 1 else "lesson_links", lang, links=", ".join(m.links))

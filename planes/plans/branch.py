@@ -1,0 +1,171 @@
+"""One assembly of a triad followed as the drive moves, to both ends of the range it lasts in; and told as a series.
+
+Every step of the way begins where the last ones lead and ends where Newton's steps do; it is halved until they end near
+where they began and the lines of the three leads have kept their sense about each other, which they change at a dead
+point alone. There the range ends: two assemblies meet, and beyond there is neither.
+"""
+
+import cmath
+import math
+from bisect import bisect
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from planes.drafting.steps.tracks import SETTLED, series, settle
+from planes.geometry.arithmetic import Arithmetic
+from planes.geometry.tracks import Pose, Tie
+from planes.words.errors import PlanFailure
+
+STEP, TURN = 1.0, 360.0  # of the drive, degrees
+STEPS = 360  # of a sliding drive to either side, each a ninetieth of the link's size
+HALVINGS = 40
+BEND = 0.02  # how far from where it was foreseen a step may end, of the link's size and radians
+FAR = 30.0  # sizes of the link: beyond that it has run away
+NEARER = (1.0, 0.5, 0.25, 0.1)
+TERMS = (32, 64, 128, 256)
+EDGE = 1e-7  # of the range, at its ends, where a series is not tried: assemblies are as near to each other there
+
+Ties = Callable[[float], list[Tie]]  # the leads at a value of the drive
+
+
+@dataclass(frozen=True)
+class Waypoint:
+    """A place of the way: the drive's value, the leads there and the link on them."""
+
+    value: float
+    ties: list[Tie]
+    pose: Pose
+
+
+@dataclass(frozen=True)
+class Branch:
+    """The range of the drive where an assembly lasts, and its series there (places over the link's size, radians)."""
+
+    low: float
+    high: float
+    side: float
+    places: tuple[complex, ...]
+    turns: tuple[float, ...]
+
+    def guess(self, value: float) -> Pose:
+        """The pose that the series tells, of a link of unit size."""
+        part = (value - (self.low + self.high) / 2) / ((self.high - self.low) / 2)
+        y = 2 * math.acos(min(1.0, max(-1.0, part))) / math.pi - 1
+        return complex(series(list(self.places), y)), cmath.exp(1j * float(series(list(self.turns), y)))
+
+
+class _Way:
+    """The way of one assembly."""
+
+    def __init__(self, ties: Ties, start: float, pose: Pose, size: float, turning: bool) -> None:
+        self.ties, self.size, self.ar, self.turning = ties, size, Arithmetic(), turning
+        self.home = pose[0]
+        self.step = STEP if turning else size / 90.0
+        self.start, sharpness = self.settled(start, ties(start), pose)
+        self.sign = math.copysign(1.0, sharpness)
+
+    def settled(self, value: float, ties: list[Tie], near: Pose) -> tuple[Waypoint, float]:
+        """The spot near a foreseen pose, and its sharpness with its sign: 0 where there is none."""
+        pose, _, _ = settle(ties, near, self.size, self.ar)
+        pose, det, moved = settle(ties, pose, self.size, self.ar)
+        off = max(abs(pose[0] - near[0]) / self.size, abs(pose[1] - near[1]))
+        good = moved < 0.1 * SETTLED and off < BEND and abs(pose[0] - self.home) < FAR * self.size
+        return Waypoint(value, ties, pose), det if good else 0.0
+
+    def found(self, value: float, near: Pose) -> Waypoint | None:
+        """The spot at a value of the drive, if the assembly lasts there."""
+        try:
+            spot, det = self.settled(value, self.ties(value), near)
+        except (ArithmeticError, PlanFailure):
+            return None
+        return spot if det * self.sign > 0 else None
+
+    def side(self, way: float, reach: float) -> list[Waypoint]:
+        """The spots to one side, the start first, as far as the assembly lasts or ``reach``."""
+        spots, step = [self.start], self.step
+        while (gone := abs(spots[-1].value - self.start.value)) < reach and step > self.step * 2.0**-HALVINGS:
+            value = spots[-1].value + way * min(step, reach - gone)
+            found = self.found(value, _ahead(spots, value)) if value != spots[-1].value else None
+            if found:
+                spots.append(found)
+            step = min(self.step, 2 * step) if found else step / 2
+        return spots
+
+    def whole(self) -> list[Waypoint]:
+        """The whole way, by growing values of the drive: no more than a turn."""
+        if not self.turning:
+            reach = STEPS * self.step
+            return [*reversed(self.side(-1.0, reach)[1:]), *self.side(1.0, reach)]
+        ahead = self.side(1.0, TURN / 2)
+        behind = self.side(-1.0, TURN - (ahead[-1].value - self.start.value))
+        left = TURN - (self.start.value - behind[-1].value)
+        ahead = self.side(1.0, left) if left > TURN / 2 and ahead[-1].value == self.start.value + TURN / 2 else ahead
+        return [*reversed(behind[1:]), *ahead]
+
+
+def _ahead(spots: Sequence[Waypoint], value: float) -> Pose:
+    """Where the last two spots lead."""
+    return _between(spots[-2], spots[-1], value) if len(spots) > 1 else spots[-1].pose
+
+
+def _between(one: Waypoint, two: Waypoint, value: float) -> Pose:
+    """The pose on the straight way through two spots."""
+    part = (value - one.value) / (two.value - one.value)
+    (p, u), (q, w) = one.pose, two.pose
+    return p + (q - p) * part, u * cmath.exp(1j * cmath.phase(w / u) * part)
+
+
+def follow(ties: Ties, start: float, pose: Pose, size: float, turning: bool) -> Branch | None:
+    """The branch of a pose at the drive's ``start``; None where no series tells it."""
+    way = _Way(ties, start, pose, size, turning)
+    spots = way.whole()
+    for near in NEARER:  # where no series tells all of it, those about the start
+        part = [
+            s for s in spots if (spots[0].value - start) * near <= s.value - start <= (spots[-1].value - start) * near
+        ]
+        for count in TERMS if len(part) > 1 else ():
+            branch = _series(way, part, count)
+            if branch and _tells(way, branch, part):
+                return branch
+    return None
+
+
+def _series(way: _Way, spots: list[Waypoint], count: int) -> Branch | None:
+    """The series of so many terms, through as many spots on the way."""
+    low, high = spots[0].value, spots[-1].value
+    values = [s.value for s in spots]
+    places, turns = list[complex](), list[float]()
+    for j in range(count):  # from the highest value of the drive down
+        tau = math.pi * (1 - math.cos(math.pi * (j + 0.5) / count)) / 2
+        value = (low + high) / 2 + (high - low) / 2 * math.cos(tau)
+        k = min(max(bisect(values, value), 1), len(spots) - 1)
+        spot = way.found(value, _between(spots[k - 1], spots[k], value))
+        if spot is None:
+            return None
+        places.append(spot.pose[0] / way.size)
+        last = turns[-1] if turns else 0.0
+        turns.append(last + cmath.phase(spot.pose[1] * cmath.exp(-1j * last)))
+    terms = [_term(k, places[::-1]) for k in range(count)]
+    return Branch(low, high, way.sign, tuple(terms), tuple(_term(k, turns[::-1]).real for k in range(count)))
+
+
+def _term(k: int, values: Sequence[complex]) -> complex:
+    """A term of Chebyshev's series through values at its own places."""
+    count = len(values)
+    cosines = (math.cos(math.pi * k * (j + 0.5) / count) for j in range(count))
+    return (2.0 if k else 1.0) / count * sum(x * c for x, c in zip(values, cosines, strict=True))
+
+
+def _tells(way: _Way, branch: Branch, spots: Sequence[Waypoint]) -> bool:
+    """Whether the series leads to every spot of the way, and to none else."""
+    edge = EDGE * (branch.high - branch.low)
+    for spot in (s for s in spots if branch.low + edge <= s.value <= branch.high - edge):
+        place, axis = branch.guess(spot.value)
+        try:
+            pose, det, moved = settle(spot.ties, (place * way.size, axis), way.size, way.ar)
+        except ArithmeticError:
+            return False
+        off = max(abs(pose[0] - spot.pose[0]) / way.size, abs(pose[1] - spot.pose[1]))
+        if not (off < SETTLED and moved < SETTLED and det * way.sign > 0):
+            return False
+    return True

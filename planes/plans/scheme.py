@@ -1,0 +1,54 @@
+"""The scheme: the frame, the driver in its position, and the groups in the order they attach."""
+
+from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.groups import Group
+from planes.plans.positions import PLACERS, place_driven, place_slider
+from planes.plans.triads import place_triad
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, Meaning
+
+APART = 1e-9  # relative: two points of a link nearer than this are at one place, and say nothing of its turning
+
+
+def place_all(b: Bodies) -> None:
+    """Draw the scheme: the frame, the driver in its position, the groups in the order they attach."""
+    b.draft.pole(SCHEME)
+    frame = b.mechanism.frame
+    for name, place in frame.points.items():
+        b.draft.put(SCHEME, name, place)
+    b.known[FRAME] = Body(frame, BodyPoint(POLE, POLE), "", FRAME)
+    if not b.structure.inner_drive:
+        _place_driver(b)
+    for group in b.structure.groups:
+        if isinstance(group, Group):
+            (place_driven if group.drive else PLACERS[group.kind])(b, group)
+        else:
+            place_triad(b, group)
+
+
+def _place_driver(b: Bodies) -> None:
+    drive, pair = b.mechanism.drive, b.structure.drive_pair
+    link = b.mechanism.links[drive.link]
+    if drive.kind == "phi":
+        axis = b.draft.aim(f"x_{link.name}", drive.position, Meaning("own", link.name))
+        body = Body(link, BodyPoint(pair.point, pair.point), axis, link.name)
+        b.place_points(body)
+        second = _second_point(b, pair.point)
+        if second:
+            body.ref, body.rigid = (body.base, BodyPoint(second, second)), True
+        return
+    mark, direction = b.line(pair, FRAME)
+    first = link.first_point
+    counted = Meaning("guide", pair.guide, first)
+    start = b.shifted(f"{first}°s", counted, mark, direction, b.offset(pair, link.name, first))
+    b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
+    place_slider(b, pair, link.name, first, direction)
+
+
+def _second_point(b: Bodies, pivot: str) -> str | None:
+    """The driver's point the plans begin with: one it shares with another link, else any away from the pivot."""
+    link = b.mechanism.links[b.mechanism.drive.link]
+    centre = link.points[pivot]
+    away = [p for p, z in link.points.items() if abs(z - centre) > APART * (abs(z) + abs(centre))]
+    shared = [p for p in away if any(p in x.points for x in b.mechanism.links.values() if x is not link)]
+    return next(iter(shared + away), None)

@@ -1,0 +1,149 @@
+"""Which assembly of a triad is meant: all of them found and counted at the drive's value, one chosen and followed."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from planes.drafting.drawing import run
+from planes.drafting.program import Program
+from planes.drafting.steps.tracks import CutTrack
+from planes.geometry import plane
+from planes.geometry.arithmetic import Arithmetic, Real
+from planes.geometry.sextic import Counted, assemblies
+from planes.geometry.tracks import Pose, Tie
+from planes.plans.bodies import SCHEME, Bodies, TrackChoice
+from planes.plans.branch import Branch, follow
+from planes.plans.groups import Lead
+from planes.scene.mechanism import Assembly
+from planes.words import Phrase
+from planes.words.errors import PlanFailure, SceneError
+from planes.words.names import at, mu_of
+
+ORDERS = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+ANGLE = {"kind": "phi"}
+
+
+class Tracks:
+    """The assemblies of a triad at the drive's value in the file."""
+
+    def __init__(self, b: Bodies, program: Program, choice: TrackChoice) -> None:
+        self.b, self.choice, self.whole = b, choice, program
+        marks = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "") if n]
+        self.program = program.sliced(marks)
+        places = [b.draft.given[h.local] for h in choice.holds]
+        self.size = max(abs(p - q) for p in places for q in places)
+        if not self.size:  # three guides through one point: what they are held from
+            held = [tie.place for tie in self.ties(self.start)]
+            self.size = max(abs(p - q) for p in held for q in held) or 1.0
+        b.draft.given[choice.guess.size] = self.size
+
+    def ties(self, value: Real) -> list[Tie]:
+        """The leads at a value of the drive, in m."""
+        given = {**self.b.draft.given, mu_of(SCHEME): 1.0, self.choice.guess.drive: value}
+        things = run(self.program, given).things
+        return [hold.tie(things, 1.0, Arithmetic()) for hold in self.choice.holds]
+
+    @property
+    def start(self) -> float:
+        """The drive's value in the file."""
+        return self.b.mechanism.drive.position
+
+    def all(self) -> Counted:
+        """Every assembly there."""
+        return assemblies(self.ties(self.start))
+
+    def place(self, pose: Pose, point: str) -> complex:
+        """Where a point of the group would be in an assembly."""
+        self.set(Branch(self.start - 1.0, self.start + 1.0, self.sense(pose), (pose[0] / self.size,), (turn(pose),)))
+        program = Program(tuple(self.b.draft.steps.values())).sliced([at(SCHEME, point)])
+        return complex(run(program, {**self.b.draft.given, mu_of(SCHEME): 1.0})[at(SCHEME, point)])
+
+    def sense(self, pose: Pose) -> float:
+        """The sense of the leads' lines about each other."""
+        (_, n, m), (_, k, p), (_, w, q) = (tie.wrench(*pose) for tie in self.ties(self.start))
+        return 1.0 if m * plane.cross(k, w) + p * plane.cross(w, n) + q * plane.cross(n, k) > 0 else -1.0
+
+    def set(self, branch: Branch) -> None:
+        """Give the program an assembly with its range."""
+        d, old, basic = self.b.draft, self.choice.guess, self.choice.group.basic
+        d.given[old.middle], d.given[old.half] = (branch.low + branch.high) / 2, (branch.high - branch.low) / 2
+        d.given[self.choice.side] = branch.side
+        names = [tuple(f"{what}_{basic}_{k}" for k in range(len(branch.turns))) for what in ("track", "turning")]
+        d.given |= {**dict(zip(names[0], branch.places, strict=True)), **dict(zip(names[1], branch.turns, strict=True))}
+        guess = replace(old, places=names[0], turns=names[1])
+        for name, step in d.steps.items():
+            if isinstance(step, CutTrack) and step.holds == self.choice.holds:
+                d.steps[name] = replace(step, guess=guess)
+
+    def choose(self, pose: Pose) -> None:
+        """Take an assembly, follow it, and let the two leads meet in S that cross best all the way."""
+        branch = follow(self.ties, self.start, pose, self.size, self.choice.guess.turning)
+        if branch is None:
+            raise self.error(Phrase("track_not_followed", **self.named()))
+        self.set(branch)
+        pulls = [tie.wrench(*pose)[1] for tie in self.ties(self.start)]
+        order = max(ORDERS, key=lambda o: abs(plane.cross(pulls[o[0]], pulls[o[1]])))
+        leads: list[Lead] = [self.choice.group.leads[k] for k in order]
+        self.b.leads[self.choice.group.basic] = (leads[0], leads[1], leads[2])
+
+    def named(self) -> dict[str, object]:
+        """What sentences say of the group."""
+        g, drive = self.choice.group, self.b.mechanism.drive
+        unit = "°" if drive.kind == "phi" else " m"
+        name = "φ" if drive.kind == "phi" else "s"
+        return {"links": g.links, "name": g.name, "drive": name, "value": f"{self.start:.10g}{unit}"}
+
+    def error(self, why: Phrase, *path: str) -> SceneError:
+        """A refusal at its line."""
+        where = self.b.mechanism.where
+        return SceneError(why, self.b.file, where.get(path or ("assembly",), where.get(("links",))))
+
+
+def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
+    """Choose the assembly of a triad; :class:`SceneError` lists all where the scene does not say which."""
+    tracks = Tracks(b, program, choice)
+    try:
+        counted = tracks.all()
+    except PlanFailure as failure:
+        raise tracks.error(Phrase("near_not_drawn", key=choice.key, failure=failure.phrase)) from None
+    if not counted.proved:
+        raise tracks.error(Phrase("tracks_touch", **tracks.named()), "drive")
+    if not counted.poses:
+        raise tracks.error(Phrase("tracks_miss", **tracks.named()), "drive")
+    key, said = _said(b, choice)
+    if said is None and len(counted.poses) == 1:
+        tracks.choose(counted.poses[0])
+        return
+    if said is None or said.near is None:
+        raise tracks.error(_question(tracks, counted, key))
+    near = said.near
+    found = {tracks.place(pose, key): pose for pose in counted.poses}
+    if len(found) < len(counted.poses):
+        raise tracks.error(Phrase("near_same", key=key, point=key), "assembly", key)
+    tracks.choose(found[min(found, key=lambda place: abs(place - near))])
+
+
+def _said(b: Bodies, choice: TrackChoice) -> tuple[str, Assembly | None]:
+    """What the scene says of a triad, under any point that moves with it."""
+    outer = {lead.outer.point for lead in choice.group.leads}
+    points = {p for link in choice.group.links for p in b.mechanism.links[link].points} - outer
+    return next(((key, said) for key, said in b.mechanism.assembly.items() if key in points), (choice.key, None))
+
+
+def _question(tracks: Tracks, counted: Counted, key: str) -> Phrase:
+    """All assemblies, each with the words that choose it."""
+    offers = tuple(_offers(tracks, counted, key))
+    more = bool(tracks.b.mechanism.assembly)
+    return Phrase("tracks_more" if more else "tracks_all", count=len(offers), offers=offers, **tracks.named())
+
+
+def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[Phrase]:
+    for pose in counted.poses:
+        place = tracks.place(pose, key)
+        yield Phrase("track_offer", key=key, x=place.real, y=place.imag)
+
+
+def turn(pose: Pose) -> float:
+    """The angle of a pose, radians."""
+    import cmath
+
+    return cmath.phase(pose[1])

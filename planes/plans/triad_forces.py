@@ -1,0 +1,142 @@
+"""The force plan of a triad: the third lead's reaction by moments about S, then one polygon of the whole group.
+
+The reactions of the two leads that meet in S pass it, so moments of the whole group about S have one unknown. Of a
+lead's outer reaction that part is known beforehand which its own equilibrium gives: of a rod by moments about its inner
+hinge, of a link that slides on the basic one along that guide. A slider hands its loads on to its hinge.
+"""
+
+from dataclasses import dataclass, replace
+
+from planes.drafting.draft import Moments
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps.reckoning import Cosine, Drop, Product
+from planes.plans.bodies import SCHEME
+from planes.plans.groups import Lead, Pair, Triad
+from planes.plans.loads import Couple, Force, force_name
+from planes.plans.reactions import Reaction, Statics, chain_of
+from planes.scene.mechanism import FRAME
+from planes.words import Phrase
+from planes.words.errors import SceneError
+from planes.words.names import POLE, Meaning, at, force_plan, label_of, mu_of
+
+
+@dataclass
+class _Held:
+    """A lead with what acts on it: the known part of its outer reaction, and the line of the other part."""
+
+    lead: Lead
+    key: str  # the outer reaction on the lead
+    known: list[Force]
+    line: str
+    point: str
+    loads: list[Force]
+    couples: list[Couple]
+
+    @property
+    def part(self) -> str:
+        """The name of the other part."""
+        return self.key if self.lead.outer.kind == "P" else f"{self.key}^n"
+
+
+class TriadForces:
+    """The plan of one triad."""
+
+    def __init__(self, statics: Statics, group: Triad) -> None:
+        self.s, self.g, self.b, self.d = statics, group, statics.b, statics.b.draft
+        self.plan = force_plan(*group.links)
+        self.special = at(SCHEME, self.b.special(group.basic))
+        self.leads = self.b.leads[group.basic]
+        for pair in group.pairs:
+            rubbing = pair.guide if pair.guide in self.b.mechanism.friction else ""
+            rubbing = rubbing or (self.b.mechanism.rubs(pair.point, pair.link, pair.other) if pair.point else "") or ""
+            if rubbing:
+                where = self.b.mechanism.where
+                line = where.get(("friction", rubbing), where.get(("friction",)))
+                raise SceneError(Phrase("triad_friction", pair=rubbing, links=group.links), self.b.file, line)
+
+    def draw(self) -> None:
+        self.d.pole(self.plan)
+        one, two, three = (self.held(lead) for lead in self.leads)
+        pushed = self.third(one, two, three)
+        own = list(self.s.acting.forces[self.g.basic])
+        runs = [[*two.known, *two.loads], [*three.loads, *three.known, pushed], own, [*one.loads, *one.known]]
+        ends, chain = [POLE], list[Term]()
+        for run in runs:
+            chain += chain_of(run, ends[-1])
+            ends.append(chain[-1].end if chain else POLE)
+        for term in chain:
+            self.d.lay(self.plan, term)
+        x = one.part.replace("^", "")
+        last = Term(one.part, ends[-1], x, None, one.line, one.line)
+        back = Term(two.part, POLE, x, None, two.line, two.line, False, -1)
+        self.d.draw(Equation(self.plan, ((*chain, last), (back,))))
+        starts = {term.end: term.start for term in chain}
+        begins = starts[_end(one.known[0])] if one.known else ends[-1]
+        self.read(one, (begins, x), (x, ends[3]))
+        self.read(two, (x, _end(two.known[0]) if two.known else POLE), (ends[1], x))
+        self.read(three, (starts[_end((*three.known, pushed)[0])], ends[2]), (ends[2], ends[1]))
+
+    def held(self, lead: Lead) -> _Held:
+        """A lead, and what its own equilibrium gives."""
+        d, outer, inner, link = self.d, lead.outer, lead.inner, lead.link
+        loads, couples = list(self.s.acting.forces[link]), list(self.s.acting.couples[link])
+        key = force_name(link, outer.mate(link))
+        if outer.kind == "P":
+            hinge = at(SCHEME, inner.point)
+            return _Held(lead, key, [], d.square(f"∥{outer.guide}"), hinge, loads, couples)
+        pivot, name = at(SCHEME, outer.point), f"{key}^t"
+        if inner.kind == "R":
+            line = d.ray(SCHEME, outer.point, inner.point)
+            length = self.b.length(self.b.mechanism.links[link], outer.point, inner.point)
+            products, shown = self.s.moment_terms(at(SCHEME, inner.point), loads, couples, 1.0, length)
+            d.moments.append(Moments(inner.point, (link,), shown, name, length))
+            along = d.square(line)
+        else:
+            along = f"∥{inner.guide}"
+            line, products = d.square(along), [self.along(f, along) for f in loads]
+        d.total(name, products)
+        known = Force(name, link, name, along, pivot, "tangential")
+        return _Held(lead, key, [known], line, pivot, loads, couples)
+
+    def along(self, f: Force, along: str) -> Product:
+        """What of a force has to be held along a guide."""
+        cosine = self.d.step(Cosine(f"cos_{f.name}_{along.lstrip('∥')}", f.along, along))
+        return Product(-1.0, ((f.size, 1), (cosine, 1)))
+
+    def third(self, one: _Held, two: _Held, three: _Held) -> Force:
+        """The reaction of the third lead along its line, by moments of the whole group about S."""
+        d, basic = self.d, self.g.basic
+        forces, couples = list(self.s.acting.forces[basic]), list(self.s.acting.couples[basic])
+        for held in (one, two, three):
+            if held.lead.outer.kind == "P":  # a slider turns nowhere: all its loads pass its hinge
+                forces += [replace(f, point=held.point) for f in held.loads]
+            else:
+                forces += [*held.loads, *held.known]
+                couples += held.couples
+        centre = label_of(self.special)
+        means, name = Meaning("arm", three.part, self.special, three.lead.link), f"h_{three.part}_{centre}"
+        arm = d.step(Drop(name, three.point, three.line, self.special, mu_of(SCHEME), means=means))
+        products, shown = self.s.moment_terms(self.special, forces, couples, -1.0, arm)
+        name = d.total(three.part, products)
+        d.moments.append(Moments(centre, self.g.links, shown, name, arm))
+        return Force(name, three.lead.link, name, three.line, three.point, "tangential")
+
+    def read(self, held: _Held, outer: tuple[str, str], inner: tuple[str, str]) -> None:
+        """Both reactions on a lead by the ends of their segments, the couples of sliders, and what is handed on."""
+        lead, s = held.lead, self.s
+        found = self.on(lead, lead.outer, outer), self.on(lead, lead.inner, inner)
+        if lead.outer.kind == "P":
+            s.seat(found[0], lead.link, held.point, held.loads, held.couples)
+        elif lead.inner.kind == "P":
+            s.seat(found[1], lead.link, held.point, held.loads, held.couples)
+        if lead.outer.mate(lead.link) != FRAME:
+            s.hand_over(s.reactions[found[0].key], lead.outer.mate(lead.link))
+
+    def on(self, lead: Lead, pair: Pair, ends: tuple[str, str]) -> Reaction:
+        """A reaction on the lead, noted for its pair's own first link."""
+        start, end = (at(self.plan, label) for label in ends)
+        return self.s.react(pair, self.plan, *((start, end) if lead.link == pair.link else (end, start)))
+
+
+def _end(f: Force) -> str:
+    return f.name.replace("^", "")

@@ -1,0 +1,76 @@
+"""The scheme of a triad: its basic link by the track of a hinge, then each lead from that.
+
+Every lead holds the basic link by one tie: a rod of two hinges on an arc, a slider by its hinge on a line, a link that
+turns about a hinge and slides on the basic one by that one's guide.
+"""
+
+from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
+from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
+from planes.plans.groups import Lead, Triad
+from planes.plans.positions import on_line, place_slider, rigid_body
+from planes.plans.reckoned import difference
+from planes.scene.mechanism import Link
+from planes.words.names import Meaning, at, mu_of
+
+
+def place_triad(b: Bodies, g: Triad) -> None:
+    """Draw the basic link where its track is cut, and the leads."""
+    d, link = b.draft, b.mechanism.links[g.basic]
+    one, two, three = (hold_of(b, g.basic, lead) for lead in g.leads)
+    drive = b.mechanism.drive
+    middle, half, size = (
+        d.give(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
+    )
+    turning = drive.kind == "phi"
+    place, turn = d.give(f"track_{g.basic}_0", 0j), d.give(f"turning_{g.basic}_0", 0.0)
+    guess = SeriesGuess(f"angle_x_{drive.link}" if turning else "s", turning, middle, half, size, (place,), (turn,))
+    side = d.give(f"sense_{g.basic}", 1.0)
+    hinges = [lead.inner.point for lead in reversed(g.leads) if lead.inner.kind == "R"] or [link.first_point]
+    key = hinges[0]
+    b.choices.append(TrackChoice(key, g, (one, two, three), guess, side))
+    cut = (one, two, three), guess, mu_of(SCHEME), side
+    for p in hinges:
+        d.step(CutTrack(at(SCHEME, p), _local(b, link, p), *cut))
+    if len(hinges) > 1:
+        b.place_points(rigid_body(b, g.basic, hinges[0], hinges[1]))
+    else:
+        axis = d.step(CutTurn(f"x_{g.basic}", _local(b, link, key), *cut, means=Meaning("own", g.basic)))
+        b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
+    for lead in g.leads:
+        _place_lead(b, g.basic, lead)
+
+
+def _place_lead(b: Bodies, basic: str, lead: Lead) -> None:
+    """A lead from the basic link that is drawn."""
+    outer, inner = lead.outer, lead.inner
+    if lead.name == "RR":
+        b.place_points(rigid_body(b, lead.link, outer.point, inner.point))
+    elif outer.kind == "P":
+        place_slider(b, outer, lead.link, inner.point, on_line(b, outer, lead.link, inner.point)[1])
+    else:
+        along = b.direction_from(inner, basic, b.known[basic].axis)
+        place_slider(b, inner, lead.link, outer.point, along)
+
+
+def hold_of(b: Bodies, basic: str, lead: Lead) -> Hold:
+    """How a lead holds the basic link."""
+    d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
+    if inner.kind == "R":
+        local = _local(b, link, inner.point)
+        if outer.kind == "R":
+            length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
+            return Hold("arc", local, at(SCHEME, outer.point), length)
+        start, along = on_line(b, outer, lead.link, inner.point)
+        return Hold("line", local, at(SCHEME, start), "", along)
+    first = link.first_point
+    offset = difference(b.offset(inner, lead.link, outer.point), b.offset(inner, basic, first))
+    beside = Meaning("offset", outer.point, first)
+    reach = "" if offset is None else d.give(f"e_{outer.point}{first}", *offset, beside)
+    angle = b.own_angle(inner, basic)
+    turn = d.give(f"guide_{inner.guide}_{basic}", angle)
+    return Hold("guide", _local(b, link, first), at(SCHEME, outer.point), reach, turn)
+
+
+def _local(b: Bodies, link: Link, point: str) -> str:
+    """The place of a point on its link."""
+    return b.draft.give(f"at_{point}_{link.name}", complex(link.points[point]))

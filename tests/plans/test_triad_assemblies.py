@@ -1,0 +1,166 @@
+"""All assemblies of a link on three ties: published ones, an independent count in long numbers, and words."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+from itertools import combinations_with_replacement
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from planes.batch import Cycle
+from planes.geometry import plane
+from planes.geometry.sextic import assemblies
+from planes.geometry.tracks import Tie
+from planes.plans import plans_of
+from planes.scene import loads
+from planes.words.errors import SceneError
+
+KINDS = ("arc", "line", "guide")
+
+
+def held(bases: list[complex], platform: list[complex], legs: list[float]) -> list[Tie]:
+    return [Tie("arc", p, b, leg) for b, p, leg in zip(bases, platform, legs, strict=True)]
+
+
+def turns(ties: list[Tie]) -> list[float]:
+    found = assemblies(ties)
+    assert found.proved
+    return [math.degrees(cmath.phase(axis)) for _, axis in found.poses]
+
+
+def test_published_two() -> None:
+    legs = [math.sqrt(50), math.sqrt(26), 5.0]
+    found = turns(held([0, 10, 3 + 10j], [0, 4, 2 + 2j], legs))
+    assert found == pytest.approx([-46.2252859799, 0.0], abs=1e-9)
+
+
+def test_published_six() -> None:
+    a, b, c = 17.04, 20.84, 16.54
+    x = (a * a + b * b - c * c) / (2 * a)
+    found = turns(held([0, 15.91, 10j], [0, a, complex(x, math.sqrt(b * b - x * x))], [14.98, 15.38, 12.0]))
+    wanted = [-56.5494583167, -2.7118877033, 14.0552008002, 33.5565786564, 57.4125792459, 122.206418227]
+    assert found == pytest.approx(wanted, abs=1e-9)
+
+
+def planted(kinds: tuple[str, ...], rng: random.Random) -> tuple[list[Tie], complex, complex]:
+    """Ties of a pose that is known."""
+
+    def spot() -> complex:
+        return complex(rng.uniform(-1, 1), rng.uniform(-1, 1))
+
+    origin, axis, ties = spot(), cmath.rect(1.0, rng.uniform(-math.pi, math.pi)), []
+    for kind in kinds:
+        local, place, turn = spot(), spot(), cmath.rect(1.0, rng.uniform(-math.pi, math.pi))
+        end = origin + axis * local
+        if kind == "arc":
+            ties.append(Tie("arc", local, place, abs(end - place)))
+        elif kind == "line":
+            ties.append(Tie("line", local, place, plane.cross(turn, end - place), turn))
+        else:
+            ties.append(Tie("guide", local, place, plane.cross(turn * axis, place - end), turn))
+    return ties, origin, axis
+
+
+def counted(ties: list[Tie]) -> int:
+    """Real roots by a way of its own: the resultant at nine angles, its Fourier series, all roots in 50 digits."""
+    mp = mpmath.MPContext()
+    mp.dps = 50
+
+    def resultant(theta: Any) -> Any:
+        e, found = mp.expj(theta), list[Any]()
+        for t in ties:
+            local, place, turn, reach = mp.mpc(t.local), mp.mpc(t.place), mp.mpc(t.turn), mp.mpf(t.reach)
+            if t.kind == "arc":  # |X|² + 2 X·q + |q|² - l²
+                q = local * e - place
+                found.append((mp.mpf(1), 2 * q.real, 2 * q.imag, abs(q) ** 2 - reach**2))
+            elif t.kind == "line":
+                q = local * e - place
+                found.append((mp.mpf(0), -turn.imag, turn.real, (mp.conj(turn) * q).imag - reach))
+            else:
+                w = turn * e
+                q = place - local * e
+                found.append((mp.mpf(0), w.imag, -w.real, (mp.conj(w) * q).imag - reach))
+        square = next((r for r in found if r[0]), None)
+        rest = [r for r in found if r is not square]
+        plain = [tuple(x - y for x, y in zip(r, square, strict=True)) if square and r[0] else r for r in rest]
+        if square is None:
+            return mp.det(mp.matrix([r[1:] for r in plain]))
+        (_, a, b, c), (_, d, f, g) = plain
+        x, y, w = b * g - c * f, c * d - a * g, a * f - b * d
+        return x * x + y * y + w * (square[1] * x + square[2] * y) + square[3] * w * w
+
+    n = 4
+    samples = [resultant(2 * mp.pi * k / (2 * n + 1)) for k in range(2 * n + 1)]
+    terms = [
+        sum(s * mp.expj(-2 * mp.pi * j * k / (2 * n + 1)) for k, s in enumerate(samples)) / (2 * n + 1)
+        for j in range(-n, n + 1)
+    ]
+    size = max(abs(z) for z in terms)
+    while abs(terms[-1]) < size * mp.mpf(10) ** -40:
+        terms = terms[1:-1]
+    roots = mp.polyroots(terms, maxsteps=400, extraprec=400, asc=True)
+    return sum(abs(abs(z) - 1) < mp.mpf(10) ** -12 for z in roots)
+
+
+@pytest.mark.parametrize("kinds", list(combinations_with_replacement(KINDS, 3)), ids="-".join)
+def test_none_is_missed(kinds: tuple[str, ...]) -> None:
+    rng = random.Random("-".join(kinds))
+    for _ in range(3):
+        ties, origin, axis = planted(kinds, rng)
+        found = assemblies(ties)
+        assert found.proved and found.count == counted(ties)
+        assert min(abs(o - origin) + abs(a - axis) for o, a in found.poses) < 1e-8
+        assert all(abs(t.wrench(o, a)[0]) < 1e-12 for o, a in found.poses for t in ties)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("part", range(10))
+def test_none_is_missed_of_ten_thousand(part: int) -> None:
+    rng = random.Random(f"many {part}")
+    for _ in range(1000):
+        ties, _, _ = planted(tuple(rng.choices(KINDS, k=3)), rng)
+        found = assemblies(ties)
+        assert found.proved and found.count == counted(ties)
+
+
+SCENE = """\
+planes: 1
+frame: {points: {O: [0, 0], E: [0.5, 0.3], F: [0.6, -0.3]}}
+links:
+  1: {points: {O: 0, A: 0.1}}
+  2: {points: {A: 0, B: 0.3}}
+  3: {points: {B: 0, C: [0.2, 0.1], D: [0.2, -0.12]}, mass: 5, inertia: 0.1}
+  4: {points: {E: 0, C: 0.25}}
+  5: {points: {F: 0, D: 0.25}, mass: 2}
+drive: {link: 1, phi: 60, omega: 10}
+gravity: 9.81
+"""
+
+
+def test_a_scene_that_does_not_say_is_told_every_assembly() -> None:
+    scene = loads(SCENE)
+    assert scene.mechanism
+    with pytest.raises(SceneError) as caught:
+        plans_of(scene.mechanism, "scene.yaml")
+    said = str(caught.value)
+    assert "assembles in 2 places (proved" in said
+    assert "D: {near: [0.43323, -0.11375]} or D: {near: [0.50334, -0.069444]}" in said
+
+
+def test_one_assembly_is_followed_alike_by_arrays_and_the_compiled_loop() -> None:
+    scene = loads(SCENE + "assembly: {D: {near: [0.5, -0.07]}}\n")
+    assert scene.mechanism
+    cycle = Cycle(plans_of(scene.mechanism))
+    values = np.linspace(0.0, 360.0, 721)
+    slow, quick = cycle.table(values, False), cycle.table(values, True)
+    works = np.isfinite(slow).all(axis=0)
+    assert 680 < works.sum() < 721  # beyond its dead points there is no number
+    assert np.array_equal(works, np.isfinite(quick).all(axis=0))
+    size = np.abs(slow[:, works]).max(axis=1, keepdims=True)
+    assert (np.abs(slow - quick)[:, works] <= 1e-9 * (size + 1e-9)).all()
+    assert {r.key for r in cycle.reasons} >= {"track_missed"}
