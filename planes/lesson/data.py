@@ -19,7 +19,7 @@ from planes.lesson.formulas import mu_said, slot, unit
 from planes.lesson.frame import Frame, in_both, needed
 from planes.lesson.live import Knobs, Live
 from planes.lesson.practice import Practice, told_values
-from planes.lesson.scheme import arms, feet, pivots, related, scheme
+from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.plans import Plans
 from planes.plans.measuring import formula_of, lettering, say_plan
@@ -28,7 +28,7 @@ from planes.scene import Scene
 from planes.solving import plans_of
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.names import at, lettered, mu_of, plan_of
+from planes.words.names import at, kind_of, lettered, links_of, mu_of, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
 
@@ -66,6 +66,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "scheme": scheme(plans, drawing),
         "moments": arms(plans),
         "related": related(plans),
+        "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
         "under": {at("position", u.point): u.other for u in teller.stating.under.values()},
         "equations": [_equation(plans, e) for e in plans.equations],
         "frames": [{**vars(f), "values": told_values(f)} for f in frames],
@@ -129,6 +130,7 @@ def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
     fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
     return {
         "key": plan,
+        "links": list(links_of(plan)) if kind_of(plan) == "force" else [],
         "mu": in_both(partial(mu_said, plan, convention=convention)),
         "title": in_both(lambda lang: (told := say_plan(plan, lang))[:1].upper() + told[1:]),
         "fixed": fixed,

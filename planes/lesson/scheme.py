@@ -82,6 +82,16 @@ def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
     return found
 
 
+def acting(plans: Plans) -> dict[str, str]:
+    """The mark of the scheme at which each force acts; of a slider's reaction its point, whatever its arm."""
+    found = {f.name: f.point for forces in plans.acting.forces.values() for f in forces}
+    for r in plans.reactions.values():
+        point = at("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
+        ends = (r.pair.link, r.pair.other), (r.pair.other, r.pair.link)
+        found |= {f"{force_name(*two)}{part}": point for two in ends for part in ("", "^t", "^n")}
+    return found
+
+
 def related(plans: Plans) -> dict[str, list[str]]:
     """Links and points of the scheme by the names of vectors and values that are theirs."""
     names = {s.name for s in plans.segments} | {t.name for e in plans.equations for t in e.terms}

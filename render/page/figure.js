@@ -4,8 +4,8 @@ const NS = "http://www.w3.org/2000/svg";
 const LETTERS = JSON.parse(document.getElementById("letters").textContent);
 
 function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: as a sheet has it
-  const own = LETTERS[document.documentElement.lang];
-  return own[`${plan}:${name}`] || own[name] || [[name, ""]];
+  const own = LETTERS[document.documentElement.lang] || {}, first = Object.values(LETTERS)[0], full = `${plan}:${name}`;
+  return own[full] || first[full] || own[name] || first[name] || [[name, ""]];
 }
 function html(name, plan) { // letters stand up, indices stay whole
   const safe = t => t.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);

@@ -12,17 +12,31 @@ class Scheme extends Figure {
     this.start(now ? union(common, now) : common);
     const there = n => seen.has(n) && this.at(n) && this.px(this.at(n));
     for (const g of scheme.guides) this.guide(g, there(g.mark), live.angle("∥" + g.name), there);
-    for (const l of scheme.links) this.link(l, there);
+    const own = frame ? this.data.plans.find(p => p.key === frame.plan).links : [], apart = l => own.length && !own.includes(l.name);
+    for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");
     for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), live.angle("∥" + l.slides));
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
     this.hinges(there, lit);
     if (frame && frame.moments !== null && frame.plan === "position") this.forces(this.data.moments[frame.moments], frame.terms);
     for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
     if (frame && frame.turns) this.carried(frame);
+    if (own.length) this.loaded(frame);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots])];
     for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
       const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n && state.frame >= this.introduced(n));
       this.beside(g.q, [...g.names, ...under], "position", 9).dataset.name = g.names.map(n => "position:" + n).join(" ");
+    }
+  }
+  loaded(frame) { // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
+    const upto = this.data.frames.indexOf(frame), taken = {};
+    for (const s of this.data.segments) for (const name of s.plan === frame.plan ? s.names : []) {
+      const [p, a, b] = [this.data.acts[name] || "", `${s.plan}:${s.start}`, `${s.plan}:${s.end}`].map(n => this.at(n)), first = born(name, frame.plan);
+      const whole = this.data.segments.some(o => o.plan === s.plan && o.names.some(n => n === name.split("^")[0] && n !== name && born(n, s.plan) <= upto));
+      if (!p || !a || !b || first > upto || first < 0 || (name.includes("^") && whole)) continue;
+      const k = taken[p] = (taken[p] || 0) + 1, q = this.px([p[0], p[1]]), e = [q[0] + (b[0] - a[0]) * this.k, q[1] - (b[1] - a[1]) * this.k];
+      if (!this.arrow(q, e, frame.terms.includes(name) ? "force" : "part loaded", name)) continue;
+      const n = Math.hypot(e[0] - q[0], e[1] - q[1]), far = Math.min(n, 90) / n;
+      this.along(q, [q[0] + (e[0] - q[0]) * far, q[1] + (e[1] - q[1]) * far], [name], frame.plan, k);
     }
   }
   introduced(name) { // the frame that tells of the point under a slider
@@ -54,8 +68,8 @@ class Scheme extends Figure {
     const over = 34 / this.k, ends = [lo - (fixed || lo < 0 ? over : 0), hi + over].map(t => [p[0] + t * this.k * c, p[1] + t * this.k * s]);
     this.line(ends[0], ends[1], fixed ? "axis" : "rail", fixed ? "" : "link:" + g.link, true);
   }
-  link(l, there) {
-    const pts = l.points.map(there).filter(Boolean), cls = "link" + (l.name === this.data.scheme.driver ? " driver" : "");
+  link(l, there, away) {
+    const pts = l.points.map(there).filter(Boolean), cls = "link" + (l.name === this.data.scheme.driver ? " driver" : "") + away;
     const shape = hull(pts);
     if (shape.length > 2) {
       svg("polygon", { points: shape.map(p => p.map(v => v.toFixed(1)).join(",")).join(" "), class: cls, "data-name": "link:" + l.name }, this.node);

@@ -41,13 +41,15 @@ def tagged(text: str, naming: Naming, plan: str = "") -> str:
 
 
 def written(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[tuple[str, str]]]]:
-    """Names for a page's script, in every language: pieces of text, each lowered ("sub"), raised or neither."""
+    """Names for a page's script, in every language: pieces of text, each lowered ("sub"), raised or neither.
+    In all but the first only what it has not."""
     namings, names = [Naming(lang, **lettering) for lang in langs()], dict.fromkeys(names)
     pole = {"acceleration:p": [("π", "")]}
-    return {
-        n.lang: pole | {name: [(p.text, p.shift) for p in split(n.named(name), True)] for name in names}
-        for n in namings
-    }
+    first, *rest = [
+        pole | {name: [(p.text, p.shift) for p in split(n.named(name), True)] for name in names} for n in namings
+    ]
+    own = [first, *({name: z for name, z in other.items() if z != first[name]} for other in rest)]
+    return {n.lang: one for n, one in zip(namings, own, strict=True)}
 
 
 def split(text: str, name: bool = False) -> Iterator[Piece]:

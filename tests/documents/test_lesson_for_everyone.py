@@ -101,3 +101,17 @@ def test_results_are_shown_as_they_are_found(page: Any) -> None:
     assert "ω2" not in page.inner_text("#rates").replace("\\n", "")
     page.evaluate("go(data.frames.length - 1)")
     assert page.locator("#rates span").count() == page.evaluate("data.results.length")
+
+
+def test_a_group_stands_alone_under_its_forces_as_long_as_on_the_plan(page: Any) -> None:
+    page.evaluate("go(data.frames.findIndex(f => f.plan === 'force:2-3' && f.key === 'cross'))")
+    drawn = "[...document.querySelectorAll('#scheme .arrow')].map(a => a.dataset.name)"
+    assert {"G_2", "I_2", "F_24", "F_21^t", "F_21^n", "F_30^n"} <= set(page.evaluate(drawn))
+    away = page.evaluate("[...document.querySelectorAll('#scheme .away')].map(a => a.dataset.name)")
+    assert "link:1" in away and not {"link:2", "link:3"} & set(away)
+    long = """() => {
+        const g = document.querySelector('#scheme .arrow[data-name="F_24"] polygon').getAttribute('points');
+        const tip = g.split(' ')[0].split(',').map(Number), from = scheme.px(live.at('position:H'));
+        return Math.hypot(tip[0] - from[0], tip[1] - from[1]) / scheme.k; }"""
+    there = page.evaluate("Math.abs(live.value('|F_42|')) * live.given['mu_force:2-3']")
+    assert page.evaluate(long) == pytest.approx(there, rel=5e-3)
