@@ -171,7 +171,9 @@ def standing(case: Case) -> bool:
     if any(sol.guides[i][0] in friction and abs(v) < 1e-9 * quick for i, v in sol.speeds.items()):
         return True
     omegas = {n: w for n, (_, w) in sol.motion.items()}
-    most, pins = max(map(abs, omegas.values())), any(isinstance(f, Mapping) for f in friction.values())
+    span = max(abs(r) for r, _, _ in sol.points.values())
+    most = max([*map(abs, omegas.values()), *(abs(v) / span for v, _ in sol.motion.values())])  # all may slide alone
+    pins = any(isinstance(f, Mapping) for f in friction.values())
     return pins and any(abs(omegas[i] - omegas[j]) < 1e-9 * most for i, j in sol.hinges)
 
 
