@@ -46,8 +46,7 @@ class PointMarks:
 
 @dataclass(frozen=True, kw_only=True)
 class Plans:
-    """A mechanism stated, or vectors alone (of nothing that moves): the whole program and the names of what is measured
-    on it."""
+    """A mechanism stated, or vectors alone: the whole program and the names of what is measured on it."""
 
     mechanism: Mechanism
     structure: Structure

@@ -131,7 +131,7 @@ class StatedVectors:
         base, points = self.direction(way.vector), line_of(way.vector)
         quarter, link = way.quarter % 4, len(points) == 2
         if quarter == 1:
-            return d.square(base)
+            return d.step(Turn(f"⊥{base}", base, 1, means=Meaning("across", *points)))
         if quarter == 3:
             return d.step(Turn(f"−⊥{base}", base, 3, means=Meaning("across", *points)))
         if quarter == 2:

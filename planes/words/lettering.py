@@ -53,6 +53,9 @@ class Naming:
 
     def vector(self, name: str) -> str:
         """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 of a unit drive."""
+        times, _, whole = name.partition("·")
+        if whole:
+            return f"{decimal(times, self.lang)}·{self.vector(whole)}"
         base, _, part = name.partition("^")
         letter, _, index = base.partition("_")
         if letter == "MR":

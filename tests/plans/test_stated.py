@@ -214,6 +214,12 @@ def test_what_lies_end_to_end_is_read_there() -> None:
     )
 
 
+def test_a_line_of_action_is_told_by_the_vector_it_is_across() -> None:
+    plans = scene_plans(load(str(SAMPLES / "vectors" / "six-link.yaml")))
+    lines = {t.name: t.action for e in plans.equations for t in e.terms if not t.drawn}
+    assert (lines["v_LC"], lines["v_CB"], lines["a_CB^n"]) == ("⊥CH", "⊥BC", "C→B")
+
+
 def test_each_plan_has_its_own_scale() -> None:
     two = (ROOT / "samples" / "vectors" / "six-link.yaml").read_text("utf-8")
     mus = {plan: one["mu"] for plan, one in solved(two).results["plans"].items()}
