@@ -181,13 +181,10 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     place_all(bodies)
     resolve(bodies)
     velocity, acceleration = Rates(bodies, "velocity"), Rates(bodies, "acceleration")
-    draw_rates(velocity)
-    draw_rates(acceleration)
     at_rest = mechanism.drive.velocity == 0
-    motion = velocity
-    if at_rest:
-        motion = Rates(bodies, "motion")
-        draw_rates(motion)
+    motion = Rates(bodies, "motion") if at_rest else velocity
+    for rates in (velocity, acceleration, *([motion] if at_rest else [])):
+        draw_rates(rates)
     acting = Acting(bodies, motion, acceleration, LawValues(bodies, motion, velocity, acceleration))
     acting.gather()
     statics = Statics(bodies, acting)
