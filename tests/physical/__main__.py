@@ -1,7 +1,8 @@
 """`python -m tests.physical [COUNT] [seed=K] [FACTOR … | held | FOLDER]`: shares of pictures, a row a factor.
 
 COUNT drawings of each factor (8), half of them with a mistake; a factor is chosen by words of its name; "held" are the
-factors kept for the last count. A FOLDER of photographs with their marks is counted as a row of its own.
+factors kept for one count, "held next" those for the count after it. A FOLDER of photographs with their marks is
+counted as a row of its own.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from tests.physical.corpus import FACTORS, HELD, of_factor, works
+from tests.physical.corpus import FACTORS, HELD, HELD_NEXT, of_factor, works
 from tests.physical.counting import HEAD, Tally, line
 from tests.physical.folder import of_folder
 from tests.physical.setting import Spread
@@ -43,8 +44,8 @@ def print_factors(chosen: Mapping[str, Spread], count: int, seed: int) -> None:
 
 def chosen_by(names: list[str]) -> dict[str, Spread]:
     """The factors that hold one of the words; all but the held without any."""
-    if names == ["held"]:
-        return HELD
+    if names[:1] == ["held"]:
+        return HELD_NEXT if names[1:] == ["next"] else HELD
     return {n: s for n, s in FACTORS.items() if not names or any(w in n for w in names)}
 
 

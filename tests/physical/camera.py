@@ -127,6 +127,8 @@ def lit(picture: Any, setting: Setting, rng: random.Random) -> Any:
         along, across = x * math.cos(turn) + y * math.sin(turn), y * math.cos(turn) - x * math.sin(turn)
         hand = ((along > rng.uniform(0.0, 0.4)) & (np.abs(across - 0.2 * np.sin(5 * along)) < 0.5)).astype(np.float32)
         light = light * (1 - setting.shadow * cv2.GaussianBlur(hand, (0, 0), 0.012 * w))
+    if setting.banding:
+        light = light * (1 - setting.banding * (0.5 + 0.5 * np.sin(25 * y + way)))
     warm = np.array([rng.uniform(0.86, 1.0), 0.96, rng.uniform(0.92, 1.0)], np.float32)
     return picture * light[..., None] * warm
 

@@ -131,6 +131,15 @@ HELD: dict[str, Spread] = {  # nobody tunes to these: they are counted once, at 
 }
 
 
+HELD_NEXT: dict[str, Spread] = {  # thought of after the last mending, counted once, by the words "held next"
+    "blunt pencil": {"width_mm": 0.8, "press": 0.8},
+    "dim light, phone": {**PHONE, "noise": 11.0, "blur_px": 1.3},
+    "thumb on a corner": {**PHONE, "thumb": True},
+    "teacher's ticks": {"ticked": True},
+    "flickering lamp": {**PHONE, "banding": 0.12},
+}
+
+
 @dataclass(frozen=True)
 class Work:
     """A drawing somebody made: which plan, with which mistake."""

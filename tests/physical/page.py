@@ -113,6 +113,14 @@ def _spoil(page: Page) -> None:
     """What happens to a sheet afterwards: a fold, a cup, a curl."""
     s, paper = page.paper.setting, page.paper
     h, w = paper.colour.shape[:2]
+    if s.ticked:
+        for _ in range(3):
+            z = page.pole + complex(page.rng.uniform(-50, 50), page.rng.uniform(-50, 50))
+            paper.lay([z, z + 3 - 4j, z + 10 + 8j], [1.0, 1.0], 0.6, (50, 40, 200), even=0.9)
+    if s.thumb:
+        tip = complex(page.rng.choice((28, 270)), page.rng.choice((10, 200)))
+        start, end = ([round(v) for v in paper.px(z)] for z in (tip, tip + (30 if tip.real > 99 else -30)))
+        cv2.line(paper.colour, start, end, (150, 175, 215), round(17 * PX_PER_MM))
     if s.cup:
         middle = int(page.rng.uniform(0.2, 0.8) * w) // 4, int(page.rng.uniform(0.2, 0.8) * h) // 4
         wet: Any = np.zeros((h // 4, w // 4), np.float32)

@@ -67,6 +67,10 @@ class Setting:
     cup: bool = False
     copied: bool = False  # a photocopy of the drawing
     skipping: float = 0.0  # the share of a pen's line where its ball does not write
+    # kept for the count after that
+    thumb: bool = False  # that holds a corner of the sheet
+    ticked: bool = False  # by a teacher's red pen
+    banding: float = 0.0  # how much darker every other band of a flickering lamp's light is
 
 
 Spread = Mapping[str, Any]  # a field's value, a list to choose of, or a pair of floats to draw between

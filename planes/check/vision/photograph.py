@@ -16,7 +16,8 @@ from planes.check.vision.match_printed import PrintedSheet
 from planes.check.vision.match_scheme import origin_found, points_on
 from planes.check.vision.page_parts import A2_MM2, parts_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, fits, flatten
-from planes.check.vision.places import Seen, pole_found, pole_on, sheet_of
+from planes.check.vision.places import Seen, pole_on, sheet_of
+from planes.check.vision.pole_guess import pole_found
 from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError

@@ -9,7 +9,6 @@ from functools import cached_property
 import numpy
 
 from planes.check.fiducials import within
-from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.arrow_tips import USUAL_MM, head_about
 from planes.check.vision.drawn_lines import lines_of, on, patches
 from planes.check.vision.heads import head_at
@@ -18,8 +17,6 @@ from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import Flat
 from planes.check.vision.rubbed_out import remaining
 from planes.geometry.arrays import Complexes
-from planes.words import Phrase
-from planes.words.names import kind_of, label_of
 
 END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
 CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of one within other ink
@@ -29,10 +26,9 @@ PASSING_MM = 0.3  # σ of what was put on a line, off it
 TIP_MM, DIM_TIP_MM, CLOSER_MM = 0.3, 0.5, 2.0  # σ of a tip that was only looked for, or dimly seen; how far astray
 HEADED_MM, HEADS = 4.5, 3  # shorter vectors have no head, twice as long ones surely do; so many tell how long all are
 BEYOND_MM, LONGER = 4.0, 0.4  # how far past its end a line is looked for, and the share of ink by which it goes on
-SAME_MM, REACH_MM = 0.4, 2.5  # places nearer than this are one; of a true mark, when the pole is looked for
+SAME_MM = 0.4  # places nearer than this are one
 POLE_MM, WOBBLE_MM = 0.06, 0.2  # σ of where a line from the pole begins, of what a hand's wobble does to any mark
 LOOKED_FOR = 1.7  # how much less sure a person's mark is than the tip it was told by
-MANY, APART_MM = 3, 15.0  # marks that fit elsewhere by no chance; how far off that is another drawing
 
 
 @dataclass
@@ -232,19 +228,3 @@ def pole_on(seen: Seen, near: complex, reach: float = 2.0) -> Place:
             ended.add((k, side))
     z, sigma = eqs.solved()
     return Place(z, sigma, frozenset(ended))
-
-
-def pole_found(bench: PreparedPlan, seen: Seen) -> complex | None:
-    """The place from which the true plan would meet the most places; None where hardly any would be met."""
-    ends = [z for z in bench.true_marks.values() if abs(z) > 1]
-    if kind_of(bench.asked.plan) == "force":  # the order of the forces is free: the closing corner alone is sure
-        loose = {label_of(s.makes) for s in bench.program.steps if s.quantity == "tangential"}
-        ends = [z for n, z in bench.true_marks.items() if n not in loose]
-    tried = [(0.0, 0j)]
-    for p in (p for p in seen.places if p.ended):
-        hits = sum(any(q.ended for q in seen.within(p.z + e, REACH_MM)) for e in ends)
-        tried.append((hits + 0.01 * len(p.ended), p.z))
-    best, place = max(tried, key=lambda one: one[0])
-    if len(ends) >= MANY and any(hits >= len(ends) and abs(z - place) > APART_MM for hits, z in tried):
-        seen.ink.flat.notes.append(Phrase("check_two_plans"))
-    return place if best >= max(2, 0.4 * len(ends)) else None
