@@ -15,7 +15,7 @@ from planes.plans.bodies import SCHEME, BodyPoint
 from planes.plans.groups import Group, Triad
 from planes.plans.kinematics import Rates
 from planes.plans.legs import Leg, lead_leg
-from planes.words.names import Meaning, at
+from planes.words.names import Meaning, at, parts_of
 
 
 def draw_rates(r: Rates) -> None:
@@ -61,7 +61,7 @@ class _Triad:
         """The terms from the pole by what a lead hangs on to S; both tangential parts are one."""
         r, s = self.r, self.special.name
         *known, last = r.chain(leg)
-        symbol, part = s + leg.symbol.removeprefix(leg.new.name), last.name.partition("^")[2]
+        symbol, part = s + leg.symbol.removeprefix(leg.new.name), parts_of(last.name)[2]
         if r.quick:
             known.append(self.towards(leg, last.start))
         name = f"{r.letter}{symbol}" + (f"^{part}" if part else "")

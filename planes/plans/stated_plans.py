@@ -8,7 +8,7 @@ from planes.scene.vector_equations import VectorEquation
 from planes.scene.vectors import Statement
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import force_plan
+from planes.words.names import force_plan, kind_of
 
 _LETTERS = {"contour": r"[rl]_", "velocity": "v_", "acceleration": "a_", "force": r"[FRGINTPQΦФ][_\d]"}
 _ACTS = re.compile(r"(?:[FR]_(\d)\d|[GIΦФP]_(\d+))(?:\^[tn])?(?:_\d+)?")
@@ -25,10 +25,10 @@ def plans_of_equations(scene: Scene, statement: Statement) -> dict[tuple[int, st
     for e in statement.equations:
         kind = _kind(scene, e) or asked or "vectors"
         found[e.line, e.text] = force_plan(*_links(e.names)) if kind == "force" else kind
-    kinds = {plan.partition(":")[0] for plan in found.values()}
+    kinds = {kind_of(plan) for plan in found.values()}
     if asked and asked not in kinds:
         equation = statement.equations[0]
-        kind = QUANTITIES.get(kind := found[equation.line, equation.text].partition(":")[0], kind)
+        kind = QUANTITIES.get(kind := kind_of(found[equation.line, equation.text]), kind)
         told = {"plan": Phrase(f"scale_{kind}"), "units": Phrase(f"units_{kind}")}
         raise SceneError(Phrase("vectors_mu", name=equation.names[0], **told), scene.file, scene.where.get(("mu",)))
     return found

@@ -13,6 +13,7 @@ from planes.scene.vector_amounts import VectorAmount, read_amount
 from planes.scene.vector_equations import VECTOR, VectorEquation, read_equation
 from planes.words import Phrase, Told
 from planes.words.errors import EquationError, ExpressionError, SceneError, choices, shown
+from planes.words.names import turned_back
 
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
 _NAME = re.compile(VECTOR)
@@ -139,10 +140,9 @@ class _StatementReader:
     def direction(self, table: SourceTable, key: str, what: Told, quarter: int) -> float | AlongVector | None:
         """Degrees, or the direction of another vector: r_BC, and -r_BC the other way."""
         node = self.reader.optional(table, key)
-        text = node.text.strip().replace("−", "-") if isinstance(node, SourceScalar) else ""
-        name = text.removeprefix("-").strip()
+        name, back = turned_back(node.text if isinstance(node, SourceScalar) else "")
         if name in self.vectors.entries:
-            return AlongVector(name, quarter + 2 * text.startswith("-"))
+            return AlongVector(name, quarter + 2 * back)
         if node is not None and _NAME.fullmatch(name) and name not in self.reader.parameters and name != "pi":
             self.named(node, name, part(key, what))
         found = self.reader.said(table, key, what)

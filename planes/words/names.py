@@ -152,6 +152,12 @@ def is_scale(name: str) -> bool:
     return name.startswith("mu_")
 
 
+def turned_back(name: str) -> tuple[str, bool]:
+    """A vector, and whether it is meant the other way: r_BC of -r_BC."""
+    name = name.strip().replace("−", "-")
+    return name.removeprefix("-").strip(), name.startswith("-")
+
+
 def component_of(name: str) -> str:
     """The axis a component is along: x of aq_S2_x; "" of a whole."""
     last = name.rpartition("_")[2]
