@@ -72,7 +72,7 @@ def draw(command: str, lang: str) -> str:
 def gallery(folder: str) -> list[tuple[str, Path]]:
     """The scenes of a folder: what draws each, and its file."""
     files = sorted(f for f in (ROOT / folder).glob("*.yaml") if f.stem != "crank-slider")
-    views = {f: "position" if load(f).mechanism else "vectors" for f in files}
+    views = {f: "position" if load(f).mechanism else "velocity-plan" for f in files}
     return [(f"sheet {f.relative_to(ROOT).as_posix()} --view {view}", f) for f, view in views.items()]
 
 

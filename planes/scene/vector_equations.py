@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 from planes.scene.expressions import evaluate
@@ -37,7 +37,7 @@ class VectorEquation:
 
     text: str
     sides: tuple[Side, ...]
-    line: int = 0
+    line: int = field(default=0, compare=False)
 
     @property
     def names(self) -> tuple[str, ...]:

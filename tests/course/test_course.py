@@ -259,7 +259,7 @@ def test_a_scene_written_anew_is_the_same(path: Path) -> None:
 def test_every_sample_written_anew_is_the_same(path: Path) -> None:
     text = path.read_text("utf-8")
     scene, again = load(path), loads(own_scene(text, str(path), None, {}, {}), str(path))
-    for name in ("mechanism", "parameters", "title", "vectors", "equations", "mu", "find", "sheet", "frame_number"):
+    for name in ("mechanism", "parameters", "title", "statement", "mu", "find", "sheet", "frame_number"):
         assert getattr(again, name) == getattr(scene, name), name
 
 

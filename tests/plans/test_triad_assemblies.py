@@ -12,7 +12,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from planes.batch import Cycle
+from planes.batch import Cycle, compiled
 from planes.geometry import plane
 from planes.geometry.sextic import assemblies
 from planes.geometry.tracks import Tie
@@ -152,6 +152,7 @@ def test_a_scene_that_does_not_say_is_told_every_assembly() -> None:
     assert "D: {near: [0.43323, -0.11375]} or D: {near: [0.50334, -0.069444]}" in said
 
 
+@pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
 def test_one_assembly_is_followed_alike_by_arrays_and_the_compiled_loop() -> None:
     scene = loads(SCENE + "assembly: {D: {near: [0.5, -0.07]}}\n")
     assert scene.mechanism
