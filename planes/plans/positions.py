@@ -135,7 +135,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
     name = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
-    taken = {*b.mechanism.names, POLE}
+    taken = {*b.mechanism.names, *b.specials.values(), POLE}
     here = point, link
     if not name or name in taken or b.coincident.get(name, here) != here:
         name = f"{point}{link}"

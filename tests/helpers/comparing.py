@@ -173,7 +173,8 @@ def standing(case: Case) -> bool:
     omegas = {n: w for n, (_, w) in sol.motion.items()}
     span = max(abs(r) for r, _, _ in sol.points.values())
     most = max([*map(abs, omegas.values()), *(abs(v) / span for v, _ in sol.motion.values())])  # all may slide alone
-    pins = any(isinstance(f, Mapping) for f in friction.values())
+    straight = {guide for guide, _, _ in sol.guides.values()}
+    pins = any(name not in straight for name in friction)
     return pins and any(abs(omegas[i] - omegas[j]) < 1e-9 * most for i, j in sol.hinges)
 
 

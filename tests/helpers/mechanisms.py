@@ -20,6 +20,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from tests.helpers.oracle import NoSolution, Solution, solve
+from tests.helpers.oracle_pins import circle_of
 
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP")
 NAMES = [c + n for n in ("", *map(str, range(2, 20))) for c in "ABCDEFGHJKLMNQRSTUVW"]
@@ -342,6 +343,28 @@ class Builder:
             out[key] = {"near": [z.real, z.imag]}
         return out
 
+    def bend(self, scene: dict[str, Any]) -> None:
+        """Most hinges of two links, not those of the driver, become guides along a circle about it on one of them."""
+        rng, bodies = self.rng, {b.name: b for b in self.bodies}
+        driver = bodies[scene["drive"]["link"]]
+        for point in dict.fromkeys(p for b in self.bodies for p in b.points):
+            holders = [b for b in self.bodies if point in b.points]
+            if len(holders) != 2 or driver in holders or rng.random() > 0.6:
+                continue
+            moved, owner = rng.sample(holders, 2)
+            used = any(point == g.get("through", g.get("centre")) for g in moved.guides.values())
+            if moved is self.frame or moved.slides is not None or len(moved.points) < 2 or used:
+                continue
+            at, name = moved.local(moved.points.pop(point)), f"c{point}"
+            back = (at - moved.local(next(iter(moved.points.values())))) / 1j
+            side, radius = rng.choice((1, -1)), abs(back) * rng.uniform(0.4, 2.0)
+            turn = -math.degrees(cmath.phase(back * side))
+            moved.slides = {"guide": name, "angle": turn, "offset": radius - side * abs(back)}
+            owner.guides[name] = {"centre": point, "radius": radius}
+            scene["links"][moved.name]["slides"] = moved.slides
+            scene["links"][moved.name]["points"].pop(point)
+            (scene["frame"] if owner is self.frame else scene["links"][owner.name])["guides"] = owner.guides
+
 
 def three_lines(leads: Sequence[str], spots: list[complex], pivots: list[complex], ways: list[float]) -> float:
     """How far the lines of three leads are from meeting in one point, times the sine between the first two."""
@@ -401,6 +424,7 @@ def make(
     limit: float = 1e9,
     every: bool = False,
     inner: bool = False,
+    arcs: bool = False,
 ) -> Case:
     """A random mechanism of these groups in this order; with ``inner`` a cylinder between moving links drives it.
 
@@ -408,12 +432,15 @@ def make(
     group of the chain has a sharpness between that and 0.1; `swapped`: an earlier link may slide on a later
     link's guide; `assembly`: "near", "side" or None for either; `rest`: the driver at rest, `epsilon`
     alone; `limit`: the largest condition number kept; `every`: whatever the format allows, links and drivers of one
-    point, several sliders on one guide, coincident points, letters of guides.
+    point, several sliders on one guide, coincident points, letters of guides; `arcs`: hinges become
+    guides along a circle. In a group of class III nothing rubs.
     """
     for _ in range(200):
         try:
             slid = rng.random() < 0.25 if sliding is None else sliding
-            case = attempt(rng, kinds, slid, size, ill, swapped, friction, pins, loads, assembly, rest, every, inner)
+            case = attempt(
+                rng, kinds, slid, size, ill, swapped, friction, pins, loads, assembly, rest, every, inner, arcs
+            )
         except (NoSolution, np.linalg.LinAlgError):
             continue
         if case.solution.condition < limit:
@@ -435,6 +462,7 @@ def attempt(
     rest: bool,
     every: bool = False,
     inner: bool = False,
+    arcs: bool = False,
 ) -> Case:
     """One try of `make`; raises NoSolution where the draw is of no use."""
     build = Builder(rng, size, ill, swapped, every)
@@ -466,6 +494,8 @@ def attempt(
     scene["assembly"] = build.assembly(assembly)
     words = ("velocity", "acceleration") if sliding else ("omega", "epsilon")
     scene["drive"] = {"link": driver.name, **drive, **dict(zip(words, rates, strict=True))}
+    if arcs:
+        build.bend(scene)
     guess = {b.name: (b.origin.real, b.origin.imag, b.turn) for b in moving}
     sol = solve(scene, guess)
     if sol.condition > 1e12:
@@ -479,19 +509,41 @@ def attempt(
         scene["gravity"] = rng.choice((0, 9.81 * size))
         scene["loads"] = loads_for(rng, scene, sol, size)
     quick = max([abs(v) for v in sol.speeds.values()], default=0.0)
+    smooth = smooth_pairs(build, sol, driver.name)
     if friction:
-        rubbing = [sol.guides[i][0] for i, v in sol.speeds.items() if abs(v) > 1e-6 * quick]
+        rubbing = [sol.guides[i][0] for i, v in sol.speeds.items() if abs(v) > 1e-6 * quick and i not in smooth]
         scene["friction"] = {guide: 10 ** rng.uniform(-2.5, -0.8) for guide in rubbing}
     if pins:
-        for (i, j), place in sol.hinges.items():
-            point = next(p for p in build_points(scene, i, j) if abs(sol.points[p][0] - place) < 1e-9 * size)
-            pin = {"coefficient": rng.uniform(0.02, 0.2), "radius": rng.uniform(0.02, 0.1) * size}
-            scene.setdefault("friction", {}).setdefault(point, pin)
+        rub_hinges(rng, scene, sol, size, smooth)
     sol = solve(scene, guess)
     if sol.consistent != 1:
         raise NoSolution("friction with more than one answer")
     groups = [(d.kind, d.i.name, d.j.name) for d in build.dyads]
     return Case(scene, guess, groups, sol)
+
+
+def smooth_pairs(build: Builder, sol: Solution, driver: str) -> set[Any]:
+    """The pairs of groups of class III, which do not rub: (i, j) of hinges, the links that slide."""
+    order = ["0", driver, *(n for g in sol.groups for n in g)]
+    inside = {b.name for basic, leads, _ in build.triads for b in (basic, *leads)}
+    pairs: dict[Any, tuple[str, str]] = {key: key for key in sol.hinges}
+    pairs |= {i: (i, guide[1]) for i, guide in sol.guides.items()}
+    return {key for key, pair in pairs.items() if max(pair, key=order.index) in inside}
+
+
+def rub_hinges(rng: random.Random, scene: dict[str, Any], sol: Solution, size: float, smooth: set[Any]) -> None:
+    """Pins for hinges and coefficients for guides along a circle, but where a pair of that point is smooth."""
+    drawn, apart = dict[str, Any](), set[str]()
+    for (i, j), place in sol.hinges.items():
+        common = [p for p in build_points(scene, i, j) if abs(sol.points[p][0] - place) < 1e-9 * size]
+        circles = (circle_of(scene, x) for x in (i, j))
+        name = next(iter(common), "") or next(
+            c[0] for c in circles if c and abs(sol.points[c[1]][0] - place) < 1e-9 * size
+        )
+        pin = {"coefficient": rng.uniform(0.02, 0.2), "radius": rng.uniform(0.02, 0.1) * size}
+        drawn.setdefault(name, pin if common else 10 ** rng.uniform(-2.5, -1.0))
+        apart |= {name} if (i, j) in smooth else set()
+    scene.setdefault("friction", {}).update({k: v for k, v in drawn.items() if k not in apart})
 
 
 def build_points(scene: Mapping[str, Any], *links: str) -> list[str]:

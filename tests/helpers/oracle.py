@@ -33,7 +33,7 @@ from tests.helpers.oracle_forces import (
     unbalanced,
     velocity,
 )
-from tests.helpers.oracle_pins import radius_of, without_circles
+from tests.helpers.oracle_pins import place, radius_of, without_circles
 
 __all__ = [
     "FRAME",
@@ -118,13 +118,6 @@ class Solution:
     hinges: dict[tuple[str, str], complex]
     speeds: dict[str, float]
     slid: dict[str, float]
-
-
-def place(value: Any) -> complex:
-    """A point's local coordinate in any of the three spellings."""
-    if isinstance(value, Mapping):
-        return cmath.rect(float(value["r"]), math.radians(float(value["angle"])))
-    return complex(*map(float, value)) if isinstance(value, (list, tuple)) else complex(float(value))
 
 
 def guide_line(spec: Mapping[str, Any], points: Mapping[str, complex]) -> tuple[complex, complex]:

@@ -23,6 +23,13 @@ class Grip:
     column: Vector
 
 
+def place(value: Any) -> complex:
+    """A point's local coordinate in any of the three spellings."""
+    if isinstance(value, Mapping):
+        return cmath.rect(float(value["r"]), math.radians(float(value["angle"])))
+    return complex(*map(float, value)) if isinstance(value, (list, tuple)) else complex(float(value))
+
+
 def radius_of(scene: Mapping[str, Any], point: str, *links: str) -> float:
     """What the couple of friction at a point is to the force there, m."""
     said = scene.get("friction") or {}
@@ -51,8 +58,7 @@ def without_circles(scene: Mapping[str, Any]) -> dict[str, Any]:
         links[name] = link
         if found := circle_of(scene, name):
             slides = link["slides"] if isinstance(link["slides"], Mapping) else {}
-            first = next(iter(link["points"].values()))
-            first = complex(*first) if isinstance(first, (list, tuple)) else complex(float(first))
+            first = place(next(iter(link["points"].values())))
             back = cmath.rect(found[2] - float(slides.get("offset", 0)), -math.radians(float(slides.get("angle", 0))))
             centre = first + 1j * back
             points = {**link["points"], found[1]: [centre.real, centre.imag]}

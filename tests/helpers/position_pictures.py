@@ -18,7 +18,8 @@ import cv2
 
 from tests import sample_oracle
 from tests.helpers import line_drawings, photographs
-from tests.helpers.oracle import Solution, follow, place, solve
+from tests.helpers.oracle import Solution, follow, solve
+from tests.helpers.oracle_pins import place
 from tests.helpers.photographs import Camera, Page, Stroke
 
 HINGE_MM, DOT_MM, BLOCK_MM, BEYOND_MM = 1.3, 0.7, (9.0, 5.0), 14.0

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from tests.helpers.comparing import Drawn, Number, closing_mm, differences, draw, numbers, standing
 from tests.helpers.mechanisms import Case, mechanisms
-from tests.helpers.oracle import place
+from tests.helpers.oracle_pins import place
 
 FEW = settings(max_examples=40)
 CASES = mechanisms(most=3)

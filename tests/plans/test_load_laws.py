@@ -6,7 +6,6 @@ import math
 import random
 import re
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -29,56 +28,11 @@ from planes.words import say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.lettering import Naming
 from tests.helpers.comparing import against
-from tests.helpers.mechanisms import KINDS, Case, make, to_yaml
-from tests.helpers.oracle import Solution, follow, solve
+from tests.helpers.mechanisms import KINDS, to_yaml
+from tests.helpers.mixtures import lawful
+from tests.helpers.oracle import follow
 
 MOST = 1e-9
-
-
-def motion(rng: random.Random, scene: dict[str, Any], sol: Solution) -> str:
-    """Something that is about 1, by a name of the motion, in many forms."""
-    sizes = {f"{x}_{n}": v for n, (v, a, _) in sol.slides.items() for x, v in (("v", v), ("a", a), ("s", sol.slid[n]))}
-    for n, (_, omega, epsilon) in sol.links.items():
-        sizes |= {f"omega_{n}": omega, f"epsilon_{n}": epsilon}
-    for p, (r, v, a) in sol.points.items():
-        if any(p in link["points"] for link in scene["links"].values()):
-            sizes |= {f"x_{p}": r.real, f"y_{p}": r.imag, f"v_{p}": abs(v), f"a_{p}": abs(a)}
-    sizes = {n: v if abs(v) > 1e-9 else 0.0 for n, v in sizes.items()}  # what only rounding moves stands
-    largest = {x: max(abs(v) for n, v in sizes.items() if n[0] == x) for x in {n[0] for n in sizes}}
-    name = rng.choice(sorted(sizes))
-    ratio = f"({name}/{largest[name[0]] or 1.0!r})"
-    angle = rng.choice([f"phi_{n}" for n in sol.links])
-    ways = [ratio, f"{ratio}^2", f"(1 + {ratio}^2)^-1.5", f"sqrt(abs{ratio})", f"hypot({ratio}, 0.5)"]
-    ways += [f"max({ratio}, 0.25)", f"min(1/(2 + {ratio}), 0.4)", f"(sin({angle}) - cos(2*{angle})/3)"]
-    return rng.choice(ways)
-
-
-def law(rng: random.Random, scene: dict[str, Any], sol: Solution, link: str, most: float) -> Any:
-    """A number of a load as a law of any form."""
-    text = f"{most * rng.uniform(-1, 1)!r} + {most!r}*{motion(rng, scene, sol)}*{motion(rng, scene, sol)}"
-    if (way := rng.random()) < 0.5:
-        return text
-    if way < 0.75:
-        xs = [-5.0, -0.7, rng.uniform(-0.5, 0.5), 0.8, 5.0]
-        return {"over": motion(rng, scene, sol), "table": [[x, most * rng.uniform(-1, 1)] for x in xs]}
-    moving = [n for n, v in sol.speeds.items() if abs(v) > 1e-6 * max(map(abs, sol.speeds.values()))]
-    if not moving:
-        return text
-    slider = rng.choice(moving)
-    return {"working": text, "idle": most / 10, "slider": slider, "stroke": rng.choice(("ahead", "behind"))}
-
-
-def lawful(seed: int, kinds: tuple[str, ...], **options: Any) -> Case:
-    """A random mechanism, its loads made laws."""
-    rng = random.Random(seed)
-    case = make(rng, kinds, **options)
-    scene = {**case.scene, "loads": [dict(load) for load in case.scene["loads"]]}
-    for load in scene["loads"]:
-        key = "force" if "force" in load else "moment"
-        load[key] = law(rng, scene, case.solution, load["link"], abs(load[key]))
-        if isinstance(load.get("direction"), float) and rng.random() < 0.5:
-            load["direction"] = f"90 + 40*{motion(rng, scene, case.solution)}"
-    return replace(case, scene=scene, solution=solve(scene, case.guess))
 
 
 @pytest.mark.parametrize("seed", range(24))

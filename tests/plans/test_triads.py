@@ -26,3 +26,9 @@ def test_after_and_before_dyads() -> None:
         rng = random.Random(f"chain {seed}")
         kinds = [rng.choice(KINDS), rng.choice(MIXTURES), rng.choice(KINDS)]
         examine(make(rng, kinds[seed % 3 == 0 :]))
+
+
+@pytest.mark.parametrize(("kind", "seed"), [("RPP", 52), ("RRP", 0)])
+def test_a_special_point_is_not_taken_for_a_point_of_a_guide_under_a_slider(kind: str, seed: int) -> None:
+    """Both would be called by the letter of a hinge, S, and the name of the basic link."""
+    examine(make(random.Random(f"after {kind} {seed}"), ["RR-RR-PR", kind]))
