@@ -53,6 +53,7 @@ class Column(NamedTuple):
         if self.per is None:
             return self.own(things, ar)
         rate = self.per.rate(things)
+        rate = ar.where(rate == 0, float("nan"), rate)  # of a speed that underflows
         return self.own(things, ar) / (abs(rate) if self.part else rate)
 
     def own(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:

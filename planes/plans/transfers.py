@@ -29,7 +29,8 @@ def driver_vector(plans: Plans) -> DriverVector | None:
         value = steps.get(laid.length)
         factors = value.terms[0].factors if isinstance(value, Calculate) and len(value.terms) == 1 else ()
         if len(factors) == 2 and factors[0] == (plans.links[drive.link].omega, 1) and factors[1][1] == 1:
-            return DriverVector(laid.start, laid.makes, laid.along, factors[1][0])
+            length = factors[1][0]
+            return DriverVector(laid.start, laid.makes, laid.along, length) if plans.given.get(length, 1.0) else None
     return None
 
 
