@@ -18,8 +18,9 @@ from planes.batch.tracing import trace
 from planes.drafting.instruments import Instrument, Pencil
 from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.plans.columns import Column
 from planes.plans.measuring import DrawingReader
-from planes.plans.quantities import Column, Measured, Quantity, nested, told_of
+from planes.plans.quantities import Measured, Quantity, nested, told_of
 from planes.solving import Position, Solved
 from planes.words.names import at, mu_of
 from planes.words.records import or_none

@@ -20,7 +20,7 @@ from planes.drafting.instruments import Pencil
 from planes.geometry.arithmetic import Point
 from planes.geometry.arrays import Array
 from planes.plans import Plans
-from planes.plans.quantities import Column
+from planes.plans.columns import Column
 from planes.plans.scales import FIT_MM, scales
 from planes.words import Lang, say, table
 from planes.words.errors import PlanFailure

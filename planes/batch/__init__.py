@@ -24,7 +24,8 @@ from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.plans import Plans
-from planes.plans.quantities import Column, asked
+from planes.plans.columns import Column
+from planes.plans.quantities import asked
 from planes.plans.scales import unit_scales
 from planes.scene.ranges import Span
 from planes.words import Phrase

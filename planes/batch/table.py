@@ -13,7 +13,8 @@ from planes.drafting.program import Program
 from planes.geometry.arithmetic import Point
 from planes.geometry.arrays import Array, Complexes, Floats, Indices, Texts
 from planes.plans import Plans
-from planes.plans.quantities import Column, Quantity, once, results_of
+from planes.plans.columns import Column
+from planes.plans.quantities import Quantity, once, results_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError, choices
 from planes.words.records import Described

@@ -18,7 +18,9 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.loads import force_name
 from planes.plans.quantities import MOTION, results_of
+from planes.plans.transfers import analogue_units, ratio_name, turning
 from planes.scene.mechanism import FRAME
+from planes.words.names import as_indexed
 from planes.words.units import RATE_UNITS
 
 Sample = Mapping[str, Array]
@@ -65,21 +67,15 @@ def needs_of(things: Iterable[Curve | CycleVector], slopes: bool = True) -> list
     return list(asked)
 
 
-def analogue_units(turning: bool) -> dict[str, str]:
-    """Units of the analogues: the derivatives by an angle in radians, or by metres."""
-    if turning:
-        return {"v": "m", "a": "m", "omega": "1", "epsilon": "1"}
-    return {"v": "1", "a": "1/m", "omega": "1/m", "epsilon": "1/m²"}
-
-
 def curves_of(plans: Plans) -> dict[str, Curve]:
-    """Every curve of a mechanism by its name, in the order they are listed; a reaction's other name leads to it too."""
+    """Every curve of a mechanism by its name, in the order they are listed; a reaction's other name leads to it too, as
+    does an analogue's as it is lettered."""
     found = {c.name: c for c in (*_places(plans), *_motions(plans, "q"), *_motions(plans), *_forces(plans))}
     for r in plans.reactions.values():
         found.setdefault(force_name(r.pair.other, r.pair.link), found[r.key])
-    for link in _turning(plans):
+    for link in turning(plans):
         found.setdefault(f"omegaq_{link}", found[ratio_name(plans, link)])
-    return found
+    return {as_indexed(name): curve for name, curve in found.items()} | found
 
 
 def arrows_of(plans: Plans) -> dict[str, CycleVector]:
@@ -93,14 +89,6 @@ def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     for r in plans.reactions.values():
         found[r.key] = CycleVector(r.key, "N", r.key)
     return found
-
-
-def ratio_name(plans: Plans, link: str) -> str:
-    """The name of the transfer ratio ω_link/ω_driver: u_31."""
-    driver = plans.mechanism.drive.link
-    if plans.mechanism.drive.kind != "phi":
-        return f"omegaq_{link}"
-    return f"u_{link}{driver}" if len(link) == len(driver) == 1 else f"u_{link}_{driver}"
 
 
 # the parts of the list
@@ -147,7 +135,7 @@ def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
         rate, run, units = 1.0, UNIT, analogue_units(plans.mechanism.drive.kind == "phi")
     group: Group = "analogue" if q else "rate"
     slope = UNIT if rate else ""
-    for link in _turning(plans):
+    for link in turning(plans):
         name, quick = ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
         yield _scalar(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
         yield _scalar(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
@@ -170,12 +158,6 @@ def _forces(plans: Plans) -> Iterator[Curve]:
             yield from _vector(q.name, "N", "force", q.name)
         for c in q.columns[2:] if vector else q.columns:
             yield _scalar(c.name, c.unit, "force", c.name)
-
-
-def _turning(plans: Plans) -> list[str]:
-    """Links that turn, the driver aside."""
-    driver = plans.mechanism.drive.link
-    return [n for n, v in plans.links.items() if n not in (FRAME, driver) and v.omega]
 
 
 def _column(name: str) -> Callable[[Sample], Real]:

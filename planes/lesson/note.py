@@ -142,7 +142,7 @@ class Note:
         """Analogues of velocities and ratios by segments of the velocity plan."""
         rows = [tuple(row) for row in TransferFunctions(self.position, self.naming).rows()]
         head = tuple(map(self.say, ("quantity", "note_by_segments", "value", "note_unit")))
-        yield from self.table("transfers_table", head, rows)
+        yield from self.table("of_transfers", head, rows)
 
     def placed(self) -> Iterator[tuple[str, Frame]]:
         """Frames with the plan they are told under: a moment equation under the plan it serves."""

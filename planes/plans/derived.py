@@ -4,17 +4,21 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from planes.plans import Plans
+from planes.plans.columns import DriverVector
 from planes.plans.loads import pair_index
 from planes.words.units import unit_of_parameter
 
 
 class Derived(NamedTuple):
-    """A value of the program that can be asked for by any of its ``names``; the first is its key in the JSON."""
+    """A value of the program, or the size of a segment by its ``ends``, that can be asked for by any of its
+    ``names``; the first is its key in the JSON. ``per``: to the driver's rate."""
 
     names: tuple[str, ...]
     unit: str
     value: str
     group: str
+    ends: tuple[str, str] = ("", "")
+    per: DriverVector | None = None
 
 
 def derived(plans: Plans) -> Iterator[Derived]:

@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans
-from planes.plans.quantities import Column, Measured, Quantity
+from planes.plans.columns import Column
+from planes.plans.quantities import Measured, Quantity
 from planes.plans.structure import Structure
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME

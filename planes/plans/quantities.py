@@ -1,64 +1,23 @@
 """What can be asked of a mechanism: quantities by name, their numbers, and how each is taken from what is drawn."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from planes.drafting.tools import Thing
-from planes.geometry.arithmetic import Arithmetic, Real, Truth
 from planes.plans import Plans
+from planes.plans.columns import Column
 from planes.plans.derived import Derived, derived, of_laws
 from planes.plans.loads import force_name
 from planes.plans.reactions import Reaction
+from planes.plans.transfers import transfers
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices
-from planes.words.names import POLE, at, kind_of, mu_of, plan_of
+from planes.words.names import POLE, at, kind_of, plan_of
 from planes.words.records import Json
 from planes.words.units import UNIT
 
 MOTION = ("points", "links", "slides")
 GROUPS = (*MOTION, "reactions")
-
-
-class Column(NamedTuple):
-    """One number: a value by its name, or the ``part`` ("x", "y", "size") of the segment from ``start`` to ``end``. A
-    value with ``beside`` (a normal force, then the marks of its plan) is empty where that force is nothing."""
-
-    name: str
-    unit: str
-    value: str = ""
-    start: str = ""
-    end: str = ""
-    part: str = ""
-    beside: tuple[str, ...] = ()
-
-    @property
-    def kind(self) -> str:
-        """What it is weighed against: numbers of its unit; an arm, by itself and those like it."""
-        return "arm" if self.beside else self.unit
-
-    @property
-    def needs(self) -> tuple[str, ...]:
-        """The names of the program the column is taken from."""
-        return tuple(n for n in (self.value, self.start, self.end, *self.beside) if n)
-
-    def take(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
-        """The column's number (or numbers) from the things drawn."""
-        if self.part:
-            segment = things[self.end] - things[self.start]
-            size = {"x": lambda: segment.real, "y": lambda: segment.imag, "size": lambda: abs(segment)}[self.part]()
-            return size / things[mu_of(plan_of(self.start))]
-        if not self.value:
-            return 0.0
-        return ar.where(self.empty(things, ar), float("nan"), things[self.value]) if self.beside else things[self.value]
-
-    def empty(self, things: Mapping[str, Thing], ar: Arithmetic) -> Truth:
-        """Where the normal force is nothing beside the largest of its plan's marks that are drawn."""
-        normal, *marks = (n for n in self.beside if n in things)
-        largest: Real = 0.0
-        for mark in marks:
-            largest = ar.maximum(largest, abs(things[mark]))
-        return abs(things[normal]) <= 1e-12 * largest / things[mu_of(plan_of(marks[0]))]
 
 
 class Quantity(NamedTuple):
@@ -140,7 +99,7 @@ def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
 
 def catalogue(plans: Plans) -> dict[str, Quantity]:
     """Every quantity of a mechanism by the name a student writes: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
-    known = [*_results(plans), *_plain(derived(plans)), *_segments(plans)]
+    known = [*_told(plans), *_segments(plans)]
     first = {q.name: q for q in reversed(known)}
     return {q.name: first[q.name] for q in known}
 
@@ -152,7 +111,7 @@ def results_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Q
 
 def told_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
     """The same with what is reckoned on the way to them."""
-    return results_of(plans, (*_results(plans), *_plain(derived(plans))) if wanted is None else wanted)
+    return results_of(plans, _told(plans) if wanted is None else wanted)
 
 
 def once(quantities: Iterable[Quantity]) -> list[Quantity]:
@@ -179,6 +138,10 @@ def _results(plans: Plans) -> Iterator[Quantity]:
     for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing):
         yield from part(plans)
     yield from _plain(of_laws(plans))
+
+
+def _told(plans: Plans) -> Iterator[Quantity]:
+    yield from (*_results(plans), *_plain(derived(plans)), *_plain(transfers(plans)))
 
 
 def _vector(name: str, unit: str, ends: tuple[str, str] | None) -> tuple[Column, ...]:
@@ -239,7 +202,9 @@ def _balancing(plans: Plans) -> Iterator[Quantity]:
 
 def _plain(values: Iterable[Derived]) -> Iterator[Quantity]:
     for d in values:
-        yield from (Quantity(n, (Column(n, d.unit, d.value),), d.group, d.names[0]) for n in d.names)
+        part = "size" if d.ends[0] else ""
+        columns = {n: Column(n, d.unit, d.value, *d.ends, part, per=d.per) for n in d.names}
+        yield from (Quantity(n, (c,), d.group, d.names[0]) for n, c in columns.items())
 
 
 def _segments(plans: Plans) -> Iterator[Quantity]:

@@ -4,8 +4,9 @@ import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from planes.plans.columns import Column
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
-from planes.plans.quantities import MOTION, Column, Measured
+from planes.plans.quantities import MOTION, Measured
 from planes.plans.scales import FIT_MM, extent
 from planes.scene import Scene
 from planes.solving import Position, Solved, as_json, failed, key_of, plans_of, told
@@ -104,7 +105,7 @@ def interpolated(solved: Solved, value: float, why: str) -> Position | None:
             beside = [solved.at(v).found for v in ends]
         except PlanFailure:
             continue
-        steady = tuple(f for f in found if f.quantity.group in MOTION)
+        steady = tuple(f for f in found if f.quantity.group in (*MOTION, "transfers"))
         apart = max(_apart(steady, x) for x in beside)
         if apart <= APART:
             loose = max(_apart(found, x) for x in beside) > APART

@@ -9,7 +9,7 @@ from planes.solving import Position, Solved, key_of
 from planes.solving.stated_tables import stated_tables
 from planes.solving.text_tables import directed, error_of, errors_told, number_cell, pm, spelt, table, titled
 from planes.words import Lang, say
-from planes.words.lettering import Naming
+from planes.words.lettering import Naming, lettered_curve
 from planes.words.names import kind_of
 from planes.words.records import Json
 from planes.words.units import UNIT
@@ -36,13 +36,15 @@ def _position(p: Position, key: str, lang: Lang, naming: Naming) -> list[str]:
     lines = ["", f"— {head} —"]
     e: Json | None = r.get("errors")
     lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
-    lines += _slides(p, lang, e)
+    lines += _slides(p, lang, e) + _derived(p, lang, naming, "transfers")
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] for s in plan["segments"].values()):
             lines += _plan(p, name, lang, naming)
     forces = p.of("reactions")
     if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
-        lines += _reactions(forces, lang, e, naming) + _derived(p, lang, naming) + _balance(p, lang)
+        lines += (
+            _reactions(forces, lang, e, naming) + _derived(p, lang, naming, "loads", "friction") + _balance(p, lang)
+        )
     return lines + [f"! {w}" for w in r["warnings"]]
 
 
@@ -135,15 +137,16 @@ def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None, namin
     return table(say("reactions", lang), head, rows)
 
 
-def _derived(p: Position, lang: Lang, naming: Naming) -> list[str]:
-    """Weights and inertia; normal forces, friction and its power: each with its ±."""
+def _derived(p: Position, lang: Lang, naming: Naming, *groups: str) -> list[str]:
+    """Transfer functions; weights and inertia; normal forces, friction and its power: each with its ±."""
     lines: list[str] = []
-    for group in ("loads", "friction"):
+    for group in groups:
         rows, e = [], p.results.get("errors")
         for of, f in p.of(group).items():
-            name = spelt(naming.vector(f.quantity.columns[0].value))
-            error = error_of(e, group, of)
-            rows.append([name, number_cell(f.number), *error, say(f.quantity.columns[0].unit, lang)])
+            c, error = f.quantity.columns[0], error_of(e, group, of)
+            name = spelt(lettered_curve(of, naming) if c.per else naming.vector(c.value))
+            beside = max(abs(x.number) for x in p.of(group).values()) if c.per else 0.0
+            rows.append([name, number_cell(f.number, beside), *error, "" if c.unit == "1" else say(c.unit, lang)])
         lines += table(say(f"of_{group}", lang), ["", say("value", lang), *pm(e), ""], rows)
     return lines
 

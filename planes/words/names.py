@@ -103,6 +103,12 @@ def force_plan(*links: str) -> str:
     return at("force", "-".join(links)) if links else "force"
 
 
+def as_indexed(name: str) -> str:
+    """An analogue as its letter is written, with q in the index: v_qC of vq_C; any other name as it is."""
+    letter, _, index = name.partition("_")
+    return f"{letter[:-1]}_q{index}" if letter[1:].endswith("q") else name
+
+
 def letter_of(value: str) -> str:
     """The letter a value is written by: omega of omega_2, v of v_CB, m of m_3."""
     return value.partition("_")[0]

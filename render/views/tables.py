@@ -201,7 +201,7 @@ class Tables:
     def transfers(self) -> View | None:
         """Transfer functions by segments of the velocity plan."""
         rows = list(TransferFunctions(self.position, self.naming).rows())
-        return self.table("transfers", self.say("transfers_table"), ["", "", "", ""], rows)
+        return self.table("transfers", self.say("of_transfers"), ["", "", "", ""], rows)
 
     def turning(self, value: float) -> str:
         """A signed value and the curved arrow of its sense."""

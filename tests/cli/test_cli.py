@@ -128,7 +128,7 @@ def test_json_has_exactly_the_agreed_keys(cli: Run) -> None:
     }
     (position,) = found["positions"]
     forces = {"reactions", "loads", "balancing_moment", "zhukovsky_moment"}
-    assert set(position) == {*POSITION, "phi_deg", *forces, "warnings"}
+    assert set(position) == {*POSITION, "phi_deg", "transfers", *forces, "warnings"}
     for part, want in POSITION.items():
         got = keys(position[part], of=part)
         if part == "plans":

@@ -1,0 +1,75 @@
+"""One number of a quantity, and how it is taken from the things drawn."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from planes.drafting.tools import Thing
+from planes.geometry import plane
+from planes.geometry.arithmetic import Arithmetic, Real, Truth
+from planes.words.names import mu_of, plan_of
+
+
+class DriverVector(NamedTuple):
+    """The driver's own vector on the velocity plan: its ends, its line, and the length it turns at ("": it slides)."""
+
+    start: str
+    end: str
+    along: str
+    length: str
+
+    def rate(self, things: Mapping[str, Thing]) -> Real:
+        """The driver's rate as it is drawn: rad/s, or m/s where it slides."""
+        drawn, mu = things[self.end] - things[self.start], things[mu_of(plan_of(self.start))]
+        speed = plane.dot(things[self.along], drawn) / mu
+        return speed / things[self.length] if self.length else speed
+
+
+class Column(NamedTuple):
+    """One number: a value by its name, or the ``part`` ("x", "y", "size") of the segment from ``start`` to ``end``. A
+    value with ``beside`` (a normal force, then the marks of its plan) is empty where that force is nothing; what is
+    ``per`` the driver's vector is to the rate that tells, a segment to its size."""
+
+    name: str
+    unit: str
+    value: str = ""
+    start: str = ""
+    end: str = ""
+    part: str = ""
+    beside: tuple[str, ...] = ()
+    per: DriverVector | None = None
+
+    @property
+    def kind(self) -> str:
+        """What it is weighed against: numbers of its unit; an arm, by itself and those like it."""
+        return "arm" if self.beside else self.unit
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The names of the program the column is taken from."""
+        return tuple(n for n in (self.value, self.start, self.end, *self.beside, *(self.per or ())) if n)
+
+    def take(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
+        """The column's number (or numbers) from the things drawn."""
+        if self.per is None:
+            return self.own(things, ar)
+        rate = self.per.rate(things)
+        rate = ar.where(rate == 0, float("nan"), rate)  # of a speed that underflows
+        return self.own(things, ar) / (abs(rate) if self.part else rate)
+
+    def own(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
+        """The number itself, beside no driver's."""
+        if self.part:
+            segment = things[self.end] - things[self.start]
+            size = {"x": lambda: segment.real, "y": lambda: segment.imag, "size": lambda: abs(segment)}[self.part]()
+            return size / things[mu_of(plan_of(self.start))]
+        if not self.value:
+            return 0.0
+        return ar.where(self.empty(things, ar), float("nan"), things[self.value]) if self.beside else things[self.value]
+
+    def empty(self, things: Mapping[str, Thing], ar: Arithmetic) -> Truth:
+        """Where the normal force is nothing beside the largest of its plan's marks that are drawn."""
+        normal, *marks = (n for n in self.beside if n in things)
+        largest: Real = 0.0
+        for mark in marks:
+            largest = ar.maximum(largest, abs(things[mark]))
+        return abs(things[normal]) <= 1e-12 * largest / things[mu_of(plan_of(marks[0]))]

@@ -1,0 +1,73 @@
+"""Transfer functions: what the velocities of a position are to the driver's, by segments of its velocity plan.
+
+The driver's rate is taken back from its own vector: pb/l_AB is what ω₁ is as drawn, so v_qC = pc·l_AB/pb and
+u_31 = ω_3·l_AB/pb.
+"""
+
+from collections.abc import Iterator
+
+from planes.drafting.steps import LayOff
+from planes.drafting.steps.reckoning import Calculate
+from planes.plans import Plans
+from planes.plans.columns import DriverVector
+from planes.plans.derived import Derived
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, as_indexed, at, label_of
+
+PLAN = "velocity"
+
+
+def driver_vector(plans: Plans) -> DriverVector | None:
+    """The vector the driver's rate is taken back from; none where it stands still or its vector is not drawn."""
+    drive, steps = plans.mechanism.drive, {s.makes: s for s in plans.program.steps}
+    if not drive.velocity or not plans.moves:
+        return None
+    if drive.kind == "s":
+        slide = plans.velocity_slides.get(drive.link)
+        return DriverVector(*slide.ends, slide.along, "") if slide else None
+    for laid in (s for s in steps.values() if isinstance(s, LayOff) and s.start == at(PLAN, POLE)):
+        value = steps.get(laid.length)
+        factors = value.terms[0].factors if isinstance(value, Calculate) and len(value.terms) == 1 else ()
+        if len(factors) == 2 and factors[0] == (plans.links[drive.link].omega, 1) and factors[1][1] == 1:
+            length = factors[1][0]
+            return DriverVector(laid.start, laid.makes, laid.along, length) if plans.given.get(length, 1.0) else None
+    return None
+
+
+def transfers(plans: Plans) -> Iterator[Derived]:
+    """Ratios of all links that turn (u_31; with a sliding driver omega_q3), analogues of the velocities of all points
+    whose vectors start at the pole, those of guides too (v_qC, v_qB3); the driver's own aside."""
+    vector = driver_vector(plans)
+    if vector is None:
+        return
+    units = analogue_units(plans.mechanism.drive.kind == "phi")
+    for link in turning(plans):
+        names = dict.fromkeys((as_indexed(ratio_name(plans, link)), f"omega_q{link}", f"omegaq_{link}"))
+        yield Derived((*names,), units["omega"], plans.links[link].omega, "transfers", per=vector)
+    named = {label_of(marks.velocity): point for point, marks in plans.points.items()}
+    for end in dict.fromkeys(s.end for s in plans.segments_of.get(PLAN, ()) if s.start == POLE != s.end):
+        if (mark := at(PLAN, end)) != vector.end:
+            name = f"vq_{named.get(end) or end.upper()}"
+            yield Derived((as_indexed(name), name), units["v"], "", "transfers", (at(PLAN, POLE), mark), vector)
+
+
+def analogue_units(turns: bool) -> dict[str, str]:
+    """Units of the analogues: the derivatives by an angle in radians, or by metres."""
+    if turns:
+        return {"v": "m", "a": "m", "omega": "1", "epsilon": "1"}
+    return {"v": "1", "a": "1/m", "omega": "1/m", "epsilon": "1/m²"}
+
+
+def ratio_name(plans: Plans, link: str) -> str:
+    """The name of the transfer ratio ω_link/ω_driver: u_31; of a sliding driver an analogue, omegaq_3."""
+    driver = plans.mechanism.drive.link
+    if plans.mechanism.drive.kind != "phi":
+        return f"omegaq_{link}"
+    return f"u_{link}{driver}" if len(link) == len(driver) == 1 else f"u_{link}_{driver}"
+
+
+def turning(plans: Plans) -> list[str]:
+    """Links that turn, aside from a driver whose turning is given."""
+    drive = plans.mechanism.drive
+    given = drive.link if drive.kind == "phi" else ""
+    return [n for n, v in plans.links.items() if n not in (FRAME, given) and v.omega]
