@@ -160,8 +160,9 @@ class Teller:
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
         """What is read off a plan of rates once an equation is solved, and the angular rates that follow."""
         index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
-        solved = self.plans.equations[index] if index is not None else None
-        return self.read_off("measured", plan, self.sought(solved) if solved else [], rates)
+        names = self.sought(self.plans.equations[index]) if index is not None else []
+        told = {name for f in before if (f.key, f.plan) == ("measured", plan) for name in f.terms}
+        return self.read_off("measured", plan, [name for name in names if name not in told], rates)
 
     def read_off(self, key: str, plan: str, names: list[str], rates: list[Calculate]) -> Frame:
         """Segments of a plan measured, and rates with their formula and sense."""

@@ -84,7 +84,7 @@ class Naming:
 
     def arm(self, force: str, arm: str) -> str:
         """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2}."""
-        about = arm.partition("^")[2]
+        about = arm.removeprefix(f"{arm[0]}_{force}").partition("^")[2]
         return f"{arm[0]}_{{{flat(self.vector(force))}}}" + (f"^{{{flat(self.point(about))}}}" if about else "")
 
     def reaction(self, index: str) -> str:
@@ -104,7 +104,7 @@ class Naming:
         plain = name.strip("|‖°").removesuffix("_given")
         letter, _, index = plain.partition("_")
         if letter in ("h", "H") and index:
-            return self.arm(index.partition("^")[0].rpartition("_")[0] if letter == "h" else index, plain)
+            return self.arm(index.rpartition("_")[0] if letter == "h" else index, plain)
         if "'" in plain or plain == "p":
             return self.mark(plain, plan)
         return self.vector(parted(plain)) if index else lowered(plain)

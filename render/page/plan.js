@@ -17,7 +17,7 @@ class Plan extends Figure {
     this.more = lever || hidden ? (this.size ? 14 : 44) : 0;
     this.start(this.frame(key));
     const there = n => seen.has(n) && this.at(n) && this.px(this.at(n));
-    for (const m of frame && !hidden ? frame.makes : []) this.trace(this.data.traces[m], m);
+    for (const m of frame && !hidden ? frame.makes : []) if (m.startsWith(key + ":")) this.trace(this.data.traces[m], m);
     const names = [];
     this.places = [];
     this.shifted = false;

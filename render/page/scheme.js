@@ -5,6 +5,7 @@ class Scheme extends Figure {
   constructor(node, data, size) {
     super(node, data, size);
     this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !data.helpers.includes(n));
+    this.special = data.frames ? data.frames.filter(f => f.key === "special").flatMap(f => f.makes) : [];
   }
   draw(seen, frame) {
     const { scheme } = this.data, common = live.usual, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
@@ -22,6 +23,7 @@ class Scheme extends Figure {
     if (frame && frame.turns) this.carried(frame);
     if (own.length) this.loaded(frame);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots])];
+    for (const n of this.special) if (there(n)) this.beside(there(n), [n.slice(n.lastIndexOf(":") + 1)], "position", 9).dataset.name = n;
     for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
       const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n && state.frame >= this.introduced(n));
       this.beside(g.q, [...g.names, ...under], "position", 9).dataset.name = g.names.map(n => "position:" + n).join(" ");
@@ -94,7 +96,7 @@ class Scheme extends Figure {
   }
   hinges(there, lit) {
     const hinges = new Set(this.data.scheme.links.flatMap(l => l.hinges));
-    for (const n of new Set(this.data.scheme.links.flatMap(l => l.points))) {
+    for (const n of new Set([...this.data.scheme.links.flatMap(l => l.points), ...this.special])) {
       const p = there(n);
       if (!p) continue;
       const r = hinges.has(n) ? (this.size ? 3.4 : 4.6) : 2.6;

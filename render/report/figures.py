@@ -23,6 +23,7 @@ from render.views.instant_centre import instant_centre
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
+from render.views.special_points import special_points
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
@@ -106,7 +107,8 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
     if kind == "equations":
         return composer.formulas(plotted, (of,), LETTER_MM[alone], "")
     if kind == "scheme":
-        return view(name, "", Scheme(block.position, composer.naming).drawn())
+        special = special_points(block.position, composer.naming)
+        return view(name, "", Scheme(block.position, composer.naming).drawn(True, *special))
     if kind == "loaded":
         forces = ForceSheet(composer)
         return forces.alone(block.position, of) if of else replace(forces.loaded(block.position), title="")

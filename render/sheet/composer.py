@@ -19,6 +19,7 @@ from render.views.moments import MomentLines
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
+from render.views.special_points import special_points
 from render.views.tables import Tables
 
 RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1}
@@ -96,7 +97,12 @@ class Composer:
         """The scheme in the calculated position."""
         title, found = self.titled(position, "scheme"), Scheme(position, self.naming)
         key = ("scheme", position.scales[mu_of("position")])
-        return self.once(key, lambda: view("scheme", title, found.drawn(), True, plan="position"))
+
+        def make() -> View:
+            drawn = found.drawn(True, *special_points(position, self.naming))
+            return view("scheme", title, drawn, True, plan="position")
+
+        return self.once(key, make)
 
     def titled(self, position: Position, key: str, **names: str) -> str:
         """The title of a scheme, with its μ."""

@@ -29,6 +29,7 @@ from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.moments import Lever
 from render.views.plotted import Places, of_position
 from render.views.scheme import Scheme
+from render.views.special_points import special_points
 
 
 @dataclass
@@ -84,9 +85,10 @@ class Project:
             scheme, thin = Scheme(position, c.naming), many.marks()
             angle, named = driver_angle(scheme.places, c.naming)
             strokes = many.strokes(c.lang)
-            about = bounds([*thin, *sizes_drawn(strokes)])
-            sizes = sizes_drawn([*strokes, *frame_sizes(scheme.places, mu, about, c.lang)])
-            drawn = scheme.drawn(True, [*thin, *angle, *sizes], [*named, *many.labels()])
+            frame = frame_sizes(scheme.places, mu, bounds([*thin, *sizes_drawn(strokes)]), c.lang)
+            crossed, letters = special_points(position, c.naming)
+            marks = [*thin, *angle, *sizes_drawn([*strokes, *frame]), *crossed]
+            drawn = scheme.drawn(True, marks, [*named, *many.labels(), *letters])
             return view("scheme", title, drawn, True, many.unseen(title, c.lang), "position")
 
         return c.once(("many", mu), make)
@@ -124,16 +126,14 @@ class Project:
                 found = aligned(position.plans, c.scene.file)
             except PlanesError:
                 return None
-            told = alignment_told(found, c.naming, say("self_aligning", c.lang), letter)
-            return replace(told, extra=True)
+            return replace(alignment_told(found, c.naming, say("self_aligning", c.lang), letter), extra=True)
 
         return c.once(("self-aligning", letter), make)
 
     def part(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""
         drawn = view("part", "", Scheme(position, self.composer.naming, links, framed).drawn(False))
-        words = view("part", "", [Text(text, 0j, LARGER[letter] * 0.7, "middle")])
-        return stacked("part", [drawn, words], 3.0, centred=True)
+        return stacked("part", [drawn, view("part", "", [Text(text, 0j, LARGER[letter] * 0.7, "middle")])], 3.0, True)
 
     def diagrams(self, position: Position, size: float = 1.0) -> View | None:
         """Diagrams of motion over the driver's range."""

@@ -62,7 +62,7 @@ class MomentLines:
         factor = next((name for name, power in made.terms[0].factors if power < 0), "")
         by = float(self.position.drawing[factor]) if factor else 1.0
         found = float(self.position.drawing[equation.unknown])
-        head = self.unknown(equation) + (self.naming.vector(factor) if factor else "")
+        head = self.unknown(equation) + self.by(equation.unknown, factor)
         lang = self.naming.lang
         unit = say(self.unit(factor != equation.arm), lang)
         armed = {lever: self.length(lever) for _, lever, _ in shown if lever in self.arms}
@@ -107,8 +107,11 @@ class MomentLines:
 
     def product(self, name: str, lever: str) -> str:
         """A force times its arm, a couple, either times its rate."""
-        by = self.naming.arm(name, lever) if lever in self.arms else self.naming.vector(lever) if lever else ""
-        return self.naming.vector(name) + by
+        return self.naming.vector(name) + self.by(name, lever)
+
+    def by(self, name: str, lever: str) -> str:
+        """What a force is multiplied by: its arm, a length or a rate; nothing, if there is no lever."""
+        return self.naming.arm(name, lever) if lever in self.arms else self.naming.vector(lever) if lever else ""
 
     @cached_property
     def arms(self) -> Mapping[str, Drop]:

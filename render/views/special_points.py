@@ -1,0 +1,28 @@
+"""Assur's special points on a scheme: where the lines of two leads of a basic link cross."""
+
+from planes.drafting.steps.crossings import Cross
+from planes.plans.bodies import SCHEME
+from planes.solving import Position
+from planes.words.lettering import Naming
+from planes.words.names import at, label_of
+from render.labels import Label
+from render.paper import symbols
+from render.paper.marks import Line, Mark
+from render.views.scheme import LETTER_MM
+
+FAR_MM = 60.0  # a special point farther from every point of the mechanism is not shown
+
+
+def special_points(position: Position, naming: Naming) -> tuple[list[Mark], list[Label]]:
+    """The lines of leads drawn out to their special points, with the letters of these."""
+    marks, named, drawing = list[Mark](), list[Label](), position.drawing
+    points = [complex(drawing[m]) for p in position.plans.points if (m := at(SCHEME, p)) in drawing]
+    for step in drawing.program.steps:
+        if isinstance(step, Cross) and step.quantity == "special" and step.makes in drawing:
+            place = complex(drawing[step.makes])
+            if min(abs(place - z) for z in points) <= FAR_MM:
+                leads = (step.start, step.other)
+                marks += [Line((complex(drawing[m]), place), "thin", "construction") for m in leads]
+                marks += symbols.dot(place)
+                named.append(Label(naming.point(label_of(step.makes)), place, LETTER_MM, clear=0.8, name="special"))
+    return marks, named

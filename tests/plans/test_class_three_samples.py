@@ -1,0 +1,71 @@
+"""The samples of class III: against the independent solver, on paper, in words, and through the check."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from planes.check.grading.prepared_plan import known_plans
+from planes.cli import main
+from planes.words import Lang
+from tests.check.test_own_sheets import checked, drawn, made, spoiled, view
+from tests.helpers import ROOT
+from tests.helpers.comparing import closing_mm, differences, draw, expected, pose, power
+from tests.helpers.conflicts import conflicts
+from tests.helpers.oracle import solve as oracle_solve
+from tests.helpers.sheet_faults import unsightly
+from tests.helpers.sheets import sheet
+from tests.sample_oracle import numeric
+
+SAMPLES = tuple(f"class-three/{name}" for name in ("guide", "press", "rods", "slider", "stephenson"))
+
+
+def path(sample: str) -> Path:
+    return ROOT / "samples" / f"{sample}.yaml"
+
+
+@pytest.mark.parametrize("sample", SAMPLES)
+def test_every_number_is_the_independent_solvers(sample: str) -> None:
+    d = draw(path(sample).read_text(encoding="utf-8"))
+    wanted = {n.name: n for n in expected(oracle_solve(numeric(sample), pose(d)), True)}
+    wrong = {name: error * d.sharpest for name, error in differences(d, wanted).items()}
+    assert len(wrong) > 50 and max(wrong.values()) <= 1e-9, max(wrong.items(), key=lambda x: x[1])
+    total, largest = power(d)
+    assert abs(total) * d.sharpest <= 1e-10 * largest and closing_mm(d) <= 1e-9
+
+
+@pytest.mark.parametrize("sample", SAMPLES)
+@pytest.mark.parametrize("plan", ["velocity", "acceleration", "force:2-3-4-5"])
+def test_its_own_view_is_right_and_with_one_step_spoiled_not(sample: str, plan: str, tmp_path: Path) -> None:
+    found = checked(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path / "right.svg")
+    assert found.verdict == "right", found.sentence.told("en")
+    k = spoiled(sample, plan, 1)
+    assert k is not None
+    wrong, variant, _ = made(sample, plan, drawn(sample)[1], k)
+    found = checked(sample, plan, view(sample, plan, wrong), tmp_path / "wrong.svg")
+    assert found.verdict == "wrong", (variant, found.sentence.told("en"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sample", SAMPLES)
+def test_every_view_of_it_is_right(sample: str, tmp_path: Path) -> None:
+    position = drawn(sample)[1]
+    for plan in known_plans(position.plans):
+        found = checked(sample, plan, view(sample, plan, position), tmp_path / "t.svg")
+        assert found.verdict == "right", (plan, found.sentence.told("en"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sample", SAMPLES)
+@pytest.mark.parametrize("lang", ["ru", "en"])
+def test_its_papers_are_written(sample: str, lang: Lang, tmp_path: Path) -> None:
+    for number in (None, 1, 2):
+        page = sheet(sample, lang, number=number)
+        assert not page.warnings, page.warnings
+        assert not unsightly(page), unsightly(page)
+        found = [str(c) for v, _, _ in page.views for c in conflicts((), v.marks) if v.figure]
+        assert not [c for c in found if " lies on 'line of text" not in c], found
+    for command, suffix in (("lesson", "html"), ("note", "docx")):
+        file = tmp_path / f"{command}.{suffix}"
+        assert main([command, str(path(sample)), "--lang", lang, "-o", str(file)]) == 0 and file.stat().st_size > 30_000
