@@ -119,7 +119,7 @@ def look(job: Job, pictures: str | None = None) -> Looked:
 
 def unlettered(sheet: Sheet) -> list[str]:
     """Names as the program writes them, which no draughtsman would letter."""
-    raw = re.compile(r"omega|epsilon|phi|slide_|_drive|_[^{]|vq")
+    raw = re.compile(r"omega|epsilon|\bphi|slide_|_drive|_[^{]|vq")
     return [f"{m.text!r} is not lettered" for m in sheet.marks if isinstance(m, Text) and raw.search(m.text)]
 
 

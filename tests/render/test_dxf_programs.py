@@ -77,6 +77,7 @@ def test_librecad_breaks_lines_that_are_broken(style, length, tmp_path):
 
 FREECAD = """
 import json, FreeCAD, Import
+FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft").SetBool("dxftext", True)  # not asked: no texts
 Import.readDXF("sheet.dxf", "sheet")
 every = FreeCAD.ActiveDocument.Objects
 shapes = [o.Shape for o in every if hasattr(o, "Shape")]
