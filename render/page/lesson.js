@@ -1,6 +1,8 @@
 "use strict";
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
-const sentences = JSON.parse(document.getElementById("sentences").textContent);
+const [signs, ...short] = JSON.parse(document.getElementById("sentences").textContent);
+const long = text => [...signs].reduce((t, sign, i) => t.replaceAll(sign, "⟨⟩⟦⟧¦"[i]), text);
+const sentences = [{}, ...short.map(one => Object.fromEntries(Object.entries(one).map(([lang, text]) => [lang, long(text)])))];
 const data = JSON.parse(document.getElementById("data").textContent, (_, v) => v && v["="] !== undefined ? sentences[v["="]] : v);
 const words = JSON.parse(document.getElementById("words").textContent);
 const $ = id => document.getElementById(id);

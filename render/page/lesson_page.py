@@ -16,6 +16,8 @@ SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
 }
 """Words of the page that stand in other tables."""
 SCRIPTS = ("tape", "figure", "scheme", "plan", "live", "words", "handout", "lesson", "hands", "practice")
+MARKS = "⟨⟩⟦⟧¦"
+"""What stands about names and numbers in sentences."""
 NOSCRIPT = (
     "Страница рисует план сама: включите JavaScript. / The page draws the plans itself: please enable JavaScript."
 )
@@ -40,10 +42,18 @@ def page(data: Json, lang: str, scored: bool = False) -> str:
     }
     body = web_page.filled(web_page.part("lesson.html"), parts)
     code = web_page.part(*(f"{name}.js" for name in (*SCRIPTS, *(("scorm",) if scored else ()))))
-    once: dict[str, int] = {}
+    once = {'""': 0}
     held = {"words": words, "data": _once(data, once), "letters": written(_names(data), data["lettering"])}
-    held["sentences"] = [json.loads(text) for text in once]
+    held["sentences"] = _short(list(once))
     return web_page.page(title, lang, web_page.part("lesson.css"), body, code=code, data=held)
+
+
+def _short(sentences: list[str]) -> list[object]:
+    """The sentences, with the marks of names and numbers, three bytes each, written by signs of one byte that no
+    sentence has; the first is these signs."""
+    free = [sign for sign in "~@$#`^?;|" if not any(sign in text for text in sentences)]
+    signs = "".join(free[: len(MARKS)]) if len(free) >= len(MARKS) else MARKS
+    return [signs, *(json.loads(text.translate(str.maketrans(MARKS, signs))) for text in sentences[1:])]
 
 
 def _once(thing: object, told: dict[str, int]) -> object:
