@@ -12,7 +12,7 @@ from planes.words.names import kind_of, label_of
 
 REACH_MM = 2.5  # of a mark from where it should be
 MANY, APART_MM = 3, 15.0  # marks that fit elsewhere by no chance; how far off that is another drawing
-LEAST, SHARE = 2, 0.4  # of the marks, that must be met
+LEAST, SHARE, SHARE_MISTAKEN = 2, 0.4, 0.7  # of the marks, that must be met; of a mistake's own, which are many plans'
 MISTAKEN = 0.5  # of a mark: how much more must be met by a plan with a mistake
 
 
@@ -24,7 +24,7 @@ def pole_found(bench: PreparedPlan, seen: Seen) -> complex | None:
     best, place = 0.0, 0j
     for k, ends in enumerate(_ways(bench) if ended else ()):
         hits = _hits(starts, ends)
-        at, enough = int(numpy.argmax(hits + lines)), max(LEAST, SHARE * len(ends))
+        at, enough = int(numpy.argmax(hits + lines)), max(LEAST, (SHARE_MISTAKEN if k else SHARE) * len(ends))
         if k == 0 and len(ends) >= MANY and (abs(starts[hits >= len(ends)] - starts[at]) > APART_MM).any():
             seen.ink.flat.notes.append(Phrase("check_two_plans"))
         worth = float(hits[at] + lines[at]) - MISTAKEN * (k > 0)
