@@ -146,11 +146,11 @@ def test_a_right_picture_of_crowded_heads_is_asked_about(tmp_path: Path) -> None
     assert "--pole" in judged(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path)
 
 
-def test_a_wrong_picture_saved_anew_is_found(tmp_path: Path) -> None:
+def test_a_wrong_picture_saved_anew_is_asked_about(tmp_path: Path) -> None:
     k = spoiled("crank-slider", "velocity", 1)
     assert k is not None
     wrong = made("crank-slider", "velocity", drawn("crank-slider")[1], k)[0]
-    assert judged("crank-slider", "velocity", view("crank-slider", "velocity", wrong), tmp_path) == "wrong"
+    assert "--pole" in judged("crank-slider", "velocity", view("crank-slider", "velocity", wrong), tmp_path)
 
 
 def test_forces_saved_anew_are_asked_about(tmp_path: Path) -> None:
