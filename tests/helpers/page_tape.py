@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Callable, Mapping
 
@@ -63,5 +62,5 @@ class PageTape:
 
     def worst(self, others: Mapping[str, complex]) -> float:
         """How far its marks are off those of a drawing, mm, the worst of them."""
-        off = (abs(self.mark(name) - others[name]) for name in self.exported["marks"] if name in others)
-        return max(off) if not any(map(cmath.isnan, others.values())) else math.nan
+        off = [abs(self.mark(name) - others[name]) for name in self.exported["marks"] if name in others]
+        return math.nan if any(map(math.isnan, off)) else max(off)
