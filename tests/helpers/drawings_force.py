@@ -150,7 +150,7 @@ class Forces:
         return next(p for p in (*self.model.hinges, *self.model.slides) if {p.i, p.j} == {i, j})
 
 
-def draw_group(f: Forces, pair: tuple[str, str], mu: float, hand: Hand, mistake: Mistake | None = None) -> Polygon:
+def draw_group(f: Forces, pair: tuple[str, ...], mu: float, hand: Hand, mistake: Mistake | None = None) -> Polygon:
     """The polygon of one group, after those of the groups that hang on it."""
     later = f.model.groups[f.model.groups.index(pair) + 1 :]
     after = {n for g in later for n in g}
