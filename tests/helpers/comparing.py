@@ -244,6 +244,13 @@ def power(d: Drawn) -> tuple[float, float]:
     return math.fsum(terms), max(abs(t) for t in terms)
 
 
+def balanced(d: Drawn, case: object = "") -> None:
+    """The powers of a drawing add up to nothing, and its polygons close, but for rounding."""
+    total, largest = power(d)
+    assert abs(total) * d.sharpest <= 1e-10 * largest, (case, total, largest)
+    assert closing_mm(d) <= 1e-9, case
+
+
 def pose(d: Drawn) -> dict[str, tuple[float, float, float]]:
     """Place of the origin and turn (rad) of every link, as drawn: where the independent solution starts from."""
     out, mechanism = {}, d.plans.mechanism

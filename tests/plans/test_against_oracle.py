@@ -10,7 +10,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tests.helpers.comparing import against, closing_mm, measured_closing_mm, power, standing
+from tests.helpers.comparing import against, balanced, measured_closing_mm, standing
 from tests.helpers.mechanisms import KINDS, Case, any_scene, make, mechanisms, shape_of
 
 OPTIONS: dict[str, dict[str, Any]] = {
@@ -36,9 +36,7 @@ def examine(case: Case, text: str | None = None) -> None:
     drawn, wrong = against(case, text)
     for name, error in wrong.items():
         assert error * drawn.sharpest <= 1e-9, (name, error, drawn.sharpest)
-    total, largest = power(drawn)
-    assert abs(total) * drawn.sharpest <= 1e-10 * largest
-    assert closing_mm(drawn) <= 1e-9
+    balanced(drawn)
     if "friction" not in case.scene:
         assert measured_closing_mm(drawn) <= 1e-9
 

@@ -11,7 +11,7 @@ from planes.cli import main
 from planes.words import Lang
 from tests.check.test_own_sheets import checked, drawn, made, spoiled, view
 from tests.helpers import ROOT
-from tests.helpers.comparing import closing_mm, differences, draw, expected, pose, power
+from tests.helpers.comparing import balanced, differences, draw, expected, pose
 from tests.helpers.conflicts import conflicts
 from tests.helpers.oracle import solve as oracle_solve
 from tests.helpers.sheet_faults import unsightly
@@ -31,8 +31,7 @@ def test_every_number_is_the_independent_solvers(sample: str) -> None:
     wanted = {n.name: n for n in expected(oracle_solve(numeric(sample), pose(d)), True)}
     wrong = {name: error * d.sharpest for name, error in differences(d, wanted).items()}
     assert len(wrong) > 50 and max(wrong.values()) <= 1e-9, max(wrong.items(), key=lambda x: x[1])
-    total, largest = power(d)
-    assert abs(total) * d.sharpest <= 1e-10 * largest and closing_mm(d) <= 1e-9
+    balanced(d)
 
 
 @pytest.mark.parametrize("sample", SAMPLES)

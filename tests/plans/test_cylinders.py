@@ -13,7 +13,7 @@ from planes import cycle, solve
 from planes.plans import plans_of, structure_of
 from planes.scene import loads
 from planes.words.errors import PlanesError, StructureError
-from tests.helpers.comparing import against, closing_mm, power, standing
+from tests.helpers.comparing import against, balanced, standing
 from tests.helpers.mechanisms import KINDS, make
 
 LIFT = """\
@@ -108,9 +108,7 @@ def examined(seed: int) -> float | None:
     if standing(case):
         return None
     drawn, wrong = against(case)
-    total, largest = power(drawn)
-    assert abs(total) * drawn.sharpest <= 1e-10 * largest, seed
-    assert closing_mm(drawn) <= 1e-9, seed
+    balanced(drawn, seed)
     return max(wrong.values()) * drawn.sharpest
 
 

@@ -16,7 +16,7 @@ from planes.plans import plans_of
 from planes.scene import loads
 from planes.words.errors import PlanesError, SceneError
 from render.paper.marks import Arc
-from tests.helpers.comparing import against, closing_mm, power, standing
+from tests.helpers.comparing import against, balanced, standing
 from tests.helpers.mechanisms import KINDS, make
 
 HANGING = """\
@@ -176,9 +176,7 @@ def examined(seed: int) -> float | None:
     if standing(case):
         return None
     drawn, wrong = against(case)
-    total, largest = power(drawn)
-    assert abs(total) * drawn.sharpest <= 1e-10 * largest, seed
-    assert closing_mm(drawn) <= 1e-9, seed
+    balanced(drawn, seed)
     return max(wrong.values()) * drawn.sharpest
 
 

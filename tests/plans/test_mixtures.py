@@ -14,7 +14,7 @@ from planes.plans import plans_of
 from planes.plans.scales import drawn_in_si
 from planes.scene import loads
 from planes.words.errors import PlanFailure
-from tests.helpers.comparing import against, closing_mm, power
+from tests.helpers.comparing import against, balanced
 from tests.helpers.mechanisms import to_yaml
 from tests.helpers.mixtures import FEATURES, features_of, mixed
 
@@ -37,9 +37,7 @@ def compared(seeds: range) -> tuple[Counter[str], float, int]:
             continue
         worst = max(worst, max(apart.values()) * drawn.sharpest)
         assert worst <= MOST, (seed, sorted(apart.items(), key=lambda x: -x[1])[:3])
-        total, largest = power(drawn)
-        assert abs(total) * drawn.sharpest <= 1e-10 * largest, seed
-        assert closing_mm(drawn) <= 1e-9, seed
+        balanced(drawn, seed)
         seen.update(features_of(case))
     return seen, worst, refused
 
