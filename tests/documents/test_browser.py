@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -21,40 +20,13 @@ from planes.scene import load
 from planes.solving import position
 from render.page.lesson_page import page as written
 from tests.helpers import ROOT
-from tests.helpers.browser import until
+from tests.helpers.browser import until, watched
 
 HERE = ROOT / "samples"
 SIX = HERE / "six-link.yaml"
 SAMPLES = [p for p in sorted(HERE.glob("*.yaml")) if p.stem != "vectors"]
 WIDE = {"width": 1280, "height": 900}
 MOST_CHANGES = 300  # of the page by one drawing of the six links: what is drawn stays, and only what moves is set
-
-
-@pytest.fixture(scope="module")
-def lesson(tmp_path_factory: pytest.TempPathFactory) -> str:
-    target = tmp_path_factory.mktemp("lesson") / "lesson.html"
-    target.write_text(written(lesson_data(load(str(SIX))), "ru"), encoding="utf-8")
-    return target.as_uri()
-
-
-@pytest.fixture
-def page(browser: Any, lesson: str) -> Iterator[Any]:
-    one = browser.new_page()
-    one.set_viewport_size(WIDE)
-    errors = watched(one)
-    one.goto(lesson)
-    yield one
-    one.close()
-    assert errors == []
-
-
-def watched(page: Any) -> list[str]:
-    """What the page complains of, or asks the network for."""
-    errors: list[str] = []
-    page.on("console", lambda m: errors.append(m.text) if m.type in ("error", "warning") else None)
-    page.on("pageerror", lambda e: errors.append(str(e)))
-    page.on("request", lambda r: errors.append(r.url) if not r.url.startswith(("file:", "data:", "about:")) else None)
-    return errors
 
 
 def test_step_through_to_the_end(page: Any) -> None:

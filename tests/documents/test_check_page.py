@@ -23,8 +23,8 @@ from planes.drafting.drawing import run
 from planes.scene import load
 from planes.words.errors import PlanesError
 from tests import confusion
-from tests.documents.test_browser import watched
 from tests.helpers import ROOT
+from tests.helpers.browser import watched
 from tests.helpers.drawings import Care, Mistake
 
 SAMPLES = ROOT / "samples"

@@ -20,8 +20,8 @@ from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, va
 from planes.documents.class_work import Sorter
 from planes.scene import load
 from planes.words.errors import PlanesError
-from tests.documents.test_browser import watched
 from tests.helpers import ROOT
+from tests.helpers.browser import watched
 
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402

@@ -3,19 +3,15 @@ given away, nothing runs off the page."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from planes.lesson.data import lesson_data
-from planes.scene import load
-from render.page.lesson_page import page as written
-from tests.documents.test_browser import watched
 from tests.helpers import ROOT
 
 SIX = ROOT / "samples" / "six-link.yaml"
+WIDE = {"width": 1280, "height": 900}
 RULES = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]}
 STATES = {
     "first": "go(0)",
@@ -27,24 +23,6 @@ STATES = {
     "practice": "practice.toggle()",
     "practice, a length": "practice.toggle(); practice.index = 3; practice.open(); practice.answer(false)",
 }
-
-
-@pytest.fixture(scope="module")
-def lesson(tmp_path_factory: pytest.TempPathFactory) -> str:
-    target = tmp_path_factory.mktemp("lesson") / "lesson.html"
-    target.write_text(written(lesson_data(load(str(SIX))), "ru"), encoding="utf-8")
-    return target.as_uri()
-
-
-@pytest.fixture
-def page(browser: Any, lesson: str) -> Iterator[Any]:
-    one = browser.new_page()
-    one.set_viewport_size({"width": 1280, "height": 900})
-    errors = watched(one)
-    one.goto(lesson)
-    yield one
-    one.close()
-    assert errors == []
 
 
 def complaints(page: Any) -> list[str]:

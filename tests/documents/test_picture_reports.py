@@ -11,7 +11,7 @@ import pytest
 
 from planes.cli import main
 from tests import confusion
-from tests.documents.test_browser import watched
+from tests.helpers.browser import watched
 
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402

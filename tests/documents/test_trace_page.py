@@ -12,9 +12,8 @@ from typing import Any
 import pytest
 
 from planes.cli import main
-from tests.documents.test_browser import watched
 from tests.helpers import ROOT
-from tests.helpers.browser import until
+from tests.helpers.browser import until, watched
 
 SIX = str(ROOT / "samples" / "six-link.yaml")
 WIDE = {"width": 1200, "height": 900}

@@ -49,3 +49,12 @@ def until(page: Any, condition: str) -> None:
             return
         page.wait_for_timeout(30)
     pytest.fail(f"it has not come to {condition}")
+
+
+def watched(page: Any) -> list[str]:
+    """What the page complains of, or asks the network for."""
+    errors: list[str] = []
+    page.on("console", lambda m: errors.append(m.text) if m.type in ("error", "warning") else None)
+    page.on("pageerror", lambda e: errors.append(str(e)))
+    page.on("request", lambda r: errors.append(r.url) if not r.url.startswith(("file:", "data:", "about:")) else None)
+    return errors
