@@ -25,6 +25,7 @@ class PlanOfRates(Protocol):
     def letter(self) -> str: ...
     def label(self, name: str) -> str: ...
     def mark(self, name: str) -> str: ...
+    def normal(self, leg: Leg, start: str) -> Term: ...
 
 
 def driven_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
@@ -38,7 +39,7 @@ def driven_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     yield Term(name, start, _end(r, leg), length=f"{r.letter}drive", direction=along, action=along, means=means)
     name, end = r.letter + leg.symbol, _end(r, leg)
     if r.quick:
-        inward = _inwards(r, leg, end)
+        inward = r.normal(leg, end)
         yield inward
         name, end = f"{name}^t", inward.end
     yield Term(name, end, new, direction=leg.along, action=leg.along)
@@ -50,14 +51,6 @@ def _across(r: PlanOfRates, leg: Leg, along: str) -> Term:
     value = r.b.draft.product(name, 2.0, **{f"omega_{leg.turns}": 1, "v_drive": 1})
     means, start = Meaning("coriolis", leg.driven), r.label(leg.known.name)
     return Term(name, start, f"k_{leg.driven}", length=value, direction=across, action=across, means=means)
-
-
-def _inwards(r: PlanOfRates, leg: Leg, start: str) -> Term:
-    """The normal part of turning about the pivot: v²/l."""
-    name, towards = f"{r.letter}{leg.symbol}^n", leg.towards or ""
-    value = r.b.draft.product(name, **{f"v_{leg.symbol}": 2, leg.length or "": -1})
-    means = Meaning("normal", leg.symbol)
-    return Term(name, start, f"n_{leg.symbol}", length=value, direction=towards, action=towards, means=means)
 
 
 def _end(r: PlanOfRates, leg: Leg) -> str:

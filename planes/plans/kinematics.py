@@ -89,18 +89,21 @@ class Rates:
             self.b.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
         if not self.quick or (leg.pair and self.b.known[leg.link].root == FRAME):
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
-        if leg.pair is None:  # v²/l, towards the pivot
-            part, along = "n", leg.towards
-            value = self.b.draft.product(f"a_{leg.symbol}^n", **{f"v_{leg.symbol}": 2, leg.length or "": -1})
-        else:
-            part, value, along = "k", self.coriolis(leg), self.b.draft.square(leg.along)
-        middle, means = f"{part}_{leg.symbol}", Meaning("coriolis" if leg.pair else "normal", leg.symbol)
-        rest = "t" if leg.pair is None else "r"
-        return (
-            start,
-            Term(f"{relative}^{part}", known, middle, length=value, direction=along, action=along or "", means=means),
-            Term(f"{relative}^{rest}", middle, new, direction=leg.along, action=leg.along),
-        )
+        first, rest = (self.across(leg, known), "r") if leg.pair else (self.normal(leg, known), "t")
+        return start, first, Term(f"{relative}^{rest}", first.end, new, direction=leg.along, action=leg.along)
+
+    def normal(self, leg: Leg, start: str) -> Term:
+        """a^n = v²/l, towards the pivot."""
+        name, towards = f"a_{leg.symbol}^n", leg.towards or ""
+        value = self.b.draft.product(name, **{f"v_{leg.symbol}": 2, leg.length or "": -1})
+        means = Meaning("normal", leg.symbol)
+        return Term(name, start, f"n_{leg.symbol}", length=value, direction=towards, action=towards, means=means)
+
+    def across(self, leg: Leg, start: str) -> Term:
+        """a^k, across the guide."""
+        value, means = self.coriolis(leg), Meaning("coriolis", leg.symbol)
+        name, along = f"a_{leg.symbol}^k", self.b.draft.square(leg.along)
+        return Term(name, start, f"k_{leg.symbol}", length=value, direction=along, action=along, means=means)
 
     def coriolis(self, leg: Leg) -> str:
         """a^k = 2ω v, the relative velocity turned by a right angle in the sense of ω."""
