@@ -18,7 +18,7 @@ from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.groups import Pair
 from planes.plans.hinges import Grip
 from planes.plans.loads import Acting, Couple, Force, force_name
-from planes.words.names import Meaning, at, label_of, mu_of
+from planes.words.names import Meaning, at, end_of, label_of, mu_of
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ def chain_of(forces: list[Force], start: str) -> tuple[Term, ...]:
     """Forces as known terms of a chain, each ending at a mark of its own name."""
     terms = []
     for f in forces:
-        end = f.name.replace("^", "")
+        end = end_of(f.name)
         terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
         start = end
     return tuple(terms)

@@ -8,7 +8,7 @@ from planes.drafting.steps import Image, Similar
 from planes.plans.stated_vectors import StatedVectors
 from planes.scene.vector_equations import Side, SideTerm, ends
 from planes.scene.vectors import Similarity
-from planes.words.names import POLE, at, label_of, plan_of
+from planes.words.names import POLE, at, end_of, label_of, plan_of
 
 Chain = tuple[Term, ...]
 MOST_LYING = 5  # vectors whose every order is tried
@@ -66,7 +66,7 @@ class Chains:
             return self.chain(whole, start, self._target(whole, (), total)), ()
         if len(whole) < 2 or not self.open(whole[-2]):
             return self.chain(whole, start, start), ()
-        forth = self.chain(whole[:-1], start, self.fresh(plain(whole[-2].name)))
+        forth = self.chain(whole[:-1], start, self.fresh(end_of(whole[-2].name)))
         (back,) = self.chain((SideTerm(whole[-1].name, -whole[-1].times),), start, forth[-1].end)
         return forth, (back,)
 
@@ -92,7 +92,7 @@ class Chains:
         named = ends(total or alone or first[-1].name)
         if named and named[1] not in self.labels[self.plan]:
             return self.fresh(named[1])
-        return self.fresh(plain(sorted(first, key=self.open)[-1].name))
+        return self.fresh(end_of(sorted(first, key=self.open)[-1].name))
 
     def chain(self, side: Side, start: str, target: str) -> Chain:
         """The terms of a side, known ones first, from a mark to the target, or where a vector drawn before ends."""
@@ -153,7 +153,7 @@ class Chains:
         """Where a vector from a mark ends: as its name says, else a mark named as it is."""
         span = ends(stated.name) if abs(stated.times) == 1 else None
         span = span[::-1] if span and stated.times < 0 else span
-        return self.fresh(span[1] if span and span[0] == mark else plain(stated.name))
+        return self.fresh(span[1] if span and span[0] == mark else end_of(stated.name))
 
     def fresh(self, label: str) -> str:
         """The label, primed while another mark has it."""
@@ -162,8 +162,3 @@ class Chains:
             label += "′"
         taken.add(label)
         return label
-
-
-def plain(name: str) -> str:
-    """The label of the mark that a vector ends at."""
-    return name.replace("^", "")

@@ -13,7 +13,7 @@ from planes.drafting.steps.reckoning import Product, Protractor
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vector_equations import SideTerm
 from planes.scene.vectors import AlongVector, Amount, Similarity, Statement, VectorGiven
-from planes.words.names import Meaning, at, parts_of
+from planes.words.names import Meaning, at, end_of, parts_of
 
 _POINTS = re.compile(r"([^\W\d_]\d*)([^\W\d_]\d*)")
 _PARTS = {"n": "normal", "k": "coriolis"}
@@ -209,7 +209,7 @@ class StatedVectors:
     def _whole(self, equation: Equation, term: Term, stated: SideTerm, ends: tuple[str, str]) -> None:
         """A vector of which a multiple was found: the whole of it beside."""
         state = self.states[stated.name]
-        label = stated.name.replace("^", "") + "″"
+        label = end_of(stated.name) + "″"
         ratio = self.draft.give(f"ratio_{stated.name}", complex(1 / abs(stated.times)))
         whole = self.draft.step(Similar(at(equation.plan, label), *ends, ratio))
         state.span = ends[0], whole

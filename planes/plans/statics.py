@@ -18,7 +18,7 @@ from planes.plans.loads import Couple, Force, force_name
 from planes.plans.reactions import Reaction, Statics, chain_of, meet_with_friction
 from planes.plans.triad_forces import TriadForces
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at, force_plan
+from planes.words.names import POLE, at, end_of, force_plan
 
 
 def draw_forces(statics: Statics) -> None:
@@ -80,7 +80,7 @@ class _GroupForces:
             "last": self.ray(g.last_outer, g.last, e_b, x, 1, bool(tail)),
         }
         self.meet(rays, first, last, x)
-        starts = head[0].name.replace("^", "") if head else POLE, last[-1].start if tail else e_b
+        starts = end_of(head[0].name) if head else POLE, last[-1].start if tail else e_b
         return {
             "first": self.on(g.first_outer, g.first, at(plan, x), at(plan, starts[0])),
             "inner": self.on(g.inner, g.first, at(plan, e_a), at(plan, x)),

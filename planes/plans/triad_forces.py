@@ -17,7 +17,7 @@ from planes.plans.reactions import Reaction, Statics, chain_of
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE, Meaning, at, force_plan, label_of, mu_of
+from planes.words.names import POLE, Meaning, at, end_of, force_plan, label_of, mu_of
 
 
 @dataclass
@@ -66,15 +66,15 @@ class TriadForces:
             ends.append(chain[-1].end if chain else POLE)
         for term in chain:
             self.d.lay(self.plan, term)
-        x = one.part.replace("^", "")
+        x = end_of(one.part)
         last = Term(one.part, ends[-1], x, None, one.line, one.line)
         back = Term(two.part, POLE, x, None, two.line, two.line, False, -1)
         self.d.draw(Equation(self.plan, ((*chain, last), (back,))))
         starts = {term.end: term.start for term in chain}
-        begins = starts[_end(one.known[0])] if one.known else ends[-1]
+        begins = starts[end_of(one.known[0].name)] if one.known else ends[-1]
         self.read(one, (begins, x), (x, ends[3]))
-        self.read(two, (x, _end(two.known[0]) if two.known else POLE), (ends[1], x))
-        self.read(three, (starts[_end((*three.known, pushed)[0])], ends[2]), (ends[2], ends[1]))
+        self.read(two, (x, end_of(two.known[0].name) if two.known else POLE), (ends[1], x))
+        self.read(three, (starts[end_of((*three.known, pushed)[0].name)], ends[2]), (ends[2], ends[1]))
 
     def held(self, lead: Lead) -> _Held:
         """A lead, and what its own equilibrium gives."""
@@ -136,7 +136,3 @@ class TriadForces:
         """A reaction on the lead, noted for its pair's own first link."""
         start, end = (at(self.plan, label) for label in ends)
         return self.s.react(pair, self.plan, *((start, end) if lead.link == pair.link else (end, start)))
-
-
-def _end(f: Force) -> str:
-    return f.name.replace("^", "")

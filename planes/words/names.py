@@ -148,6 +148,11 @@ def ends_of(guide: str) -> tuple[str, str]:
     return first, second
 
 
+def end_of(name: str) -> str:
+    """The label of the mark that a vector ends at where it is named by it: F_21t of F_21^t."""
+    return name.replace("^", "")
+
+
 def parted(label: str) -> str:
     """A mark of a force plan as the part of a vector that ends there: F_21t, F_21^t."""
     return re.sub(r"^(F_[^^]*)([tn])$", r"\1^\2", label)

@@ -14,7 +14,7 @@ from planes.drafting.steps import LayOff
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, Names, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, Names, end_of, kind_of, label_of, mu_of, plan_of
 
 Vectors = dict[str, ReadMark]  # a person's
 IN_LINE, AS_LONG = 0.05, 0.9  # between vectors of one line, the tangent of the angle; how long one is to hide another
@@ -60,7 +60,7 @@ def sides_of(plans: Plans, plan: str) -> list[Side]:
     """All vectors of a force plan as the program draws them, the closing ones last."""
     found: dict[str, Side] = {}
     for t in (t for e in plans.equations if e.plan == plan for t in e.terms):
-        name, ends = t.name.replace("^", ""), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
+        name, ends = end_of(t.name), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
         found.setdefault(name, Side(name, *ends))
     return list(found.values())
 

@@ -14,7 +14,7 @@ from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.geometry.arithmetic import Arithmetic, Real
 from planes.plans.quantities import Quantity
 from planes.words import Phrase, Written
-from planes.words.names import POLE, Names, at, label_of, letter_of, mu_of, plan_of
+from planes.words.names import POLE, Names, at, end_of, label_of, letter_of, mu_of, plan_of
 from planes.words.units import unit_factor
 
 LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
@@ -109,7 +109,7 @@ def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -
     pairs = {one + two: (one, two) for one, two in permutations(ends, 2)}
     for s in bench.plans.segments:
         if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
-            pairs.setdefault(s.name.replace("^", ""), (s.start, s.end))
+            pairs.setdefault(end_of(s.name), (s.start, s.end))
     spelt = {one + two: bench.names.spelt(one) + bench.names.spelt(two) for one, two in permutations(ends, 2)}
     names = Names(pairs, poles=False, spelt=lambda pair: spelt.get(pair, pair))
     read = [(names.find(text), text, mm) for text, mm in written]

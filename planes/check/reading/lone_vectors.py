@@ -12,7 +12,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import FAR_WORD, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke, headed
 from planes.drafting.drawing import run
-from planes.words.names import POLE, at
+from planes.words.names import POLE, at, end_of
 
 SHARE = 0.1  # a vector off by more of its length is not the true one
 REVERSED = 0.25  # how unlike a vector is its opposite
@@ -69,7 +69,7 @@ def others(bench: PreparedPlan) -> dict[str, complex]:
     """Vectors that may be drawn beside the polygon's own: whole reactions, inner ones."""
     plan, made = bench.asked.plan, run(bench.plans.program, bench.given)
     own = bench.plans.segments_of.get(plan, ())
-    return {s.name.replace("^", ""): complex(made[at(plan, s.end)] - made[at(plan, s.start)]) for s in own}
+    return {end_of(s.name): complex(made[at(plan, s.end)] - made[at(plan, s.start)]) for s in own}
 
 
 def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, known: Mapping[str, complex]) -> Costs:
