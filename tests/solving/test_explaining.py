@@ -1,0 +1,22 @@
+"""What `--explain` lists: every step of every sample is told, in both languages."""
+
+from __future__ import annotations
+
+import pytest
+
+from planes.plans.of_scene import scene_plans
+from planes.scene import load
+from planes.solving.explaining import explain
+from planes.words import Lang
+from tests.helpers import ROOT
+
+SCENES = sorted(p for p in (ROOT / "samples").rglob("*.yaml") if not {"assignments", "course"} & {*p.parts})
+
+
+@pytest.mark.parametrize("lang", ["ru", "en"])
+def test_every_step_of_every_sample_is_told(lang: Lang) -> None:
+    assert len(SCENES) > 20
+    for path in SCENES:
+        scene = load(str(path))
+        listed = [line.split(":")[0].strip() for line in explain(scene, lang).splitlines() if line.startswith("  ")]
+        assert len(listed) == len(scene_plans(scene).program.steps), path
