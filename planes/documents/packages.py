@@ -6,10 +6,10 @@ import json
 import uuid
 import zipfile
 from collections.abc import Sequence
-from xml.etree.ElementTree import Element, SubElement, indent, tostring
+from xml.etree.ElementTree import Element, SubElement
 
 from planes.course.quiz import Quiz, task_text, varied
-from planes.documents.platforms import PICTURE, asked, given_of
+from planes.documents.platforms import PICTURE, asked, given_of, xml_file
 from planes.words import Lang
 
 MOMENT = (2020, 1, 1, 0, 0, 0)  # of every file in an archive, so that the same lesson gives the same bytes
@@ -43,8 +43,7 @@ def manifest(name: str, title: str) -> bytes:
     SubElement(item, "adlcp:masteryscore").text = "60"
     page = {"identifier": "page", "type": "webcontent", "adlcp:scormtype": "sco", "href": "index.html"}
     SubElement(SubElement(SubElement(root, "resources"), "resource", page), "file", href="index.html")
-    indent(root, " ")
-    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root, "unicode").encode() + b"\n"
+    return xml_file(root)
 
 
 SERVER = '''"""One student's numbers, drawn by the variant."""

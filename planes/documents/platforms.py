@@ -44,7 +44,7 @@ def moodle(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
         _category(quiz, course, say("quiz_pool", lang, name=name))
         for number in range(len(group[0].questions)):
             _calculated(quiz, group, number, lang)
-    return _file(quiz)
+    return xml_file(quiz)
 
 
 def stack(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
@@ -53,12 +53,13 @@ def stack(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
     _category(quiz, course, "STACK")
     for name, group in by_assignment(quizzes).items():
         _stack(quiz, name, group, lang)
-    return _file(quiz)
+    return xml_file(quiz)
 
 
-def _file(quiz: Element) -> bytes:
-    indent(quiz, " ")
-    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(quiz, "unicode").encode() + b"\n"
+def xml_file(root: Element) -> bytes:
+    """A file of an element, a line for each that stands in it."""
+    indent(root, " ")
+    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root, "unicode").encode() + b"\n"
 
 
 def _text(parent: Element, tag: str, text: str, **how: str) -> Element:
