@@ -161,7 +161,7 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
 def _with_passive(plans: Plans) -> Plans:
     """The plans with the motion of the passive links they are stated without."""
     assert plans.acting.motion
-    b = plans.acting.motion.b
+    b = plans.acting.motion.bodies
     links = {**plans.links, **{link.name: values_of(b, link) for link in plans.passive}}
     program = Program(tuple(b.draft.steps.values()), plans.program.proofs)
     return replace(plans, program=program, given=b.draft.given, links=links, means={**plans.means, **b.draft.means})

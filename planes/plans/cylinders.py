@@ -15,7 +15,7 @@ from planes.words.names import POLE, Meaning, at
 class PlanOfRates(Protocol):
     """What a cylinder asks of the plan it is drawn on."""
 
-    b: Bodies
+    bodies: Bodies
     plan: str
     driven: list[str]
 
@@ -47,8 +47,8 @@ def driven_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
 
 def _across(r: PlanOfRates, leg: Leg, along: str) -> Term:
     """Coriolis: 2ω×v of the drive."""
-    across, name = r.b.draft.square(along), f"{r.letter}{leg.driven}^k"
-    value = r.b.draft.product(name, 2.0, **{f"omega_{leg.turns}": 1, "v_drive": 1})
+    across, name = r.bodies.draft.square(along), f"{r.letter}{leg.driven}^k"
+    value = r.bodies.draft.product(name, 2.0, **{f"omega_{leg.turns}": 1, "v_drive": 1})
     means, start = Meaning("coriolis", leg.driven), r.label(leg.known.name)
     return Term(name, start, f"k_{leg.driven}", length=value, direction=across, action=across, means=means)
 
@@ -64,7 +64,7 @@ def driven_end(r: PlanOfRates, leg: Leg) -> str:
 
 def driven_spot(r: PlanOfRates, leg: Leg, drive: Pair, spot: BodyPoint) -> SlideReading:
     """Draw the point of the guide's link under the end of the cylinder; the reading of its sliding."""
-    d, along, end = r.b.draft, f"∥{drive.guide}", driven_end(r, leg)
+    d, along, end = r.bodies.draft, f"∥{drive.guide}", driven_end(r, leg)
     known, middle = r.mark(leg.known.name), at(r.plan, f"k_{leg.driven}")
     d.step(Carry(r.mark(spot.name), r.mark(leg.new.name), end, known))
     d.show(r.plan, POLE, r.label(spot.name), r.letter + spot.name)

@@ -19,7 +19,7 @@ from planes.words.names import POLE, Meaning, at
 class LawValues:
     """Makes values of loads; ``motion`` tells the strokes, even of a driver at rest; ``said`` are the laws by name."""
 
-    b: Bodies
+    bodies: Bodies
     motion: Rates
     velocity: Rates
     accelerations: Rates
@@ -35,39 +35,41 @@ class LawValues:
         if slid is None:
             what = Phrase("load", number=self.numbers[id(load)] + 1)
             why = Phrase("law_slider", what=what, link=value.slider, valid=choices("", self.motion.slides))
-            raise SceneError(why, self.b.file, self._line(load))
+            raise SceneError(why, self.bodies.file, self._line(load))
         sense = 1 if value.stroke == "ahead" else -1
-        stroke = self.b.draft.step(Sense(f"moves_{value.slider}", *slid.ends, slid.along, tuple(self.motion.driven)))
+        stroke = self.bodies.draft.step(
+            Sense(f"moves_{value.slider}", *slid.ends, slid.along, tuple(self.motion.driven))
+        )
         working = self.amount(f"‖{name}", load, value.working, means, stroke, sense)
         idle = self.amount(f"|{name}", load, value.idle, means, stroke, -sense)
-        return self.b.draft.step(ByStroke(name, stroke, sense, working, idle, means=means))
+        return self.bodies.draft.step(ByStroke(name, stroke, sense, working, idle, means=means))
 
     def amount(self, name: str, load: Load, amount: Amount, means: Meaning, stroke: str = "", sense: int = 1) -> str:
         """A given number, or a law at work in the stroke it belongs to."""
         if not isinstance(amount, LoadLaw):
-            return self.b.draft.give(name, amount, means=None if stroke else means)
+            return self.bodies.draft.give(name, amount, means=None if stroke else means)
         if not stroke:
             self.said[name] = amount
         try:  # what was not read of a file is as anybody made it
             check_law(amount.text, self.known)
         except ExpressionError as error:
-            raise SceneError(error.phrase, self.b.file, self._line(load)) from None
+            raise SceneError(error.phrase, self.bodies.file, self._line(load)) from None
         of = tuple((n, self._found(self.known[n][0])) for n in dict.fromkeys(names_in(amount.text)))
         line, told = str(self._line(load) or ""), None if stroke else means
-        return self.b.draft.step(Follow(name, amount, of, stroke, sense, line, means=told))
+        return self.bodies.draft.step(Follow(name, amount, of, stroke, sense, line, means=told))
 
     @cached_property
     def known(self) -> dict[str, list[Coordinate]]:
         """The names a law may use."""
-        return coordinates(self.b.mechanism.links, self.b.mechanism.drive)
+        return coordinates(self.bodies.mechanism.links, self.bodies.mechanism.drive)
 
     @cached_property
     def numbers(self) -> dict[int, int]:
         """Where each load stands among the loads."""
-        return {id(load): k for k, load in enumerate(self.b.mechanism.loads)}
+        return {id(load): k for k, load in enumerate(self.bodies.mechanism.loads)}
 
     def _line(self, load: Load) -> int | None:
-        return self.b.mechanism.where.get(("loads", str(self.numbers[id(load)])))
+        return self.bodies.mechanism.where.get(("loads", str(self.numbers[id(load)])))
 
     def _found(self, c: Coordinate) -> str:
         """The name of a coordinate's value."""
@@ -76,22 +78,22 @@ class LawValues:
         return {"link": self._of_link, "slider": self._of_slider, "point": self._of_point}[c.sort](c)
 
     def _of_link(self, c: Coordinate) -> str:
-        body = self.b.known[c.of]
+        body = self.bodies.known[c.of]
         if c.letter == "phi":
-            return self.b.draft.step(Protractor(f"phi_{c.of}", body.axis))
+            return self.bodies.draft.step(Protractor(f"phi_{c.of}", body.axis))
         rates = self.velocity if c.letter == "omega" else self.accelerations
-        return self.b.draft.give(f"still_{c.of}", 0.0) if body.root == FRAME else rates.spin(body.root)
+        return self.bodies.draft.give(f"still_{c.of}", 0.0) if body.root == FRAME else rates.spin(body.root)
 
     def _of_slider(self, c: Coordinate) -> str:
         if c.letter != "s":
             return (self.velocity if c.letter == "v" else self.accelerations).slides[c.of].value
-        pair = next(p for p in self.b.structure.pairs if p.link == c.of and p.kind == "P")
-        start, along = self.b.line(pair, pair.other)
-        first = at(SCHEME, self.b.mechanism.links[c.of].first_point)
-        return self.b.draft.measure(f"s_{c.of}", start, first, along)
+        pair = next(p for p in self.bodies.structure.pairs if p.link == c.of and p.kind == "P")
+        start, along = self.bodies.line(pair, pair.other)
+        first = at(SCHEME, self.bodies.mechanism.links[c.of].first_point)
+        return self.bodies.draft.measure(f"s_{c.of}", start, first, along)
 
     def _of_point(self, c: Coordinate) -> str:
-        d, name = self.b.draft, f"|{c.letter}_{c.of}|"
+        d, name = self.bodies.draft, f"|{c.letter}_{c.of}|"
         if c.letter in ("x", "y"):
             along = d.aim(f"→{c.letter}", 0.0 if c.letter == "x" else 90.0, Meaning("along", c.letter))
             return d.measure(name, d.pole(SCHEME), at(SCHEME, c.of), along)

@@ -36,7 +36,7 @@ class Grip:
 
 def grip_of(acting: Acting, pair: Pair) -> Grip | None:
     """How a hinge rubs; None where it does not, or where its links never turn against each other."""
-    b, d = acting.b, acting.b.draft
+    b, d = acting.bodies, acting.bodies.draft
     name, roots = _rubbing(b, pair), [b.known[x].root for x in (pair.link, pair.other)]
     if name is None or roots[0] == roots[1]:
         return None
@@ -54,7 +54,7 @@ def grip_of(acting: Acting, pair: Pair) -> Grip | None:
 
 def settle(acting: Acting, grips: Sequence[Grip], sizes: Mapping[str, str], trial: Draft) -> None:
     """The couples with which the plan drawn in ``trial`` gives them again, by the ``sizes`` of its reactions."""
-    d = acting.b.draft
+    d = acting.bodies.draft
     fed = tuple(Fed(g.couple, g.factor, sizes[g.couple]) for g in grips)
     needed, steps = {f.size for f in fed}, []
     for step in reversed([s for name, s in trial.steps.items() if name not in d.steps]):

@@ -21,7 +21,7 @@ from planes.words.names import POLE, Meaning, at
 class Rates:
     """One plan of rates: ``plan`` "velocity", "motion" (velocities of a unit drive) or "acceleration"."""
 
-    b: Bodies
+    bodies: Bodies
     plan: str
     turning: dict[str, tuple[str, str, str]] = field(default_factory=dict)
     slides: dict[str, SlideReading] = field(default_factory=dict)
@@ -43,9 +43,9 @@ class Rates:
 
     def label(self, name: str) -> str:
         """The label a point has on this plan: small letters, primed for accelerations; the pole if fixed."""
-        if name == POLE or name in self.b.mechanism.frame.points:
+        if name == POLE or name in self.bodies.mechanism.frame.points:
             return POLE
-        small = self.b.small_letter(name)
+        small = self.bodies.small_letter(name)
         return small + "'" if self.quick else small
 
     def mark(self, name: str) -> str:
@@ -54,23 +54,23 @@ class Rates:
 
     def start(self) -> None:
         """The pole, and the driver."""
-        self.b.draft.pole(self.plan)
-        if self.b.structure.inner_drive:
+        self.bodies.draft.pole(self.plan)
+        if self.bodies.structure.inner_drive:
             _rate(self)
         else:
             _drive(self)
-            self.show_points(self.b.mechanism.drive.link)
+            self.show_points(self.bodies.mechanism.drive.link)
 
     def dyad(self, group: Group) -> None:
         """The new point of a group of class II by its two legs, then every point of its links."""
-        legs = legs_of(self.b, group)
+        legs = legs_of(self.bodies, group)
         self.solve(legs[0].new.name, self.chain(legs[0]), self.chain(legs[1]), legs)
         for link in group.whole:
             self.show_points(link)
 
     def solve(self, new: str, one: tuple[Term, ...], two: tuple[Term, ...], legs: Iterable[Leg]) -> None:
         """A new point by two chains, and what is read off its legs."""
-        self.b.draft.draw(Equation(self.plan, (one, two), self.letter + new))
+        self.bodies.draft.draw(Equation(self.plan, (one, two), self.letter + new))
         self.driven.append(self.mark(new))
         for leg in legs:
             self.conclude(leg)
@@ -86,8 +86,8 @@ class Rates:
             return start, *driven_terms(self, leg, leg.drive)
         if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
             grounded = Meaning("rate", leg.new.name, link=FRAME)
-            self.b.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
-        if not self.quick or (leg.pair and self.b.known[leg.link].root == FRAME):
+            self.bodies.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
+        if not self.quick or (leg.pair and self.bodies.known[leg.link].root == FRAME):
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
         first, rest = (self.across(leg, known), "r") if leg.pair else (self.normal(leg, known), "t")
         return start, first, Term(f"{relative}^{rest}", first.end, new, direction=leg.along, action=leg.along)
@@ -95,24 +95,24 @@ class Rates:
     def normal(self, leg: Leg, start: str) -> Term:
         """a^n = v²/l, towards the pivot."""
         name, towards = f"a_{leg.symbol}^n", leg.towards or ""
-        value = self.b.draft.product(name, **{f"v_{leg.symbol}": 2, leg.length or "": -1})
+        value = self.bodies.draft.product(name, **{f"v_{leg.symbol}": 2, leg.length or "": -1})
         means = Meaning("normal", leg.symbol)
         return Term(name, start, f"n_{leg.symbol}", length=value, direction=towards, action=towards, means=means)
 
     def across(self, leg: Leg, start: str) -> Term:
         """a^k, across the guide."""
         value, means = self.coriolis(leg), Meaning("coriolis", leg.symbol)
-        name, along = f"a_{leg.symbol}^k", self.b.draft.square(leg.along)
+        name, along = f"a_{leg.symbol}^k", self.bodies.draft.square(leg.along)
         return Term(name, start, f"k_{leg.symbol}", length=value, direction=along, action=along, means=means)
 
     def coriolis(self, leg: Leg) -> str:
         """a^k = 2ω v, the relative velocity turned by a right angle in the sense of ω."""
-        root = self.b.known[leg.link].root
-        return self.b.draft.product(f"a_{leg.symbol}^k", 2.0, **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
+        root = self.bodies.known[leg.link].root
+        return self.bodies.draft.product(f"a_{leg.symbol}^k", 2.0, **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
 
     def conclude(self, leg: Leg) -> None:
         """Read the angular rate of a turning link, or the rate of sliding."""
-        d = self.b.draft
+        d = self.bodies.draft
         if leg.pair is None and leg.turns:
             part = "^t" if self.quick else ""
             d.product(self.spin(leg.turns), **{f"{self.letter}{leg.symbol}{part}": 1, leg.length or "": -1})
@@ -127,10 +127,10 @@ class Rates:
         """The slider against its guide, along the guide."""
         pair, known, new = leg.pair, self.mark(leg.known.name), self.mark(leg.new.name)
         assert pair is not None
-        turns = self.quick and self.b.known[leg.link].root != FRAME
+        turns = self.quick and self.bodies.known[leg.link].root != FRAME
         middle = at(self.plan, f"k_{leg.symbol}") if turns else known
         ends = (middle, new) if leg.slider_new else (new, middle)
-        value = self.b.draft.measure(f"{self.letter}slide_{pair.link}", *ends, leg.along)
+        value = self.bodies.draft.measure(f"{self.letter}slide_{pair.link}", *ends, leg.along)
         if not self.quick:
             return SlideReading(pair.guide, value, ends, leg.along)
         coriolis = (known, middle) if leg.slider_new else (middle, known)
@@ -138,46 +138,46 @@ class Rates:
 
     def show_points(self, link: str) -> None:
         """The image of every point of the link, and the segment from the pole that is its rate."""
-        for name in self.b.mechanism.links[link].points:
+        for name in self.bodies.mechanism.links[link].points:
             self.image(link, BodyPoint(name, name))
 
     def image(self, link: str, spot: BodyPoint) -> None:
         """Draw the end of a spot's vector, by similarity with what is known of its link."""
         mark = self.mark(spot.name)
-        if mark in self.b.draft.steps:
+        if mark in self.bodies.draft.steps:
             return
-        body = self.b.known[link]
-        root, carrier = self.b.known[body.root], self.mark(body.carrier.name)
+        body = self.bodies.known[link]
+        root, carrier = self.bodies.known[body.root], self.mark(body.carrier.name)
         if body.root == FRAME:
-            self.b.draft.step(Same(mark, carrier))
+            self.bodies.draft.step(Same(mark, carrier))
         elif root is body and body.rigid and body.ref and spot.name in body.link.points:
             one, two = (self.mark(s.name) for s in body.ref)
-            self.b.similar(mark, body, spot.name, body.link.points[spot.name], (one, two))
+            self.bodies.similar(mark, body, spot.name, body.link.points[spot.name], (one, two))
         elif root.ref:
             like = root.ref
             scheme = tuple(at(SCHEME, s.place) for s in (body.carrier, spot, *like))
             ends = self.mark(like[0].name), self.mark(like[1].name)
-            self.b.draft.step(Image(mark, carrier, (scheme[0], scheme[1]), (scheme[2], scheme[3]), ends))
+            self.bodies.draft.step(Image(mark, carrier, (scheme[0], scheme[1]), (scheme[2], scheme[3]), ends))
         else:
             swing(self, body, spot)
-        self.b.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
+        self.bodies.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
 
 
 def _rate(r: Rates) -> str:
     """The name of the driver's own rate, as it is given."""
-    d, drive = r.b.draft, r.b.mechanism.drive
+    d, drive = r.bodies.draft, r.bodies.mechanism.drive
     rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
     value = d.give(f"{r.letter}drive" if drive.kind == "s" else r.spin(drive.link), rate)
-    d.law(value, None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", RATES[drive.kind][r.quick])))
+    d.law(value, None if r.plan == "motion" else r.bodies.mechanism.laws.get(("drive", RATES[drive.kind][r.quick])))
     return value
 
 
 def _drive(r: Rates) -> None:
     """The driver's own motion: the first vectors of the plan, fully known."""
-    d, drive, value = r.b.draft, r.b.mechanism.drive, _rate(r)
-    body = r.b.known[drive.link]
+    d, drive, value = r.bodies.draft, r.bodies.mechanism.drive, _rate(r)
+    body = r.bodies.known[drive.link]
     if drive.kind == "s":
-        first, guide = body.base.name, r.b.structure.drive_pair.guide
+        first, guide = body.base.name, r.bodies.structure.drive_pair.guide
         ends = at(r.plan, POLE), r.mark(first)
         d.lay_off(r.plan, r.label(first), ends[0], f"∥{guide}", value)
         d.show(r.plan, POLE, r.label(first), r.letter + first)
@@ -194,10 +194,10 @@ def _drive(r: Rates) -> None:
 def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
     """The end of the vector of a spot of a link that turns with the driver, by rotation about the link's carrier: the
     driver's own pivot on the frame, or the point that a link sliding on the driver is reached by."""
-    d, centre = r.b.draft, body.carrier
+    d, centre = r.bodies.draft, body.carrier
     ray = d.ray(SCHEME, centre.place, spot.place)
     across = d.square(ray)
-    length = r.b.distance(body.link, centre, spot)
+    length = r.bodies.distance(body.link, centre, spot)
     start, end, total = r.label(centre.name), r.label(spot.name), r.letter + spot.name
     own = start == POLE
     name = total if own else total + centre.name

@@ -17,7 +17,7 @@ from planes.words.names import POLE, at, mu_of
 
 def draw_lever(s: Statics) -> str:
     """Draw the lever and balance it; the name of its balancing moment (or force)."""
-    acting, b = s.acting, s.b
+    acting, b = s.acting, s.bodies
     drive = b.mechanism.drive
     rate = acting.motion.spin(drive.link) if drive.kind == "phi" else f"{acting.motion.letter}drive"
     b.draft.pole("lever")
@@ -47,11 +47,11 @@ def rubbing(s: Statics) -> list[tuple[str, str]]:
     found = []
     for key, reaction in list(s.reactions.items()):
         guide, force, speed = reaction.pair.guide, reaction.friction, s.acting.motion.spin(key)
-        if guide in s.b.mechanism.friction:
-            force = s.b.draft.measure(f"T_{key}", reaction.start, reaction.end, f"∥{guide}")
+        if guide in s.bodies.mechanism.friction:
+            force = s.bodies.draft.measure(f"T_{key}", reaction.start, reaction.end, f"∥{guide}")
             speed = s.acting.motion.slides[reaction.pair.link].value
         if force:
-            power = s.b.draft.product(f"PT_{key}", **{force: 1, speed: 1})
+            power = s.bodies.draft.product(f"PT_{key}", **{force: 1, speed: 1})
             s.reactions[key] = replace(reaction, friction=force, power=power)
             found.append((force, speed))
     return found
@@ -64,5 +64,5 @@ def _arm(s: Statics, force: Force) -> str:
     mark = at("lever", POLE)
     if label != POLE:
         ends = at(motion.plan, POLE), motion.mark(force.spot.name)
-        mark = s.b.draft.step(Carry(at("lever", label), mark, *ends, 1))
-    return s.b.draft.step(Drop(f"H_{force.name}", mark, force.along, at("lever", POLE), mu_of("lever")))
+        mark = s.bodies.draft.step(Carry(at("lever", label), mark, *ends, 1))
+    return s.bodies.draft.step(Drop(f"H_{force.name}", mark, force.along, at("lever", POLE), mu_of("lever")))

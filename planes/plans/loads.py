@@ -79,7 +79,7 @@ class Loads:
 class Acting:
     """All forces and couples on each link, those of pairs joining as they are found."""
 
-    b: Bodies
+    bodies: Bodies
     motion: Rates  # the velocities that tell "along" from "against" motion
     accelerations: Rates
     laws: LawValues
@@ -88,16 +88,16 @@ class Acting:
 
     def gather(self) -> None:
         """Weights, inertia and loads of every link, in this order on each."""
-        for link in self.b.mechanism.links.values():
+        for link in self.bodies.mechanism.links.values():
             self.forces[link.name], self.couples[link.name] = [], []
             self._weight(link)
             self._inertia(link)
-        m = self.b.mechanism
+        m = self.bodies.mechanism
         for number, (name, load) in enumerate(zip(load_names(m), m.loads, strict=True)):
             name = self._force(load, name) if load.kind == "force" else self._couple(load, name)
-            for path, law in self.b.mechanism.laws.items():
+            for path, law in self.bodies.mechanism.laws.items():
                 if path[:2] == ("loads", str(number)):
-                    self.b.draft.law(name, law)
+                    self.bodies.draft.law(name, law)
 
     @property
     def loads(self) -> Loads:
@@ -105,10 +105,10 @@ class Acting:
         return Loads(self.forces, self.couples, self.laws.said, self.motion)
 
     def _weight(self, link: Link) -> None:
-        if link.mass is None or self.b.mechanism.gravity is None:
+        if link.mass is None or self.bodies.mechanism.gravity is None:
             return
-        d = self.b.draft
-        gravity, mass = d.give("g", self.b.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
+        d = self.bodies.draft
+        gravity, mass = d.give("g", self.bodies.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
         size = d.product(f"G_{link.name}", **{mass: 1, gravity: 1})
         down = d.aim("↓", -90.0, Meaning("down"))
         self.forces[link.name].append(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
@@ -117,8 +117,8 @@ class Acting:
         return at(SCHEME, link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
 
     def _inertia(self, link: Link) -> None:
-        d, rates = self.b.draft, self.accelerations
-        root = self.b.known[link.name].root
+        d, rates = self.bodies.draft, self.accelerations
+        root = self.bodies.known[link.name].root
         if link.inertia is not None and root != FRAME:
             moment = d.give(f"J_{link.name}", link.inertia)
             value = d.product(f"MI_{link.name}", -1.0, **{moment: 1, rates.spin(root): 1})
@@ -133,7 +133,7 @@ class Acting:
         self.forces[link.name].append(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
 
     def _force(self, load: Load, name: str) -> str:
-        d, point = self.b.draft, load.point or ""
+        d, point = self.bodies.draft, load.point or ""
         size = self.laws.value(f"{name}_given", load, Meaning("load", name, link=load.link))
         if load.sense:
             ends = at(self.motion.plan, POLE), self.motion.mark(point)
@@ -151,9 +151,9 @@ class Acting:
         return size
 
     def _direction(self, name: str, load: Load) -> str:
-        d, means, angle = self.b.draft, Meaning("given", name), load.direction_deg or 0.0
+        d, means, angle = self.bodies.draft, Meaning("given", name), load.direction_deg or 0.0
         turned = bool(load.direction_link) and load.direction_link != FRAME
-        axis = self.b.known[load.direction_link or FRAME].axis
+        axis = self.bodies.known[load.direction_link or FRAME].axis
         if isinstance(angle, LoadLaw):
             found = self.laws.amount(f"∠{name}_given", load, angle, Meaning("angle", name, link=load.link))
             return d.step(
@@ -162,12 +162,12 @@ class Acting:
         return d.turn(f"∠{name}", axis, angle, 0.0, means) if turned else d.aim(f"∠{name}", angle, means)
 
     def _couple(self, load: Load, name: str) -> str:
-        d, link = self.b.draft, load.link
+        d, link = self.bodies.draft, load.link
         value = self.laws.value(f"{name}_given", load, Meaning("couple", name, link=link))
         if not load.sense:
             self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
             return name
-        root = self.b.known[link].root
+        root = self.bodies.known[link].root
         if root == FRAME:
             return name  # a link that never turns has no motion for a couple to go along with or against
         sense = self.turning(root)
@@ -179,5 +179,5 @@ class Acting:
         """Which way a link turns; that it stands still is ``told`` as a warning."""
         if root in self.motion.turning:
             ends = (*self.motion.turning[root], tuple(self.motion.driven))
-            return self.b.draft.step(Sense(f"turns_{root}" if told else f"way_{root}", *ends, told))
-        return self.b.draft.step(SenseOf(f"turns_{root}", self.motion.spin(root)))
+            return self.bodies.draft.step(Sense(f"turns_{root}" if told else f"way_{root}", *ends, told))
+        return self.bodies.draft.step(SenseOf(f"turns_{root}", self.motion.spin(root)))

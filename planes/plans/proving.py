@@ -23,14 +23,14 @@ RATES = ("velocity", "acceleration")
 def proofs_of(s: Statics, velocity: Rates, acceleration: Rates, lever: str) -> tuple[Proof, ...]:
     """Everything that must hold, the cheapest to understand first."""
     motion = _Motion(s, velocity, acceleration)
-    return (*closed(s.b.draft), *motion.rigid(), *motion.slid(), *_balanced(s), _twofold(s, lever))
+    return (*closed(s.bodies.draft), *motion.rigid(), *motion.slid(), *_balanced(s), _twofold(s, lever))
 
 
 class _Motion:
     """The links as they lie and turn."""
 
     def __init__(self, s: Statics, velocity: Rates, acceleration: Rates) -> None:
-        self.bodies, self.rates = s.b, (velocity, acceleration)
+        self.bodies, self.rates = s.bodies, (velocity, acceleration)
         self.beside = {SCHEME: (), **{r.plan: tuple(r.driven) for r in self.rates}}
 
     def point(self, link: str, name: str) -> Point:
@@ -73,27 +73,27 @@ def closed(draft: Draft) -> Iterator[Proof]:
 
 
 def _balanced(s: Statics) -> Iterator[Proof]:
-    drive = s.b.mechanism.drive
-    for link in s.b.mechanism.links:
+    drive = s.bodies.mechanism.drive
+    for link in s.bodies.mechanism.links:
         forces = [(f.size, f.along, f.point) for f in s.acting.forces[link] if f.spot]
         couples = [(c.value, c.sign) for c in s.acting.couples[link] if not c.handed]
         sides = []
         for r in s.reactions.values():
             if r.pair.joins(link):
-                where = at(SCHEME, r.pair.point) if r.pair.kind == "R" else s.b.foot(r.pair)
+                where = at(SCHEME, r.pair.point) if r.pair.kind == "R" else s.bodies.foot(r.pair)
                 sides.append((r.start, r.end, 1 if link == r.pair.link else -1, where, r.moment))
         if link == drive.link and drive.kind == "phi":
             couples.append((s.balancing, 1))
-        pair = s.b.structure.drive_pair
+        pair = s.bodies.structure.drive_pair
         if drive.kind == "s" and pair.joins(link):
             plan, sign = force_plan(drive.link), 1 if link == drive.link else -1
-            sides.append((at(plan, force_name(drive.link, pair.other)), at(plan, POLE), sign, s.b.foot(pair), ""))
-        groups = [g.whole for g in s.b.structure.groups if link in g.whole]
+            sides.append((at(plan, force_name(drive.link, pair.other)), at(plan, POLE), sign, s.bodies.foot(pair), ""))
+        groups = [g.whole for g in s.bodies.structure.groups if link in g.whole]
         plan = force_plan(*(groups[0] if groups else (link,)))
         yield Balanced(plan, link, tuple(forces), tuple(sides), tuple(couples))
 
 
 def _twofold(s: Statics, lever: str) -> Proof:
-    made = (s.b.draft.steps[name] for name in (s.balancing, lever))
+    made = (s.bodies.draft.steps[name] for name in (s.balancing, lever))
     terms = tuple(t for step in made if isinstance(step, Calculate) for t in step.terms)
-    return Twofold(force_plan(s.b.mechanism.drive.link), s.balancing, s.balancing, lever, terms)
+    return Twofold(force_plan(s.bodies.mechanism.drive.link), s.balancing, s.balancing, lever, terms)

@@ -21,7 +21,7 @@ from planes.words.names import Meaning, at, parts_of
 def draw_rates(r: Rates) -> None:
     """The plan: the driver, then every group, then every point of every link."""
     r.start()
-    for group in r.b.structure.groups:
+    for group in r.bodies.structure.groups:
         if isinstance(group, Group):
             r.dyad(group)
         else:
@@ -32,34 +32,34 @@ class _Triad:
     """The rates of one triad."""
 
     def __init__(self, r: Rates, g: Triad) -> None:
-        self.r, self.g, self.b, self.d = r, g, r.b, r.b.draft
-        self.legs = [lead_leg(r.b, g.basic, lead) for lead in r.b.leads[g.basic]]
-        name = r.b.special(g.basic)
+        self.rates, self.group, self.bodies, self.draft = r, g, r.bodies, r.bodies.draft
+        self.legs = [lead_leg(r.bodies, g.basic, lead) for lead in r.bodies.leads[g.basic]]
+        name = r.bodies.special(g.basic)
         self.special = BodyPoint(name, name)
 
     def draw(self) -> None:
-        r, (one, two, three) = self.r, self.legs
-        s, body = self.special, self.b.known[self.g.basic]
+        r, (one, two, three) = self.rates, self.legs
+        s, body = self.special, self.bodies.known[self.group.basic]
         lines = [(at(SCHEME, leg.new.place), self.line(leg)) for leg in (one, two)]
-        self.d.step(Cross(at(SCHEME, s.place), *lines[0], *lines[1], means=Meaning("special", self.g.basic)))
+        self.draft.step(Cross(at(SCHEME, s.place), *lines[0], *lines[1], means=Meaning("special", self.group.basic)))
         r.solve(s.name, self.to_special(one), self.to_special(two), ())
         body.ref, body.moving, body.rigid = (s, three.new), three.new, False
         turning = self.about_special(three)
         r.solve(three.new.name, r.chain(turning), r.chain(three), (turning, three))
         for leg in (one, two):
             self.read(leg)
-        for link in self.g.links:
+        for link in self.group.links:
             r.show_points(link)
 
     def line(self, leg: Leg) -> str:
         """The line of a lead, across what its point may do."""
         if leg.pair is None:
-            return self.d.ray(SCHEME, leg.known.place, leg.new.place)
-        return self.d.square(leg.along)
+            return self.draft.ray(SCHEME, leg.known.place, leg.new.place)
+        return self.draft.square(leg.along)
 
     def to_special(self, leg: Leg) -> tuple[Term, ...]:
         """The terms from the pole by what a lead hangs on to S; both tangential parts are one."""
-        r, s = self.r, self.special.name
+        r, s = self.rates, self.special.name
         *known, last = r.chain(leg)
         symbol, part = s + leg.symbol.removeprefix(leg.new.name), parts_of(last.name)[2]
         if r.quick:
@@ -69,10 +69,10 @@ class _Triad:
 
     def towards(self, leg: Leg, start: str) -> Term:
         """The normal acceleration of S about the lead's point, ω² l, laid off from ``start``."""
-        s, new, d = self.special.place, leg.new, self.d
+        s, new, d = self.special.place, leg.new, self.draft
         length = d.measure(f"l_{s}{new.place}", at(SCHEME, s), at(SCHEME, new.place))
         name = f"a_{s}{new.name}"
-        value = d.product(f"{name}^n", **{f"omega_{self.g.basic}": 2, length: 1})
+        value = d.product(f"{name}^n", **{f"omega_{self.group.basic}": 2, length: 1})
         ray = d.ray(SCHEME, s, new.place)
         along = d.step(Turn(f"{s}→{new.place}", ray, 0, means=Meaning("towards", s, new.place)))
         normal = Meaning("normal", s, new.name)
@@ -80,18 +80,18 @@ class _Triad:
 
     def about_special(self, leg: Leg) -> Leg:
         """How the third lead's point goes about S with the basic link."""
-        s, new, d = self.special, leg.new, self.d
+        s, new, d = self.special, leg.new, self.draft
         ray = d.ray(SCHEME, s.place, new.place)
         length = d.measure(f"l_{new.place}{s.place}", at(SCHEME, new.place), at(SCHEME, s.place))
         means = Meaning("towards", new.place, s.place)
         towards = d.step(Turn(f"{new.place}→{s.place}", ray, 2, means=means))
-        return Leg(new, s, self.g.basic, new.name + s.name, d.square(ray), length, towards, turns=self.g.basic)
+        return Leg(new, s, self.group.basic, new.name + s.name, d.square(ray), length, towards, turns=self.group.basic)
 
     def read(self, leg: Leg) -> None:
         """The point of a lead that met in S, by similarity, and what is read off the lead."""
-        r = self.r
-        r.image(self.g.basic, leg.new)
+        r = self.rates
+        r.image(self.group.basic, leg.new)
         last, end = r.chain(leg)[-1], r.label(leg.new.name)
-        self.d.measure(last.name, at(r.plan, last.start), at(r.plan, end), last.direction)
-        self.d.show(r.plan, last.start, end, last.name)
+        self.draft.measure(last.name, at(r.plan, last.start), at(r.plan, end), last.direction)
+        self.draft.show(r.plan, last.start, end, last.name)
         r.conclude(leg)

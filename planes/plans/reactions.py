@@ -43,7 +43,7 @@ class Reaction:
 class Statics:
     """What force plans share: the loads, the reactions found so far, and how one link hands them to the next."""
 
-    b: Bodies
+    bodies: Bodies
     acting: Acting
     reactions: dict[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
@@ -53,7 +53,7 @@ class Statics:
         self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
     ) -> tuple[list[Product], tuple[tuple[str, str], ...]]:
         """The sum of moments about a mark, times ``sign``, divided by the value ``over``; and its terms by name."""
-        d, tail = self.b.draft, ((over, -1),) if over else ()
+        d, tail = self.bodies.draft, ((over, -1),) if over else ()
         products, shown = [], []
         for f in forces:
             if f.point == about:
@@ -72,8 +72,8 @@ class Statics:
 
     def apart(self) -> Statics:
         """The same for a trial on a draft of its own, of which this one feels nothing."""
-        b = replace(self.b, draft=self.b.draft.apart())
-        return Statics(b, replace(self.acting, b=b), centres=dict(self.centres))
+        b = replace(self.bodies, draft=self.bodies.draft.apart())
+        return Statics(b, replace(self.acting, bodies=b), centres=dict(self.centres))
 
     def react(self, pair: Pair, plan: str, start: str, end: str, grip: Grip | None = None) -> Reaction:
         """Note the reaction on ``pair.link``, with the ``grip`` of a hinge that rubs; both links feel it from now on.
@@ -83,22 +83,22 @@ class Statics:
         if grip:
             found = replace(found, arm=grip.factor, moment=grip.couple, friction=grip.couple)
         self.reactions[key] = found
-        self.b.draft.show(plan, label_of(start), label_of(end), key)
+        self.bodies.draft.show(plan, label_of(start), label_of(end), key)
         return found
 
     def as_force(self, r: Reaction, on: str) -> Force:
         """The reaction as a force on one of its links, at the hinge or at the foot of the slider's first point."""
-        d = self.b.draft
+        d = self.bodies.draft
         ends = (r.start, r.end) if on == r.pair.link else (r.end, r.start)
         name = force_name(on, r.pair.mate(on))
         size = d.measure(f"|{r.key}|", r.start, r.end)
         along = d.through(f"→{name}", *ends, Meaning("own", name))
-        point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.b.foot(r.pair)
+        point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.bodies.foot(r.pair)
         return Force(name, on, size, along, point, "reaction")
 
     def seat(self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]) -> Reaction:
         """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
-        d, pair = self.b.draft, r.pair
+        d, pair = self.bodies.draft, r.pair
         side = -1.0 if link == pair.link else 1.0
         products, shown = self.moment_terms(about, [*forces, self.as_force(r, link)], couples, side)
         moment = d.total(f"MR_{r.key}", products, Meaning("couple", r.key))
@@ -130,7 +130,7 @@ def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pai
     """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side.
     Returns the leaning terms by name, now with the direction they turned out to have.
     """
-    d = acting.b.draft
+    d = acting.bodies.draft
     of = {name: p for p in pairs for name in (force_name(p.link, p.other), force_name(p.other, p.link))}
     rubbing = [(t, of[t.name]) for t in lines if t.name in of]
     trials = []
@@ -150,14 +150,14 @@ def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pai
 def _leant(acting: Acting, plan: str, term: Term, pair: Pair, x: str) -> Term:
     ends = at(plan, term.start), at(plan, x)
     leaning = Meaning("leaning", pair.guide)
-    along = acting.b.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else ends[::-1]), leaning)
+    along = acting.bodies.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else ends[::-1]), leaning)
     return replace(term, direction=along, action=f"∠{term.action}")
 
 
 def _lean(acting: Acting, pair: Pair, sign: int) -> str:
-    d, guide = acting.b.draft, f"∥{pair.guide}"
-    coefficient = d.give(f"f_{pair.guide}", acting.b.mechanism.friction[pair.guide])
-    d.law(coefficient, acting.b.mechanism.laws.get(("friction", pair.guide)))
+    d, guide = acting.bodies.draft, f"∥{pair.guide}"
+    coefficient = d.give(f"f_{pair.guide}", acting.bodies.mechanism.friction[pair.guide])
+    d.law(coefficient, acting.bodies.mechanism.laws.get(("friction", pair.guide)))
     reading = acting.motion.slides[pair.link]
     sense = Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(acting.motion.driven))
     name, means = f"lean_{pair.link}{'+' if sign > 0 else '-'}", Meaning("leaning", pair.guide)
@@ -169,4 +169,4 @@ def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str
     forward = (term.sign > 0) == (term.name == force_name(pair.link, pair.other))
     start = at(plan, term.start)
     ends = (start, mark) if forward else (mark, start)
-    return acting.b.draft.measure(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")
+    return acting.bodies.draft.measure(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")

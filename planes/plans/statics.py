@@ -23,7 +23,7 @@ from planes.words.names import POLE, at, end_of, force_plan
 
 def draw_forces(statics: Statics) -> None:
     """Every group from the last to the first, then the driver."""
-    for group in reversed(statics.b.structure.groups):
+    for group in reversed(statics.bodies.structure.groups):
         forces = _GroupForces(statics, group) if isinstance(group, Group) else TriadForces(statics, group)
         forces.draw()
     DriverForces(statics).draw()
@@ -33,7 +33,7 @@ class _GroupForces:
     """The plan of one group."""
 
     def __init__(self, statics: Statics, group: Group) -> None:
-        self.s, self.g, self.b, self.d = statics, group, statics.b, statics.b.draft
+        self.statics, self.group, self.bodies, self.draft = statics, group, statics.bodies, statics.bodies.draft
         self.plan = force_plan(*group.whole)
         acting = statics.acting
         self.loads = {x: [f for part in group.parts(x) for f in acting.forces[part]] for x in group.links}
@@ -42,28 +42,28 @@ class _GroupForces:
 
     def draw(self) -> None:
         """The plan, with the friction in hinges if there is any; its reactions are handed on."""
-        self.d.pole(self.plan)
-        found = ((p, grip_of(self.s.acting, p)) for p in self.g.pairs)
+        self.draft.pole(self.plan)
+        found = ((p, grip_of(self.statics.acting, p)) for p in self.group.pairs)
         if grips := {p: grip for p, grip in found if grip}:
             self.rub(grips)
-            trial = _GroupForces(self.s.apart(), self.g)
+            trial = _GroupForces(self.statics.apart(), self.group)
             trial.rub(grips)
-            ends = dict(zip(self.g.pairs, trial.polygon().values(), strict=True))
+            ends = dict(zip(self.group.pairs, trial.polygon().values(), strict=True))
             names = {p: f"|{force_name(p.link, p.other)}|" for p in grips}
-            sizes = {g.couple: trial.d.measure(names[p], *ends[p]) for p, g in grips.items()}
-            settle(self.s.acting, list(grips.values()), sizes, trial.d)
+            sizes = {g.couple: trial.draft.measure(names[p], *ends[p]) for p, g in grips.items()}
+            settle(self.statics.acting, list(grips.values()), sizes, trial.draft)
         self.read(self.polygon())
 
     def rub(self, grips: dict[Pair, Grip]) -> None:
         """Let the links feel the couples of hinges."""
         self.grips = grips
         for grip in grips.values():
-            for link in self.g.links:
-                self.couples[link] += [grip.on(x) for x in self.g.parts(link) if grip.pair.joins(x)]
+            for link in self.group.links:
+                self.couples[link] += [grip.on(x) for x in self.group.parts(link) if grip.pair.joins(x)]
 
     def polygon(self) -> dict[str, tuple[str, str]]:
         """Draw the polygon; the marks between which the reaction of each pair stands, on the pair's own first link."""
-        g, plan = self.g, self.plan
+        g, plan = self.group, self.plan
         head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
         tail = self.tangential(g.last, g.last_outer) if g.kind == 1 else []
         first = chain_of(head + self.loads[g.first], POLE)
@@ -73,7 +73,7 @@ class _GroupForces:
         name_b = self.name(g.last, g.last_outer)
         x = name_b + ("n" if tail else "")
         for term in first + last:
-            self.d.lay(self.plan, term)
+            self.draft.lay(self.plan, term)
         rays = {
             "first": self.ray(g.first_outer, g.first, POLE, x, -1, bool(head)),
             "inner": self.ray(g.inner, g.first, e_a, x, 1, False),
@@ -89,7 +89,7 @@ class _GroupForces:
 
     def meet(self, rays: dict[str, Term], first: tuple[Term, ...], last: tuple[Term, ...], x: str) -> None:
         """State the equations of the kind: which two lines cross at X, and which side closes."""
-        kind = self.g.kind
+        kind = self.group.kind
         if kind in (1, 2, 4):
             self.solve((*first, *last, rays["last"]), rays["first"], x)
         elif kind == 3:
@@ -97,37 +97,41 @@ class _GroupForces:
             found = Term(rays["first"].name, x, POLE, drawn=True)
             self.close((found, *first, *last), rays["last"])
         else:
-            on_last = self.name(self.g.last, self.g.inner)
+            on_last = self.name(self.group.last, self.group.inner)
             self.solve((*last, rays["last"]), replace(rays["inner"], name=on_last, sign=-1), x)
             self.close((*first, replace(rays["inner"], drawn=True)), rays["first"])
 
     def solve(self, chain: tuple[Term, ...], back: Term, x: str) -> None:
         """Cross two known lines at X, leaning ones by trial."""
-        pairs = [p for p in self.g.pairs if p.kind == "P" and p.guide in self.b.mechanism.friction]
+        pairs = [p for p in self.group.pairs if p.kind == "P" and p.guide in self.bodies.mechanism.friction]
         if not pairs:
-            self.d.draw(Equation(self.plan, (chain, (back,))))
+            self.draft.draw(Equation(self.plan, (chain, (back,))))
             return
-        leant = meet_with_friction(self.s.acting, self.plan, [chain[-1], back], x, pairs)
+        leant = meet_with_friction(self.statics.acting, self.plan, [chain[-1], back], x, pairs)
         drawn = (*chain[:-1], leant.get(chain[-1].name, chain[-1]))
-        self.d.conclude(Equation(self.plan, (drawn, (leant.get(back.name, back),))))
+        self.draft.conclude(Equation(self.plan, (drawn, (leant.get(back.name, back),))))
 
     def close(self, chain: tuple[Term, ...], last: Term) -> None:
         """The remaining reaction closes the polygon: both its length and direction are read."""
         ends = (last.start, last.end) if last.sign > 0 else (last.end, last.start)
-        self.d.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
+        self.draft.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
 
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
         name = self.name(link, pair) + ("^n" if split else "")
-        along: str | None = self.d.square(f"∥{pair.guide}") if pair.kind == "P" else None
+        along: str | None = self.draft.square(f"∥{pair.guide}") if pair.kind == "P" else None
         if split:  # along the link: from its outer hinge to the point its moments are taken about
-            ends = (self.g.last_outer.point, pair.point) if self.g.kind == 3 else (pair.point, self.g.inner.point)
-            along = self.d.ray(SCHEME, *ends)
+            ends = (
+                (self.group.last_outer.point, pair.point)
+                if self.group.kind == 3
+                else (pair.point, self.group.inner.point)
+            )
+            along = self.draft.ray(SCHEME, *ends)
         return Term(name, start, x, None, along, along or "", False, sign)
 
     def tangential(self, link: str, pair: Pair) -> list[Force]:
         """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""
-        d, g = self.d, self.g
+        d, g = self.draft, self.group
         if g.kind == 3:
             about, ray = g.last_outer.point, d.ray(SCHEME, g.last_outer.point, pair.point)
             sides: tuple[str, ...] = (g.first, g.last)
@@ -137,7 +141,7 @@ class _GroupForces:
             length, sign = self.arm(link, pair.point, about), 1.0
         forces = [f for x in sides for f in self.loads[x]]
         couples = [c for x in sides for c in self.couples[x]]
-        products, shown = self.s.moment_terms(at(SCHEME, about), forces, couples, sign, length)
+        products, shown = self.statics.moment_terms(at(SCHEME, about), forces, couples, sign, length)
         name = self.name(link, pair) + "^t"
         d.total(name, products)
         links = tuple(part for x in sides for part in g.parts(x))
@@ -146,35 +150,35 @@ class _GroupForces:
 
     def arm(self, link: str, point: str, about: str) -> str:
         """The distance of the two hinges of a link; of a cylinder, what it is now."""
-        if self.g.parts(link)[1:]:
+        if self.group.parts(link)[1:]:
             return f"l_{point}{about}"
-        return self.b.length(self.b.mechanism.links[link], point, about)
+        return self.bodies.length(self.bodies.mechanism.links[link], point, about)
 
     def name(self, link: str, pair: Pair) -> str:
         """What the reaction of a pair on a link (on the part of it that has the pair) is called."""
-        holder = self.g.holder(link, pair)
+        holder = self.group.holder(link, pair)
         return force_name(holder, pair.mate(holder))
 
     def read(self, ends: dict[str, tuple[str, str]]) -> None:
         """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
-        g = self.g
+        g = self.group
         found = {}
         for (which, (start, end)), pair in zip(ends.items(), g.pairs, strict=True):
-            found[which] = self.s.react(pair, self.plan, start, end, self.grips.get(pair))
+            found[which] = self.statics.react(pair, self.plan, start, end, self.grips.get(pair))
         self.seat_all(found)
         for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
             if pair.mate(link) != FRAME:
-                self.s.hand_over(self.s.reactions[found[which].key], pair.mate(link))
+                self.statics.hand_over(self.statics.reactions[found[which].key], pair.mate(link))
         if g.drive:
-            self.s.hand_over(found["inner"], g.drive.link)
+            self.statics.hand_over(found["inner"], g.drive.link)
 
     def on(self, pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
         """The ends of the reaction on ``link`` from start to end, turned for the pair's own first link."""
-        return (start, end) if pair.link in self.g.parts(link) else (end, start)
+        return (start, end) if pair.link in self.group.parts(link) else (end, start)
 
     def seat_all(self, found: dict[str, Reaction]) -> None:
         """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
-        g, s = self.g, self.s
+        g, s = self.group, self.statics
         about = at(SCHEME, g.inner.point if g.inner.kind == "R" else g.first_outer.point)
         if g.inner.kind == "P":
             seated = s.seat(found["inner"], g.first, about, self.loads[g.first], self.couples[g.first])
@@ -193,45 +197,45 @@ class DriverForces:
     """The primary mechanism: the frame's reaction and the balancing moment (or force)."""
 
     def __init__(self, statics: Statics) -> None:
-        self.s, self.b, self.d = statics, statics.b, statics.b.draft
-        self.link = self.b.mechanism.drive.link
-        self.pair = self.b.structure.drive_pair
+        self.statics, self.bodies, self.draft = statics, statics.bodies, statics.bodies.draft
+        self.link = self.bodies.mechanism.drive.link
+        self.pair = self.bodies.structure.drive_pair
         self.plan = force_plan(self.link)
         self.forces = statics.acting.forces[self.link]
         self.couples = statics.acting.couples[self.link]
 
     def draw(self) -> None:
         """Draw the driver's polygon and find what balances it."""
-        self.d.pole(self.plan)
+        self.draft.pole(self.plan)
         terms, key = chain_of(self.forces, POLE), force_name(self.link, self.pair.other)
         for term in terms:
-            self.d.lay(self.plan, term)
+            self.draft.lay(self.plan, term)
         balance = self.turning if self.pair.kind == "R" else self.sliding
         balance(terms, terms[-1].end if terms else POLE, key)
 
     def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """F_10 closes the polygon; the balancing moment by moments about the pivot."""
-        self.d.conclude(Equation(self.plan, ((*terms, Term(key, start, POLE)), ())))
+        self.draft.conclude(Equation(self.plan, ((*terms, Term(key, start, POLE)), ())))
         ends = at(self.plan, start), at(self.plan, POLE)
-        if grip := grip_of(self.s.acting, self.pair):
-            self.d.step(Fed(grip.couple, grip.factor, self.d.measure(f"|{key}|", *ends)))
-        self.s.react(self.pair, self.plan, *ends, grip)
+        if grip := grip_of(self.statics.acting, self.pair):
+            self.draft.step(Fed(grip.couple, grip.factor, self.draft.measure(f"|{key}|", *ends)))
+        self.statics.react(self.pair, self.plan, *ends, grip)
         about, couples = at(SCHEME, self.pair.point), [*self.couples, *([grip.on(self.link)] if grip else ())]
-        products, shown = self.s.moment_terms(about, self.forces, couples, -1.0)
-        self.s.balancing = self.d.total(f"M_{self.link}", products)
-        self.d.moments.append(Moments(self.pair.point, (self.link,), shown, self.s.balancing, ""))
+        products, shown = self.statics.moment_terms(about, self.forces, couples, -1.0)
+        self.statics.balancing = self.draft.total(f"M_{self.link}", products)
+        self.draft.moments.append(Moments(self.pair.point, (self.link,), shown, self.statics.balancing, ""))
 
     def sliding(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """The guide's reaction crosses the balancing force, which acts along the guide."""
         guide = f"∥{self.pair.guide}"
-        normal = self.d.square(guide)
+        normal = self.draft.square(guide)
         reaction = Term(key, start, key, None, normal, normal)
         force = Term(f"Fb_{self.link}", POLE, key, None, guide, guide, False, -1)
-        if self.pair.guide in self.b.mechanism.friction:
-            leant = meet_with_friction(self.s.acting, self.plan, [reaction, force], key, [self.pair])
-            self.d.conclude(Equation(self.plan, ((*terms, leant[key]), (force,))))
+        if self.pair.guide in self.bodies.mechanism.friction:
+            leant = meet_with_friction(self.statics.acting, self.plan, [reaction, force], key, [self.pair])
+            self.draft.conclude(Equation(self.plan, ((*terms, leant[key]), (force,))))
         else:
-            self.d.draw(Equation(self.plan, ((*terms, reaction), (force,))))
-        self.s.balancing = force.name
-        found = self.s.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
-        self.s.seat(found, self.link, self.b.foot(self.pair), self.forces, self.couples)
+            self.draft.draw(Equation(self.plan, ((*terms, reaction), (force,))))
+        self.statics.balancing = force.name
+        found = self.statics.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
+        self.statics.seat(found, self.link, self.bodies.foot(self.pair), self.forces, self.couples)

@@ -26,7 +26,7 @@ class Tracks:
     """The assemblies of a triad at the drive's value in the file."""
 
     def __init__(self, b: Bodies, program: Program, choice: TrackChoice) -> None:
-        self.b, self.choice, self.whole = b, choice, program
+        self.bodies, self.choice, self.whole = b, choice, program
         marks = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "") if n]
         self.program = program.sliced(marks)
         places = [b.draft.given[h.local] for h in choice.holds]
@@ -38,14 +38,14 @@ class Tracks:
 
     def ties(self, value: Real) -> list[Tie]:
         """The leads at a value of the drive, in m."""
-        given = {**self.b.draft.given, mu_of(SCHEME): 1.0, self.choice.guess.drive: value}
+        given = {**self.bodies.draft.given, mu_of(SCHEME): 1.0, self.choice.guess.drive: value}
         things = run(self.program, given).things
         return [hold.tie(things, 1.0, Arithmetic()) for hold in self.choice.holds]
 
     @property
     def start(self) -> float:
         """The drive's value in the file."""
-        return self.b.mechanism.drive.position
+        return self.bodies.mechanism.drive.position
 
     def all(self) -> Counted:
         """Every assembly there."""
@@ -54,8 +54,8 @@ class Tracks:
     def place(self, pose: Pose, point: str) -> complex:
         """Where a point of the group would be in an assembly."""
         self.set(Branch(self.start - 1.0, self.start + 1.0, self.sense(pose), (pose[0] / self.size,), (turn(pose),)))
-        program = Program(tuple(self.b.draft.steps.values())).sliced([at(SCHEME, point)])
-        return complex(run(program, {**self.b.draft.given, mu_of(SCHEME): 1.0})[at(SCHEME, point)])
+        program = Program(tuple(self.bodies.draft.steps.values())).sliced([at(SCHEME, point)])
+        return complex(run(program, {**self.bodies.draft.given, mu_of(SCHEME): 1.0})[at(SCHEME, point)])
 
     def sense(self, pose: Pose) -> float:
         """The sense of the leads' lines about each other."""
@@ -64,7 +64,7 @@ class Tracks:
 
     def set(self, branch: Branch) -> None:
         """Give the program an assembly with its range."""
-        d, old, basic = self.b.draft, self.choice.guess, self.choice.group.basic
+        d, old, basic = self.bodies.draft, self.choice.guess, self.choice.group.basic
         d.given[old.middle], d.given[old.half] = (branch.low + branch.high) / 2, (branch.high - branch.low) / 2
         d.given[self.choice.side] = branch.side
         names = [tuple(f"{what}_{basic}_{k}" for k in range(len(branch.turns))) for what in ("track", "turning")]
@@ -83,19 +83,19 @@ class Tracks:
         pulls = [tie.wrench(*pose)[1] for tie in self.ties(self.start)]
         order = max(ORDERS, key=lambda o: abs(plane.cross(pulls[o[0]], pulls[o[1]])))
         leads: list[Lead] = [self.choice.group.leads[k] for k in order]
-        self.b.leads[self.choice.group.basic] = (leads[0], leads[1], leads[2])
+        self.bodies.leads[self.choice.group.basic] = (leads[0], leads[1], leads[2])
 
     def named(self) -> dict[str, object]:
         """What sentences say of the group."""
-        g, drive = self.choice.group, self.b.mechanism.drive
+        g, drive = self.choice.group, self.bodies.mechanism.drive
         unit = "°" if drive.kind == "phi" else " m"
         name = "φ" if drive.kind == "phi" else "s"
         return {"links": g.links, "name": g.name, "drive": name, "value": f"{self.start:.10g}{unit}"}
 
     def error(self, why: Phrase, *path: str) -> SceneError:
         """A refusal at its line."""
-        where = self.b.mechanism.where
-        return SceneError(why, self.b.file, where.get(path or ("assembly",), where.get(("links",))))
+        where = self.bodies.mechanism.where
+        return SceneError(why, self.bodies.file, where.get(path or ("assembly",), where.get(("links",))))
 
 
 def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
@@ -132,7 +132,7 @@ def _said(b: Bodies, choice: TrackChoice) -> tuple[str, Assembly | None]:
 def _question(tracks: Tracks, counted: Counted, key: str) -> Phrase:
     """All assemblies, each with the words that choose it."""
     offers = tuple(_offers(tracks, counted, key))
-    more = bool(tracks.b.mechanism.assembly)
+    more = bool(tracks.bodies.mechanism.assembly)
     return Phrase("tracks_more" if more else "tracks_all", count=len(offers), offers=offers, **tracks.named())
 
 

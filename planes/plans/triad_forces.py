@@ -42,34 +42,36 @@ class TriadForces:
     """The plan of one triad."""
 
     def __init__(self, statics: Statics, group: Triad) -> None:
-        self.s, self.g, self.b, self.d = statics, group, statics.b, statics.b.draft
+        self.statics, self.group, self.bodies, self.draft = statics, group, statics.bodies, statics.bodies.draft
         self.plan = force_plan(*group.links)
-        self.special = at(SCHEME, self.b.special(group.basic))
-        self.leads = self.b.leads[group.basic]
+        self.special = at(SCHEME, self.bodies.special(group.basic))
+        self.leads = self.bodies.leads[group.basic]
         for pair in group.pairs:
-            rubbing = pair.guide if pair.guide in self.b.mechanism.friction else ""
-            rubbing = rubbing or (self.b.mechanism.rubs(pair.point, pair.link, pair.other) if pair.point else "") or ""
+            rubbing = pair.guide if pair.guide in self.bodies.mechanism.friction else ""
+            rubbing = (
+                rubbing or (self.bodies.mechanism.rubs(pair.point, pair.link, pair.other) if pair.point else "") or ""
+            )
             if rubbing:
-                where = self.b.mechanism.where
+                where = self.bodies.mechanism.where
                 line = where.get(("friction", rubbing), where.get(("friction",)))
-                raise SceneError(Phrase("triad_friction", pair=rubbing, links=group.links), self.b.file, line)
+                raise SceneError(Phrase("triad_friction", pair=rubbing, links=group.links), self.bodies.file, line)
 
     def draw(self) -> None:
-        self.d.pole(self.plan)
+        self.draft.pole(self.plan)
         one, two, three = (self.held(lead) for lead in self.leads)
         pushed = self.third(one, two, three)
-        own = list(self.s.acting.forces[self.g.basic])
+        own = list(self.statics.acting.forces[self.group.basic])
         runs = [[*two.known, *two.loads], [*three.loads, *three.known, pushed], own, [*one.loads, *one.known]]
         ends, chain = [POLE], list[Term]()
         for run in runs:
             chain += chain_of(run, ends[-1])
             ends.append(chain[-1].end if chain else POLE)
         for term in chain:
-            self.d.lay(self.plan, term)
+            self.draft.lay(self.plan, term)
         x = end_of(one.part)
         last = Term(one.part, ends[-1], x, None, one.line, one.line)
         back = Term(two.part, POLE, x, None, two.line, two.line, False, -1)
-        self.d.draw(Equation(self.plan, ((*chain, last), (back,))))
+        self.draft.draw(Equation(self.plan, ((*chain, last), (back,))))
         starts = {term.end: term.start for term in chain}
         begins = starts[end_of(one.known[0].name)] if one.known else ends[-1]
         self.read(one, (begins, x), (x, ends[3]))
@@ -78,8 +80,8 @@ class TriadForces:
 
     def held(self, lead: Lead) -> _Held:
         """A lead, and what its own equilibrium gives."""
-        d, outer, inner, link = self.d, lead.outer, lead.inner, lead.link
-        loads, couples = list(self.s.acting.forces[link]), list(self.s.acting.couples[link])
+        d, outer, inner, link = self.draft, lead.outer, lead.inner, lead.link
+        loads, couples = list(self.statics.acting.forces[link]), list(self.statics.acting.couples[link])
         key = force_name(link, outer.mate(link))
         if outer.kind == "P":
             hinge = at(SCHEME, inner.point)
@@ -87,8 +89,8 @@ class TriadForces:
         pivot, name = at(SCHEME, outer.point), f"{key}^t"
         if inner.kind == "R":
             line = d.ray(SCHEME, outer.point, inner.point)
-            length = self.b.length(self.b.mechanism.links[link], outer.point, inner.point)
-            products, shown = self.s.moment_terms(at(SCHEME, inner.point), loads, couples, 1.0, length)
+            length = self.bodies.length(self.bodies.mechanism.links[link], outer.point, inner.point)
+            products, shown = self.statics.moment_terms(at(SCHEME, inner.point), loads, couples, 1.0, length)
             d.moments.append(Moments(inner.point, (link,), shown, name, length))
             along = d.square(line)
         else:
@@ -100,13 +102,13 @@ class TriadForces:
 
     def along(self, f: Force, along: str) -> Product:
         """What of a force has to be held along a guide."""
-        cosine = self.d.step(Cosine(f"cos_{f.name}_{along.lstrip('∥')}", f.along, along))
+        cosine = self.draft.step(Cosine(f"cos_{f.name}_{along.lstrip('∥')}", f.along, along))
         return Product(-1.0, ((f.size, 1), (cosine, 1)))
 
     def third(self, one: _Held, two: _Held, three: _Held) -> Force:
         """The reaction of the third lead along its line, by moments of the whole group about S."""
-        d, basic = self.d, self.g.basic
-        forces, couples = list(self.s.acting.forces[basic]), list(self.s.acting.couples[basic])
+        d, basic = self.draft, self.group.basic
+        forces, couples = list(self.statics.acting.forces[basic]), list(self.statics.acting.couples[basic])
         for held in (one, two, three):
             if held.lead.outer.kind == "P":  # a slider turns nowhere: all its loads pass its hinge
                 forces += [replace(f, point=held.point) for f in held.loads]
@@ -116,14 +118,14 @@ class TriadForces:
         centre = label_of(self.special)
         means, name = Meaning("arm", three.part, self.special, three.lead.link), f"h_{three.part}_{centre}"
         arm = d.step(Drop(name, three.point, three.line, self.special, mu_of(SCHEME), means=means))
-        products, shown = self.s.moment_terms(self.special, forces, couples, -1.0, arm)
+        products, shown = self.statics.moment_terms(self.special, forces, couples, -1.0, arm)
         name = d.total(three.part, products)
-        d.moments.append(Moments(centre, self.g.links, shown, name, arm))
+        d.moments.append(Moments(centre, self.group.links, shown, name, arm))
         return Force(name, three.lead.link, name, three.line, three.point, "tangential")
 
     def read(self, held: _Held, outer: tuple[str, str], inner: tuple[str, str]) -> None:
         """Both reactions on a lead by the ends of their segments, the couples of sliders, and what is handed on."""
-        lead, s = held.lead, self.s
+        lead, s = held.lead, self.statics
         found = self.on(lead, lead.outer, outer), self.on(lead, lead.inner, inner)
         if lead.outer.kind == "P":
             s.seat(found[0], lead.link, held.point, held.loads, held.couples)
@@ -135,4 +137,4 @@ class TriadForces:
     def on(self, lead: Lead, pair: Pair, ends: tuple[str, str]) -> Reaction:
         """A reaction on the lead, noted for its pair's own first link."""
         start, end = (at(self.plan, label) for label in ends)
-        return self.s.react(pair, self.plan, *((start, end) if lead.link == pair.link else (end, start)))
+        return self.statics.react(pair, self.plan, *((start, end) if lead.link == pair.link else (end, start)))

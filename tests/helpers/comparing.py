@@ -225,14 +225,14 @@ def power(d: Drawn) -> tuple[float, float]:
                 terms.append((rate.conjugate() * d.number(f.size) * d.number(f.along)).real)
     for couples in st.acting.couples.values():
         for c in couples:
-            root = motion.b.known[c.link].root
+            root = motion.bodies.known[c.link].root
             if root != "0" and not c.handed:
                 terms.append(c.sign * d.number(c.value) * d.number(motion.spin(root)))
     drive = st.mechanism.drive
     rate = 1.0 if st.at_rest else drive.velocity
     for r in st.reactions.values():
         if r.pair.kind == "R" and r.friction:
-            turning = [motion.spin(motion.b.known[x].root) for x in (r.pair.link, r.pair.other)]
+            turning = [motion.spin(motion.bodies.known[x].root) for x in (r.pair.link, r.pair.other)]
             apart = [0.0 if name.endswith("_0") else d.number(name) for name in turning]
             terms.append(d.number(r.friction) * (apart[0] - apart[1]))
         if r.pair.kind == "P" and r.pair.guide in st.mechanism.friction:

@@ -37,8 +37,8 @@ Spoil = Callable[[pytest.MonkeyPatch], None]
 
 def half_coriolis(m: pytest.MonkeyPatch) -> None:
     def wrong(self: Rates, leg: Any) -> str:
-        root = self.b.known[leg.link].root
-        return self.b.draft.product(f"a_{leg.symbol}^k", **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
+        root = self.bodies.known[leg.link].root
+        return self.bodies.draft.product(f"a_{leg.symbol}^k", **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
 
     m.setattr(Rates, "coriolis", wrong)
 
