@@ -112,7 +112,18 @@ def classical(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleF
     t = t - parts.at_a * m.epsilon * shape.r
     zero = np.zeros_like(p)
     on_pin = (-k + 1j * t) * np.exp(1j * m.phi)
-    return CycleForces(p, n, s, t, k, zero, -p + 1j * n, on_pin, -on_pin, t * shape.r)
+    return CycleForces(
+        p,
+        n,
+        s,
+        T=t,
+        K=k,
+        rubbing=zero,
+        on_rod_at_b=-p + 1j * n,
+        on_pin=on_pin,
+        on_crank_from_frame=-on_pin,
+        torque=t * shape.r,
+    )
 
 
 @dataclass(frozen=True)

@@ -151,7 +151,17 @@ def supports(
     out, t = -f.K, f.T
     a1 = ((web - left) * (length - m) + out * n + (web - right) * m) / length
     a2 = t * n / length
-    return Supports(a1, a2, out + 2 * web - left - right - a1, t - a2, web, left, right, out, t)
+    return Supports(
+        a1,
+        a2,
+        out + 2 * web - left - right - a1,
+        B2=t - a2,
+        web=web,
+        left_weight=left,
+        right_weight=right,
+        out=out,
+        T=t,
+    )
 
 
 def sections(shape: CrankSliderShape, shaft: Shaft, s: Supports) -> dict[str, Section]:

@@ -121,7 +121,7 @@ class Desk:
         """The sheet of the task, its scheme drawn in another position."""
         plans, order = self.drawn.plans, self.order
         other, fits = clearest(plans, self.drawn.at), {**FIT_MM, "position": FIGURE_MM}
-        shown = position(self.scene, plans, None, other, None, order.lang, fits)
+        shown = position(self.scene, plans, None, value=other, instrument=None, lang=order.lang, fit_mm=fits)
         return self.set(task(self.scene, self.drawn, shown, order.heads, order.used, order.lang))
 
     def key(self) -> bytes:

@@ -85,7 +85,16 @@ class _Triad:
         length = d.measure(f"l_{new.place}{s.place}", at(SCHEME, new.place), at(SCHEME, s.place))
         means = Meaning("towards", new.place, s.place)
         towards = d.step(Turn(f"{new.place}→{s.place}", ray, 2, means=means))
-        return Leg(new, s, self.group.basic, new.name + s.name, d.square(ray), length, towards, turns=self.group.basic)
+        return Leg(
+            new,
+            s,
+            self.group.basic,
+            symbol=new.name + s.name,
+            along=d.square(ray),
+            length=length,
+            towards=towards,
+            turns=self.group.basic,
+        )
 
     def read(self, leg: Leg) -> None:
         """The point of a lead that met in S, by similarity, and what is read off the lead."""

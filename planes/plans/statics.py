@@ -127,7 +127,7 @@ class _GroupForces:
                 else (pair.point, self.group.inner.point)
             )
             along = self.draft.ray(SCHEME, *ends)
-        return Term(name, start, x, None, along, along or "", False, sign)
+        return Term(name, start, x, length=None, direction=along, action=along or "", drawn=False, sign=sign)
 
     def tangential(self, link: str, pair: Pair) -> list[Force]:
         """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""
@@ -230,7 +230,7 @@ class DriverForces:
         guide = f"∥{self.pair.guide}"
         normal = self.draft.square(guide)
         reaction = Term(key, start, key, None, normal, normal)
-        force = Term(f"Fb_{self.link}", POLE, key, None, guide, guide, False, -1)
+        force = Term(f"Fb_{self.link}", POLE, key, length=None, direction=guide, action=guide, drawn=False, sign=-1)
         if self.pair.guide in self.bodies.mechanism.friction:
             leant = meet_with_friction(self.statics.acting, self.plan, [reaction, force], key, [self.pair])
             self.draft.conclude(Equation(self.plan, ((*terms, leant[key]), (force,))))

@@ -70,7 +70,7 @@ class TriadForces:
             self.draft.lay(self.plan, term)
         x = end_of(one.part)
         last = Term(one.part, ends[-1], x, None, one.line, one.line)
-        back = Term(two.part, POLE, x, None, two.line, two.line, False, -1)
+        back = Term(two.part, POLE, x, length=None, direction=two.line, action=two.line, drawn=False, sign=-1)
         self.draft.draw(Equation(self.plan, ((*chain, last), (back,))))
         starts = {term.end: term.start for term in chain}
         begins = starts[end_of(one.known[0].name)] if one.known else ends[-1]

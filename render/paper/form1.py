@@ -141,8 +141,8 @@ def _beside(size: Size, x: float, wide: float) -> Iterator[tuple[str, Cell]]:
     """The columns beside the frame: their graphs with cells of one width."""
     for y, rows in _strips(size):
         for key, high in rows:
-            yield key, Cell(x, y, wide, high, 2.5, "middle", 90.0)
+            yield key, Cell(x, y, wide, height=high, letter=2.5, anchor="middle", turn_deg=90.0)
             y += high
 
 
-FORM = Form("gost", "FORM_1", LEFT, EDGE, BLOCK, TOP_CELL, lines, words, cells)
+FORM = Form("gost", "FORM_1", LEFT, edge=EDGE, block=BLOCK, top_cell=TOP_CELL, lines=lines, words=words, cells=cells)

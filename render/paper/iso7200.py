@@ -91,5 +91,5 @@ def cells(size: Size) -> dict[str, Cell]:
     return {key: cell for part in ("cells", "cells_beneath") for key, cell in cells_of(_FORM[part], _corner(size))}
 
 
-FORM = Form("iso", "ISO_7200", LEFT, EDGE, BLOCK, None, lines, words, cells)
+FORM = Form("iso", "ISO_7200", LEFT, edge=EDGE, block=BLOCK, top_cell=None, lines=lines, words=words, cells=cells)
 FORMS = {form.name: form for form in (form1.FORM, FORM)}

@@ -51,7 +51,11 @@ class Size:
         parting = next(free, (a + b) / 2)
         arrows = [Arrow(parting, end, "thin", "dimension") for end in self.ends]
         place = parting + OVER_MM * 1j * symbols.unit(turn)
-        return [*self.leading(), *arrows, Text(self.text, place, LETTER_MM, "middle", turn, "dimension", self.name)]
+        return [
+            *self.leading(),
+            *arrows,
+            Text(self.text, place, LETTER_MM, anchor="middle", turn_deg=turn, layer="dimension", name=self.name),
+        ]
 
     def clear(self, z: complex, others: Iterable[Line]) -> bool:
         """Whether a text over a place is clear of the lines that lead to other sizes."""
