@@ -30,6 +30,7 @@ OVER_MM, FAINT, TORN_OFF_MM = 30.0, 0.8, 3.0  # how far a construction line runs
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
+UPON_MM = 0.6  # lines whose heads are farther aside are two vectors
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
 ALONE = 2  # lines that are no drawing of their own
 GATE = 4.5  # σ of drafting and reading within which a mark is looked for
@@ -87,8 +88,7 @@ class InkCover:
         for line, number in zip(lines, numbers, strict=False):
             for head in line.heads:
                 tip, way = head.z, line.direction(head.s) * head.sign
-                near = (w for t, w in self.tips if abs(tip - t) < TIP_NEAR_MM)
-                if not any((way * w.conjugate()).real > TIP_STRAIGHT for w in near):
+                if not any(_one_head(tip, way, other) for other in self.tips):
                     heads[number] |= 1 << len(self.tips)
                     self.tips.append((tip, way))
         for k, bits in enumerate(heads):
@@ -158,12 +158,12 @@ class InkCover:
         return _bits(on)
 
     def _heads(self, a: complex, b: complex) -> int:
-        near = abs(b - a) * TIP_STRAIGHT
-        return sum(
-            1 << k
-            for k, (tip, way) in enumerate(self.tips)
-            if near and abs(tip - b) < TIP_NEAR_MM and ((b - a) * way.conjugate()).real > near
-        )
+        """The head nearest to b among those that point from a to b there: a vector has but one."""
+        if a == b:
+            return 0
+        own = (b - a) / abs(b - a)
+        near = [k for k, (tip, way) in enumerate(self.tips) if abs(tip - b) < TIP_NEAR_MM and _alike(own, way)]
+        return 1 << min(near, key=lambda k: abs(self.tips[k][0] - b)) if near else 0
 
     def bare(self, a: complex, b: complex) -> float:
         """What it costs to believe in a vector from a to b for want of a head."""
@@ -242,6 +242,17 @@ def hanging(
     count, order = Counter(found[: len(lines)]), {0: -1, own: 0}
     torn = {k for k, (x, y) in zip(found, cells[1:], strict=True) if k and inside[y, x] and count[k] <= ALONE}
     return [0 if k in torn else order.setdefault(k, len(order) - 1) for k in found]
+
+
+def _alike(way: complex, other: complex) -> bool:
+    """Whether two unit ways are nearly one."""
+    return (way * other.conjugate()).real > TIP_STRAIGHT
+
+
+def _one_head(tip: complex, way: complex, other: tuple[complex, complex]) -> bool:
+    """Whether two tips are seen of one head, by lines upon each other."""
+    off = (tip - other[0]) * other[1].conjugate()
+    return abs(off) < TIP_NEAR_MM and abs(off.imag) < UPON_MM and _alike(way, other[1])
 
 
 def _bits(on: Booleans) -> int:

@@ -35,7 +35,7 @@ from planes.drafting.steps import Step
 from planes.words import Phrase
 from planes.words.names import POLE, at, label_of, plan_of
 
-NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
+NEARLY, CLOSE = 3.0, 16.0  # how much dearer a place may be, and a whole way, to be looked at again
 FAR = 1.5  # a place that costs more may be another mark's, its own not seen
 ASTRAY_MM = 10.0  # a mark anywhere is the less likely the farther it is from where it should be
 EVEN_MM = 0.9  # marks nearer than this may be one

@@ -143,7 +143,8 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
     if flat.by in ("scale", "part") and force and pole is None:
         return Look(flat, 0j, explained=0.0)
     near = pole if pole is not None else printed
-    if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
+    guessed = near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended)
+    if guessed:
         scheme = kind_of(bench.asked.plan) == "position"
         near = (origin_found(bench, seen) if scheme else None) or pole_found(bench, seen)
     if near is None:
@@ -152,7 +153,8 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
         return Look(flat, near, *vectors_on(bench, seen, near))
     find = points_on if kind_of(bench.asked.plan) == "position" else marks_on
     spots, explained = find(bench, seen, near)
-    return Look(flat, near, spots, False, explained)
+    known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
+    return Look(flat, near if known else 0j, spots, False, explained)
 
 
 def shown(flat: Flat) -> bytes:
