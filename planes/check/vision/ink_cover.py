@@ -6,7 +6,6 @@ among it; a table, a name or another plan that stands apart asks for no reason.
 """
 
 import math
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
@@ -16,15 +15,12 @@ import numpy
 
 from planes.check.grading.handwork import Miss
 from planes.check.vision.handwritten import HandWords
-from planes.check.vision.line_fitting import Fitted
-from planes.check.vision.picture import cv
+from planes.check.vision.hanging import hanging
 from planes.check.vision.places import HEADED_MM, Seen
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
-JOINED_MM = 6.0  # lines no farther apart hang together
-TORN_MM, CELLS = 12.0, 2  # a line may be so far torn; cells of a millimetre by which it is seen what hangs together
 PER_MM, OVERSHOT = 0.5, 0.1  # what a millimetre of ink costs that no vector runs along, and of a line drawn too far
 OVER_MM, FAINT, TORN_OFF_MM = 30.0, 0.8, 3.0  # how far a construction line runs on, how dark to its vector; a gap in it
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
@@ -32,7 +28,6 @@ CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
 UPON_MM = 0.6  # lines whose heads are farther aside are two vectors
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
-ALONE = 2  # lines that are no drawing of their own
 GATE = 4.5  # σ of drafting and reading within which a mark is looked for
 NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
 WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
@@ -216,32 +211,6 @@ class InkCover:
         taken = [(self.along(a, b), self.bare(a, b)) for a, b in routes]
         steps, heads = (reduce(or_, (bits[k] for bits, _ in taken), 0) for k in (0, 1))
         return self.over(steps, heads, routes) + sum(bare for _, bare in taken)
-
-
-def hanging(
-    lines: Sequence[Fitted], pole: complex, room: Sequence[complex] = (), more: Sequence[complex] = ()
-) -> list[int]:
-    """Of which part each line is, and what else stands at some places (-1: of none): lines near each other hang
-    together; 0 is what does with the pole, and what lies alone among a plan's marks."""
-    cv2, among = cv(), [pole, *(pole + z for z in room)]
-    ends = [(x.ends[0] - TORN_MM / 2 * x.along, x.ends[1] + TORN_MM / 2 * x.along) for x in lines]
-    whole = numpy.array([*among, *more, *(z for pair in ends for z in pair)], complex)
-    low = complex(whole.real.min(), whole.imag.min()) - JOINED_MM * (1 + 1j)
-
-    def px(places: Sequence[complex] | Complexes) -> Indices:
-        cells = (numpy.array(places, complex) - low) * CELLS
-        return numpy.stack([cells.real, cells.imag], axis=1).round().astype(numpy.int32)
-
-    page, inside = numpy.zeros((2, *(px(whole) + round(JOINED_MM * CELLS)).max(axis=0)[::-1]), numpy.uint8)
-    cv2.polylines(page, [px([pole, pole]), *(px(x.ends) for x in lines)], True, 1, round(JOINED_MM * CELLS))
-    cv2.polylines(page, [px(pair) for pair in ends], True, 1, 1)
-    cv2.fillConvexPoly(inside, cv2.convexHull(px(among)), 1)
-    _, labels = cv2.connectedComponents(page)
-    cells = px([pole, *(x.at((x.low + x.high) / 2) for x in lines), *more]).tolist()
-    own, *found = [int(labels[y, x]) for x, y in cells]
-    count, order = Counter(found[: len(lines)]), {0: -1, own: 0}
-    torn = {k for k, (x, y) in zip(found, cells[1:], strict=True) if k and inside[y, x] and count[k] <= ALONE}
-    return [0 if k in torn else order.setdefault(k, len(order) - 1) for k in found]
 
 
 def _alike(way: complex, other: complex) -> bool:
