@@ -23,8 +23,8 @@ class PlainRecording(Recording):
 
 
 def exported(tape: Tape, wanted: Iterable[int], sources: Iterable[Source] = ()) -> tuple[Json, dict[int, int]]:
-    """Names of operations with how many arguments each has, operations in order as letters (:func:`in_digits`), constants,
-    givens, sources; and the new place of each old one that leads to the wanted."""
+    """Names of operations with how many arguments each has, operations in order as letters (:func:`in_digits`),
+    constants, givens, sources; and the new place of each old one that leads to the wanted."""
     new = {place: k for k, place in enumerate(tape.needed(list(wanted)))}
     ops, values = [tape.ops[place] for place in new], [(p, v) for p, v in tape.values.items() if p in new]
     names = dict(sorted({op: len(args) for op, args in ops}.items()))

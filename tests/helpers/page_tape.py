@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from planes.batch.plain_tape import DIGITS
 from planes.words.records import Json
@@ -62,7 +62,11 @@ class PageTape:
 
     def mark(self, name: str) -> complex:
         """A mark, mm."""
-        x, y = self.exported["marks"][name]
+        return self.pair(self.exported["marks"][name])
+
+    def pair(self, places: Sequence[int]) -> complex:
+        """Two numbers of the tape."""
+        x, y = places
         return complex(self.numbers[x], self.numbers[y])
 
     def value(self, name: str) -> float:
