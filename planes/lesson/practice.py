@@ -6,6 +6,7 @@ The catalogue's variants are drawn on the lesson's own tape, so a page knows the
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from hashlib import sha256
 
 from planes.check.grading.handwork import Variant
@@ -30,8 +31,8 @@ SHORT_MM = 2.0  # a vector too short to be asked for
 APART_MM = 0.3  # a wrong place nearer than this to the right one is no mistake
 NOTHING = 1e-7  # a value that is nothing
 PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "normal", "force", "gap", "vector")
-NUMBERS = ("mistake_mm_for_value", "mistake_mu_inverted", "mistake_omega_without_mu_l", "mistake_sense_wrong")
-LENGTHS = ("lesson_value_for_mm", "lesson_value_over_mu")
+NUMBERS = {m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")}
+LENGTHS = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}
 """Slips of who reckons: in values, in lengths laid off."""
 CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
@@ -148,15 +149,10 @@ class Practice:
 
 def sentences(told: Sequence[Json]) -> Json:
     """The sentences of the mistakes there are, with places for names, and what stands in them in which order."""
-    keys = dict.fromkeys([*(f"mistake_{slip['m']}" for slip in told), *NUMBERS, *LENGTHS])
+    keys = {slip["m"]: f"mistake_{slip['m']}" for slip in told} | NUMBERS | LENGTHS
     places = {part: f"{{{part}}}" for part in PARTS}
-
-    def short(key: str) -> str:
-        return key.removeprefix("mistake_").removeprefix("lesson_")
-
     return {
-        short(key): {"said": in_both(lambda lang: say(key, lang, **places)), "parts": parts_of_sentence(key)}  # noqa: B023
-        for key in keys
+        m: {"said": in_both(partial(say, key, **places)), "parts": parts_of_sentence(key)} for m, key in keys.items()
     }
 
 

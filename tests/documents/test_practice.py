@@ -49,7 +49,7 @@ def test_a_vector_by_keys_alone(desk: Any) -> None:
     right = desk.evaluate("() => { const [x, y] = practice.truth(practice.item); return [Math.hypot(x, y), "
                           "Math.cos(desk.heading() - Math.atan2(y, x)) < 0 ? 1 : 0]; }")  # fmt: skip
     for way, mm, expected in ((1 - right[1], right[0], "против вращения"), (right[1], 2, "сама величина")):
-        desk.select_option("#way", value=str(way))
+        desk.select_option("#way", index=way)
         desk.fill("#mm", str(mm).replace(".", ","))
         desk.keyboard.press("Enter")
         assert "✗" in said(desk) and expected in said(desk)
@@ -112,10 +112,10 @@ def test_the_compass_meets_the_other_crossing(desk: Any) -> None:
         "(c => desk.crossings().map(p => Math.hypot(p[0] - c[0], p[1] - c[1])))(live.at('position:C'))"
     )
     assert len(spots) == 2 and min(spots) < 1e-9
-    desk.select_option("#spot", value=str(spots.index(max(spots))))
+    desk.select_option("#spot", index=spots.index(max(spots)))
     desk.click("#do-draw")
     assert "другая сборка" in said(desk)
-    desk.select_option("#spot", value=str(spots.index(min(spots))))
+    desk.select_option("#spot", index=spots.index(min(spots)))
     desk.click("#do-draw")
     assert "✓" in said(desk)
 
