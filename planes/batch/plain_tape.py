@@ -9,6 +9,9 @@ from planes.batch.tracing import Recording, Source
 from planes.geometry.arithmetic import Real
 from planes.words.records import Json
 
+DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
+"""Of numbers as a page reads them: five bits each, the lowest first, 32 more where another follows."""
+
 
 class PlainRecording(Recording):
     """The arithmetic of a page: what is only there for the last digits is done without."""
@@ -20,17 +23,28 @@ class PlainRecording(Recording):
 
 
 def exported(tape: Tape, wanted: Iterable[int], sources: Iterable[Source] = ()) -> tuple[Json, dict[int, int]]:
-    """Names of operations, [operation, arguments…] in order, constants, givens, sources; and the new place of each old
-    one that leads to the wanted."""
+    """Names of operations with how many arguments each has, operations in order as letters (:func:`in_digits`),
+    constants, givens, sources; and the new place of each old one that leads to the wanted."""
     new = {place: k for k, place in enumerate(tape.needed(list(wanted)))}
     ops, values = [tape.ops[place] for place in new], [(p, v) for p, v in tape.values.items() if p in new]
-    names = sorted({op for op, _ in ops})
+    names = dict(sorted({op: len(args) for op, args in ops}.items()))
+    index = {op: k for k, op in enumerate(names)}
     consts = [(p, v) for p, v in values if tape.ops[p][0] == "const"]
     told = {
         "names": names,
-        "ops": [[names.index(op), *(new[a] for a in args)] for op, args in ops],
+        "ops": "".join(DIGITS[index[op]] + in_digits(p - new[a] for a in args) for p, (op, args) in enumerate(ops)),
         "consts": {new[p]: float(v) if math.isfinite(v) else None for p, v in consts},
         "givens": {v: new[p] for p, v in values if tape.ops[p][0] == "given"},
         "sources": [[new[s.place], s.size] for s in sources if s.place in new],
     }
     return told, new
+
+
+def in_digits(numbers: Iterable[int]) -> str:
+    """Numbers from 0 as letters, small ones short: an argument is told by how far back it stands."""
+    text = ""
+    for n in numbers:
+        while n > 31:
+            text, n = text + DIGITS[32 + n % 32], n // 32
+        text += DIGITS[n]
+    return text

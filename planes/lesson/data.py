@@ -3,8 +3,11 @@
 The page runs the tape for whatever position and numbers are asked, and draws lines between the marks it gives.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
-from functools import partial
+from dataclasses import dataclass
+from functools import cached_property, partial
 
 import numpy
 
@@ -18,7 +21,7 @@ from planes.lesson import Teller, value_of
 from planes.lesson.formulas import mu_said, slot, unit
 from planes.lesson.frame import Frame, in_both, needed
 from planes.lesson.live import Knobs, Live
-from planes.lesson.practice import Practice, told_values
+from planes.lesson.practice import Practice, sentences, told_values
 from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.plans import Plans
@@ -36,27 +39,56 @@ TRIED = 360  # positions, by which it is told which terms are nothing
 Progress = Callable[[int, int], None]
 
 
+@dataclass(frozen=True)
+class Told:
+    """A scene drawn in its own position, and the frames of its lesson."""
+
+    scene: Scene
+    plans: Plans
+    given: Mapping[str, Thing]
+    drawing: Drawing
+    knobs: Knobs
+    teller: Teller
+    frames: list[Frame]
+
+    @classmethod
+    def of(cls, scene: Scene) -> Told:
+        """:class:`SceneError` where there is no mechanism or its own position fails."""
+        plans, _ = plans_of(scene, shown=True)
+        try:
+            mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
+            given = {**plans.given, **plans.at(plans.mechanism.drive.position), **mus}
+            drawing = run(plans.program, given)
+        except PlanFailure as failure:
+            raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
+        drive, knobs = drive_of(plans), Knobs(plans, given)
+        values = numpy.linspace(drive["from"], drive["to"], TRIED, endpoint=False)
+        cycle = run(plans.program, {**given, **knobs.shaken(TRIED), plans.drive_given: values})
+        teller = Teller(plans, drawing, cycle, scene.mu_convention)
+        return cls(scene, plans, given, drawing, knobs, teller, teller.frames())
+
+    @cached_property
+    def equations(self) -> list[Json]:
+        """The vector equations as they are written."""
+        return [_equation(self.plans, e) for e in self.plans.equations]
+
+    @cached_property
+    def practice(self) -> Practice:
+        """What a reader is asked."""
+        values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}
+        return Practice(self.plans, self.given, self.drawing, self.frames, self.equations, values, self.teller.spans)
+
+
 def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
-    """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
-    plans, _ = plans_of(scene, shown=True)
-    try:
-        mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
-        given = {**plans.given, **plans.at(plans.mechanism.drive.position), **mus}
-        drawing = run(plans.program, given)
-    except PlanFailure as failure:
-        raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
-    drive = _drive(plans)
-    values = numpy.linspace(drive["from"], drive["to"], TRIED, endpoint=False)
-    knobs = Knobs(plans, given)
-    cycle = run(plans.program, {**given, **knobs.shaken(TRIED), plans.drive_given: values})
-    teller = Teller(plans, drawing, cycle, scene.mu_convention)
-    frames = teller.frames()
+    """The lesson of a scene; ``progress`` hears how far the catalogue of mistakes is drawn. Errors as :class:`Told`."""
+    told = Told.of(scene)
+    plans, drawing, knobs, frames = told.plans, told.drawing, told.knobs, told.frames
     return {
         "title": dict(scene.title),
         "moves": plans.moves,
         "formula": formula_of(plans.structure, scene.frame_number).replace("->", "→") if plans.moves else "",
         "lettering": lettering(scene, plans),
-        "drive": drive,
+        "drive": drive_of(plans),
         "home": knobs.home(),
         "knobs": knobs.all(),
         "drags": knobs.drags(),
@@ -67,17 +99,16 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "moments": arms(plans),
         "related": related(plans),
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
-        "under": {at("position", u.point): u.other for u in teller.stating.under.values()},
-        "equations": [_equation(plans, e) for e in plans.equations],
+        "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
+        "equations": told.equations,
         "frames": [{**vars(f), "values": told_values(f)} for f in frames],
         "results": (results := _results(plans)),
         "units": {n: in_both(partial(unit, n)) for n in needed(frames) if unit(n, "en")},
-        "practice": Practice(plans, given, drawing, frames).tasks(progress),
-        **_live(plans, given, teller, frames, [r["value"] for r in results]),
+        **_live(told, [r["value"] for r in results], progress),
     }
 
 
-def _drive(plans: Plans) -> Json:
+def drive_of(plans: Plans) -> Json:
     """The driver's number, and from where to where it runs: nowhere, where a law holds in its own position alone."""
     drive = plans.mechanism.drive
     turns = drive.kind == "phi"
@@ -92,9 +123,10 @@ def _drive(plans: Plans) -> Json:
     return {**told, "from": start - reach, "to": start + (reach or 360.0)}
 
 
-def _live(plans: Plans, given: Mapping[str, Thing], teller: Teller, frames: list[Frame], results: list[str]) -> Json:
-    """The tape, and where on it every mark, direction, value and sharpness stands."""
-    live = Live(plans.program, given)
+def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
+    """The tape, and where on it every mark, direction, value, sharpness and mistake stands; with what is practised."""
+    plans, frames = told.plans, told.frames
+    live = Live(plans.program, told.given)
     drawn, own = live.drawing, feet(plans, live.drawing)
     made = (s.makes for s in plans.program.steps if s.kind == "mark" and s.makes not in plans.program.trials)
     marks = {name: drawn[name] for name in made if plan_of(name) != "motion"} | own
@@ -104,19 +136,24 @@ def _live(plans: Plans, given: Mapping[str, Thing], teller: Teller, frames: list
     ways += [f["along"] for moment in arms(plans) for f in moment["forces"]]
     sharp = {n: z for n, z in drawn.sharpness.items() if n not in plans.program.trials and plan_of(n) != "motion"}
     names = dict.fromkeys([*needed(frames), *results, *map(mu_of, plans.drawn), plans.drive_given])
+    slips, wrong = told.practice.slips(live, progress)
+    lines = told.practice.lines()
     tape, places = live.exported(
         {
             "marks": marks,
-            "turned": {d: drawn[d] for d in dict.fromkeys(ways) if d in drawn},
-            "values": {**{n: value_of(n, teller, drawn) for n in names}, **live.numbers},
+            "turned": {d: drawn[d] for d in dict.fromkeys([*ways, *lines]) if d in drawn},
+            "values": {**{n: value_of(n, told.teller, drawn) for n in names}, **live.numbers},
             "sharp": sharp,
             "holds": {str(k): ok for k, (ok, _) in enumerate(fails)},
+            "slips": wrong,
         }
     )
     holds = [{"at": places["holds"][str(k)], "said": said} for k, (_, said) in enumerate(fails)]
     blunt = {n: in_both(partial(_blunt, n)) for n in sharp}
     helpers = [*(n for n in marks if n in plans.helpers), *own]
-    return {**places, "tape": tape, "holds": holds, "blunt": blunt, "helpers": helpers}
+    places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(slips)]
+    asked = {"practice": told.practice.items(), "lines": lines, "mistakes": sentences(slips), "id": told.practice.id}
+    return {**places, **asked, "tape": tape, "holds": holds, "blunt": blunt, "helpers": helpers}
 
 
 def _blunt(mark: str, lang: Lang) -> str:

@@ -1,20 +1,22 @@
 """The program of a lesson as a page runs it: a tape of all that is shown, and the given numbers a reader may change."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import partial
+from types import MappingProxyType
 
 import numpy
 
 from planes.batch.plain_tape import PlainRecording, exported
 from planes.batch.symbols import place_of
-from planes.batch.tape import Tape
+from planes.batch.tape import Tape, read
 from planes.batch.tracing import TracingTool, given_on, given_values
 from planes.drafting.drawing import Drawing, draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import LayOff, Put, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
-from planes.drafting.tools import Thing, names_of
+from planes.drafting.tools import Env, Thing, names_of
 from planes.geometry.arrays import Array, Complexes
 from planes.lesson.formulas import slot, unit
 from planes.lesson.frame import in_both
@@ -30,16 +32,38 @@ FEW, NEAR = 12, 1e-5
 """Successive plans of a page, which shows four digits, and how near the last of them is."""
 
 
+@dataclass
+class _KeepingTool(TracingTool):
+    """Draws on from marks as they are kept, not as it has made them."""
+
+    kept: Mapping[str, Thing] = field(default_factory=dict)
+
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
+        made = super().make(step, way, things)
+        things[step.makes] = self.kept.get(step.makes, things[step.makes])
+        return made
+
+
 class Live:
     """Every step drawn once on a tape, all that is given free."""
 
     def __init__(self, program: Program, given: Mapping[str, Thing]) -> None:
         self.tape = Tape()
-        self.tool = TracingTool(PlainRecording(), True, tape=self.tape, plans=FEW, settled=NEAR)
+        self.tool = self.another()
         things = {n: given_on(self.tape, n, z) for n, z in given.items()}
         draw_steps(program.steps, things, self.tool)
         self.drawing = Drawing(program, things, self.tool)
         self.numbers: dict[str, Thing] = {}  # that sentences of failures tell
+
+    def another(self, kept: Mapping[str, Thing] = MappingProxyType({})) -> _KeepingTool:
+        """A tool that goes on writing on the tape; marks that are ``kept`` stay, whatever leads there."""
+        return _KeepingTool(PlainRecording(), True, tape=self.tape, plans=FEW, settled=NEAR, kept=kept)
+
+    def apart(self, pairs: Sequence[tuple[Thing, Thing]], given: Mapping[str, Thing]) -> list[float]:
+        """How far two marks of the tape are apart with those numbers, for each of the pairs; NaN of one that fails."""
+        sides = [self._places(a - b) for a, b in pairs]
+        numbers = read(self.tape, self.tape.needed([p for side in sides for p in side]), given_values(given))
+        return [math.hypot(*(float(numbers[p]) for p in side)) for side in sides]
 
     def failures(self, drive: str, symbol: str) -> list[tuple[Thing, dict[Lang, str]]]:
         """What must hold, in the order of the drawing, and what is said where it does not."""

@@ -1,196 +1,177 @@
-"""Practice: what a reader is asked at each step of a lesson, the right answers and the wrong ones with their names.
+"""Practice: what a reader draws and reckons in a lesson, and where each mistake of the catalogue puts a mark.
 
-The wrong answers are drawn from the catalogue of mistakes: each of its variants is run, and where it puts the mark is
-the place a reader who makes that mistake would put it.
+The catalogue's variants are drawn on the lesson's own tape, so a page knows their places whatever numbers are given.
 """
 
-import cmath
-import math
-from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
+from hashlib import sha256
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
 from planes.check.grading.prepared_plan import catalogue, known_plans
-from planes.drafting.drawing import Drawing, run
-from planes.drafting.program import Program
-from planes.drafting.steps import Image, LayOff, Similar, Step
+from planes.drafting.drawing import Drawing
+from planes.drafting.steps import Image, LayOff, Similar, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
-from planes.geometry.arrays import Points
-from planes.lesson.formulas import slots
+from planes.drafting.tools import Thing
+from planes.lesson.formulas import SLOT, slots
 from planes.lesson.frame import Frame, in_both
+from planes.lesson.live import Live
+from planes.lesson.reckoning import plain
 from planes.plans import Plans
-from planes.words import Lang, say
-from planes.words.errors import PlanesError
-from planes.words.names import Meaning, at, lettered, mu_of, plan_of
+from planes.words import Phrase, say, table
+from planes.words.names import at, mu_of, plan_of
 from planes.words.records import Json
 
-Said = dict[Lang, str]
-APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it
+Progress = Callable[[int, int], None]
 SHORT_MM = 2.0  # a vector too short to be asked for
-TURN_DEG = 12.0
-LEAST_MM = 0.01  # a length that is written down as nothing
-SAME_LENGTH = 0.05  # lengths that differ by less of themselves are one answer
-PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "normal", "force", "gap")
+APART_MM = 0.3  # a wrong place nearer than this to the right one is no mistake
+NOTHING = 1e-7  # a value that is nothing
+PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "normal", "force", "gap", "vector")
+NUMBERS = {m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")}
+LENGTHS = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}
+"""Slips of who reckons: in values, in lengths laid off."""
+CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
 @dataclass(frozen=True)
-class Wrong:
-    """Where a mistake puts a mark, with its name and sentence; ``vector`` is what it lays off to there, ``untold``
-    whether it spoils a number that the question itself tells, and ``means`` what the directions drawn there mean."""
+class Practice:
+    """The items of one lesson; ``value`` reads a number by the name its slot has."""
 
-    mistake: str
-    place: complex
-    said: Said
-    step: Step | None
-    vector: complex
-    untold: bool
-    means: Mapping[str, Meaning]
+    plans: Plans
+    given: Mapping[str, Thing]
+    drawing: Drawing
+    frames: Sequence[Frame]
+    equations: Sequence[Json]
+    values: Mapping[str, float]
+    spans: Mapping[str, tuple[str, str, str]]
+
+    def items(self) -> list[Json]:
+        """What is asked, in the order of the lesson: what is known of an equation's vectors (``known``), the scale of a
+        plan (``mu``), a sense (``sense``), numbers (``number``), marks (``mark``)."""
+        asked, found = set[object](), list[Json]()
+        for k, f in enumerate(self.frames):
+            for kind, name in self.of_frame(f):
+                if (kind, plain(str(name))) not in asked:
+                    asked.add((kind, plain(str(name))))
+                    more = {"mu": self.read_at(str(name))} if kind == "number" else {}
+                    found.append({"frame": k, "kind": kind, "what": name, **more})
+        return found
+
+    def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
+        """The kinds and names of what a frame may ask."""
+        if f.equation is not None and plan_of(at(f.plan, "p")) != "position" and goal(self.equations[f.equation]):
+            yield "known", f.equation
+        mark = f.makes[0] if f.makes and f.key != "fixed" and self.drawn(f.makes[0]) else ""
+        if isinstance(self.plans.program.makers.get(mark), LayOff) and f.plan in self.scaled:
+            yield "mu", f.plan
+        if f.turns:
+            yield "sense", f.turns["rate"]
+        for how, name, _ in SLOT.findall(f.said["en"]):
+            given = {name, f"{name}_given"} & {*self.plans.given}
+            if how == "v" and not given and abs(self.values.get(name, 0.0)) > NOTHING:
+                yield "number", name
+        if mark:
+            yield "mark", mark
 
     @property
-    def slip(self) -> Json:
-        """The mistake as it is exported."""
-        return {"mistake": self.mistake, "said": self.said}
+    def scaled(self) -> set[str]:
+        """The plans that have a scale of their own."""
+        return {p for p in known_plans(self.plans) if mu_of(p) in self.given}
 
+    def drawn(self, mark: str) -> bool:
+        """Whether a reader can draw a mark."""
+        step = self.plans.program.makers[mark]
+        if not isinstance(step, CONSTRUCTED):
+            return False
+        return not isinstance(step, LayOff) or abs(self.drawing[mark] - self.drawing[step.start]) >= SHORT_MM
 
-class Practice:
-    """The tasks of one lesson in its own position."""
+    def read_at(self, name: str) -> str:
+        """The scale of the plan a number is measured on, "" of one that is reckoned."""
+        step = self.plans.program.makers.get(name)
+        return self.spans[name][2] if name in self.spans else getattr(step, "mu", None) or ""
 
-    def __init__(self, plans: Plans, given: Mapping[str, Points], drawing: Drawing, frames: Sequence[Frame]) -> None:
-        self.plans, self.given, self.drawing, self.frames = plans, given, drawing, frames
-        self.steps = plans.program.makers
-        self.told = {f.makes[0]: told_values(f) for f in frames if f.makes}
+    @property
+    def id(self) -> str:
+        """Eight letters by which a practice of another scene is told from this one."""
+        told = [(item["kind"], item["what"]) for item in self.items()], sorted(n for n in self.plans.given)
+        return sha256(repr(told).encode()).hexdigest()[:8]
 
-    def tasks(self, progress: Callable[[int, int], None] | None = None) -> list[Json]:
-        """One task for every frame that draws a mark a reader can draw."""
-        wrongs = self.wrongs(progress)
-        asked = [(k, f.makes[0]) for k, f in enumerate(self.frames) if f.makes and f.key != "fixed"]
-        tasks = ((k, mark, self.task(mark, wrongs.get(mark, []))) for k, mark in asked)
-        return [{"frame": k, "mark": mark, **task} for k, mark, task in tasks if task]
+    def lines(self) -> dict[str, str]:
+        """Directions of the drawing a set square is laid to, each with the line it is told by."""
+        found: dict[str, str] = {}
+        for step in self.plans.program.steps:
+            for name in (getattr(step, "along", None), getattr(step, "across", None)):
+                own = name and self.base(name)
+                if own and own in self.drawing and self.plans.means.get(own) and own not in found:
+                    line = self.plans.means[own].line or self.plans.means[own].action
+                    if line and line not in found.values():
+                        found[own] = line
+        return found
 
-    def wrongs(self, progress: Callable[[int, int], None] | None) -> dict[str, list[Wrong]]:
-        """The wrong places of every mark, by drawing every variant of the catalogue."""
-        found: dict[str, list[Wrong]] = defaultdict(list)
-        plans = known_plans(self.plans)
-        for k, plan in enumerate(plans):
+    def base(self, direction: str) -> str:
+        """The direction a perpendicular was raised on, or the direction itself."""
+        step = self.plans.program.makers.get(direction)
+        turned = isinstance(step, Turn) and step.quarter and not step.angle
+        return step.of if turned and isinstance(step, Turn) else direction
+
+    def slips(self, live: Live, progress: Progress | None = None) -> tuple[list[Json], dict[str, Thing]]:
+        """Every mistake at every mark that is asked, and where on the lesson's tape it puts the mark."""
+        found = list[tuple[Json, Thing]]()
+        asked = {item["what"] for item in self.items() if item["kind"] == "mark"}
+        for k, plan in enumerate(plans := known_plans(self.plans)):
             if progress:
                 progress(k + 1, len(plans))
-            wanted = [s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan]
-            ways = PlanSteps(self.plans, self.plans.program.sliced(wanted), plan)
-            for variant in catalogue(ways, {}, self.mu(ways.plan)):
-                if wrong := self.drawn(ways, variant):
-                    found[at(plan, variant.blames)].append(wrong)
-        return found
+            own = {s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan}
+            tool = live.another({m: live.drawing[m] for m in own})
+            ways = PlanSteps(self.plans, self.plans.program.sliced([*own]), plan)
+            for variant in catalogue(ways, {}, complex(self.given[mu_of(plan)]).real):
+                mark = at(plan, variant.blames)
+                made = variant.drawn(ways.program, live.drawing.things, tool, own) if mark in asked else {}
+                if mark in made:
+                    found.append((self.slip(variant, mark), made[mark]))
+        apart = live.apart([(thing, live.drawing[slip["at"]]) for slip, thing in found], self.given)
+        told = [one for one, off in zip(found, apart, strict=True) if off > APART_MM]
+        return [slip for slip, _ in told], {str(k): thing for k, (_, thing) in enumerate(told)}
 
-    def mu(self, plan: str) -> float:
-        """The scale of a plan."""
-        return complex(self.given[mu_of(plan)]).real
-
-    def drawn(self, ways: PlanSteps, variant: Variant) -> Wrong | None:
-        """Where the mark a mistake is blamed at would be; None if nothing can be told apart there."""
-        mark = at(ways.plan, variant.blames)
-        swap = variant.swaps.get(mark, (self.steps[mark],))
-        start = next((s.start for s in (swap[-1], self.steps[mark]) if isinstance(s, LayOff)), mark)
-        told = [n for n in self.told.get(mark, ()) if n in self.drawing]
-        steps = [own for step in ways.program.steps for own in variant.swaps.get(step.makes, (step,))]
-        try:
-            program = Program(tuple(steps)).sliced([mark, start, *(n for n in told if n in self.steps)])
-            there = run(program, {**self.given, **variant.givens})
-        except (PlanesError, ZeroDivisionError, OverflowError):
-            return None
-        place = complex(there[mark])
-        if not cmath.isfinite(place) or abs(place - self.drawing[mark]) < APART_MM:
-            return None
-        untold = any(abs(abs(there[n]) - abs(self.drawing[n])) > 1e-6 * abs(self.drawing[n]) for n in told)
-        along = getattr(self.steps[mark], "along", "")
-        names = {"mark": variant.blames, "line": self.plans.means[along].line if along else "", **variant.about}
-        shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{str(v).lstrip('°')}⟩" if v else "" for k, v in names.items()}}
-        said = in_both(lambda lang: say(f"mistake_{variant.mistake}", lang, **shown))
-        own = swap[-1] if mark in variant.swaps else None
-        means = {**self.plans.means, **{s.makes: s.means for s in swap if s.means}}
-        return Wrong(variant.mistake, place, said, own, place - complex(there[start]), untold, means)
-
-    def task(self, mark: str, wrongs: list[Wrong]) -> Json | None:
-        """What is asked for one mark."""
-        step = self.steps[mark]
-        match step:
-            case LayOff():
-                return self.lay_off(step, wrongs)
-            case Cross() | CrossArc() | CrossArcs() | Choose():
-                lines = self.lines(step, wrongs) if isinstance(step, Cross) else []
-                return {"kind": "cross", "lines": lines, "places": _places(wrongs)}
-            case Similar() | Image():
-                return {"kind": "similar", "places": _places(wrongs)}
-        return None
-
-    def lay_off(self, step: LayOff, wrongs: list[Wrong]) -> Json | None:
-        """A known vector: which way, and how long."""
-        way = complex(self.drawing[step.makes]) - complex(self.drawing[step.start])
-        if abs(way) < SHORT_MM:
-            return None
-        turned: dict[str, list[Json]] = {}
-        lengths = []
-        for w in sorted(wrongs, key=lambda w: w.untold):
-            angle = math.degrees(cmath.phase(w.vector / way)) if abs(w.vector) > SHORT_MM else 0.0
-            quarter = round(angle / 90.0) % 4
-            if abs(angle - 90 * round(angle / 90)) < TURN_DEG and quarter:
-                slips = turned.setdefault(str(quarter), [])
-                slips += [w.slip] * (not slips or not w.untold)
-            elif abs(angle) < TURN_DEG and not w.untold and abs(abs(w.vector / way) - 1) > SAME_LENGTH:
-                lengths.append({"mm": round(abs(w.vector), 1), **w.slip})
-        return {
-            "kind": "lay_off",
-            "start": step.start,
-            "angle": round(math.degrees(cmath.phase(way)), 2),
-            "mm": round(abs(way), 2),
-            "turned": turned,
-            "lengths": lengths + self.scale_slips(step, abs(way)),
-            "places": _places(wrongs),
-        }
-
-    def scale_slips(self, step: LayOff, length: float) -> list[Json]:
-        """Lengths of who forgets the scale, or turns it over."""
-        mu, found = self.mu(plan_of(step.makes)), []
-        for mistake, slip in (("value_for_mm", length / mu), ("value_over_mu", length / mu / mu)):
-            if abs(slip / length - 1) > SAME_LENGTH and slip > LEAST_MM:
-                said = in_both(partial(say, f"lesson_{mistake}", mark=f"⟨{lettered(step.makes)}⟩"))
-                found.append({"mm": slip, "mistake": mistake, "said": said})
-        return found
-
-    def lines(self, step: Cross, wrongs: list[Wrong]) -> list[Json]:
-        """The two lines of a crossing, each with the directions to choose from."""
-        return [
-            {"through": through, "options": self.options(step, direction, side, wrongs)}
-            for side, through, direction in (("along", step.start, step.along), ("across", step.other, step.across))
-        ]
-
-    def options(self, step: Cross, direction: str, side: str, wrongs: list[Wrong]) -> list[Json]:
-        """The right direction among wrong ones, in an order that gives nothing away."""
-        right = self.plans.means[direction]
-        found: dict[str, Json] = {right.action: {"right": True, "slips": []}}
-        for w in wrongs:
-            other = getattr(w.step, side, direction) if isinstance(w.step, Cross) else direction
-            text = w.means[other].action
-            if other != direction and (len(found) < 4 or text in found):
-                found.setdefault(text, {"slips": []})["slips"].append(w.slip)
-        flipped = replace(right, quantity="along" if right.quantity == "across" else "across")
-        found.setdefault(flipped.action, {"slips": []})
-        return [{"text": text, **more} for text, more in sorted(found.items())]
+    def slip(self, variant: Variant, mark: str) -> Json:
+        """A mistake at a mark, with the names in its sentence in the order of its parts."""
+        along = getattr(self.plans.program.makers[mark], "along", "")
+        line = self.plans.means[along].line if along else ""
+        names = {"mark": variant.blames, "line": line, **variant.about}
+        parts = (names.get(part, "") for part in parts_of_sentence(f"mistake_{variant.mistake}"))
+        told = [in_both(p.told) if isinstance(p, Phrase) else str(p).lstrip("°") for p in parts]
+        return {"m": variant.mistake, "at": mark, "names": told}
 
 
-def _places(wrongs: list[Wrong]) -> list[Json]:
-    """Wrong places, each once for a mistake."""
-    found: dict[tuple[float, float, str], Json] = {}
-    for w in wrongs:
-        place = round(w.place.real, 1), round(w.place.imag, 1)
-        found.setdefault((*place, w.mistake), {"at": list(place), **w.slip})
-    return list(found.values())
+def sentences(told: Sequence[Json]) -> Json:
+    """The sentences of the mistakes there are, with places for names, and what stands in them in which order."""
+    keys = {slip["m"]: f"mistake_{slip['m']}" for slip in told} | NUMBERS | LENGTHS
+    places = {part: f"{{{part}}}" for part in PARTS}
+    return {
+        m: {"said": in_both(partial(say, key, **places)), "parts": parts_of_sentence(key)} for m, key in keys.items()
+    }
+
+
+def parts_of_sentence(key: str) -> list[str]:
+    """The names a sentence has places for."""
+    used = set(re.findall(r"{(\w+)", table("en")[key]))
+    return [part for part in PARTS if part in used]
+
+
+def goal(equation: Json) -> str:
+    """What is known of each vector of an equation, a digit each, in the order of the terms; the sum's where all is."""
+    total = equation["total"]
+    if not total:
+        return ""
+    terms = [t for side in equation["sides"] for t in side] + [total] * bool(total["known"])
+    return "".join(str(t["known"]) for t in terms if t["action"] != "=0")
 
 
 def told_values(frame: Frame) -> list[str]:
-    """The values a question about a vector's length tells: those of its sentence but its own, unless that is all."""
+    """The values a question about a number tells: those of its sentence but its own, unless that is all."""
     values = sorted({*slots(frame.said["en"])})
     return values if len(values) == 1 else [n for n in values if n not in frame.terms[:1]]

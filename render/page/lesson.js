@@ -1,17 +1,14 @@
 "use strict";
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
-const [signs, ...short] = JSON.parse(document.getElementById("sentences").textContent);
-const long = text => [...signs].reduce((t, sign, i) => t.replaceAll(sign, "⟨⟩⟦⟧¦"[i]), text);
-const sentences = [{}, ...short.map(one => Object.fromEntries(Object.entries(one).map(([lang, text]) => [lang, long(text)])))];
-const data = JSON.parse(document.getElementById("data").textContent, (_, v) => v && v["="] !== undefined ? sentences[v["="]] : v);
-const words = JSON.parse(document.getElementById("words").textContent);
+const [words, data] = JSON.parse(inflated(JSON.parse(document.getElementById("packed").textContent)));
 const $ = id => document.getElementById(id);
 const live = new Live(data);
 const scheme = new Scheme($("scheme"), data), plan = new Plan($("plan"), data);
 const state = { frame: 0, lang: document.documentElement.lang, timer: 0, spin: 0, waiting: false };
 
 function readAddress() { // the frame, the drive, the language, and every number that is not the scene's
-  const q = new URLSearchParams(location.hash.slice(1)), numbers = {};
+  const q = new URLSearchParams(location.hash.length > 1 ? location.hash.slice(1) : location.search), numbers = {};
+  practice.seed = /^\d{1,6}$/.test(q.get("seed")) ? +q.get("seed") : 0;
   if (q.has("step")) state.frame = clamp(+q.get("step") - 1, 0, data.frames.length - 1);
   if (q.has("at") && Number.isFinite(+q.get("at"))) numbers[data.drive.given] = placed(+q.get("at"));
   for (const k of data.knobs) numbers[k.given] = q.has(k.given) && allowed(k, +q.get(k.given)) ? +q.get(k.given) : k.at;
@@ -23,7 +20,7 @@ function readAddress() { // the frame, the drive, the language, and every number
 function writeAddress() {
   clearTimeout(writeAddress.timer);
   const own = live.altered.map(n => `&${encodeURIComponent(n)}=${+live.given[n].toPrecision(9)}`).join("");
-  const text = `#step=${state.frame + 1}&at=${+live.drive.toFixed(6)}&lang=${state.lang}${own}`;
+  const seeded = practice.on && practice.seed, text = `#${seeded ? `seed=${practice.seed}` : `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${seeded ? "" : own}`;
   writeAddress.timer = setTimeout(() => { try { history.replaceState(null, "", text); } catch { /* a page inside a page has no address */ } }, 120);
 }
 function seenAt(frame) {
@@ -45,7 +42,7 @@ function draw() {
     document.querySelector(".panels").classList.toggle("alone", draw.alone);
     scheme.measure(); plan.measure();
   }
-  scheme.draw(seen, practising ? null : f);
+  scheme.draw(seen, practising && f.moments === null ? null : f);
   $("scheme-title").textContent = `${say("scheme")}, μ = ${filled(data.plans[0].mu[state.lang])}`;
   if (key !== "position") {
     plan.show(key, seen, f, practising);
@@ -54,11 +51,12 @@ function draw() {
   }
   $("scheme").setAttribute("aria-label", described(scheme, seen, key));
   $("plan").setAttribute("aria-label", described(plan, seen, key));
-  if (practising) practice.paint(); else told(f, key);
+  if (!practising) told(f, key);
   facing(f);
   put("equations", written(f, key, state.frame, practising));
   crank();
   large(key);
+  if (practising) practice.paint();
 }
 function facing(f) { // on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
   const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;

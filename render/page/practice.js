@@ -1,9 +1,16 @@
 "use strict";
-// Practice: the reader does the step. Right and wrong answers come with the lesson; here they are only compared.
-const CLOSE_MM = 2.5, CLOSE_PX = 12, TRIES = 3;
+// Practice: what is asked of the reader, in whatever sensible order; answers are judged by the mistakes on the lesson's tape.
+const TRIES = 3, FITS_MM = 1, FITS_SHARE = 0.01, NUMBER_SHARE = 0.03, RULER_MM = 0.5, SCALE_SHARE = 0.01, FRESH = 0.12, SWING = 40, DRAWS = 200;
 
 const practice = {
-  on: false, index: 0, stage: 0, tries: 0, good: 0, asked: 0, marks: {}, said: null, list: false, done: [],
+  on: false, seed: 0, index: 0, tries: 0, answers: [], done: new Set(), marks: {}, said: null, over: false, name: "",
+  get items() { return data.practice; },
+  get item() { return this.items[this.index]; },
+  get frame() { return data.frames[this.item.frame]; },
+  get equation() { return data.equations[this.item.what]; },
+  get drawing() { return this.on && !this.over && this.item.kind === "mark"; },
+  get good() { return this.answers.filter((a, k) => a !== undefined && this.right(this.items[k], a)).length; },
+  get asked() { return this.answers.filter(a => a !== undefined).length; },
   toggle() {
     this.on = !this.on;
     $("practise").setAttribute("aria-pressed", this.on);
@@ -13,191 +20,154 @@ const practice = {
     if (state.timer) play();
     if (state.spin) spin(false);
     for (const id of ["play", "progress"]) $(id).disabled = this.on;
-    if (this.on) {
-      const from = this.over ? 0 : state.frame; // a practice that is done begins anew
-      Object.assign(this, { stage: 0, tries: 0, good: 0, asked: 0, said: null, done: [], over: false });
-      this.index = Math.max(0, data.practice.findIndex(t => t.frame >= from));
-      this.open();
-    } else draw();
+    if (this.on) this.begin(); else { live.reset(); zones(); draw(); }
   },
-  get task() { return data.practice[this.index]; },
-  get frame() { return data.frames[this.task.frame]; },
-  get stages() {
-    const t = this.task, e = this.frame.equation, list = [];
-    const first = e !== null && data.equations[e].total && !["position"].includes(this.frame.plan) && !this.done.includes(e);
-    if (first) list.push("known");
-    if (t.kind === "lay_off") list.push("direction", "length");
-    else list.push(...(t.lines || []).map((_, k) => "line" + k), "place");
-    return list;
-  },
-  get now() { return this.order[this.stage]; },
-  open() { // a new task: the drawing as far as it was, in the lesson's own position
+  begin(seed = this.seed) { // from the first question, with the scene's numbers or with fresh ones
     live.reset();
-    state.frame = this.task.frame;
-    this.order = this.stages;
-    this.stage = this.tries = 0;
-    this.marks = {};
-    this.list = false;
+    this.seed = seed && fresh(seed) ? seed : 0;
+    live.scan();
+    zones();
+    Object.assign(this, { answers: [], done: new Set(), over: !this.items.length, said: null, index: 0 });
+    if (!this.over) this.take(0);
+    writeAddress();
+  },
+  take(index) { // a question in hand: the drawing as far as it is
+    Object.assign(this, { index, tries: 0, marks: {} });
+    state.frame = this.item.frame;
+    desk.clear();
+    if (this.item.kind === "mark") {
+      const uses = this.frame.uses.filter(m => m.startsWith(this.frame.plan + ":") && this.seen().has(m));
+      desk.tool = (data.traces[this.item.what] || this.frame.plan === "position") && !this.laid ? (data.traces[this.item.what]?.arcs ? "arc" : "line") : "vector";
+      Object.assign(desk, { from: uses[0] || this.frame.plan + ":p", along: desk.lines()[0]?.[0] || "angle" });
+    } else Object.assign(desk, { tool: "ruler", from: desk.marks()[0] || "", to: desk.marks()[1] || "" });
     draw();
   },
-  seen() {
-    const seen = seenAt(this.over ? data.frames.length - 1 : this.task.frame - 1), pole = this.frame.plan + ":p";
-    return seen.add(pole);
-  },
-  asking(name) { return this.on && this.now === "known" && name in this.goal(); },
-  given(name) { return this.marks[name] || 0; },
-  goal() {
-    const e = this.frame.equation === null ? null : data.equations[this.frame.equation];
-    return e ? Object.fromEntries([...terms(e), ...(e.total.known ? [e.total] : [])].filter(t => t.action !== "=0").map(t => [t.name, t.known])) : {};
-  },
-  answer(right, said) {
-    if (this.tries === 0) this.asked += 1;
-    if (right) {
-      if (this.tries === 0) this.good += 1;
-      this.said = ["yes", say("right")];
-      this.move();
-      return;
+  get laid() { return !data.traces[this.item.what]; },
+  seen() { // what is drawn: what was asked and done, and what needs nothing else
+    if (this.kept?.done === this.done && this.kept.size === this.done.size) return this.kept.seen.add(this.frame.plan + ":p");
+    const asked = new Set(this.items.filter(t => t.kind === "mark").map(t => t.what)), seen = new Set(["position:p"]);
+    this.items.forEach((t, k) => { if (t.kind === "mark" && this.done.has(k)) seen.add(t.what); });
+    for (let more = true; more;) {
+      more = false;
+      for (const f of data.frames) for (const m of f.makes) if (!seen.has(m) && !asked.has(m) && f.uses.every(n => seen.has(n) || n.endsWith(":p"))) { seen.add(m); more = true; }
     }
+    this.kept = { done: this.done, size: this.done.size, seen };
+    return seen.add(this.frame.plan + ":p");
+  },
+  free(k) { // whether a question may be answered now
+    if (this.done.has(k)) return false;
+    const t = this.items[k], f = data.frames[t.frame], seen = this.seen(), trace = data.traces[t.what] || {};
+    if (t.kind !== "mark") return this.items.every((o, i) => i >= k || o.kind !== "mark" || this.done.has(i));
+    return [...f.uses, ...(trace.lines || []), ...(trace.arcs || [])].every(n => seen.has(n) || n.endsWith(":p") || !this.items.some(o => o.kind === "mark" && o.what === n));
+  },
+  open() { // the questions of the plan in hand that may be answered, and the first of each other
+    const all = this.items.map((_, k) => k).filter(k => this.free(k)), plan = k => data.frames[this.items[k].frame].plan;
+    return all.filter((k, i) => plan(k) === this.frame.plan || all.findIndex(o => plan(o) === plan(k)) === i);
+  },
+  size(key) { // how large a plan is: the farthest of its marks
+    return Math.max(0, ...this.items.filter(t => t.kind === "mark" && t.what.startsWith(key + ":")).map(t => live.at(t.what) ? Math.hypot(...live.at(t.what)) : 0));
+  },
+  fits(mark) { return Math.max(FITS_MM, FITS_SHARE * this.size(mark.slice(0, mark.lastIndexOf(":")))); },
+  truth(t) {
+    if (t.kind === "known") return this.goal(data.equations[t.what]).map(g => g.known).join("");
+    if (t.kind === "mark") return live.at(t.what);
+    if (t.kind === "mu") { const k = live.given["mu_" + t.what]; return /⟦i/.test(data.plans.find(p => p.key === t.what).mu.en) ? 1 / k : k; }
+    return t.kind === "sense" ? Math.sign(live.value(t.what)) : live.value(t.what);
+  },
+  right(t, a) {
+    const true_ = this.truth(t);
+    if (a === null || true_ === null) return false;
+    if (t.kind === "known" || t.kind === "sense") return a === true_;
+    if (t.kind === "mark") return Math.hypot(a[0] - true_[0], a[1] - true_[1]) <= this.fits(t.what);
+    if (t.kind === "mu") return Math.abs(a - true_) <= SCALE_SHARE * true_;
+    return Math.abs(Math.abs(a) - Math.abs(true_)) <= Math.max(NUMBER_SHARE * Math.abs(true_), t.mu ? RULER_MM / live.given[t.mu] : 0);
+  },
+  goal(e) { return [...terms(e), ...(e.total.known ? [e.total] : [])].filter(t => t.action !== "=0"); },
+  answer(given, said, shown) { // the first answer counts
+    if (this.answers[this.index] === undefined) this.answers[this.index] = given;
+    if (this.right(this.item, given)) { this.said = ["yes", say("right")]; this.move(); return; }
     this.tries += 1;
     const reason = (said || this.frame.why[state.lang]).replace(/\.?$/, ".");
     this.said = ["no", reason];
-    if (this.tries >= TRIES) { this.said = ["no", `${reason} ${say("shown")}`]; this.move(); return; }
+    if (shown || this.tries >= TRIES) { this.said = ["no", `${shown ? "" : reason + " "}${say("shown")}`]; this.move(); return; }
     draw();
   },
   move() {
-    if (this.now === "known") this.done.push(this.frame.equation);
-    this.tries = 0;
-    this.list = false;
-    if (this.stage + 1 < this.order.length) { this.stage += 1; draw(); return; }
-    if (this.index + 1 < data.practice.length) { this.index += 1; const said = this.said; this.open(); this.said = said; draw(); return; }
-    this.over = true;
-    draw();
+    this.done.add(this.index);
+    const open = this.open(), next = open.find(k => k > this.index) ?? open[0];
+    if (next === undefined) { this.over = true; desk.clear(); draw(); } else this.take(next);
   },
-  named(slips, near = () => 0) { // every mistake that leads to this answer, the nearest first
-    const fit = slips.filter(w => near(w) <= 1).sort((a, b) => near(a) - near(b));
-    return [...new Set(fit.map(w => w.said[state.lang]))].join(`; ${say("or_else")} `);
+  named(fit) { // every mistake that leads to this answer: told apart only where the tolerance allows
+    return [...new Set(fit.map(([m, names]) => this.sentence(m, names)))].join(`; ${say("or_else")} `);
   },
-  mark(label) { const full = label.slice(label.lastIndexOf(":") + 1); return `⟨${full.replace("°", "")}⟩`; },
-  paint() { // the question, and what may be clicked
-    const box = $("task"), f = this.frame, text = t => sentence(t, f.plan);
-    for (const id of ["scheme", "plan"]) {
-      $(id).classList.remove("place");
+  sentence(mistake, names) {
+    const { said, parts } = data.mistakes[mistake], own = Object.fromEntries(parts.map((p, k) => [p, names[k]]));
+    return said[state.lang].replace(/\{(\w+)\}/g, (_, p) => typeof own[p] === "object" ? own[p][state.lang] : own[p] ? `⟨${own[p]}⟩` : "");
+  },
+  slips(mark) { return data.slips.filter(s => s.at === mark).map(s => ({ ...s, place: live.pair(s.place) })).filter(s => s.place); },
+  place(p, stroke) { // a mark put here
+    const t = this.item, fits = this.fits(t.what), at = p.map(v => +v.toFixed(2)), near = q => Math.hypot(q[0] - at[0], q[1] - at[1]) <= fits;
+    if (this.right(t, at)) { this.answer(at); return; }
+    const fit = this.slips(t.what).filter(s => near(s.place)).map(s => [s.m, s.names]), mark = [desk.short(t.what)];
+    const true_ = live.at(t.what), way = stroke && stroke.end ? Math.atan2(true_[1] - stroke.at[1], true_[0] - stroke.at[0]) : null, mu = live.given["mu_" + this.frame.plan];
+    if (way !== null && Math.abs(Math.sin(stroke.a - way)) < 0.05 && Math.cos(stroke.a - way) > 0) {
+      const long = Math.hypot(true_[0] - stroke.at[0], true_[1] - stroke.at[1]), as = mm => Math.abs(stroke.mm - mm) <= Math.max(0.005, Math.min(fits, 0.05 * mm));
+      if (as(long / mu)) fit.push(["value_for_mm", mark]);
+      if (as(long / mu / mu)) fit.push(["value_over_mu", mark]);
     }
-    $("back").disabled = this.index === 0; $("next").disabled = this.index + 1 >= data.practice.length;
-    $("number").textContent = `${this.index + 1} / ${data.practice.length}`;
-    const said = this.said ? `<p class="said ${this.said[0]}">${this.said[0] === "yes" ? "✓" : "✗"} ${text(this.said[1])}</p>` : "";
-    const score = `<span class="score">${say("score")}: ${this.good} / ${this.asked}</span>`;
-    if (this.over) { box.innerHTML = `${said}<h2>${say("over")} ${this.good} / ${this.asked}.</h2><div class="answers"><button type="button" data-do="again">${say("again")}</button></div>`; return; }
-    const held = box.contains(document.activeElement);
-    box.innerHTML = `${score}<h2 tabindex="-1">${text(this.question())}</h2>${this.choices()}${said}`;
-    this.aid();
-    if (held) (box.querySelector("input") || box.querySelector("h2")).focus(); // where the hand was
+    const other = fit.length ? null : this.open().map(k => this.items[k]).find(o => o.kind === "mark" && o !== t && near(live.at(o.what)));
+    if (stroke) desk.strokes.push({ ...stroke, wrong: true });
+    this.answer(at, other ? say("other_mark").replace("{mark}", `⟨${desk.short(other.what)}⟩`) : this.named(fit));
   },
-  question() {
-    const t = this.task, mark = this.mark(t.mark), name = this.frame.terms[0] || t.mark.split(":").pop();
-    const line = this.now.startsWith("line") ? t.lines[+this.now.slice(4)] : null;
-    const asks = { known: "ask_known", direction: "ask_direction", length: "ask_length", place: t.kind === "similar" ? "ask_similar" : "ask_place" };
-    return say(line ? "ask_line" : asks[this.now]).replace("{mark}", mark).replace("{name}", `⟨${name}⟩`).replace("{through}", line ? this.mark(line.through) : "").replace("{start}", t.start ? this.mark(t.start) : "");
+  stroke(s) { // a line or an arc on the way to a mark of this plan; the mistakes it may come from
+    const open = this.open().map(k => this.items[k]).filter(t => t.kind === "mark" && t.what.startsWith(this.frame.plan + ":"));
+    const wrong = !open.some(t => desk.off(s, live.at(t.what)) <= this.fits(t.what));
+    desk.strokes.push({ ...s, wrong });
+    if (!wrong) { this.said = ["yes", say("stroke_right")]; if (desk.crossings().length) desk.tool = "point"; draw(); return; }
+    const fit = open.flatMap(t => this.slips(t.what)).filter(w => w.m !== "angle_sense" && this.starts(w.at).includes(this.stood(s)) && desk.off(s, w.place) <= this.fits(w.at) / 2).map(w => [w.m, w.names]);
+    this.answer(null, this.named(fit));
   },
-  choices() {
-    const t = this.task, button = (what, label) => `<button type="button" data-do="${what}">${label}</button>`;
-    let body = "";
-    if (this.now === "known") {
-      body = Object.keys(this.goal()).map(n => `<button type="button" class="term known${this.given(n)}" data-do="known" data-term="${n}" aria-label="${n}: ${this.given(n)}"><b>${html(n)}</b></button>`).join("") + button("check", say("check"));
-    } else if (this.now === "direction") body = this.rays().map((_, k) => button("ray" + k, k + 1)).join("");
-    else if (this.now === "length") {
-      const given = this.frame.values.map(n => `⟨${n}⟩ = ⟦v¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; "), mu = filled(data.plans.find(p => p.key === this.frame.plan).mu[state.lang]);
-      body = `<span>${sentence(given, this.frame.plan)}; μ = ${mu}</span><input id="length" type="text" inputmode="decimal" aria-label="${say("millimetres")}"> ${say("millimetres")} ${button("length", say("check"))}`;
-    } else if (this.now.startsWith("line")) {
-      body = t.lines[+this.now.slice(4)].options.map((o, k) => button("line" + k, o.text)).join("");
-    } else body = this.list ? this.spots().map((_, k) => button("spot" + k, k + 1)).join("") : button("list", say("list"));
-    return `<div class="answers">${body}</div>`;
-  },
-  rays() { // four ways from the start of the vector, in the order of the clock
-    const a = this.task.angle;
-    return [0, 1, 2, 3].map(k => ({ quarter: k, angle: (((a + 90 * k) % 360) + 360) % 360 })).sort((x, y) => x.angle - y.angle);
-  },
-  spots() { // the right place among those of the mistakes, each once, from left to right
-    const at = plan.at(this.task.mark), same = (v, w) => v.at[0] === w.at[0] && v.at[1] === w.at[1];
-    const near = this.task.places.filter((w, k, all) => this.inside(w.at) && all.findIndex(v => same(v, w)) === k).slice(0, 5);
-    return [{ at, right: true }, ...near].sort((a, b) => a.at[0] - b.at[0]);
-  },
-  inside(p) { const [x, y] = this.panel().px(p); return x > 5 && y > 5 && x < this.panel().w - 5 && y < this.panel().h - 5; },
-  panel() { return this.frame.plan === "position" ? scheme : plan; },
-  aid() { // what helps to answer, drawn on the plan
-    const p = this.panel(), t = this.task, circle = (q, label, act) => {
-      svg("circle", { cx: q[0], cy: q[1], r: 13, class: "choice", "data-do": act }, p.node);
-      svg("text", { x: q[0], y: q[1] + 4.5, "text-anchor": "middle", class: "choice-text" }, p.node).textContent = label;
-    };
-    if (this.now === "direction") {
-      const a = p.px(p.at(t.start));
-      this.rays().forEach((r, k) => {
-        const c = Math.cos(r.angle * Math.PI / 180), s = -Math.sin(r.angle * Math.PI / 180);
-        p.arrow(a, [a[0] + 64 * c, a[1] + 64 * s], "ask");
-        circle([a[0] + 78 * c, a[1] + 78 * s], k + 1, "ray" + k);
-      });
-    }
-    if (this.now === "place") {
-      const q = p.px(p.at(t.mark)), far = 1.5 * (p.w + p.h);
-      for (const n of (data.traces[t.mark] || {}).lines || []) {
-        const a = p.at(n) && p.px(p.at(n)), d = a ? Math.hypot(q[0] - a[0], q[1] - a[1]) : 0;
-        if (d > 0.5) p.line([a[0] - (q[0] - a[0]) * far / d, a[1] - (q[1] - a[1]) * far / d], [a[0] + (q[0] - a[0]) * far / d, a[1] + (q[1] - a[1]) * far / d], "trace", "", false);
-      }
-      for (const n of (data.traces[t.mark] || {}).arcs || []) {
-        const a = p.px(p.at(n));
-        svg("circle", { cx: a[0], cy: a[1], r: Math.hypot(q[0] - a[0], q[1] - a[1]), class: "trace" }, p.node);
-      }
-      if (this.list) this.spots().forEach((s, k) => circle(p.px(s.at), k + 1, "spot" + k));
-      else p.node.classList.add("place");
-    }
-  },
-  pick(what, e) { // an answer by a button, or by what stands for it on the plan
-    const t = this.task, k = +what.replace(/\D/g, "");
-    if (what === "again") { this.on = false; this.toggle(); }
-    else if (what === "known") { const n = e.dataset.term; this.marks[n] = (this.given(n) + 1) % 3; draw(); const again = [...document.querySelectorAll("[data-term]")].find(b => b.dataset.term === n); if (again) again.focus(); }
-    else if (what === "check") this.answer(Object.entries(this.goal()).every(([n, v]) => this.given(n) === v), say("why_known"));
-    else if (what.startsWith("ray")) {
-      const q = this.rays()[k].quarter;
-      this.answer(q === 0, this.named(t.turned[q] || []));
-    } else if (what === "length") this.measure($("length").value);
-    else if (what.startsWith("line")) {
-      const o = t.lines[+this.now.slice(4)].options[k];
-      this.answer(!!o.right, this.named(o.slips));
-    } else if (what === "list") { this.list = true; draw(); }
-    else if (what.startsWith("spot")) {
-      const s = this.spots()[k];
-      this.answer(!!s.right, this.named(t.places.filter(w => w.at[0] === s.at[0] && w.at[1] === s.at[1])));
-    }
-  },
-  measure(text) {
-    const given = parseFloat(text.replace(",", ".")), t = this.task;
+  starts(mark) { const t = data.traces[mark] || {}; return [...(t.lines || []), ...(t.arcs || []), this.frame.plan + ":p"].map(n => live.at(n)).filter(Boolean).map(p => p.map(v => v.toFixed(1)).join()); },
+  stood(s) { return s.at.map(v => v.toFixed(1)).join(); },
+  number(text) { // a value, or a scale
+    const given = parseFloat(String(text).replace(",", ".").replace("−", "-")), t = this.item;
     if (!Number.isFinite(given)) return;
-    const off = (mm, least) => Math.abs(given - mm) / Math.max(least, 0.03 * mm);
-    this.answer(off(t.mm, 1) <= 1, this.named(t.lengths, w => off(w.mm, Math.max(0.005, Math.min(0.4, 0.2 * w.mm)))));
+    const true_ = Math.abs(this.truth(t)), as = v => Math.abs(Math.abs(given) - Math.abs(v)) <= NUMBER_SHARE * Math.abs(v), fit = [];
+    const add = (m, v) => { if (v && as(v)) fit.push([m, [t.kind === "mu" ? "μ" : t.what.replace(/[‖|]/g, "")]]); };
+    if (t.kind === "mu") add("mu_inverted", 1 / true_);
+    else {
+      const rate = /^(omega|epsilon)_/.test(t.what), mu = live.given[t.mu || "mu_" + this.frame.plan], scheme_ = live.given.mu_position;
+      if (rate) for (const by of [1 / scheme_, mu / scheme_, 1e-3]) add("omega_without_mu_l", true_ * by);
+      if (mu && mu !== 1) { add("mm_for_value", true_ * mu); add("mu_inverted", true_ * mu * mu); add("mu_inverted", true_ / mu / mu); }
+      const mark = this.items.find(o => o.kind === "mark" && o.frame === t.frame), from = mark && live.at(data.frames[t.frame].uses[0]);
+      if (from) for (const s of this.slips(mark.what)) if (as(Math.hypot(s.place[0] - from[0], s.place[1] - from[1]) / mu)) fit.push([s.m, s.names]);
+    }
+    this.answer(+given.toPrecision(6), this.named(fit));
   },
-  click(event) {
-    if (!this.on || this.over || this.now !== "place" || this.list) return;
-    const p = this.panel(), r = p.node.getBoundingClientRect(), at = p.mm([event.clientX - r.left, event.clientY - r.top]);
-    const right = p.at(this.task.mark), reach = Math.max(CLOSE_MM, CLOSE_PX / p.k);
-    const off = q => Math.hypot(q[0] - at[0], q[1] - at[1]) / reach;
-    this.answer(off(right) <= 1, this.named(this.task.places, w => off(w.at) / 1.4));
-  },
+  asking(name) { return this.on && !this.over && this.item.kind === "known" && this.goal(this.equation).some(t => t.name === name); },
+  given(name) { return this.marks[name] || 0; },
 };
-$("practise").onclick = () => practice.toggle();
-$("task").addEventListener("click", e => { const b = e.target.closest("[data-do]"); if (b) practice.pick(b.dataset.do, b); });
-$("task").addEventListener("keydown", e => { if (e.key === "Enter" && e.target.id === "length") practice.pick("length", e.target); });
-for (const id of ["scheme", "plan"]) $(id).addEventListener("click", e => {
-  const b = e.target.closest("[data-do]");
-  if (practice.on && b) practice.pick(b.dataset.do, b);
-  else if (practice.on && practice.panel().node.id === id) practice.click(e);
-});
-for (const [id, by] of [["back", -1], ["next", 1]]) $(id).addEventListener("click", e => {
-  if (!practice.on) return;
-  e.stopImmediatePropagation();
-  practice.index = clamp(practice.index + by, 0, data.practice.length - 1);
-  Object.assign(practice, { said: null, over: false });
-  practice.open();
-}, true);
-readAddress();
-language();
-draw();
+function random(seed) { // a stream of numbers from 0 to 1: mulberry32
+  let a = seed >>> 0;
+  return () => {
+    a = a + 0x6D2B79F5 >>> 0;
+    let t = Math.imul(a ^ a >>> 15, a | 1);
+    t ^= t + Math.imul(t ^ t >>> 7, t | 61);
+    return ((t ^ t >>> 14) >>> 0) / 4294967296;
+  };
+}
+function fresh(seed) { // other numbers near the scene's, with which everything is drawn as well; false where there are none
+  const { given, symbol, held, at, from, to } = data.drive, sizes = () => data.plans.map(p => practice.size(p.key)), blunt = () => Math.min(...Object.keys(data.sharp).map(m => live.sharpness(m)));
+  const home = sizes(), sharp = blunt();
+  for (let k = 0; k < DRAWS; k++) {
+    const draw = random(seed * DRAWS + k), numbers = {};
+    for (const n of data.knobs) if (!n.plan && n.given !== given) numbers[n.given] = +(n.at * (1 + FRESH * (2 * draw() - 1))).toPrecision(3);
+    if (!held) numbers[given] = symbol === "φ" ? Math.round(at + SWING * (2 * draw() - 1)) : +(at + (to - from) / 20 * (2 * draw() - 1)).toPrecision(3);
+    live.back(data.home);
+    live.set(numbers);
+    const now = live.failed ? [] : sizes();
+    if (now.length && now.every((s, i) => s >= 0.5 * home[i] && s <= 1.8 * home[i]) && !(blunt() < 0.5 * sharp)) return true;
+  }
+  live.back(data.home);
+  return false;
+}

@@ -32,13 +32,28 @@ function made(code, x, y, z) { // by the operations after the third
   }
 }
 
+function unlettered(text, names) { // operations in order: a letter for its name, then how far back each argument stands
+  const digit = k => { const c = text.charCodeAt(k); return c > 96 ? c - 71 : c > 64 && c < 91 ? c - 65 : c > 47 && c < 58 ? c + 4 : c === 45 ? 62 : 63; }, ops = [];
+  for (let k = 0; k < text.length;) {
+    const [name, count] = names[digit(k++)], op = [name];
+    while (op.length <= count) {
+      let back = 0, times = 1, d;
+      do { d = digit(k++); back += (d & 31) * times; times *= 32; } while (d > 31);
+      op.push(ops.length - back);
+    }
+    ops.push(op);
+  }
+  return ops;
+}
+
 class Tape {
   constructor(data) {
     Object.assign(this, data);
-    this.values = new Float64Array(data.ops.length);
-    this.slope = new Float64Array(data.ops.length);
-    this.code = Int32Array.from(data.ops.flatMap(([op, ...args], p) => {
-      const code = CODES.indexOf(data.names[op]);
+    this.ops = unlettered(data.ops, Object.entries(data.names));
+    this.values = new Float64Array(this.ops.length);
+    this.slope = new Float64Array(this.ops.length);
+    this.code = Int32Array.from(this.ops.flatMap(([op, ...args], p) => {
+      const code = CODES.indexOf(op);
       return code < 0 ? [] : [code, p, args[0], args[1] ?? 0, args[2] ?? 0];
     }));
     for (const p in data.consts) this.values[p] = data.consts[p] === null ? NaN : data.consts[p];
@@ -56,7 +71,7 @@ class Tape {
     g[place] = 1;
     for (let p = place; p >= 0; p--) {
       if (!g[p]) continue;
-      const [op, ...args] = this.ops[p], slopes = SLOPES[this.names[op]];
+      const [op, ...args] = this.ops[p], slopes = SLOPES[op];
       if (!slopes) continue;
       slopes(v[p], ...args.map(a => v[a])).forEach((s, k) => { if (s) g[args[k]] += s * g[p]; });
     }

@@ -227,114 +227,6 @@ def test_labels_keep_clear_of_each_other(page: Any) -> None:
     assert crowded <= 2
 
 
-def test_practice_answered_wrongly_and_rightly(page: Any) -> None:
-    page.evaluate("go(19)")
-    page.click("#practise")
-    page.click("[data-do=check]")
-    assert "✗" in page.inner_text("#task .said")
-    for name in ("a_B^n", "a_B^t"):
-        for _ in range(2):
-            page.click(f'#task [data-term="{name}"]')
-    page.click("[data-do=check]")
-    assert "✓" in page.inner_text("#task .said") and page.evaluate("practice.now") == "direction"
-    ray = "practice.rays().findIndex(r => r.quarter === {})"
-    page.click(f"#task [data-do=ray{page.evaluate(ray.format(2))}]")
-    assert "от центра вращения" in page.inner_text("#task .said")
-    page.click(f"#task [data-do=ray{page.evaluate(ray.format(0))}]")
-    page.fill("#length", "40")
-    page.click("#task [data-do=length]")
-    assert "сама величина" in page.inner_text("#task .said")
-    page.fill("#length", "80,2")
-    page.keyboard.press("Enter")
-    assert "✓" in page.inner_text("#task .said") and page.evaluate("practice.task.mark") == "acceleration:b'"
-    assert page.inner_text("#task .score").endswith("0 / 3")
-
-
-def test_a_length_has_every_mistake_it_may_come_from_named(page: Any) -> None:
-    page.click("#practise")
-    ask = """([mark, length]) => {
-        practice.index = data.practice.findIndex(t => t.mark === mark); practice.open();
-        practice.stage = practice.order.indexOf("length"); practice.measure(String(length));
-        return document.querySelector("#task .said").innerText;
-    }"""
-    said = page.evaluate(ask, ["acceleration:k_HL", 39.08])  # at μ = 2 the half of it is the quantity too
-    assert "вдвое меньше" in said and "; или " in said and "сама величина" in said
-    assert "вдвое" not in page.evaluate(ask, ["force:2-3:G_2", 7])  # of 3.92 mm
-    assert "дважды" in page.evaluate(ask, ["force:2-3:G_2", 7.9])
-    assert "масса" in page.evaluate(ask, ["force:2-3:G_2", 0.4])
-    assert "нет силы" not in page.evaluate(ask, ["force:2-3:G_2", 1.1])
-    assert "нет силы" in page.evaluate(ask, ["force:2-3:G_2", 0])
-
-
-def test_practice_stays_with_its_drawing(page: Any, lesson: str) -> None:
-    page.click("#spin")
-    page.click("#play")
-    page.click("#practise")
-    assert page.evaluate("[state.spin, state.timer, live.at_home]") == [0, 0, True]
-    for control in ("spin", "play", "progress", "crank", "exact", "home"):
-        assert page.is_disabled(f"#{control}"), control
-    assert page.inner_text("#task h2")
-    page.evaluate("practice.over = true; draw()")
-    page.click("#practise")
-    assert page.is_enabled("#spin") and page.is_enabled("#crank")
-    page.click("#practise")
-    assert page.inner_text("#number").startswith("1 /") and page.locator("#task .answers").count() == 1
-    assert "закончено" not in page.inner_text("#task")
-    page.evaluate("practice.over = true; draw()")
-    page.click("#next")
-    assert "закончено" not in page.inner_text("#task")
-    page.evaluate("location.hash = '#step=3&at=170.5'")
-    page.wait_for_function("!practice.on")
-    assert page.inner_text("#number").startswith("3 /") and page.is_visible("#told") and page.is_enabled("#crank")
-
-
-def test_practice_by_clicking_the_crossing(page: Any) -> None:
-    page.click("#practise")
-    page.evaluate("practice.index = data.practice.findIndex(t => t.mark === 'velocity:c'); practice.open()")
-    page.evaluate("practice.stage = 1; draw()")
-    wrong = page.evaluate(
-        "practice.task.lines[0].options.findIndex(o => o.slips.some(s => s.mistake === 'along_link'))"
-    )
-    page.click(f"#task [data-do=line{wrong}]")
-    assert "вдоль звена" in page.inner_text("#task .said")
-    for k in (0, 1):
-        right = page.evaluate(f"practice.task.lines[{k}].options.findIndex(o => o.right)")
-        page.click(f"#task [data-do=line{right}]")
-    click(page, "practice.task.places.find(w => w.mistake === 'relative_from_pole').at")
-    assert "в обход полюса" in page.inner_text("#task .said")
-    click(page, "plan.at('velocity:c')")
-    assert "✓" in page.inner_text("#task .said") and page.evaluate("practice.task.mark") == "velocity:s2"
-
-
-def click(page: Any, place: str) -> None:
-    """Click a place of the plan given in millimetres."""
-    x, y = page.evaluate(f"plan.px({place})")
-    page.locator("#plan").click(position={"x": x, "y": y}, force=True)
-
-
-def test_practice_to_the_end_with_a_score(page: Any) -> None:
-    page.click("#practise")
-    done = page.evaluate("""() => {
-        let guard = 0;
-        while (!practice.over && guard++ < 400) {
-            const t = practice.task, now = practice.now;
-            if (now === "known") { Object.assign(practice.marks, practice.goal()); practice.pick("check"); }
-            else if (now === "direction") practice.pick("ray" + practice.rays().findIndex(r => r.quarter === 0));
-            else if (now === "length") practice.measure(String(t.mm));
-            else if (now.startsWith("line")) {
-                practice.pick("line" + t.lines[+now.slice(4)].options.findIndex(o => o.right));
-            } else { practice.list = true; practice.pick("spot" + practice.spots().findIndex(s => s.right)); }
-        }
-        return [practice.over, practice.good, practice.asked];
-    }""")
-    assert done[0] and done[1] == done[2] > 40
-    assert f"{done[1]} / {done[2]}" in page.inner_text("#task h2")
-    page.click("[data-do=again]")
-    assert page.inner_text("#number").startswith("1 /")
-    page.click("#practise")
-    assert page.is_visible("#told") and not page.is_visible("#task")
-
-
 @pytest.mark.slow
 def test_it_prints_as_a_handout_of_numbered_frames(page: Any, tmp_path: Path) -> None:
     import pypdfium2
@@ -373,8 +265,8 @@ def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: 
         "for (let k = 0; k < 72; k++) { turn(data.drive.from + k * (data.drive.to - data.drive.from) / 71.7); draw(); }"
     )
     page.evaluate(
-        "practice.toggle(); data.practice.forEach((_, k) => { practice.index = k; practice.open(); "
-        "practice.order.forEach((_, s) => { practice.stage = s; draw(); }); })"
+        "practice.toggle(); data.practice.forEach((_, k) => { practice.take(k); "
+        "for (const n of TOOLS) task.pick('tool', { dataset: { tool: n } }); })"
     )
     page.evaluate("practice.toggle(); handout()")
     assert not page.evaluate("/NaN|undefined/.test(document.querySelector('main').innerHTML)")

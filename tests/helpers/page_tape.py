@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from planes.batch.plain_tape import DIGITS
 from planes.words.records import Json
 
 READ: Mapping[str, Callable[..., float]] = {
@@ -32,6 +33,19 @@ READ: Mapping[str, Callable[..., float]] = {
 }
 
 
+def operations(tape: Json) -> Iterator[tuple[str, list[int]]]:
+    """Each operation with the places of its arguments, as the letters of a tape tell them."""
+    digits, names = map(DIGITS.index, tape["ops"]), [*tape["names"].items()]
+    for place, first in enumerate(digits):
+        name, count = names[first]
+        yield name, [place - _number(digits) for _ in range(count)]
+
+
+def _number(digits: Iterator[int]) -> int:
+    digit = next(digits)
+    return digit if digit < 32 else digit - 32 + 32 * _number(digits)
+
+
 class PageTape:
     """What ``lesson_data`` exports, at one value of the drive and with other numbers given."""
 
@@ -42,13 +56,17 @@ class PageTape:
         places = {place: own[name] for name, place in tape["givens"].items()}
         places |= {place: math.nan if x is None else x for place, x in tape["consts"].items()}
         self.numbers: list[float] = []
-        for place, (op, *args) in enumerate(tape["ops"]):
-            made = READ.get(tape["names"][op])
+        for place, (op, args) in enumerate(operations(tape)):
+            made = READ.get(op)
             self.numbers.append(made(*(self.numbers[a] for a in args)) if made else places[place])
 
     def mark(self, name: str) -> complex:
         """A mark, mm."""
-        x, y = self.exported["marks"][name]
+        return self.pair(self.exported["marks"][name])
+
+    def pair(self, places: Sequence[int]) -> complex:
+        """Two numbers of the tape."""
+        x, y = places
         return complex(self.numbers[x], self.numbers[y])
 
     def value(self, name: str) -> float:

@@ -1,0 +1,51 @@
+"use strict";
+// What the page brings along, packed (RFC 1951) and written in letters: unpacked at once, with nothing asked of anybody.
+const LONG = [3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 15, 17, 19, 23, 27, 31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258];
+const FAR = [1, 2, 3, 4, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129, 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577];
+const LENGTHS = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
+const COMMON = [Array.from({ length: 288 }, (_, k) => k < 144 ? 8 : k < 256 ? 9 : k < 280 ? 7 : 8), new Array(30).fill(5)]; // trees of a block without its own
+
+function inflated(text) {
+  const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0)), out = [];
+  let bit = 0;
+  const bits = n => { let v = 0; for (let k = 0; k < n; k++, bit++) v |= (bytes[bit >> 3] >> (bit & 7) & 1) << k; return v; };
+  const tree = lengths => { // how many codes of each length, and the symbols in order of their codes
+    const count = new Array(16).fill(0), first = [0, 0], symbols = [];
+    for (const n of lengths) count[n]++;
+    count[0] = 0;
+    for (let n = 1; n < 15; n++) first[n + 1] = first[n] + count[n];
+    lengths.forEach((n, s) => { if (n) symbols[first[n]++] = s; });
+    return { count, symbols };
+  };
+  const symbol = ({ count, symbols }) => {
+    for (let code = 0, first = 0, index = 0, n = 1; n < 16; n++) {
+      code |= bits(1);
+      if (code < first + count[n]) return symbols[index + code - first];
+      index += count[n];
+      first = (first + count[n]) << 1;
+      code <<= 1;
+    }
+    throw new Error("packed data");
+  };
+  const table = () => { // the two trees of a block
+    const literals = bits(5) + 257, all = literals + bits(5) + 1, own = bits(4) + 4, sizes = new Array(19).fill(0), lengths = [];
+    for (let k = 0; k < own; k++) sizes[LENGTHS[k]] = bits(3);
+    for (const code = tree(sizes); lengths.length < all;) {
+      const s = symbol(code);
+      if (s < 16) lengths.push(s);
+      else for (let last = s === 16 ? lengths[lengths.length - 1] : 0, k = s === 16 ? 3 + bits(2) : s === 17 ? 3 + bits(3) : 11 + bits(7); k; k--) lengths.push(last);
+    }
+    return [tree(lengths.slice(0, literals)), tree(lengths.slice(literals))];
+  };
+  for (let last = 0; !last;) {
+    last = bits(1);
+    const [letters, ways] = bits(2) === 1 ? COMMON.map(tree) : table();
+    for (let s; (s = symbol(letters)) !== 256;) {
+      if (s < 256) { out.push(s); continue; }
+      s -= 257;
+      const long = LONG[s] + bits(s < 8 || s > 27 ? 0 : (s - 4) >> 2), w = symbol(ways), far = FAR[w] + bits(w < 4 ? 0 : (w - 2) >> 1);
+      for (let k = 0; k < long; k++) out.push(out[out.length - far]);
+    }
+  }
+  return new TextDecoder().decode(Uint8Array.from(out));
+}

@@ -1,0 +1,190 @@
+"""Practice with ruler and compass in a browser: by hand, by keys alone, wrongly and rightly, with fresh numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from planes.lesson.data import lesson_data
+from planes.scene import load
+from render.page.lesson_page import page as written
+from tests.helpers import ROOT
+from tests.helpers.browser import watched
+
+WIDE = {"width": 1280, "height": 900}
+HERE = ROOT / "samples"
+SCENES = [*sorted(HERE.glob("*.yaml")), *sorted(HERE.glob("vectors/*.yaml")), *sorted(HERE.glob("class-three/*.yaml"))]
+TAKE = "n => { practice.said = null; practice.take(data.practice.findIndex(t => t.what === n)); }"
+UPTO = """n => { for (let k = 0; k < 300 && practice.item.what !== n; k++) give(); }"""
+SOLVE = """() => {
+    const wrong = [];
+    for (let k = 0; k < 400 && !practice.over; k++) {
+        const { kind, what } = practice.item;
+        give();
+        if (practice.said[0] !== "yes") wrong.push([kind, what, practice.said[1]]);
+    }
+    return [practice.over, practice.good === practice.items.length, wrong];
+}"""
+GIVE = """window.give = () => { const true_ = practice.truth(practice.item);
+    if (practice.item.kind === "mark") practice.place(true_); else practice.answer(true_, ""); }"""
+
+
+@pytest.fixture
+def desk(page: Any) -> Any:
+    """Practice begun."""
+    page.click("#practise")
+    page.evaluate(GIVE)
+    return page
+
+
+def said(page: Any) -> str:
+    return str(page.inner_text("#task .said"))
+
+
+def test_a_vector_by_keys_alone(desk: Any) -> None:
+    desk.evaluate(UPTO, "velocity:b")
+    desk.select_option("#along", "AB|1")
+    right = desk.evaluate("() => { const [x, y] = practice.truth(practice.item); return [Math.hypot(x, y), "
+                          "Math.cos(desk.heading() - Math.atan2(y, x)) < 0 ? 1 : 0]; }")  # fmt: skip
+    for way, mm, expected in ((1 - right[1], right[0], "против вращения"), (right[1], 2, "сама величина")):
+        desk.select_option("#way", index=way)
+        desk.fill("#mm", str(mm).replace(".", ","))
+        desk.keyboard.press("Enter")
+        assert "✗" in said(desk) and expected in said(desk)
+        assert desk.evaluate("document.activeElement.id") == "mm"
+    desk.fill("#mm", f"{right[0]:.1f}")
+    desk.keyboard.press("Enter")
+    assert "✓" in said(desk) and desk.evaluate("practice.seen().has('velocity:b')")
+    assert desk.evaluate("practice.good === practice.asked - 1")
+
+
+def test_two_lines_and_their_crossing(desk: Any) -> None:
+    desk.evaluate(UPTO, "velocity:c")
+    desk.click("#tool-line")
+    desk.select_option("#from", "velocity:b")
+    desk.select_option("#along", "BC|0")
+    desk.click("#do-draw")
+    assert "вдоль звена" in said(desk)
+    desk.click("#do-erase")
+    for start, line in (("p", "DC|1"), ("b", "BC|1")):
+        desk.click("#tool-line")
+        desk.select_option("#from", f"velocity:{start}")
+        desk.select_option("#along", line)
+        desk.click("#do-draw")
+        assert "✓" in said(desk)
+    assert desk.evaluate("desk.tool") == "point"
+    desk.click("#do-draw")
+    assert "✓" in said(desk) and desk.evaluate("practice.seen().has('velocity:c')")
+
+
+def test_lines_drawn_by_hand(desk: Any) -> None:
+    desk.evaluate(UPTO, "velocity:c")
+    desk.click("#tool-line")
+    box = desk.locator("#plan").bounding_box()
+    for start, line in (("p", "DC|1"), ("b", "BC|1")):
+        desk.click("#tool-line")
+        desk.select_option("#along", line)
+        x, y = desk.evaluate(f"plan.px(plan.at('velocity:{start}'))")
+        a = desk.evaluate("desk.heading()")
+        desk.mouse.move(box["x"] + x, box["y"] + y)
+        desk.mouse.down()
+        turn = desk.evaluate(f"[Math.cos({a}), -Math.sin({a})]")
+        desk.mouse.move(box["x"] + x + 60 * turn[0], box["y"] + y + 60 * turn[1], steps=3)
+        desk.mouse.up()
+        assert "✓" in said(desk)
+    x, y = desk.evaluate("plan.px(plan.at('velocity:c'))")
+    desk.mouse.click(box["x"] + x + 4, box["y"] + y)
+    assert "✓" in said(desk) and desk.evaluate("practice.seen().has('velocity:c')")
+
+
+def test_the_compass_meets_the_other_crossing(desk: Any) -> None:
+    desk.evaluate(UPTO, "position:C")
+    for centre, other in (("B", "C"), ("D", "C")):
+        desk.click("#tool-arc")
+        desk.select_option("#from", f"position:{centre}")
+        one, two = (f"live.at('position:{n}')" for n in (centre, other))
+        desk.fill("#mm", str(desk.evaluate(f"Math.hypot({one}[0] - {two}[0], {one}[1] - {two}[1])")))
+        desk.click("#do-draw")
+        assert "✓" in said(desk)
+    spots = desk.evaluate(
+        "(c => desk.crossings().map(p => Math.hypot(p[0] - c[0], p[1] - c[1])))(live.at('position:C'))"
+    )
+    assert len(spots) == 2 and min(spots) < 1e-9
+    desk.select_option("#spot", index=spots.index(max(spots)))
+    desk.click("#do-draw")
+    assert "другая сборка" in said(desk)
+    desk.select_option("#spot", index=spots.index(min(spots)))
+    desk.click("#do-draw")
+    assert "✓" in said(desk)
+
+
+def test_numbers_scales_and_senses_have_their_slips(desk: Any) -> None:
+    ask = """([what, by]) => { practice.take(data.practice.findIndex(t => t.what === what)); practice.said = null;
+        practice.number(String(practice.truth(practice.item) * by)); return practice.said[1]; }"""
+    assert "μ²" in desk.evaluate(ask, ["velocity", 1 / 900])
+    assert "примените масштаб" in desk.evaluate(ask, ["‖v_C‖", 30])
+    assert "на длину звена" in desk.evaluate(ask, ["omega_2", 1 / 250])
+    assert desk.evaluate(ask, ["h_G_2_C", 1.001]).startswith("Верно")
+    both = desk.evaluate(ask, ["a_HL^k", 0.5])  # at μ = 2 the half is the quantity divided by μ² · 2 too
+    assert "вдвое меньше" in both
+    desk.evaluate(TAKE, "omega_2")
+    desk.evaluate("practice.take(data.practice.findIndex(t => t.kind === 'sense'))")
+    wrong = desk.evaluate("practice.truth(practice.item) > 0 ? 'cw' : 'ccw'")
+    desk.click(f"#do-{wrong}")
+    assert "направление вращения" in said(desk)
+
+
+def test_what_cannot_be_told_apart_is_named_with_the_other(desk: Any) -> None:
+    desk.evaluate(UPTO, "acceleration:k_HL")
+    told = desk.evaluate("""() => { const [x, y] = live.at('acceleration:k_HL'), s = live.at(desk.from);
+        const a = Math.atan2(y - s[1], x - s[0]), mm = Math.hypot(x - s[0], y - s[1]) / 2;
+        practice.place([s[0] + mm * Math.cos(a), s[1] + mm * Math.sin(a)], { at: s, a, mm, end: [0, 0] });
+        return practice.said[1]; }""")
+    assert "вдвое меньше" in told and "; или " in told and "сама величина" in told
+
+
+def test_fresh_numbers_come_from_the_address(browser: Any, lesson: str) -> None:
+    told = []
+    for seed in (7, 7, 8):
+        one = browser.new_page()
+        one.goto(f"{lesson}#seed={seed}")
+        told.append(one.evaluate("[practice.on, practice.seed, live.given]"))
+        one.close()
+    assert told[0] == told[1] and told[0][:2] == [True, 7] and told[2][2] != told[0][2]
+
+
+def test_practice_stays_with_its_drawing(page: Any, lesson: str) -> None:
+    page.click("#spin")
+    page.click("#play")
+    page.click("#practise")
+    assert page.evaluate("[state.spin, state.timer, live.at_home]") == [0, 0, True]
+    for control in ("spin", "play", "progress", "crank", "exact", "home"):
+        assert page.is_disabled(f"#{control}"), control
+    page.evaluate("practice.over = true; draw()")
+    page.click("#practise")
+    assert page.is_enabled("#spin") and page.is_enabled("#crank") and page.is_visible("#told")
+    page.click("#practise")
+    assert page.inner_text("#number").startswith("0 /") and "закончено" not in page.inner_text("#task")
+    page.evaluate("location.hash = '#step=3&at=170.5'")
+    page.wait_for_function("!practice.on")
+    assert page.inner_text("#number").startswith("3 /") and page.is_visible("#told") and page.is_enabled("#crank")
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
+def test_every_scene_is_practised_to_the_end_whatever_its_numbers(browser: Any, tmp_path: Path, path: Path) -> None:
+    target = tmp_path / "lesson.html"
+    target.write_text(written(lesson_data(load(str(path))), "en"), encoding="utf-8")
+    page = browser.new_page()
+    errors = watched(page)
+    page.goto(target.as_uri())
+    page.click("#practise")
+    page.evaluate(GIVE)
+    for seed in (0, 1, 2):
+        page.evaluate(f"practice.begin({seed})")
+        assert page.evaluate(SOLVE) == [True, True, []]
+    assert page.input_value("#code").startswith("planes-practice.")
+    page.close()
+    assert errors == []
