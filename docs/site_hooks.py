@@ -5,7 +5,8 @@ In a page stand, each as a fenced block:
 - ``figure CAPTION`` with a command that draws: its picture, lettered in the language of the page;
 - ``run`` with a command: the command and what it prints;
 - ``keys`` with names of tables of the scene's schema: their keys and what each means;
-- ``gallery`` with a folder of scenes: a picture of each; ``include`` with a file of the repository.
+- ``gallery`` with a folder of scenes: a picture of each; ``include`` with a file of the repository; ``tables`` with
+  a file and, a line each, ``its words = ours``: its tables alone, so that numbers stand in one place.
 
 Figures are drawn before the pages are read, into ``figures/`` beside them; they are never kept in the repository.
 """
@@ -29,7 +30,7 @@ from planes.scene import load
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PAGES = HERE / "site"
-BLOCK = re.compile(r"^```(figure|run|keys|gallery|include)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(figure|run|keys|gallery|include|tables)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 OUTSIDE = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)]*)\)")
 SAID = {"en": ("key", "what it is"), "ru": ("ключ", "что это")}
 
@@ -131,12 +132,24 @@ def include(_: str, body: str, lang: str) -> str:
     return OUTSIDE.sub(r"\1 (`\2`)", (ROOT / body.strip()).read_text("utf-8")).replace("`../", "`")
 
 
+def tables(_: str, body: str, lang: str) -> str:
+    """The tables of a file, one after another, in the words of a page."""
+    file, *words = body.strip().splitlines()
+    found = "\n\n".join(t.strip() for t in re.findall(r"(?:^\|.*\n)+", (ROOT / file).read_text("utf-8"), re.MULTILINE))
+    for theirs, own in (line.split(" = ") for line in words):
+        if theirs not in found:
+            raise RuntimeError(f"{file}: its tables do not say {theirs}")
+        found = found.replace(theirs, own)
+    return found
+
+
 MAKERS: dict[str, Callable[[str, str, str], str]] = {
     "figure": figure,
     "run": shown,
     "keys": keys,
     "gallery": pictures,
     "include": include,
+    "tables": tables,
 }
 
 

@@ -26,9 +26,19 @@ def as_json(thing: object) -> str:
 def scene_of(args: Namespace) -> Scene:
     """The scene asked for; what is doubtful in it goes to stderr."""
     scene = load(args.scene, args.variant)
-    for doubt in scene.doubts:
-        print(doubt.told(args.lang), file=sys.stderr)
+    said = [doubt.told(args.lang) for doubt in scene.doubts]
+    said += [fault.told(args.lang) for fault in _of_its_sheet(scene) if args.command != "sheet"]
+    print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
     return scene
+
+
+def _of_its_sheet(scene: Scene) -> tuple[PlanesError, ...]:
+    """What a sheet of the scene would be refused for: a person hears it before one is drawn."""
+    if not scene.sheet.keys() & {"diagrams", "hodographs", "font"}:
+        return ()
+    from planes.documents.cycle import unready
+
+    return tuple(unready(scene))
 
 
 def solve(args: Namespace) -> int:

@@ -30,8 +30,24 @@ def new(args: Namespace) -> int:
     text = (TEMPLATES / f"{name}.yaml").read_text("utf-8")
     if args.output and Path(args.output).exists() and not is_output(Path(args.output)):
         raise PlanesError(Phrase("new_there", file=args.output))
-    _out(text, args.output)
+    beside = args.output and not is_output(Path(args.output)) and _schema_beside(Path(args.output), name, args.lang)
+    _out(f"# yaml-language-server: $schema={beside}\n{text}" if beside else text, args.output)
     return 0
+
+
+def _schema_beside(file: Path, name: str, lang: Lang) -> str:
+    """The name of the schema in the folder of a file, by which an editor helps; it is written if it is not there."""
+    kind = "course" if name == "course" else "scene"
+    beside = file.with_name(f"{kind}.schema.json")
+    if not beside.exists():
+        keep(_schema_text(kind, lang).encode(), beside)
+    return beside.name
+
+
+def _schema_text(kind: str, lang: Lang) -> str:
+    from planes.documents.schema import schema as schema_of
+
+    return json.dumps(schema_of(kind, lang), ensure_ascii=False, indent=1) + "\n"
 
 
 def _listed(lang: Lang) -> list[str]:
@@ -48,9 +64,7 @@ def _listed(lang: Lang) -> list[str]:
 
 def schema(args: Namespace) -> int:
     """A JSON Schema in a file or on the terminal."""
-    from planes.documents.schema import schema as schema_of
-
-    _out(json.dumps(schema_of(args.kind, args.lang), ensure_ascii=False, indent=1) + "\n", args.output)
+    _out(_schema_text(args.kind, args.lang), args.output)
     return 0
 
 

@@ -1,7 +1,7 @@
 """A whole cycle drawn: diagrams of chosen curves, hodographs and paths, read off the one program; those a sheet shows,
 and a page of their own."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import isfinite
 
@@ -99,6 +99,15 @@ def check_names(scene: Scene, plans: Plans | None) -> None:
                 if name not in there:
                     why = Phrase("no_curve", name=name, file=f"sheet.{key}", valid=choices(name, there))
                     raise SceneError(why, scene.file, scene.where.get(("sheet", key, str(n)), line))
+
+
+def unready(scene: Scene) -> Iterator[PlanesError]:
+    """What ``sheet:`` asks for and there is not: a font, diagrams, hodographs."""
+    for look in (lambda: face_of(scene), lambda: check_names(scene, scene_plans(scene) if scene.mechanism else None)):
+        try:
+            look()
+        except PlanesError as error:
+            yield error
 
 
 def asked(sheet: Mapping[str, object], key: str) -> list[str]:

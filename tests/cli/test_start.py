@@ -13,6 +13,7 @@ import pytest
 from planes import load, solve
 from planes.cli import main
 from planes.cli.start import GROUPS, TEMPLATES, templates
+from planes.documents.schema import schema
 from planes.plans import structure_of
 from planes.words import langs
 from planes.words.errors import SceneError
@@ -58,6 +59,20 @@ def test_new_writes_and_leaves_what_is_there(tmp_path: Path, capsys: pytest.Capt
     assert main(["new", "--lang", "ru"]) == 0
     listed = capsys.readouterr().out
     assert all(name in listed for name in templates()) and "Синусный механизм" in listed
+
+
+@pytest.mark.parametrize(("name", "kind"), [("four-bar", "scene"), ("course", "course")])
+def test_what_is_begun_names_the_schema_beside_it(name: str, kind: str, tmp_path: Path) -> None:
+    """An editor finds it, whatever folder the file is moved to with it; one that is there is left alone."""
+    assert main(["new", name, "-o", str(tmp_path / "my.yaml"), "--lang", "ru"]) == 0
+    first, _, rest = (tmp_path / "my.yaml").read_text("utf-8").partition("\n")
+    beside = tmp_path / first.removeprefix("# yaml-language-server: $schema=")
+    assert rest == (TEMPLATES / f"{name}.yaml").read_text("utf-8")
+    held = beside.read_text("utf-8")
+    assert beside.name == f"{kind}.schema.json" and json.loads(held) == schema(kind, "ru")
+    beside.write_text("{}", "utf-8")
+    assert main(["new", name, "-o", str(tmp_path / "other.yaml"), "--lang", "en"]) == 0
+    assert beside.read_text("utf-8") == "{}" and len(list(tmp_path.iterdir())) == 3
 
 
 def test_a_scene_comes_through_a_pipe_and_a_sheet_goes_through_one() -> None:

@@ -28,6 +28,7 @@ from planes.scene import load
 from planes.solving import solve
 from tests.helpers import ROOT
 from tests.helpers.browser import chromium, until
+from tests.helpers.platform_fields import INFO, NEEDED
 
 COURSE = """course: 1
 title: "Осень <1>"
@@ -71,6 +72,7 @@ def questions(out: Path, name: str) -> list[Element]:
         assert said(q, "name/text") and told is not None and told.get("format") == "html"
         text, files = said(told, "text"), told.findall("file")
         assert set(re.findall(r"@@PLUGINFILE@@/([\w.]+)", text)) == {f.get("name") for f in files}
+        assert not [path for path in NEEDED[q.get("type", "")] if q.find(path) is None]
         for file in files:
             assert file.get("encoding") == "base64"
             with Image.open(io.BytesIO(base64.b64decode(file.text or ""))) as picture:
@@ -205,7 +207,7 @@ def test_a_lesson_tells_its_score(out: Path, tmp_path: Path) -> None:
 def test_a_prairielearn_question_is_drawn_by_its_own_server(out: Path) -> None:
     folder = out / "teacher" / "prairielearn" / "12"
     info = json.loads((folder / "info.json").read_text("utf-8"))
-    assert {"uuid", "title", "topic", "type"} <= info.keys() and info["type"] == "v3"
+    assert {"uuid", "title", "topic", "type"} <= info.keys() <= INFO and info["type"] == "v3"
     assert re.fullmatch(r"[0-9a-f]{8}-([0-9a-f]{4}-){3}[0-9a-f]{12}", info["uuid"])
     spec = importlib.util.spec_from_file_location("prairielearn_server", folder / "server.py")
     assert spec and spec.loader

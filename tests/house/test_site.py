@@ -51,6 +51,24 @@ def test_both_languages_have_the_same_pages_and_blocks(hooks: ModuleType) -> Non
         assert heads[0] == heads[1], name
 
 
+@pytest.mark.parametrize("name", sorted(WHOLE_IN_ENGLISH))
+def test_a_page_of_its_own_in_russian_is_as_whole(name: str, hooks: ModuleType) -> None:
+    """Every name in code, key and option of what the English page takes from the repository is said there too."""
+    theirs, own = (hooks.filled(PAGES[lang][name], "en") for lang in ("en", "ru"))
+    words = [
+        set(
+            re.findall(
+                r"--?[a-z]+|[\w.]*_[\w.]+|(?:planes|render|tests)/(?!words)[\w/.]+|\w+\.json",
+                "".join(re.findall(r"`[^`\n]+`", t)),
+            )
+        )
+        for t in (theirs, own)
+    ]
+    left = words[0] - words[1]
+    assert len(left) < 0.1 * len(words[0]), left
+    assert len(own) > 0.7 * len(theirs)
+
+
 @pytest.mark.parametrize("lang", PAGES)
 def test_every_command_can_be_typed(lang: str) -> None:
     every = [words for text in PAGES[lang].values() for words in commands(text)]
