@@ -41,8 +41,8 @@ class _Triad:
         r, (one, two, three) = self.rates, self.legs
         s, body = self.special, self.bodies.known[self.group.basic]
         (a, along), (b, across), (c, beside) = ((at(SCHEME, leg.new.place), self.line(leg)) for leg in self.legs)
-        means, third = Meaning("special", self.group.basic), {"third": c, "third_along": beside}
-        self.draft.step(CrossLeads(at(SCHEME, s.place), a, along, b, across, means=means, **third))
+        met = CrossLeads(at(SCHEME, s.place), a, along, b, across, third=c, third_along=beside)
+        self.draft.step(replace(met, means=Meaning("special", self.group.basic)))
         r.solve(s.name, self.to_special(one), self.to_special(two), ())
         body.ref, body.moving, body.rigid = (s, three.new), three.new, False
         turning = self.about_special(three)
