@@ -20,7 +20,7 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.columns import Column
 from planes.plans.measuring import DrawingReader
-from planes.plans.quantities import Measured, Quantity, nested, told_of
+from planes.plans.quantities import Measured, Quantity, asked, nested, told_of
 from planes.solving import Position, Solved
 from planes.words.names import at, mu_of
 from planes.words.records import or_none
@@ -89,8 +89,14 @@ def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
     drawn = [p for p in solved.positions if "interpolated" not in p.results]
     if not drawn:
         return
-    errors = Errors(solved.plans, solved.wanted, drawn[0], instrument)
+    wanted = None if solved.wanted is None else [q.name for q in solved.wanted]
+    ready: dict[int, Errors] = {}  # of each plans, which are others where other leads meet
     for position in drawn:
+        plans = position.plans
+        if id(plans) not in ready:
+            asked_of = None if wanted is None else asked(plans, wanted)
+            ready[id(plans)] = Errors(plans, asked_of, position, instrument)
+        errors = ready[id(plans)]
         found = position.results["errors"] = errors.of(position)
         for plan, segments in found.get("plans", {}).items():
             for key, error in segments["segments"].items():

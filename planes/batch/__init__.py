@@ -6,23 +6,23 @@ compiled loop (``compiled``) where it is installed; what a loop suspects of a co
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 import numpy as np
 
 from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
 from planes.batch.loops import ArrayLoop, Loop
-from planes.batch.table import Ready, columns_of, sides_of
+from planes.batch.other_leads import OtherLeads
+from planes.batch.table import Block, Ready, Reason, columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import prove_many, run
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
-from planes.geometry.arrays import Array, Booleans, Floats, Indices
+from planes.geometry.arrays import Array, Floats, Indices
 from planes.plans import Plans
 from planes.plans.columns import Column
 from planes.plans.quantities import asked
@@ -43,27 +43,6 @@ def pays(count: int) -> bool:
 
 AnyLoop = TypeVar("AnyLoop", bound=Loop)
 Places = Iterable[float] | Span | Array  # values of the drive
-
-
-class Block(NamedTuple):
-    """Results of successive positions: a row of ``table`` for each column; ``codes`` number the reasons (0: none)."""
-
-    values: Array
-    table: Array
-    codes: Indices
-
-    @property
-    def failed(self) -> Booleans:
-        """Which positions could not be drawn: a mask."""
-        return np.asarray(self.codes != 0)
-
-
-@dataclass(frozen=True)
-class Reason:
-    """Why positions fail: a key of the table of words, and what could not be made."""
-
-    key: str
-    makes: str
 
 
 class Cycle(Ready):
@@ -95,6 +74,7 @@ class Cycle(Ready):
         self.given |= known or {}
         self.moved = {name: np.asarray(v, float) for name, v in (known or {}).items() if np.ndim(v)}
         self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
+        self.overrides, self.others = known, OtherLeads(self)
 
     @cached_property
     def trace(self) -> Trace:
@@ -127,6 +107,11 @@ class Cycle(Ready):
         return Claims(self)
 
     @cached_property
+    def rough(self) -> Claims:
+        """The same, what is given being as off as decimals are."""
+        return Claims(self, self.plans.off)
+
+    @cached_property
     def compiled(self) -> compiled_loop.CompiledLoop:
         """The compiled loop."""
         return self._loop(compiled_loop.CompiledLoop)
@@ -154,18 +139,26 @@ class Cycle(Ready):
         places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
         if fast is None:
             fast = "compiled" in self.__dict__ or pays(len(places))
-        loop: Loop = self.compiled if fast else self.arrays
-        size = min(chunk, loop.row)
+        size = min(chunk, self.loop(fast).row)
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)
-            at = slice(start, start + len(part))
-            yield self._looked_at(self._whole(part, *self._run(loop, part, at)), start, bare)
+            yield self.block(part, np.arange(start, start + len(part)), fast, bare)
+
+    def loop(self, fast: bool) -> Loop:
+        """The loop, compiled or by arrays."""
+        return self.compiled if fast else self.arrays
+
+    def block(self, part: Array, at: Indices, fast: bool, bare: bool) -> Block:
+        """The block of the positions numbered ``at``; where leads cross flatly, by plans in which others meet."""
+        block = self._looked_at(self._whole(part, *self._run(self.loop(fast), part, at)), at, bare)
+        self.others.draw(block, at, fast, bare)
+        return block
 
     def table(self, values: Array, fast: bool) -> Array:
         """A row of all values for each column, however few digits they have."""
         return np.hstack([b.table for b in self.blocks(values, fast=fast, bare=True)])
 
-    def _run(self, loop: Loop, part: Array, at: slice) -> tuple[Array, Indices | None]:
+    def _run(self, loop: Loop, part: Array, at: Indices) -> tuple[Array, Indices | None]:
         """The table by a loop, and the codes (None: nothing failed); what it only suspects is drawn."""
         moving = self.moving(part, at)
         table, codes = loop(np.array([moving[name] for name in loop.inputs]))
@@ -203,13 +196,13 @@ class Cycle(Ready):
             table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
         return Block(part, table, codes)
 
-    def _looked_at(self, block: Block, start: int, bare: bool) -> Block:
+    def _looked_at(self, block: Block, at: Indices, bare: bool) -> Block:
         """The block with NaN for numbers without digits, where it is not clear."""
         dim = far_apart(self.plans.given, self.plans.means)  # no position is clear of rounding
         where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & dim)
         block.codes[where] = 0
         if len(where) and not bare:
-            found = self.claims.bounds(block.values[where], start + where)
+            found = self.claims.bounds(block.values[where], at[where])
             table = block.table[:, where]
             doubtful = self.claims.doubtful(table, found) | self.claims.faint(table, found)
             block.table[:, where] = np.where(doubtful, np.nan, table)
@@ -218,12 +211,20 @@ class Cycle(Ready):
 
     def beside(self, blocks: Iterable[Block]) -> Iterator[Block]:
         """Blocks of successive positions, with a row of ± after the rows of results."""
-        start, claims = 0, Claims(self, self.plans.off)
+        start = 0
         for block in blocks:
-            claimed = claims.bounds(block.values, start + np.arange(len(block.values)))
+            claimed = self.claimed(block.values, start + np.arange(len(block.values)))
             start += len(block.values)
             both = np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)])
             yield Block(block.values, both, block.codes)
+
+    def claimed(self, values: Array, at: Indices) -> Array:
+        """± of every column, what is given being as off as decimals are."""
+        return self.others.claimed(self.rough.bounds(values, at), values, at)
+
+    def codes(self, values: Array, at: Indices) -> Indices | None:
+        """Which reason each position fails for, by arrays; None: none does."""
+        return self._run(self.arrays, values, at)[1]
 
     @cached_property
     def _after(self) -> dict[str, list[int]]:

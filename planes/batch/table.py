@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Point
-from planes.geometry.arrays import Array, Complexes, Floats, Indices, Texts
+from planes.geometry.arrays import Array, Booleans, Complexes, Floats, Indices, Texts
 from planes.plans import Plans
 from planes.plans.columns import Column
 from planes.plans.quantities import Quantity, once, results_of
@@ -64,6 +64,27 @@ class Table(Described, Mapping[str, Array | Complexes]):
         """Tables of the same columns, one below another."""
         columns = {name: np.concatenate([t.columns[name] for t in tables]) for name in tables[0]}
         return cls(columns, tables[0].units, np.concatenate([t.failed for t in tables]))
+
+
+class Block(NamedTuple):
+    """Results of successive positions: a row of ``table`` for each column; ``codes`` number the reasons (0: none)."""
+
+    values: Array
+    table: Array
+    codes: Indices
+
+    @property
+    def failed(self) -> Booleans:
+        """Which positions could not be drawn: a mask."""
+        return np.asarray(self.codes != 0)
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why positions fail: a key of the table of words, and what could not be made."""
+
+    key: str
+    makes: str
 
 
 @dataclass(eq=False)

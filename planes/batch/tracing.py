@@ -103,6 +103,7 @@ class TracingTool(Tool):
     tape: Tape = field(default_factory=Tape)
     errors: tuple[float, float, float] | None = None
     sources: list[Source] = field(default_factory=list)
+    choosy: bool = False
 
     def mark(self, place: Point) -> Point:
         return place + Vec(self._error(0), self._error(0)) if self.errors else place
@@ -125,6 +126,10 @@ class TracingTool(Tool):
     def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         if ok is not True:
             self.failures.append((reason, step, ok, numbers))
+
+    def prefer(self, ok: Truth, step: object, reason: str) -> None:
+        if self.choosy:
+            self.require(ok, step, reason)
 
     def note(self, ok: Truth, step: object, reason: str) -> None:
         """A warning stops nothing; what it is told of, whether a thing moves at all, is remembered."""
@@ -169,7 +174,7 @@ def trace(
     """
     tape = Tape()
     ar = Recording()
-    tool = TracingTool(ar, True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
+    tool = TracingTool(ar, True, tape=tape, errors=errors, choosy=bool(must), doubt_mm=errors[0] if errors else 0.0)
     if fine is not None:
         tool.slack, tool.flat, tool.still = fine, fine, 10 * fine
     things: dict[str, Point] = {n: known[n] if n in known else given_on(tape, n, given[n]) for n in given}

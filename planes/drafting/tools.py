@@ -112,6 +112,9 @@ class Tool:
         elif not ok.all() if hasattr(ok, "all") else not ok:
             self.failures.append((reason, step, ok, numbers))
 
+    def prefer(self, ok: Truth, step: object, reason: str) -> None:
+        """Where ``ok`` is false other plans draw the same better: a loop of positions is told, a drawing goes on."""
+
     def note(self, ok: Truth, step: object, reason: str) -> None:
         """Warn where ``ok`` is false."""
         if not (ok.all() if hasattr(ok, "all") else ok):

@@ -1,5 +1,6 @@
 """What is known of each link while the plans grow: its marks, its x axis, and whose turning it shares."""
 
+from copy import copy
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Draft
@@ -75,6 +76,13 @@ class Bodies:
     labels: dict[str, str] = field(default_factory=dict)
     specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
     coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
+
+    def apart(self) -> "Bodies":
+        """The same, grown further by itself."""
+        other = copy(self)
+        vars(other).update({name: copy(kept) for name, kept in vars(self).items() if isinstance(kept, dict | list)})
+        other.draft, other.known = self.draft.apart(), {name: copy(body) for name, body in self.known.items()}
+        return other
 
     def special(self, basic: str) -> str:
         """The name of the special point of a basic link, that no other point has."""

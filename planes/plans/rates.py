@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from planes.drafting.equations import Term
 from planes.drafting.steps import Turn
-from planes.drafting.steps.crossings import Cross
+from planes.drafting.steps.crossings import CrossLeads
 from planes.plans.bodies import SCHEME, BodyPoint
 from planes.plans.groups import Group, Triad
 from planes.plans.kinematics import Rates
@@ -40,8 +40,9 @@ class _Triad:
     def draw(self) -> None:
         r, (one, two, three) = self.rates, self.legs
         s, body = self.special, self.bodies.known[self.group.basic]
-        lines = [(at(SCHEME, leg.new.place), self.line(leg)) for leg in (one, two)]
-        self.draft.step(Cross(at(SCHEME, s.place), *lines[0], *lines[1], means=Meaning("special", self.group.basic)))
+        (a, along), (b, across), (c, beside) = ((at(SCHEME, leg.new.place), self.line(leg)) for leg in self.legs)
+        met = CrossLeads(at(SCHEME, s.place), a, along, b, across, third=c, third_along=beside)
+        self.draft.step(replace(met, means=Meaning("special", self.group.basic)))
         r.solve(s.name, self.to_special(one), self.to_special(two), ())
         body.ref, body.moving, body.rigid = (s, three.new), three.new, False
         turning = self.about_special(three)

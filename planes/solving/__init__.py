@@ -9,7 +9,7 @@ from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import Instrument, Pencil, is_exact
 from planes.plans import Plans, sliced
 from planes.plans.measuring import DrawingReader, polar
-from planes.plans.of_scene import scene_plans
+from planes.plans.of_scene import fitted, scene_plans
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, told_of
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
@@ -216,6 +216,7 @@ def position(
     """One position drawn at its scales (an open μ: the largest with which the plan fits
     ``fit_mm``, or the sheet the scene names) and measured."""
     moved = plans.at(value)
+    plans, wanted = fitted(plans, wanted, value)
     mus = scales(plans, scene.mu, moved, fit_mm or fits_on(scene.sheet, plans))
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)

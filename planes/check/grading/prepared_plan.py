@@ -20,6 +20,7 @@ from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.plans import Plans
 from planes.plans.of_scene import scene_plans
+from planes.plans.other_leads import fitting
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.words import Phrase, Written
@@ -108,6 +109,7 @@ def prepare(asked: Asked) -> PreparedPlan:
     if asked.plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=choices(asked.plan, known)))
     moved = {} if asked.value is None else plans.at(asked.value)
+    plans = plans if asked.value is None else fitting(plans, asked.value)
     given = {**plans.given, **scales(plans, asked.scene.mu, moved, fits_on(asked.scene.sheet, plans)), **moved}
     if asked.mu:
         given[mu_of(asked.plan)] = asked.mu

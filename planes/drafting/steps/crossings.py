@@ -6,6 +6,10 @@ from typing import ClassVar
 from planes.drafting.steps import Kind, Read, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
+from planes.geometry.arithmetic import Real
+
+LEAN = "leads_lean"
+"""Why other plans are taken: two leads that meet in a special point are too nearly parallel."""
 
 
 @dataclass(frozen=True)
@@ -30,6 +34,33 @@ class Cross(Step):
         tool.require(met | apart, self, "coincident", gap_mm=gap)
         tool.require(met, self, "parallel", gap_mm=gap)
         return tool.mark(place)
+
+
+FAIR = 0.4  # of the best crossing of two leads: a pair that crosses less sharply leaves the special point to another
+
+
+@dataclass(frozen=True)
+class CrossLeads(Cross):
+    """Cross the lines of two leads in the special point, while they cross no much worse than with the ``third``."""
+
+    third: str = ""
+    third_along: str = ""
+    needs = marks("start", "other", "third") + directions("along", "across", "third_along")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        own, one, two = self.crossings(env)
+        tool.prefer(own >= FAIR * tool.ar.maximum(one, two), self, LEAN)
+        return super().draw(env, tool)
+
+    @property
+    def crossed(self) -> tuple[str, str, str]:
+        """The directions of the three leads."""
+        return self.along, self.across, self.third_along
+
+    def crossings(self, env: Env) -> tuple[Real, Real, Real]:
+        """How sharply the two cross, the second and the third, the third and the first."""
+        one, two, three = (env[name] for name in self.crossed)
+        return abs(plane.cross(one, two)), abs(plane.cross(two, three)), abs(plane.cross(three, one))
 
 
 @dataclass(frozen=True)

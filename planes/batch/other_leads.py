@@ -1,0 +1,66 @@
+"""Positions where two leads that meet in a special point cross flatly: drawn by plans in which others meet."""
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from planes.batch.table import columns_of
+from planes.drafting.steps.crossings import LEAN
+from planes.geometry.arrays import Array, Indices
+from planes.plans.other_leads import with_others
+
+Cycle = Any  # of planes.batch: a cycle knows what it hands over
+
+
+class OtherLeads:
+    """The cycles of the same columns by other leads, each stated when it is first needed."""
+
+    def __init__(self, cycle: Cycle) -> None:
+        self.cycle = cycle
+        self.known: dict[str, Cycle] = {}
+
+    @cached_property
+    def codes(self) -> dict[int, str]:
+        """The special points by the codes of positions where their leads lean."""
+        return {k: r.makes for k, r in enumerate(self.cycle.reasons, 1) if r.key == LEAN}
+
+    def draw(self, block: Any, at: Indices, fast: bool, bare: bool) -> None:
+        """Put into a block of the positions numbered ``at`` what other cycles draw of it."""
+        for where, other in self._of(block.codes):
+            row = other.loop(fast).row
+            for some in np.split(where, range(row, len(where), row)):
+                drawn = other.block(block.values[some], at[some], fast, bare)
+                block.table[:, some] = drawn.table
+                block.codes[some] = [self._code(other, code) for code in drawn.codes.tolist()]
+
+    def claimed(self, claimed: Array, values: Array, at: Indices) -> Array:
+        """The ± of positions, those of other cycles put in."""
+        for where, other in self._of(self.cycle.codes(values, at) if self.codes else None):
+            claimed[:, where] = other.claimed(values[where], at[where])
+        return claimed
+
+    def _of(self, codes: Indices | None) -> Iterator[tuple[Indices, Cycle]]:
+        """Which positions are drawn by another cycle."""
+        for code, special in self.codes.items() if codes is not None else ():
+            if (where := np.flatnonzero(codes == code)).size:
+                yield where, self._next(special)
+
+    def _next(self, special: str) -> Cycle:
+        """The cycle where the next two leads meet in a special point: of three pairs one crosses best."""
+        if special not in self.known:
+            own = self.cycle
+            plans = with_others(own.plans, special)
+            columns = {c.name: c for c in columns_of(plans)}
+            asked = [columns[c.name] for c in own.columns]
+            self.known[special] = type(own)(plans, known=own.overrides, columns=asked)
+        return self.known[special]
+
+    def _code(self, other: Cycle, code: int) -> int:
+        """The number that a reason of another cycle has here; one that is no reason here is as a special point's."""
+        if not code:
+            return 0
+        said, own = other.reasons[code - 1], self.cycle.reasons
+        same = [k for k, r in enumerate(own, 1) if r.key == said.key]
+        return next((k for k in same if own[k - 1] == said), (same or list(self.codes))[0])

@@ -1,0 +1,67 @@
+"""Which two leads of a basic link meet in its special point: others, where those cross much less sharply.
+
+The plans are stated once for every choice that is met, from the same scheme.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+from planes.drafting.drawing import run
+from planes.drafting.program import Program
+from planes.drafting.steps.crossings import FAIR, CrossLeads
+from planes.plans.bodies import SCHEME, Bodies
+from planes.plans.groups import Lead
+from planes.words.errors import PlanFailure
+from planes.words.names import mu_of
+
+Stated = TypeVar("Stated", bound=Any)  # the plans of a mechanism
+Leads = tuple[Lead, Lead, Lead]
+
+
+@dataclass(frozen=True, eq=False)
+class Restating:
+    """The scheme as it is drawn and chosen, and what states the plans of it; each choice of leads once."""
+
+    bodies: Bodies
+    state: Callable[[Bodies], Any]
+    known: dict[tuple[Leads, ...], Any] = field(default_factory=dict)
+
+    def plans(self, leads: Mapping[str, Leads]) -> Any:
+        """The plans in which the first two leads of each basic link meet."""
+        key = tuple(leads.values())
+        if key not in self.known:
+            bodies = self.bodies.apart()
+            bodies.leads = dict(leads)
+            self.known[key] = self.state(bodies)
+        return self.known[key]
+
+
+def met(program: Program) -> list[CrossLeads]:
+    """The crossings of leads in special points."""
+    return [step for step in program.steps if isinstance(step, CrossLeads)]
+
+
+def with_others(plans: Stated, special: str, turns: int = 1) -> Stated:
+    """The plans in which the next two leads meet in a special point; after three turns it is these again."""
+    basic = next(s.means.of for s in met(plans.program) if s.makes == special and s.means)
+    leads = plans.leads[basic]
+    turned: Stated = plans.restated({**plans.leads, basic: (*leads[turns:], *leads[:turns])})
+    return turned
+
+
+def fitting(plans: Stated, value: float) -> Stated:
+    """The plans by the leads that cross well at a value of the drive: these, wherever theirs do."""
+    crossings = met(plans.program)
+    if not crossings:
+        return plans
+    program = plans.program.sliced([name for step in crossings for name in step.crossed])
+    try:
+        things = run(program, {**plans.given, mu_of(SCHEME): 1.0, plans.drive_given: value}).things
+    except PlanFailure:  # the same will be said of the whole
+        return plans
+    for step in crossings:
+        sharp = step.crossings(things)
+        if sharp[0] < FAIR * max(sharp):
+            plans = with_others(plans, step.makes, sharp.index(max(sharp)))
+    return plans

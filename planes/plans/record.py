@@ -1,0 +1,156 @@
+"""What is stated of a mechanism, or of vectors: one program, its givens, and where each result is read."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from planes.drafting.draft import Moments, Segment
+from planes.drafting.equations import Equation
+from planes.drafting.program import Program
+from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Real
+from planes.plans.legs import SlideReading
+from planes.plans.loads import Loads
+from planes.plans.other_leads import Leads, Restating
+from planes.plans.passive_motion import LinkValues, values_of
+from planes.plans.reactions import Reaction
+from planes.plans.structure import Structure
+from planes.scene.mechanism import Link, Mechanism
+from planes.words.errors import SceneError
+from planes.words.names import HELPERS, Meaning, at, kind_of
+
+STILL = "°still"
+"""The given in the place of a drive, where nothing moves."""
+
+
+@dataclass(frozen=True)
+class PointMarks:
+    """Where a point stands on the three plans (full names of marks)."""
+
+    position: str
+    velocity: str
+    acceleration: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plans:
+    """A mechanism stated, or vectors alone: the whole program and the names of what is measured on it."""
+
+    mechanism: Mechanism
+    structure: Structure
+    program: Program
+    given: Mapping[str, Thing]
+    equations: tuple[Equation, ...]
+    moments: tuple[Moments, ...]
+    segments: tuple[Segment, ...]
+    acting: Loads
+    means: Mapping[str, Meaning]  # of the names whose makers say so
+    off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
+    points: Mapping[str, PointMarks] = field(default_factory=dict)
+    links: Mapping[str, LinkValues] = field(default_factory=dict)
+    velocity_slides: Mapping[str, SlideReading] = field(default_factory=dict)
+    acceleration_slides: Mapping[str, SlideReading] = field(default_factory=dict)
+    leads: Mapping[str, Leads] = field(default_factory=dict)  # of a basic link: the first two meet in its special point
+    restating: Restating | None = None
+    reactions: Mapping[str, Reaction] = field(default_factory=dict)
+    balancing: str = ""
+    zhukovsky: str = ""
+    at_rest: bool = False
+    laws: Mapping[str, SceneError] = field(default_factory=dict)
+    passive: tuple[Link, ...] = ()  # that hold what is held already: the mechanism is stated without them
+    vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: the marks they run between
+    values: Mapping[str, str] = field(default_factory=dict)  # reckoned from them: their names in the program
+
+    def restated(self, leads: Mapping[str, Leads]) -> Plans:
+        """The same mechanism, other leads meeting in special points; whole."""
+        assert self.restating
+        own: Plans = self.restating.plans(leads)
+        plans = replace(own, restating=self.restating, structure=self.structure, passive=self.passive)
+        return with_passive(plans) if self.passive else plans
+
+    @property
+    def moves(self) -> bool:
+        """Whether there is a mechanism: what moves has other positions."""
+        return bool(self.mechanism.links)
+
+    @property
+    def drive_given(self) -> str:
+        """Name of the given that moves the driver: its angle in degrees, or s in m; one that nothing reads."""
+        drive = self.mechanism.drive
+        if not self.moves:
+            return STILL
+        return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
+
+    def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
+        """The given of the drive at one value or many, for a program that overrides the ``known`` givens.
+
+        :class:`SceneError` where the program reads a number that would have to change with the drive, and cannot.
+        """
+        moved = value != self.mechanism.drive.position
+        if self.laws and (moved.any() if hasattr(moved, "any") else moved):
+            cut = program or self.program
+            reads = {*cut.givens, *cut.made}
+            for name, error in self.laws.items():
+                if name in reads and name not in known:
+                    raise error
+        return {self.drive_given: value}
+
+    @cached_property
+    def segments_of(self) -> dict[str, list[Segment]]:
+        """The measured segments of each plan."""
+        found: dict[str, list[Segment]] = {}
+        for segment in self.segments:
+            found.setdefault(segment.plan, []).append(segment)
+        return found
+
+    def moments_of(self, links: tuple[str, ...]) -> list[Moments]:
+        """The moment equations of some links; those of a driver alone stand with no others."""
+        alone = (self.structure.driver,)
+        return [m for m in self.moments if set(m.links) <= set(links) and (links == alone or m.links != alone)]
+
+    @property
+    def helpers(self) -> frozenset[str]:
+        """Marks that are drawn and never asked of anybody."""
+        return frozenset(n for n, m in self.means.items() if m.quantity in HELPERS)
+
+    @property
+    def lengths(self) -> dict[str, float]:
+        """The given lengths of the links, m, by name."""
+        return {n: abs(v) for n, v in self.given.items() if n in self.means and self.means[n].quantity == "length"}
+
+    @property
+    def reach(self) -> float:
+        """The longest of them; 1 m where there is none."""
+        return max(self.lengths.values(), default=1.0)
+
+    @property
+    def drawn(self) -> tuple[str, ...]:
+        """Plans in the order they are drawn: position, velocity, acceleration, force:2-3, …, force:1."""
+        return tuple(self.program.marks)
+
+    @property
+    def forces(self) -> bool:
+        """Whether any forces are drawn."""
+        return any(kind_of(plan) == "force" for plan in self.drawn)
+
+
+def with_passive(plans: Plans) -> Plans:
+    """The plans with the motion of the passive links they are stated without."""
+    assert plans.acting.motion
+    b = plans.acting.motion.bodies
+    links = {**plans.links, **{link.name: values_of(b, link) for link in plans.passive}}
+    program = Program(tuple(b.draft.steps.values()), plans.program.proofs)
+    return replace(plans, program=program, given=b.draft.given, links=links, means={**plans.means, **b.draft.means})
+
+
+def sliced(plans: Plans, wanted: list[str]) -> Plans:
+    """The same plans with a program that draws only what leads to the wanted names, how the vectors drawn lie, and
+    what is measured on it."""
+    made = plans.program.sliced(wanted).made
+    terms = ((e.plan, t) for e in plans.equations for t in e.terms)
+    lying = [t.direction for plan, t in terms if t.direction and {at(plan, t.start), at(plan, t.end)} <= made]
+    program = plans.program.sliced([*wanted, *lying])
+    segments = tuple(s for s in plans.segments if {at(s.plan, s.start), at(s.plan, s.end)} <= program.made)
+    return replace(plans, program=program, segments=segments)

@@ -1,0 +1,73 @@
+"""Where the two leads that meet in the special point become parallel others meet there: in every reader."""
+
+from __future__ import annotations
+
+import random
+
+import numpy as np
+import pytest
+
+from planes.batch import Cycle, compiled
+from planes.drafting.drawing import run
+from planes.geometry import plane
+from planes.geometry.arrays import Array
+from planes.plans import Plans
+from planes.plans.other_leads import fitting, met
+from planes.plans.scales import drawn_in_si, scales
+from planes.scene import loads
+from planes.solving import plans_of, solve
+from tests.helpers.comparing import Drawn, balanced, differences, expected, pose
+from tests.helpers.mechanisms import make, to_yaml
+from tests.helpers.oracle import solve as oracle_solve
+
+FOUND = [("RR-RR-RR", 2), ("RR-RR-PR", 2), ("RR-RR-RP", 4), ("RR-PR-RP", 14), ("RR-RP-RP", 3)]
+
+
+def parallel_at(plans: Plans, low: float, high: float) -> float | None:
+    """Where the two leads that meet are parallel, to the last bit."""
+    (step,) = met(plans.program)
+    program = plans.program.sliced(step.crossed)
+
+    def crossing(values: Array) -> Array:
+        things = drawn_in_si(plans, values, program)
+        return np.asarray(plane.cross(things[step.along], things[step.across]))
+
+    values = np.linspace(low, high, 2000)
+    for _ in range(8):
+        sines = crossing(values)
+        changes = np.flatnonzero(sines[1:] * sines[:-1] < 0)
+        if not len(changes):
+            return None if len(values) == 2000 else float(values[np.nanargmin(abs(sines))])
+        values = np.linspace(values[changes[0]], values[changes[0] + 1], 200)
+    return float(values[0])
+
+
+@pytest.mark.parametrize(("leads", "seed"), FOUND)
+def test_parallel_leads_are_passed_by_another_pair(leads: str, seed: int) -> None:
+    case = make(random.Random(f"parallel {leads} {seed}"), [leads], sliding=False)
+    scene = loads(to_yaml(case.scene))
+    plans, _ = plans_of(scene)
+    start = plans.mechanism.drive.position
+    value = parallel_at(plans, start - 60, start + 60)
+    assert value is not None
+    (step,) = met(plans.program)
+    assert step.crossings(drawn_in_si(plans, value, plans.program.sliced(step.crossed)).things)[0] < 1e-12
+    fit = fitting(plans, value)
+    chosen = {**scales(fit, {}, fit.at(value)), **fit.at(value)}
+    d = Drawn(scene, fit, chosen, run(fit.program, {**fit.given, **chosen}))
+    there = {**case.scene, "drive": {**case.scene["drive"], "phi": value}}
+    wanted = {n.name: n for n in expected(oracle_solve(there, pose(d)), True)}
+    assert max(differences(d, wanted).values()) * d.sharpest <= 1e-9
+    balanced(d)
+    (told,) = solve(scene, [value]).positions
+    cycle = Cycle(plans)
+    values = value + np.linspace(-0.01, 0.01, 41)
+    for fast in (False, True) if compiled.available() else (False,):
+        (block,) = cycle.beside(cycle.blocks(values, fast=fast))
+        assert not block.failed.any()
+        found, claims = block.table[:, 20].reshape(2, -1)
+        here = dict(zip((c.name for c in cycle.columns), found, strict=True))
+        assert all(
+            abs(told.v[p] - complex(here[f"v_{p}_x"], here[f"v_{p}_y"])) <= 1e-9 * abs(told.v[p]) for p in told.v
+        )
+        assert (claims <= 1e-6 * abs(block.table[: len(found)]).max(axis=1).max()).all()
