@@ -13,8 +13,8 @@ from planes.diagrams.curves import FULL, Curve, Sample
 from planes.diagrams.turn import Grid, WholeTurn
 from planes.geometry.arrays import Array
 
-CELLS = 8  # parts a bracket is cut into, each round
-ROUNDS = 14
+CELLS = 64  # parts a bracket is cut into, each round
+ROUNDS = 7
 BATCH = 128  # brackets closed in on together: what bounds the memory
 STILL = 1e-11  # a curve that varies less than this, beside its size, is constant
 GROWS = 3.0  # how many times larger ten thousand times nearer to a limit: without bound
@@ -62,7 +62,8 @@ def _joined(g: Grid, brackets: list[_Bracket], places: Array, values: Array) -> 
     """The extremes a curve comes up to: at a dead point where a load turns about, not the single value it has there but
     that of the nearer side, if the curve comes up to it; where it grows without bound, infinity."""
     beside = 1e-8 * (g.places[-1] - g.places[0])
-    near, far = (np.array([_values(g.turn, brackets, places + k * d) for d in (-beside, beside)]) for k in (1, 1000))
+    around = (places + beside * np.array([[-1], [1], [-1000], [1000]])).ravel()
+    near, far = _values(g.turn, brackets * 4, around).reshape(2, 2, -1)
     size = {k: np.nanmax(np.abs(g.values(g.turn.curves[k]))) for k in {b.curve for b in brackets}}
     alone = np.abs(values - near).min(axis=0) > 1e-3 * np.array([size[b.curve] for b in brackets])
     found = []
@@ -146,7 +147,7 @@ def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> tuple[Array, Array]:
     parts = np.linspace(0.0, 1.0, CELLS + 1)
     for _ in range(ROUNDS):
         x = low[:, None] + (high - low)[:, None] * parts
-        sample = turn.sample(x.ravel())
+        sample = turn.sample(x.ravel(), bare=True)
         first, last = np.zeros(len(x), int), np.full(len(x), CELLS)
         for k in np.unique(owner):
             mine, curve = owner == k, turn.curves[k]

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -31,8 +32,9 @@ from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
+from render.sheet.force_sheet import Figures, ForceSheet, figures, sizes_of
 from render.sheet.frame import form_of
-from render.sheet.project import GROUPS, ForceSheet, Project, group_size
+from render.sheet.project import Project
 from render.sheet.sizes import Sizes
 from render.views import View
 from render.views.diagrams import SECTIONS, DiagramCurve, section_mm
@@ -68,18 +70,14 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
 
     def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         if number == 2:
-            return forces.views(drawn.at(sizes), grouped(sizes), letter), []
+            return forces.views(drawn.at(sizes), drawn.grown(sizes), letter), []
         return project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), []
 
-    def grouped(sizes: Sizes) -> Position:
-        """The position by which groups apart are drawn, whose μ is their own."""
-        return drawn.at(sizes, sizes.of(GROUPS) / sizes.factor)
-
     def extents(sizes: Sizes) -> dict[str, float]:
-        """What may grow: the diagrams, the groups apart."""
+        """What may grow: the diagrams; the scheme with loads, the groups apart, the lever."""
         if number == 1:
             return {"diagrams": section_mm(sizes.of("diagrams")) * SECTIONS} if project.turn else {}
-        return {} if scene.mu.get("position") else {GROUPS: group_size(grouped(sizes))}
+        return drawn.extents(sizes)
 
     return compose(scene, Contents(views, extents, free=drawn.free), composer.lang, number)
 
@@ -110,35 +108,56 @@ class DrawnPosition:
         """Whether the scene leaves the μ of any plan open."""
         return any(self.scene.mu.get(kind_of(p)) is None for p in self.stated[0].drawn if p != "lever")
 
-    def at(self, sizes: Sizes, larger: float = 1.0) -> Position:
-        """The position at the scene's scales, or smaller where no paper holds its plans so, each drawn once; its
-        scheme so much ``larger``. :class:`PlanesError` where it cannot be drawn."""
-        fits = {kind: sizes.factor * mm for kind, mm in fits_on(self.scene.sheet, self.stated[0]).items()}
-        fits["position"] *= larger
-        key = sizes.factor, self.scene.mu.get("position") or fitting("position", self.wide, fits["position"])
+    def at(self, sizes: Sizes, larger: Mapping[str, float] = MappingProxyType({})) -> Position:
+        """The position at the scene's scales, or smaller where no paper holds its plans so, each drawn once; some kinds
+        of its plans so much ``larger``. :class:`PlanesError` where it cannot be drawn."""
+        fits = {
+            kind: sizes.factor * larger.get(kind, 1.0) * mm
+            for kind, mm in fits_on(self.scene.sheet, self.stated[0]).items()
+        }
+        key = sizes.factor, *(self.mu(kind, fits[kind]) for kind in self.growing)
         if key not in self.kept:
-            self.kept[key] = self._drawn(fits)
+            self.kept[key] = self.first if key == self.usual else self._drawn(fits)
         return self.kept[key]
 
-    @property
-    def alone(self) -> float:
-        """What stands for μ of the scheme where there is none."""
-        return fitting("position", 0.0, 0.0)
+    def grown(self, sizes: Sizes) -> Figures:
+        """The position as every figure of forces draws it that grows by itself."""
+        kinds = figures(self.stated[0])
+        return Figures(**{f: self.at(sizes, {kind: sizes.of(f) / sizes.factor}) for f, kind in kinds.items()})
+
+    def extents(self, sizes: Sizes) -> dict[str, float]:
+        """How large each of these is, mm, if the scene leaves its μ open."""
+        usual, fits = sizes_of(self.first), fits_on(self.scene.sheet, self.stated[0])
+        return {
+            figure: usual[figure] * self.mu(kind, sizes.of(figure) * fits[kind]) / self.first.scales[mu_of(kind)]
+            for figure, kind in figures(self.stated[0]).items()
+            if kind in self.growing and not self.scene.mu.get(kind)
+        }
+
+    def mu(self, kind: str, fit: float) -> float:
+        """μ of a kind of plans that may be so large, mm."""
+        return self.scene.mu.get(kind) or fitting(kind, self.growing[kind], fit)
 
     @cached_property
-    def kept(self) -> dict[tuple[float, float], Position]:
-        """The position by the factor of its plans and μ of its scheme."""
-        return {(1.0, self.first.scales.get(mu_of("position"), self.alone)): self.first}
+    def growing(self) -> dict[str, float]:
+        """How large the plans are, in SI, by which figures of forces are drawn."""
+        scales, kinds = self.first.scales, dict.fromkeys(figures(self.stated[0]).values())
+        return {k: extent(self.first.drawing, k) / scales[mu_of(k)] for k in kinds if mu_of(k) in scales}
+
+    @cached_property
+    def usual(self) -> tuple[float, ...]:
+        """The factor of all plans and μ of those, of the position as the scene has it."""
+        return 1.0, *(self.first.scales[mu_of(kind)] for kind in self.growing)
+
+    @cached_property
+    def kept(self) -> dict[tuple[float, ...], Position]:
+        """The position by the factor of its plans and μ of those by which figures are drawn."""
+        return {}
 
     @cached_property
     def first(self) -> Position:
         """The position at the scene's scales."""
         return self._drawn(fits_on(self.scene.sheet, self.stated[0]))
-
-    @property
-    def wide(self) -> float:
-        """How large the scheme is, m."""
-        return extent(self.first.drawing, "position") / self.first.scales.get(mu_of("position"), self.alone)
 
     def _drawn(self, fits: Mapping[str, float]) -> Position:
         plans, wanted = self.stated

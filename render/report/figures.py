@@ -16,7 +16,7 @@ from render.files import Page, svg
 from render.files.pdf import POINTS_PER_MM, draw_marks, png_of
 from render.report.shaft import shaft_view
 from render.sheet.composer import Composer
-from render.sheet.project import ForceSheet
+from render.sheet.force_sheet import ForceSheet
 from render.views import View, beside, stacked, view
 from render.views.alignment import alignment_view
 from render.views.instant_centre import instant_centre

@@ -100,7 +100,7 @@ class Composer:
 
         def make() -> View:
             drawn = found.drawn(True, *special_points(position, self.naming))
-            return view("scheme", title, drawn, True, plan="position")
+            return view("scheme", title, drawn, True)
 
         return self.once(key, make)
 
@@ -113,7 +113,7 @@ class Composer:
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
         polygon = Polygon(plotted, plan, self.naming, counted=self.details)
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
-        return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title), plan))
+        return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title)))
 
     def plan_name(self, plan: str) -> str:
         """The name of a plan in its title."""
@@ -139,7 +139,8 @@ class Composer:
             marks = MomentLines(position, self.naming, LARGER[letter]).drawn(links)
             return view("moments", "" if links else say("moments", self.lang), marks) if marks else None
 
-        return self.once(("moments", letter, links, position.scales.get(mu_of("position"))), make)
+        mus = tuple(position.scales.get(mu_of(plan)) for plan in ("position", "lever"))
+        return self.once(("moments", letter, links, mus), make)
 
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:

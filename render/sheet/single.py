@@ -18,7 +18,8 @@ from render.paper import symbols
 from render.paper.marks import Line, Mark
 from render.sheet import unseen
 from render.sheet.composer import Composer, drawn_plans
-from render.sheet.project import ForceSheet, Project
+from render.sheet.force_sheet import ForceSheet
+from render.sheet.project import Project
 from render.views import View, stacked, view
 from render.views.plotted import of_position
 

@@ -18,9 +18,8 @@ SET_IN_MM = 35.0  # no view begins farther to the right of its title
 class View:
     """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none), ``heading`` mm
     high; ``body`` and ``inked`` are what is beneath the title, and its box; ``unseen`` are sentences about what should
-    be in it and is not; ``plan`` is whose μ makes it larger ("" for none), ``step`` the part of the calculation it
-    belongs to; views of one ``block`` stand beneath each other where there is room, with their ``plumb`` lines, where
-    they have some, on one vertical."""
+    be in it and is not; ``step`` is the part of the calculation it belongs to; views of one ``block`` stand beneath
+    each other where there is room, with their ``plumb`` lines, where they have some, on one vertical."""
 
     key: str
     title: str
@@ -28,7 +27,6 @@ class View:
     inked: Bounds
     figure: bool = False  # a scheme or a plan: they are read one after the other
     unseen: tuple[str, ...] = ()
-    plan: str = ""
     step: str = ""
     heading: float = TITLE_MM
     extra: bool = False  # shown only where the format that holds all others has room for it too
@@ -75,12 +73,10 @@ class View:
         return tuple(moved(mark, by) for mark in self.marks)
 
 
-def view(
-    key: str, title: str, marks: Iterable[Mark], figure: bool = False, unseen: Iterable[str] = (), plan: str = ""
-) -> View:
+def view(key: str, title: str, marks: Iterable[Mark], figure: bool = False, unseen: Iterable[str] = ()) -> View:
     """A view of marks, with the box of their ink."""
     held = tuple(marks)
-    return View(key, title, held, bounds(held), figure, tuple(unseen), plan)
+    return View(key, title, held, bounds(held), figure, tuple(unseen))
 
 
 def remark(text: str, marks: Iterable[Mark]) -> Text:

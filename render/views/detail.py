@@ -69,8 +69,9 @@ class Detail:
         reach = self.times * self.radius
         ground: list[Mark] = [Arc(0j, reach, style="thin", layer="dimension")]
         ground += [part for mark in marks for part in self.part(mark)]
-        ground.append(Text(self.title, complex(0, reach + TITLE_GAP), LETTER_MM, "middle", name=self.title))
-        return (*ground, *labels.place([self.label(x) for x in named if self.shows(x)], ground).marks)
+        ground += labels.place([self.label(x) for x in named if self.shows(x)], ground).marks
+        top = bounds(ground)[3]
+        return (*ground, Text(self.title, complex(0, top + TITLE_GAP), LETTER_MM, "middle", name=self.title))
 
     def part(self, mark: Mark) -> list[Mark]:
         """What is seen of one mark."""

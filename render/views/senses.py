@@ -4,13 +4,14 @@ import cmath
 import math
 from collections.abc import Iterable, Sequence
 from functools import partial
+from itertools import compress
 
 from planes.words.lettering import Naming
 from render import labels
 from render.labels.footprints import ink, polygons
 from render.paper import symbols
 from render.paper.ink import cut
-from render.paper.marks import Line, Mark, Shape, Text
+from render.paper.marks import Hatch, Line, Mark, Shape, Text
 from render.paper.typeset import layout
 from render.views.plotted import Places
 
@@ -57,14 +58,15 @@ def freest(
 
 
 def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:
-    """Marks with their letters in places found for them; construction lines are broken where a letter stands on one."""
-    thin = [m for m in marks if isinstance(m, Line) and m.layer == "construction"]
-    rest = [m for m in marks if not (isinstance(m, Line) and m.layer == "construction")]
+    """Marks with their letters in places found for them; construction lines and hatching are broken where a letter
+    stands on them."""
+    gives = [isinstance(m, Hatch) or (isinstance(m, Line) and m.layer == "construction") for m in marks]
+    thin, rest = list(compress(marks, gives)), [m for m, way in zip(marks, gives, strict=True) if not way]
     placed = labels.place(named, rest, None, thin)
     return (*parted(thin, placed.texts), *rest, *placed.marks)
 
 
-def parted(lines: Sequence[Line], texts: Sequence[Text]) -> tuple[Mark, ...]:
+def parted(lines: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:
     """The lines broken where a letter stands on one, as a draughtsman breaks them."""
     if not lines or not texts:
         return tuple(lines)

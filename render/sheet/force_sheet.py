@@ -1,0 +1,137 @@
+"""The second sheet of a course project, forces, as a list of views: every group apart with its loads, its plan and its
+links; the driver; the lever."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from planes.plans import Plans
+from planes.plans.scales import extent
+from planes.solving import Position
+from planes.words import say
+from planes.words.names import POLE, at, kind_of, links_of, mu_of
+from render.sheet.composer import Composer
+from render.views import View, beside, view
+from render.views.loading import Loading
+from render.views.moments import Lever
+from render.views.plotted import Places, of_position
+from render.views.scheme import Scheme
+
+WANTED = {"loads": 1.6, "groups": 1.0, "lever": 1.2}
+"""How large the figures that grow by themselves should be beside each other."""
+
+
+@dataclass(frozen=True)
+class Figures:
+    """The position as each of these is drawn by: the scheme with all loads, the groups apart, the lever."""
+
+    loads: Position
+    groups: Position
+    lever: Position
+
+
+def figures(plans: Plans) -> dict[str, str]:
+    """The kind of plans by whose μ each of them is drawn."""
+    return {"loads": "position", "groups": "position", "lever": "motion" if plans.at_rest else "velocity"}
+
+
+def sizes_of(position: Position) -> dict[str, float]:
+    """The larger side of each of them in mm, the largest of the groups, beside what it should be."""
+    places, forces = Places(position), (p for p in position.plans.drawn if kind_of(p) == "force")
+    kind = figures(position.plans)["lever"]
+    sizes = {
+        "loads": places.size(tuple(position.plans.mechanism.links)),
+        "groups": max((places.size(links_of(plan)) for plan in forces), default=0.0),
+        "lever": extent(position.drawing, kind),
+    }
+    return {figure: size / WANTED[figure] for figure, size in sizes.items()}
+
+
+@dataclass
+class ForceSheet:
+    """The views of sheet 2."""
+
+    composer: Composer
+
+    def views(self, position: Position, larger: Figures, letter: float) -> list[View]:
+        """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables."""
+        c, plotted = self.composer, of_position(position)
+        found: list[View | None] = [self.loaded(larger.loads)]
+        for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
+            links = links_of(plan)
+            moments = c.moments(larger.groups, letter, links)
+            step = [
+                c.stack("group", self.group(larger.groups, plan, links), moments, gap=5.0),
+                c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
+                self.apart(larger.groups, links),
+            ]
+            found += [replace(v, step=plan) for v in step if v]
+        found.append(self.lever(larger.lever, letter))
+        tables = c.tables(position, letter)
+        return [
+            v for v in (*found, tables.given(loading=True), tables.reactions(), tables.check(), c.note(letter)) if v
+        ]
+
+    def loaded(self, position: Position) -> View:
+        """The scheme with all outer loads."""
+        c = self.composer
+
+        def make() -> View:
+            loading = Loading(position, c.naming, tuple(position.plans.mechanism.links))
+            loading.loads(carried=False)
+            drawn = Scheme(position, c.naming).drawn(True, loading.marks, loading.named)
+            return view("loaded", c.titled(position, "loaded"), drawn, True)
+
+        return c.once(("loaded", position.scales[mu_of("position")]), make)
+
+    def group(self, position: Position, plan: str, links: tuple[str, ...]) -> View | None:
+        """A group apart with its forces, reactions and arms."""
+        c = self.composer
+
+        def make() -> View:
+            loading = Loading(position, c.naming, links)
+            loading.loads(carried=True)
+            loading.reactions(plan)
+            if links == (position.plans.structure.driver,):
+                loading.balancing(*links)
+            loading.arms(position.plans.moments_of(links))
+            drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
+            key = "loaded_group" if len(links) > 1 else "loaded_driver"
+            title = c.titled(position, key, links="–".join(map(c.naming.link, links)))
+            return view("group", title, drawn, True)
+
+        return c.once(("loaded", links, position.scales[mu_of("position")]), make)
+
+    def apart(self, position: Position, links: tuple[str, ...]) -> View | None:
+        """The links of a group one by one, each with its loads and all reactions on it, the inner ones too."""
+        if len(links) < 2:
+            return None
+        c = self.composer
+
+        def make() -> View:
+            title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
+            return view("apart", title, beside([self.alone(position, x) for x in links]).marks, True)
+
+        return c.once(("apart", links, position.scales[mu_of("position")]), make)
+
+    def alone(self, position: Position, link: str) -> View:
+        """A link with its loads and all reactions on it."""
+        loading = Loading(position, self.composer.naming, (link,))
+        loading.loads(carried=False)
+        loading.whole_reactions()
+        if position.plans.structure.drive_pair.joins(link):
+            loading.balancing(link)
+        scheme = Scheme(position, self.composer.naming, (link,), False)
+        return view("part", "", scheme.drawn(False, loading.marks, loading.named))
+
+    def lever(self, position: Position, letter: float) -> View | None:
+        """Zhukovsky's lever with its moment equation."""
+        c, found = self.composer, Lever(position, self.composer.naming)
+        if at("lever", POLE) not in position.drawing:
+            return None
+        kind, title = "motion" if position.plans.at_rest else "velocity", say("lever", c.lang)
+        if kind == "velocity":
+            title += f", {c.mu(of_position(position), 'velocity')}"
+        key = ("lever", position.scales[mu_of(kind)])
+        drawn = c.once(key, lambda: view("lever", title, found.drawn(), True))
+        return c.stack("lever", drawn, c.moments(position, letter, ("lever",)))
