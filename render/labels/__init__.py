@@ -4,15 +4,34 @@ A fixed order of candidate places, costs, a greedy choice and then repairs: the 
 places.  A label that finds no room beside what it names goes farther away, with a leader line.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 from render.labels.board import Board
-from render.labels.candidates import BETWEEN, CLEAR_MM, Label, Placed
+from render.labels.candidates import BETWEEN, CLEAR_MM, Label, Placed, liked
 from render.labels.footprints import Bounds, ink
 from render.paper.marks import Line, Mark, Text
 from render.paper.typeset import box_of
 
-__all__ = ["Label", "Placed", "place"]
+__all__ = ["Label", "Placed", "place", "rough", "roughly"]
+
+_rough = ContextVar("rough", default=False)
+
+
+def rough() -> bool:
+    """Whether labels are only put where they would like to be, to see how large a figure becomes."""
+    return _rough.get()
+
+
+@contextmanager
+def roughly() -> Iterator[None]:
+    """Within it, that is enough."""
+    token = _rough.set(True)
+    try:
+        yield
+    finally:
+        _rough.reset(token)
 
 
 def place(
@@ -22,8 +41,8 @@ def place(
 
     ``yielding`` are thin lines that whoever asked will break where a label stands on them.
     """
-    if not labels:
-        return Placed((), ())
+    if not labels or rough():
+        return liked(labels)
     marks = list(marks)
     standing = [m for m in marks if isinstance(m, Text)]
     ground = ink([*marks, *map(_beside, standing)])

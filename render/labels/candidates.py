@@ -213,6 +213,12 @@ def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
     return clashes, close(some.boxes, others.boxes, APART_MM, CLEAR_MM)
 
 
+def liked(labels: Sequence[Label]) -> Placed:
+    """Labels where each would like to be, whatever is there."""
+    best = [(option := beside(label, NEAR[:1])).some(np.argmin(option.wish, keepdims=True)) for label in labels]
+    return placed(labels, union(best)) if best else Placed((), ())
+
+
 def placed(labels: Sequence[Label], chosen: Candidates) -> Placed:
     """Labels in the places chosen for them."""
     texts, leaders, signs = list[Text](), list[Line](), list[Line | Arc]()

@@ -12,6 +12,7 @@ from planes.solving import Position
 from planes.words import Lang, say
 from planes.words.lettering import Naming, indexed
 from planes.words.names import kind_of, links_of, mu_of
+from render.labels import rough
 from render.sheet.module import GAP_MM, MODULE_MM
 from render.views import REMARK_MM, View, paragraph, stacked, view
 from render.views.formulas import Formulas
@@ -48,6 +49,8 @@ class Composer:
 
     def once(self, key: tuple[object, ...], make: Callable[[], Shown]) -> Shown:
         """The view of that key, made the first time it is asked for."""
+        if rough() and key not in self.made:
+            key = ("roughly", *key)
         if key not in self.made:
             self.made[key] = make()
         return self.made[key]  # type: ignore[no-any-return]

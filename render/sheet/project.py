@@ -13,8 +13,9 @@ from planes.words.errors import PlanesError
 from planes.words.names import kind_of, mu_of
 from render.labels.footprints import bounds
 from render.paper.marks import Mark, Text
+from render.paper.typeset import plain
 from render.sheet.composer import LARGER, Composer, drawn_plans
-from render.views import View, beside, stacked, view
+from render.views import View, beside, remark, stacked, view
 from render.views.alignment import alignment_told
 from render.views.diagrams import DiagramCurve, Diagrams, section_mm
 from render.views.dimensions import driver_angle, frame_sizes, sizes_drawn
@@ -83,7 +84,10 @@ class Project:
             crossed, letters = special_points(position, c.naming)
             marks = [*thin, *angle, *sizes_drawn([*strokes, *frame]), *crossed]
             drawn = scheme.drawn(True, marks, [*named, *many.labels(), *letters])
-            return view("scheme", title, drawn, True, many.unseen(title, c.lang))
+            for text in (unseen := many.unseen(c.lang)):
+                drawn = (*drawn, *remark(f"({text})", drawn))
+            said = (say("in_view", c.lang, view=plain(title), text=text) for text in unseen)
+            return view("scheme", title, drawn, True, said)
 
         return c.once(("many", mu), make)
 

@@ -10,6 +10,7 @@ from render.paper.typeset import extent, plain, wrapped
 
 TITLE_MM = 5.0  # letter height of titles
 REMARK_MM = 2.5
+REMARK_WIDE_MM = 60.0  # of a line of remarks beneath what is narrower
 TITLE_GAP = 4.0  # from a title to its view
 SET_IN_MM = 35.0  # no view begins farther to the right of its title
 
@@ -79,10 +80,11 @@ def view(key: str, title: str, marks: Iterable[Mark], figure: bool = False, unse
     return View(key, title, held, bounds(held), figure, tuple(unseen))
 
 
-def remark(text: str, marks: Iterable[Mark]) -> Text:
-    """What must be known of the marks, in small letters beneath them, from their left edge."""
-    x0, y0, *_ = bounds(tuple(marks))
-    return Text(text, complex(x0, y0 - 5.0), REMARK_MM, name="remark")
+def remark(text: str, marks: Iterable[Mark]) -> list[Text]:
+    """What must be known of the marks, in small letters beneath them, from their left edge, no wider than they are."""
+    x0, y0, x1, _ = bounds(tuple(marks))
+    lines = wrapped(text, max(x1 - x0, REMARK_WIDE_MM), REMARK_MM)
+    return [Text(t, complex(x0, y0 - 5.0 - 1.7 * REMARK_MM * k), REMARK_MM, name="remark") for k, t in enumerate(lines)]
 
 
 def paragraph(key: str, title: str, text: str, width: float, letter: float) -> View:

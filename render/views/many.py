@@ -13,7 +13,6 @@ from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
 from render.labels import Label
 from render.paper.marks import Line, Mark
-from render.paper.typeset import plain
 from render.views.dimensions import Size, in_mm, stroke
 from render.views.plotted import NEAR_MM, outline_of
 
@@ -145,12 +144,12 @@ class ManyPositions:
                     found.append(Line(tuple(run), "dash", "construction"))
         return found
 
-    def unseen(self, title: str, lang: Lang) -> list[str]:
-        """Sentences about the numbered positions that are not drawn."""
+    def unseen(self, lang: Lang) -> list[str]:
+        """What there is to say about the numbered positions that are not drawn."""
         failed = [x.number for x in self.numbered if not x.result]
         far = [x.number for x in self.numbered if x.result and not self.near(x.result)]
         told = (("positions_failed", failed), ("positions_far", far))
-        return [say(key, lang, view=plain(title), numbers=", ".join(numbers)) for key, numbers in told if numbers]
+        return [say(key, lang, numbers=", ".join(numbers)) for key, numbers in told if numbers]
 
     def labels(self) -> list[Label]:
         """Numbers of the positions at the end of the crank, or beneath a sliding driver, and where links end that turn

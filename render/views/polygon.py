@@ -74,7 +74,7 @@ class Polygon:
         marks = (*parted(strokes, placed.texts), *circled, *placed.marks)
         apart = {d: self.mark_labels(SAME_MM / d.times) if self.of_rates else named for d in details}
         marks = detail.beside(marks, [d.drawn(ground, apart[d]) for d in details])
-        return (*marks, remark(f"({say('shifted', self.naming.lang)})", marks)) if self.shifted else marks
+        return (*marks, *remark(f"({say('shifted', self.naming.lang)})", marks)) if self.shifted else marks
 
     def letters(self) -> list[str]:
         """Letters for the details of this plan, after those of the plans before it."""

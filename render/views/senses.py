@@ -68,7 +68,7 @@ def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark
 
 def parted(lines: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:
     """The lines broken where a letter stands on one, as a draughtsman breaks them."""
-    if not lines or not texts:
+    if not lines or not texts or labels.rough():
         return tuple(lines)
     boxes = polygons([layout(t).box for t in texts])
     struck = sorted(set(ink(lines).within(boxes, CLEAR_MM / 2)[0].tolist()))

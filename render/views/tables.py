@@ -155,7 +155,7 @@ class Tables:
         def make() -> View:
             marks = TableGrid(self.letter).drawn(head, rows)
             for note in notes:
-                marks = (*marks, remark(note, marks))
+                marks = (*marks, *remark(note, marks))
             return view(key, title, marks)
 
         return self.once(("table", key, self.letter, *map(tuple, rows)), make)

@@ -1,0 +1,188 @@
+"""How the views of a sheet fill a format: which letters, which blocks, how large the plans, in which order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import accumulate, product
+
+from render.labels import roughly
+from render.sheet.columns import OVER, Columns, Item
+from render.sheet.composer import LARGER
+from render.sheet.frame import Paper
+from render.sheet.module import GAP_MM, Module
+from render.sheet.sizes import LARGEST, Extents, Sizes, grown
+from render.sheet.stacking import Stacking
+from render.views import View, plumbed
+
+SMALLER = (0.8, 0.63, 0.5, 0.4)
+"""How small, against the scene's choice, plans may become where μ is open and no paper holds them; it is said."""
+LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5), "A0": (5.0, 3.5)}
+"""Letter heights of tables to try on a format, or on several of it side by side, in mm; equations are a step larger."""
+Upright = tuple[str, ...]
+UPRIGHT: tuple[Upright, ...] = (("motion", "rates"), ("motion",), ("rates",), ())
+"""Blocks of views that are to stand beneath each other: as many as a format has room for."""
+
+
+@dataclass(frozen=True)
+class Contents:
+    """What a sheet shows.
+
+    ``views`` are those it must hold, and those that may be left out, for sizes of plans, a letter height of tables,
+    and whether equations stand under their plans; ``extents`` what may grow, with its size in mm; ``free``: the μ of
+    some plans is open.
+    """
+
+    views: Callable[[Sizes, float, bool], tuple[list[View], list[View]]]
+    extents: Extents = lambda sizes: {}
+    extras: tuple[str, ...] = ()  # those of the views that wait for room that have found some
+    free: bool = False
+
+    @property
+    def factors(self) -> tuple[float, ...]:
+        """How large plans may be, against the scene's choice."""
+        return (1.0, *SMALLER) if self.free else (1.0,)
+
+    def lettered(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> tuple[list[View], list[View]]:
+        """The views with titles as high as their equations, in blocks if those stand ``upright``."""
+        wanted, spare = self.views(sizes, letter, together)
+        wanted = [v for v in wanted if v.key in self.extras or not v.extra]
+
+        def shown(v: View) -> View:
+            return replace(v, heading=LARGER[letter], block=v.block if v.block in upright else "")
+
+        return list(map(shown, wanted)), list(map(shown, spare))
+
+    def extra(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> list[View]:
+        """The views that wait for room."""
+        return [v for v in self.views(sizes, letter, together)[0] if v.extra and v.key not in self.extras]
+
+
+Way = tuple[Sizes, float, bool, Upright]
+"""Sizes of plans, a letter height, whether equations stand under their plans, and which blocks stand upright."""
+
+
+def ways(sizes: Sizes, name: str, fits: Callable[[Way], bool], best: Way | None = None) -> Way | None:
+    """The best looking way to fill a format, but none better than ``best``; large letters only where small ones fit."""
+    fit, how = cache(fits), [*product(LETTERS[name[:2]], (True, False))]
+    levels = [[(sizes, *h, upright) for h in how] for upright in UPRIGHT]
+    if best:
+        k = UPRIGHT.index(best[-1])
+        levels = [levels[k][levels[k].index(best) :], *levels[k + 1 :]]
+    if not any(map(fit, levels[-1][-2:])):
+        return None
+    return next(filter(fit, next(level for level in levels if any(map(fit, level[-2:])))))
+
+
+def attempts(
+    contents: Contents, name: str, factor: float, whole: bool
+) -> Iterator[tuple[Contents, Way, tuple[int, ...]]]:
+    """What is to be tried on a format, with the order of its views: plans as large as there seems to be room for. How
+    large a view is, is known where it was tried; labels of the others are put but roughly."""
+    tried = set[tuple[tuple[str, ...], Way]]()
+    while True:
+        with roughly():
+            how = fitted(contents, name, factor, whole)
+            if not how:
+                return
+            more, how = with_extras(contents, how, name, whole)
+            how, order = enlarged(more, how, whole, Paper(name))
+        if (more.extras, how) in tried:
+            return
+        tried.add((more.extras, how))
+        yield more, how, order
+
+
+def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | None:
+    """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
+
+    def fits(how: Way) -> bool:
+        return bool(whole or contents.lettered(*how)[1]) and packed(shown(contents, how, whole), Paper(name))
+
+    return ways(Sizes(factor), name, fits)
+
+
+def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
+    """The same with as many of the views that wait for room as there is some for, with plans no smaller."""
+    for key in [v.key for v in contents.extra(*how)]:
+        more = replace(contents, extras=(*contents.extras, key))
+
+        def fits(how: Way, more: Contents = more) -> bool:
+            return packed(shown(more, how, whole), Paper(name))
+
+        other = ways(how[0], name, fits, how)
+        contents, how = (more, other) if other else (contents, how)
+    return contents, how
+
+
+def shown(contents: Contents, how: Way, whole: bool) -> list[View]:
+    """The views of a sheet: all of them, or those only that it must hold."""
+    wanted, spare = contents.lettered(*how)
+    return [*wanted, *spare] if whole else wanted
+
+
+def enlarged(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:
+    """The same with plans as large as there is room for on the paper, and the order of the views."""
+    x0, y0, x1, y1 = paper.field
+    views = shown(contents, how, whole)
+    stacking = stacking_of(views, paper)
+    order = columns_of(views, stacking).arranged(enough=OVER)[0]
+
+    def fits(sizes: Sizes) -> bool:
+        nonlocal order
+        columns = columns_of(shown(contents, (sizes, *how[1:]), whole), stacking)
+        if columns.ordered(order).cost < OVER:
+            return True
+        other, found = columns.arranged(order, OVER)
+        order = other if found.cost < OVER else order
+        return found.cost < OVER
+
+    sizes = grown(how[0], contents.extents, LARGEST * min(x1 - x0, y1 - y0), fits)
+    return (sizes, *how[1:]), tuple(order)
+
+
+def laid(
+    contents: Contents, how: Way, order: Sequence[int], whole: bool, paper: Paper
+) -> list[tuple[View, float, float]]:
+    """Places of the views on the paper; none, if there is no room, or where rather is left out what may be than all
+    drawn too small for its letters."""
+    views = shown(contents, how, whole)
+    stacking = stacking_of(views, paper)
+    order, best = columns_of(views, stacking).arranged(order)
+    knotted = whole and how[0].factor < 1 and contents.lettered(*how)[1] and any(v.crowded for v in views)
+    found, every = list[tuple[View, float, float]](), blocks(views)
+    for k, spot in zip(order, best.spots, strict=True) if best.cost < OVER and not knotted else ():
+        tops = accumulate((-v.height - GAP_MM for v in every[k]), initial=spot.top)
+        found += [(v, spot.x, top) for v, top in zip(every[k], tops, strict=False)]
+    return found
+
+
+def blocks(views: Sequence[View]) -> list[list[View]]:
+    """Views that stand beneath each other, whatever is about them: those of one block."""
+    found: list[list[View]] = []
+    for v in views:
+        if v.block and found and found[-1][-1].block == v.block:
+            found[-1].append(v)
+        else:
+            found.append([v])
+    return [plumbed(block) for block in found]
+
+
+def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:
+    """What views may fill."""
+    return Stacking(Module(paper.field, paper.taken, max((v.width for b in blocks(views) for v in b), default=0.0)))
+
+
+def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
+    """The views in columns, in the order given."""
+    every = blocks(views)
+    high = [sum(v.height + GAP_MM for v in block) - GAP_MM for block in every]
+    wide = [max(v.width for v in block) for block in every]
+    items = [Item(w, h, b[0].step, not b[0].figure) for w, h, b in zip(wide, high, every, strict=True)]
+    return Columns(items, stacking)
+
+
+def packed(views: Sequence[View], paper: Paper) -> bool:
+    """Whether there is room for all views on the paper."""
+    return columns_of(views, stacking_of(views, paper)).arranged(enough=OVER)[1].cost < OVER
