@@ -15,6 +15,7 @@ RADIUS_MM = 16.0  # of the largest detail
 LEAST_MM = 1.6  # radius of the smallest circle on the plan
 AROUND = 1.35  # a detail reaches so many times as far as its vectors
 LETTER_MM = 5.0
+MOST_LABELS = 4  # of a circle, on the plan too
 BESIDE_MM = 8.0
 LOOK_ALIKE = dict(zip("АВЕКМНРСТУ", "ABEKMHPCTY", strict=True))
 
@@ -89,6 +90,11 @@ class Detail:
     def shows(self, label: labels.Label) -> bool:
         """Whether what a label names is seen whole."""
         return all(map(self.holds, label.at if isinstance(label.at, tuple) else (label.at,)))
+
+    def alone(self, named: Sequence[labels.Label]) -> list[labels.Label]:
+        """The labels that are read in the detail alone: those of what is seen whole there, where they are many."""
+        held = [x for x in named if self.shows(x)]
+        return held if len(held) > MOST_LABELS else []
 
     def label(self, label: labels.Label) -> labels.Label:
         """The label at its enlarged place."""

@@ -70,7 +70,9 @@ class Polygon:
         details = detail.details(self.places.values(), self.letters())
         circled = (*ground, *(d.circle() for d in details))
         strokes = self.hatching()
-        placed = labels.place([*named, *(d.named() for d in details)], circled, None, strokes)
+        inside = {x for d in details for x in d.alone(named) if x.at != self.mark(POLE)}
+        outer = [x for x in named if x not in inside]
+        placed = labels.place([*outer, *(d.named() for d in details)], circled, None, strokes)
         marks = (*parted(strokes, placed.texts), *circled, *placed.marks)
         apart = {d: self.mark_labels(SAME_MM / d.times) if self.of_rates else named for d in details}
         marks = detail.beside(marks, [d.drawn(ground, apart[d]) for d in details])
