@@ -10,7 +10,7 @@ from planes.words import Lang, say
 from planes.words.errors import SceneError
 from render.files import Page
 from render.paper.typeset import plain
-from render.sheet.fitting import LETTERS, Contents, attempts, fitted, laid, packed, stacking_of
+from render.sheet.fitting import LETTERS, Contents, attempts, fitted, laid, packed, stacking_of, stacking_on
 from render.sheet.frame import FORMATS, Paper, said_cells
 from render.sheet.sizes import Sizes
 from render.views import View
@@ -35,6 +35,7 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     Only where no format holds all of them are those left out that may be; the sheet then says so. A0 is taken where
     nothing less holds even the others.
     """
+    stacking_on.cache_clear()
     chosen = str(scene.sheet.get("format", "auto"))
     *usual, largest = FORMATS
     papers = ([chosen],) if chosen != "auto" else (usual, [largest])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from itertools import accumulate, product
 
 from render.labels import roughly
@@ -170,8 +170,15 @@ def blocks(views: Sequence[View]) -> list[list[View]]:
 
 
 def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:
-    """What views may fill."""
-    return Stacking(Module(paper.field, paper.taken, max((v.width for b in blocks(views) for v in b), default=0.0)))
+    """What views may fill, with what was found out of columns of them before."""
+    wide, usual = max((v.width for b in blocks(views) for v in b), default=0.0), Module(paper.field, paper.taken)
+    return stacking_on(usual if usual.span(wide) <= usual.widest else replace(usual, wide=wide))
+
+
+@lru_cache(maxsize=8)
+def stacking_on(module: Module) -> Stacking:
+    """What is known of columns on a module; it is forgotten when a sheet is begun."""
+    return Stacking(module)
 
 
 def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:

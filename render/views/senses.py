@@ -53,6 +53,8 @@ def freest(
     arrows: Iterable[tuple[symbols.Marks, complex]], ground: Sequence[Mark], clear: float
 ) -> tuple[symbols.Marks, complex]:
     """Of curved arrows, each with the middle of its arc, the first that comes near least of what is drawn."""
+    if labels.rough():
+        return next(iter(arrows))
     inked = ink(ground)
     return min(arrows, key=lambda arrow: len(inked.within(ink(arrow[0]).shapes, clear)[0]))
 
