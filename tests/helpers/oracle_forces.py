@@ -205,7 +205,7 @@ def unbalanced(sol: Solution) -> float:
     """
     parts: dict[str, list[tuple[complex, complex, float]]] = {n: [] for n in sol.links}
     for x in sol.actions:
-        if x.kind != "friction":
+        if x.kind != "friction" and x.link in parts:  # the frame takes any
             parts[x.link].append((x.place, x.force, x.moment))
     for (i, j), r in sol.reactions.items():
         if isinstance(r, tuple):
