@@ -31,8 +31,9 @@ from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
+from render.sheet.force_sheet import GROUPS, ForceSheet, group_size
 from render.sheet.frame import form_of
-from render.sheet.project import GROUPS, ForceSheet, Project, group_size
+from render.sheet.project import Project
 from render.sheet.sizes import Sizes
 from render.views import View
 from render.views.diagrams import SECTIONS, DiagramCurve, section_mm

@@ -1,8 +1,4 @@
-"""The sheets of a course project, each a list of views.
-
-The first: structure and kinematics. The second, forces: every group apart with its loads, its plan and its links; the
-driver; the lever.
-"""
+"""Sheet 1 of a course project: structure and kinematics."""
 
 from __future__ import annotations
 
@@ -14,7 +10,7 @@ from planes.plans.measuring import counted, formula_of
 from planes.solving import Position
 from planes.words import say
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, at, kind_of, links_of, mu_of
+from planes.words.names import kind_of, mu_of
 from render.labels.footprints import bounds
 from render.paper.marks import Mark, Text
 from render.sheet.composer import LARGER, Composer, drawn_plans
@@ -24,10 +20,8 @@ from render.views.diagrams import DiagramCurve, Diagrams, section_mm
 from render.views.dimensions import driver_angle, frame_sizes, sizes_drawn
 from render.views.directions import Directions
 from render.views.hodographs import Hodograph, hodograph_view
-from render.views.loading import Loading
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
-from render.views.moments import Lever
-from render.views.plotted import Places, of_position
+from render.views.plotted import of_position
 from render.views.scheme import Scheme
 from render.views.special_points import special_points
 
@@ -147,104 +141,3 @@ class Project:
         """The hodographs the scene asks for."""
         c = self.composer
         return c.once(("hodographs",), lambda: hodograph_view(self.loops, c.naming)) if self.loops else None
-
-
-GROUPS = "groups"
-"""The name under which all groups apart grow: they have one μ, which is not that of the scheme."""
-
-
-def group_size(position: Position) -> float:
-    """The size in mm of the largest group apart."""
-    places, forces = Places(position), (p for p in position.plans.drawn if kind_of(p) == "force")
-    return max((places.size(links_of(plan)) for plan in forces), default=0.0)
-
-
-@dataclass
-class ForceSheet:
-    """The views of sheet 2."""
-
-    composer: Composer
-
-    def views(self, position: Position, larger: Position, letter: float) -> list[View]:
-        """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables; groups apart as
-        on a ``larger`` scheme."""
-        c, plotted = self.composer, of_position(position)
-        found: list[View | None] = [self.loaded(position)]
-        for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
-            links = links_of(plan)
-            moments = c.moments(larger, letter, links)
-            step = [
-                c.stack("group", self.group(larger, plan, links), moments, gap=5.0),
-                c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
-                self.apart(larger, links),
-            ]
-            found += [replace(v, step=plan) for v in step if v]
-        found.append(self.lever(position, letter))
-        tables = c.tables(position, letter)
-        return [
-            v for v in (*found, tables.given(loading=True), tables.reactions(), tables.check(), c.note(letter)) if v
-        ]
-
-    def loaded(self, position: Position) -> View:
-        """The scheme with all outer loads."""
-        c = self.composer
-
-        def make() -> View:
-            loading = Loading(position, c.naming, tuple(position.plans.mechanism.links))
-            loading.loads(carried=False)
-            drawn = Scheme(position, c.naming).drawn(True, loading.marks, loading.named)
-            return view("loaded", c.titled(position, "loaded"), drawn, True, plan="position")
-
-        return c.once(("loaded", position.scales[mu_of("position")]), make)
-
-    def group(self, position: Position, plan: str, links: tuple[str, ...]) -> View | None:
-        """A group apart with its forces, reactions and arms."""
-        c = self.composer
-
-        def make() -> View:
-            loading = Loading(position, c.naming, links)
-            loading.loads(carried=True)
-            loading.reactions(plan)
-            if links == (position.plans.structure.driver,):
-                loading.balancing(*links)
-            loading.arms(position.plans.moments_of(links))
-            drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
-            key = "loaded_group" if len(links) > 1 else "loaded_driver"
-            title = c.titled(position, key, links="–".join(map(c.naming.link, links)))
-            return view("group", title, drawn, True, plan=GROUPS)
-
-        return c.once(("loaded", links, position.scales[mu_of("position")]), make)
-
-    def apart(self, position: Position, links: tuple[str, ...]) -> View | None:
-        """The links of a group one by one, each with its loads and all reactions on it, the inner ones too."""
-        if len(links) < 2:
-            return None
-        c = self.composer
-
-        def make() -> View:
-            title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
-            return view("apart", title, beside([self.alone(position, x) for x in links]).marks, True, plan=GROUPS)
-
-        return c.once(("apart", links, position.scales[mu_of("position")]), make)
-
-    def alone(self, position: Position, link: str) -> View:
-        """A link with its loads and all reactions on it."""
-        loading = Loading(position, self.composer.naming, (link,))
-        loading.loads(carried=False)
-        loading.whole_reactions()
-        if position.plans.structure.drive_pair.joins(link):
-            loading.balancing(link)
-        scheme = Scheme(position, self.composer.naming, (link,), False)
-        return view("part", "", scheme.drawn(False, loading.marks, loading.named))
-
-    def lever(self, position: Position, letter: float) -> View | None:
-        """Zhukovsky's lever with its moment equation."""
-        c, found = self.composer, Lever(position, self.composer.naming)
-        if at("lever", POLE) not in position.drawing:
-            return None
-        kind, title = "motion" if position.plans.at_rest else "velocity", say("lever", c.lang)
-        if kind == "velocity":
-            title += f", {c.mu(of_position(position), 'velocity')}"
-        key = ("lever", position.scales[mu_of(kind)])
-        drawn = c.once(key, lambda: view("lever", title, found.drawn(), True, plan=kind))
-        return c.stack("lever", drawn, c.moments(position, letter, ("lever",)))
