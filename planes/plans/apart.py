@@ -76,5 +76,5 @@ def links_apart(plans: Plans, plan: str) -> Iterator[LinkApart]:
         return LinkApart(link, plan, force, (*known, *loads), reactions)
 
     for r in inner.values():
-        found = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and x != plans.structure.driver]
+        found = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and not plans.structure.drive_pair.joins(x)]
         yield min(found, key=lambda one: (sum(x.pair.joins(one.link) for x in inner.values()), len(one.known)))

@@ -58,7 +58,8 @@ class Plotted:
 
     def still(self, plan: str) -> bool:
         """Whether every mark of the plan stands in its pole: there is nothing to draw."""
-        return all(abs(self.mark(plan, label)) < 1e-6 for label in self.labels(plan))
+        ends = self.labels(plan) or [s.end for s in self.drawn_segments(plan)]
+        return all(abs(self.mark(plan, label)) < 1e-6 for label in ends)
 
 
 def of_position(p: Position) -> Plotted:
