@@ -21,6 +21,7 @@ from planes.lesson.stating import Stating
 from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole
 from planes.plans import Plans
 from planes.plans.apart import links_apart
+from planes.plans.derived import unit_of_value
 from planes.plans.reactions import Reaction
 from planes.words import Lang, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, letter_of, lettered, mu_of, plan_of
@@ -177,7 +178,8 @@ class Teller:
     def reckoned(self, rate: Calculate, lang: Lang) -> str:
         """A value with its formula; of one that turns its sense."""
         turns = UNITS.get(letter_of(rate.makes)) in ("rad/s", "rad/s²")
-        return formula(rate, lang) + (f" ({slot(rate.makes, 's')})" if turns else "")
+        key = "" if self.plans.moves else unit_of_value(rate.makes)
+        return formula(rate, lang, key=key) + (f" ({slot(rate.makes, 's')})" if turns else "")
 
     def span(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
         """The ends of the segment of that name."""
