@@ -39,7 +39,9 @@ class Loops:
     def drive(self, q: Array) -> float:
         """The drive's value in a pose."""
         pair = self.plans.structure.drive_pair
-        return self.pose(q, pair.link)[1] if pair.kind == "R" else self._slid(q, pair).real
+        return (
+            self.pose(q, pair.link)[1] - self.pose(q, pair.other)[1] if pair.kind == "R" else self._slid(q, pair).real
+        )
 
     def target(self, q: Array, value: float) -> float:
         """A value of the drive (degrees or m) as the loops have it, whole turns those of the pose."""
@@ -91,7 +93,9 @@ class Loops:
         pair, row = self.plans.structure.drive_pair, np.zeros(len(q))
         if pair.kind == "P":
             return self._slider_slopes(q, pair)[0]
-        row[3 * self.links.index(pair.link) + 2] = 1.0
+        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
+            if link != FRAME:
+                row[3 * self.links.index(link) + 2] = sign
         return row
 
     def _fill(self, rows: Array, q: Array, link: str, place: complex, unit: complex, sign: float) -> None:

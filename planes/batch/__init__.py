@@ -64,8 +64,7 @@ class Cycle(Ready):
         self.program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus, self.known = unit_scales(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
-        driver = plans.links[plans.mechanism.drive.link]
-        if self.known - {*self.mus, plans.drive_given, driver.omega, driver.epsilon, "v_drive", "a_drive"}:
+        if self.known - {*self.mus, plans.drive_given, *plans.mechanism.drive.rates}:
             # what is not the scene's own number is no fault of the links it was said of
             proofs = tuple(p for p in self.program.proofs if not isinstance(p, Rigid | Slid))
             self.program = Program(self.program.steps, proofs)

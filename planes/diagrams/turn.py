@@ -78,10 +78,7 @@ class WholeTurn:
 
 def unit_drive(plans: Plans) -> dict[str, float]:
     """The givens of a drive with ω₁ = 1 and ε₁ = 0 (or v = 1 and a = 0): velocities are then analogues, dr/dφ₁."""
-    drive = plans.mechanism.drive
-    if drive.kind == "s":
-        return {"v_drive": 1.0, "a_drive": 0.0}
-    return {plans.links[drive.link].omega: 1.0, plans.links[drive.link].epsilon: 0.0}
+    return dict(zip(plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
 
 
 def turn_of(

@@ -35,8 +35,8 @@ class Tool:
     flat: float = 2e-15  # sharpness at or below which two lines count as parallel
     still: float = 2e-14  # relative: a speed at or below this is a standstill
     doubt_mm: float = 0.0  # marks no farther apart than this may be one mark
-    plans: int = 40  # drawn one after another, each with what the one before gave, until nothing changes
-    settled: float = 1e-10  # relative: what the last of them may change
+    plans: int = 12  # drawn one after another, each with what those before lead to, until nothing changes
+    settled: float = 0.01  # what the last of them may change, to the root of what rounding makes
     shape: tuple[int, ...] = ()  # of what is drawn at once; () for one
     sharpness: dict[str, Real] = field(default_factory=dict)
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)

@@ -9,7 +9,6 @@ from functools import partial
 from planes.drafting import steps as s
 from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
-from planes.drafting.equations import Equation
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
@@ -19,8 +18,10 @@ from planes.lesson.moments import moment_words
 from planes.lesson.reckoning import Reckoning
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
-from planes.lesson.steps import Names, Said, StepWords, shown_on, whole
+from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole
 from planes.plans import Plans
+from planes.plans.apart import links_apart
+from planes.plans.derived import unit_of_value
 from planes.plans.reactions import Reaction
 from planes.words import Lang, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, letter_of, lettered, mu_of, plan_of
@@ -67,7 +68,7 @@ class Teller:
             found += self.readings(readings, found)
             readings = []
             found.append(self.mark(step))
-            solved = ((e.plan, self.sought(e)) for e in self.solved.get(step.makes, ()))
+            solved = ((e.plan, sought(e)) for e in self.solved.get(step.makes, ()))
             found += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
             found += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
         return self.in_order(self.stating.stated(found + self.readings(readings, found), self.frame))
@@ -160,7 +161,7 @@ class Teller:
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
         """What is read off a plan of rates once an equation is solved, and the angular rates that follow."""
         index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
-        names = self.sought(self.plans.equations[index]) if index is not None else []
+        names = sought(self.plans.equations[index]) if index is not None else []
         told = {name for f in before if (f.key, f.plan) == ("measured", plan) for name in f.terms}
         return self.read_off("measured", plan, [name for name in names if name not in told], rates)
 
@@ -177,12 +178,8 @@ class Teller:
     def reckoned(self, rate: Calculate, lang: Lang) -> str:
         """A value with its formula; of one that turns its sense."""
         turns = UNITS.get(letter_of(rate.makes)) in ("rad/s", "rad/s²")
-        return formula(rate, lang) + (f" ({slot(rate.makes, 's')})" if turns else "")
-
-    def sought(self, equation: Equation) -> list[str]:
-        """Vectors whose lengths an equation gives: its unknown terms and its total."""
-        names = [whole(equation, t.name) for t in equation.terms if not t.drawn and t.length is None]
-        return list(dict.fromkeys([*names, *([equation.total] if equation.total else [])]))
+        key = "" if self.plans.moves else unit_of_value(rate.makes)
+        return formula(rate, lang, key=key) + (f" ({slot(rate.makes, 's')})" if turns else "")
 
     def span(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
         """The ends of the segment of that name."""
@@ -209,7 +206,9 @@ class Teller:
         drive = self.plans.mechanism.drive
         names += [self.plans.balancing] * (drive.kind == "s" and plan == force_plan(drive.link))
         found = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
-        found += [self.frame("apart", plan, names=own, terms=(own["force"],)) for own in self.words.apart(plan)]
+        found += [
+            self.frame("apart", plan, names=apart_words(x), terms=(x.force,)) for x in links_apart(self.plans, plan)
+        ]
         reactions = self.plans.reactions.values()
         return found + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
 

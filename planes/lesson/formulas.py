@@ -64,11 +64,12 @@ def slots(text: str) -> list[str]:
     return [name for _, name, _ in SLOT.findall(text)]
 
 
-def formula(step: Calculate, lang: Lang, called: str = "") -> str:
-    """``name = symbols = numbers = value unit``; by the name of the step, or the one it is ``called`` by."""
+def formula(step: Calculate, lang: Lang, called: str = "", key: str = "") -> str:
+    """``name = symbols = numbers = value unit``; by the name of the step, or the one it is ``called`` by; ``key`` is
+    that of its unit, if its name does not tell."""
     symbols, numbers = sides(step, lambda name: name)
     name = called or step.makes
-    return f"⟨{name}⟩ = {symbols} = {numbers} = {slot(step.makes)} {unit(name, lang)}"
+    return f"⟨{name}⟩ = {symbols} = {numbers} = {slot(step.makes)} {say(key, lang) if key else unit(name, lang)}"
 
 
 def sides(

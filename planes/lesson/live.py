@@ -28,8 +28,8 @@ from planes.words.records import Json
 CARRIED = ("velocity", "motion", "lever")
 """Plans of one scale: the lever's segments are carried from one of velocities."""
 SHAKEN = 0.07  # of itself: how far a number is changed to see which terms are nothing whatever it is
-FEW, NEAR = 12, 1e-5
-"""Successive plans of a page, which shows four digits, and how near the last of them is."""
+FEW, NEAR = 4, 1e3
+"""Successive plans of a page, which shows four digits, and how near the last of them is, to the root of rounding."""
 
 
 @dataclass

@@ -13,6 +13,7 @@ from planes.lesson.formulas import fill, mu_said, unit
 from planes.lesson.frame import Frame
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.alignment import aligned
+from planes.plans.apart import links_apart
 from planes.plans.law_words import law_said
 from planes.plans.measuring import counted, formula_of, lettering, say_plan
 from planes.plans.quantities import Measured
@@ -135,6 +136,9 @@ class Note:
                 yield from self.compared()
                 continue
             yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
+            for one in links_apart(self.position.plans, plan):
+                if one.polygon and one.marks(self.position.plans, self.position.drawing):
+                    yield self.figure(one.plan, self.caption(one.plan, plan))
             if plan == "velocity" and self.scene.find is None:
                 yield from self.transfers()
 
@@ -159,8 +163,10 @@ class Note:
             "note_group" if len(links) > 1 else self.alone if links else "note_forces", links=", ".join(links)
         )
 
-    def caption(self, plan: str) -> str:
-        mu = fill(mu_said(plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang)
+    def caption(self, plan: str, group: str = "") -> str:
+        mu = fill(
+            mu_said(group or plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang
+        )
         if plan == "position":
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-from planes.lesson.formulas import unit
 from planes.lesson.note import Note
 from planes.scene import Scene
 from planes.solving import Position
@@ -38,10 +37,8 @@ class StatedNote(Note):
             rows.append((f"⟨{f.quantity.name}⟩", *self.vector(f), say(f.quantity.columns[0].unit, self.lang)))
         head: tuple[str, ...] = (self.say("note_vector"), self.say("value"), angle, self.say("note_unit"))
         yield from self.table("note_vectors_table", head, rows)
-        found = self.position.of("values").values()
-        values = [
-            (f"⟨{f.quantity.name}⟩", number(f.number, self.lang), unit(f.quantity.name, self.lang)) for f in found
-        ]
+        found = ((f, f.quantity.columns[0].unit) for f in self.position.of("values").values())
+        values = [(f"⟨{f.quantity.name}⟩", number(f.number, self.lang), k and say(k, self.lang)) for f, k in found]
         yield from self.table(
             "note_values_table", (self.say("quantity"), self.say("value"), self.say("note_unit")), values
         )

@@ -81,6 +81,7 @@ class Stating:
                 yield say("why_equation_turns", lang, one=link[1], two=link[2], link=link[0])
             elif under := self.sliding(term):
                 key = "why_equation_slides" if under.other else "why_equation_guide"
+                key = key if under.guide else "why_equation_driven"
                 yield say(key, lang, **vars(under))
 
     @cached_property
@@ -96,7 +97,16 @@ class Stating:
                     marked = m.links[owner].guides[x.slides.guide].mark
                     if other in (marked, p + owner):
                         found[pair] = Under(p, other, owner, x.slides.guide)
-        return found
+        return self.driven() | found
+
+    def driven(self) -> dict[str, Under]:
+        """The hinge that a drive inside a group moves, by the names of its motion against the link on the frame."""
+        for g in (g for g in self.plans.structure.dyads if g.drive):
+            means = (t.means for e in self.plans.equations for t in e.terms if t.means)
+            hinge, guide = g.inner.point, g.drive.guide if g.drive else ""
+            given = (m.of for m in means if m.quantity == "relative")
+            return {of: Under(hinge, of.removeprefix(hinge), g.first, guide) for of in given}
+        return {}
 
     def sliding(self, term: Term) -> Under | None:
         """Whose motion along a guide a vector is."""

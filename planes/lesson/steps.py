@@ -12,10 +12,10 @@ from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson.formulas import formula, slot, unit
 from planes.plans import Plans
+from planes.plans.apart import LinkApart
 from planes.plans.law_words import law_said
-from planes.plans.loads import force_name
 from planes.words import Lang, say
-from planes.words.names import Meaning, kind_of, label_of, lettered, links_of, plan_of
+from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
 from planes.words.units import number
 
 Said = str | Callable[[Lang], str]  # a text, or what is told in each language
@@ -162,23 +162,17 @@ class StepWords:
         read = partial(law_said, law, self.plans.mechanism.drive, "⟨{}⟩".format)
         return lambda lang: say("why_load_law", lang, name=value, law=read(lang))
 
-    def apart(self, plan: str) -> Iterator[dict[str, str]]:
-        """The equilibrium of one link of a group by itself, which gives the reaction inside the group."""
-        links, reactions = links_of(plan), self.plans.reactions.values()
-        for r in (r for r in reactions if r.plan == plan and {r.pair.link, r.pair.other} <= set(links)):
-            link = next(x for x in reversed(links) if r.pair.joins(x) and x != self.plans.structure.driver)
-            others = (x.pair for x in reactions if x.plan == plan and x is not r and x.pair.joins(link))
-            outer = [force_name(link, pair.mate(link)) for pair in others]
-            loads = [f.name for f in self.plans.acting.forces[link] if f.quantity != "tangential"]
-            force = force_name(link, r.pair.mate(link))
-            yield {"link": link, "force": force, "sum": " + ".join(f"⟨{n}⟩" for n in (*outer, *loads, force))}
-
     def vector(self, step: s.LayOff) -> str:
         """The name of the vector a step lays off."""
         plan, label = plan_of(step.makes), label_of(step.makes)
         terms = [t.name for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
         segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
         return (terms or segments or [label])[0]
+
+
+def apart_words(one: LinkApart) -> Names:
+    """What is said of a link alone."""
+    return {"link": one.link, "force": one.force, "sum": " + ".join(f"⟨{name}⟩" for name in (*one.known, one.force))}
 
 
 def shown_on(step: s.Step) -> str:
@@ -209,3 +203,9 @@ def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
     if step.quantity == "normal":
         return "normal" if any(power < 0 for _, power in source.terms[0].factors) else "normal_w"  # v²/l, ω²l
     return "coriolis" if step.quantity == "coriolis" else "tangential"
+
+
+def sought(equation: Equation) -> list[str]:
+    """Vectors whose lengths an equation gives: its unknown terms and its total."""
+    names = [whole(equation, t.name) for t in equation.terms if not t.drawn and t.length is None]
+    return list(dict.fromkeys([*names, *([equation.total] if equation.total else [])]))

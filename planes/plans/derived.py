@@ -44,8 +44,14 @@ def derived(plans: Plans) -> Iterator[Derived]:
 def of_laws(plans: Plans) -> Iterator[Derived]:
     """Loads that are laws, each what it is in the position; values that are reckoned from stated vectors."""
     for name, value in plans.values.items():
-        yield Derived((name,), unit_of_parameter(name), value, "values")
+        yield Derived((name,), unit_of_value(name), value, "values")
+
     for name in plans.acting.laws:
         load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
         if unit and load in plans.program.made:
             yield Derived((load,), unit, load, "loads")
+
+
+def unit_of_value(name: str) -> str:
+    """The key of the unit of a stated value, "" where its name does not tell; P_T is a power of friction."""
+    return "W" if name.startswith("P_T") else unit_of_parameter(name)

@@ -41,8 +41,8 @@ class Group:
 
     ``links`` stand in the order of the file. ``first`` and ``last`` are the same two in the order the method
     takes them (RRP: connecting rod, slider; RPR: slider, guide link; RPP: hinged link, the other), with
-    outer pairs ``first_outer`` and ``last_outer``. With a ``drive`` inside (a cylinder) ``first`` carries its guide,
-    and with the drive stopped the slider is one with it.
+    outer pairs ``first_outer`` and ``last_outer``. With a ``drive`` inside (a cylinder, a motor in a hinge) ``first``
+    is the link of it that hangs on the frame, and with the drive stopped the other is one with it.
     """
 
     links: tuple[str, str]
@@ -57,12 +57,12 @@ class Group:
 
     @property
     def whole(self) -> tuple[str, ...]:
-        """All its links, the slider of a drive inside among them, by which its force plan is called."""
+        """All its links, both of a drive inside among them, by which its force plan is called."""
         return tuple(part for link in self.links for part in self.parts(link))
 
     def parts(self, link: str) -> tuple[str, ...]:
-        """The links that one of the two is made of: itself and, with a drive inside, the slider of that."""
-        return (link, self.drive.link) if self.drive and link == self.first else (link,)
+        """The links that one of the two is made of: itself and, with a drive inside, the other of that."""
+        return (link, self.drive.mate(link)) if self.drive and link == self.first else (link,)
 
     def holder(self, link: str, pair: Pair) -> str:
         """Which of its parts has a pair."""

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Image, Same, Turn
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
-from planes.plans.cylinders import driven_end, driven_spot, driven_terms
+from planes.plans.driven import driven_end, driven_spot, driven_terms
 from planes.plans.groups import Group
 from planes.plans.legs import Leg, SlideReading, legs_of
 from planes.scene.mechanism import FRAME, RATES
@@ -40,6 +40,12 @@ class Rates:
     def spin(self, link: str) -> str:
         """Name of the angular velocity (or acceleration) of a link."""
         return {"velocity": "omega_", "motion": "omegaq_", "acceleration": "epsilon_"}[self.plan] + link
+
+    @property
+    def drive_rate(self) -> str:
+        """Name of the rate of the drive."""
+        drive = self.bodies.mechanism.drive
+        return f"{self.letter}drive" if drive.kind == "s" else self.spin(drive.turning)
 
     def label(self, name: str) -> str:
         """The label a point has on this plan: small letters, primed for accelerations; the pole if fixed."""
@@ -120,8 +126,8 @@ class Rates:
             self.turning[leg.turns] = (start, self.mark(leg.new.name), leg.along)
         elif leg.pair:
             self.slides[leg.pair.link] = self.slide_reading(leg)
-        if leg.drive and leg.spot:
-            self.slides[leg.drive.link] = driven_spot(self, leg, leg.drive, leg.spot)
+        if leg.drive:
+            driven_spot(self, leg, leg.drive)
 
     def slide_reading(self, leg: Leg) -> SlideReading:
         """The slider against its guide, along the guide."""
@@ -167,7 +173,7 @@ def _rate(r: Rates) -> str:
     """The name of the driver's own rate, as it is given."""
     d, drive = r.bodies.draft, r.bodies.mechanism.drive
     rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
-    value = d.give(f"{r.letter}drive" if drive.kind == "s" else r.spin(drive.link), rate)
+    value = d.give(r.drive_rate, rate)
     d.law(value, None if r.plan == "motion" else r.bodies.mechanism.laws.get(("drive", RATES[drive.kind][r.quick])))
     return value
 

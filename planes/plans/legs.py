@@ -33,7 +33,7 @@ class Leg:
     turns: str | None = None
     pair: Pair | None = None
     slider_new: bool = True
-    drive: Pair | None = None  # that moves the new point along the guide of the link that turns
+    drive: Pair | None = None  # that moves the new point against the link that turns
     spot: BodyPoint | None = None  # of that link, where the new point is
 
     @property
@@ -59,7 +59,7 @@ class SlideReading:
 def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     """The two legs of a group, in the order the method writes them."""
     if g.drive:
-        return _cylinder_leg(b, g, g.drive), _outer_leg(b, g.last_outer, g.last, BodyPoint(*[g.inner.point] * 2))
+        return _driven_leg(b, g, g.drive), _outer_leg(b, g.last_outer, g.last, BodyPoint(*[g.inner.point] * 2))
     if g.kind in (1, 2, 4):
         new = BodyPoint(g.inner.point, g.inner.point)
         return _outer_leg(b, g.first_outer, g.first, new), _outer_leg(b, g.last_outer, g.last, new)
@@ -81,8 +81,8 @@ def inner_leg(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
     return Leg(spot, known, link, spot.name + hinge, along, pair=pair, slider_new=pair.link == new)
 
 
-def _cylinder_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
-    """To the hinge of the slider: with the guide's link about its pivot, and along the guide as the drive moves it."""
+def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
+    """To the hinge of what is driven: with the link on the frame about its pivot, against that as the drive says."""
     hinge, pivot, d = g.inner.point, g.first_outer.point, b.draft
     ray = d.ray(SCHEME, pivot, hinge)
     towards = d.step(Turn(f"{hinge}→{pivot}", ray, 2, means=Meaning("towards", hinge, pivot)))

@@ -19,7 +19,7 @@ def draw_lever(s: Statics) -> str:
     """Draw the lever and balance it; the name of its balancing moment (or force)."""
     acting, b = s.acting, s.bodies
     drive = b.mechanism.drive
-    rate = acting.motion.spin(drive.link) if drive.kind == "phi" else f"{acting.motion.letter}drive"
+    rate = acting.motion.drive_rate
     b.draft.pole("lever")
     products, shown = [], []
     for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # of no reaction

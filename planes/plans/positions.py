@@ -1,6 +1,9 @@
 """Position plans of dyads, each by засечки, as vector equations for the drafting core."""
 
+from dataclasses import dataclass
+
 from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import Image, Turn
 from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Product, SenseOf, SizeOf
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
@@ -65,10 +68,28 @@ def _place_hinged(b: Bodies, g: Group) -> None:
 
 
 def place_driven(b: Bodies, g: Group) -> None:
-    """A cylinder and the link it moves: how long the cylinder is, that is a засечка with the other link."""
+    """The two links of a drive and the one they move: how far apart their hinges are, that is a засечка with it."""
     assert g.drive
-    pair, hinge, pivot = g.drive, g.inner.point, g.first_outer.point
-    reach, offset, length = cylinder(b, pair, pivot, hinge)
+    hinge, pivot = g.inner.point, g.first_outer.point
+    if g.drive.kind == "R":
+        elbow = _elbow(b, g, g.drive)
+        _reach(b, g, elbow.length)
+        elbow.place(b)
+        return
+    pair, ends = g.drive, (pivot, hinge) if g.first == g.drive.other else (hinge, pivot)
+    reach, offset, length = cylinder(b, pair, ends, pivot)
+    _reach(b, g, length)
+    means, marks = Meaning("along", pair.guide), (at(SCHEME, ends[0]), at(SCHEME, ends[1]))
+    way = b.draft.step(SenseOf(f"way_{pair.guide}", reach))
+    along = b.draft.step(Touch(f"∥{pair.guide}", *marks, offset, "mu_position", way, means=means))
+    ref = BodyPoint(pivot, pivot), BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.first))
+    b.place_points(Body(b.mechanism.link(g.first), ref[0], b.axis_along(pair, g.first, along), g.first, ref))
+    place_slider(b, pair, pair.mate(g.first), hinge, along)
+
+
+def _reach(b: Bodies, g: Group, length: str) -> None:
+    """The hinge between what is driven, with the drive stopped one link of this length, and the link it moves."""
+    hinge, pivot = g.inner.point, g.first_outer.point
     chains = {g.first: _chain(hinge, pivot, length)}
     if g.kind == 1:
         own = b.length(b.mechanism.link(g.last), g.last_outer.point, hinge)
@@ -82,32 +103,70 @@ def place_driven(b: Bodies, g: Group) -> None:
         b.place_points(rigid_body(b, g.last, g.last_outer.point, hinge))
     else:
         place_slider(b, g.last_outer, g.last, hinge, direction)
-    means, ends = Meaning("along", pair.guide), (at(SCHEME, pivot), at(SCHEME, hinge))
-    way = b.draft.step(SenseOf(f"way_{pair.guide}", reach))
-    along = b.draft.step(Touch(f"∥{pair.guide}", *ends, offset, "mu_position", way, means=means))
-    ref = BodyPoint(pivot, pivot), BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.first))
-    b.place_points(Body(b.mechanism.link(g.first), ref[0], b.axis_along(pair, g.first, along), g.first, ref))
-    place_slider(b, pair, pair.link, hinge, along)
 
 
-def cylinder(b: Bodies, pair: Pair, pivot: str, hinge: str) -> tuple[str, str | None, str]:
-    """How far its hinges are apart along the guide and across it, and as they lie: names of values, SI."""
+@dataclass(frozen=True)
+class Elbow:
+    """Two links with a motor in the hinge between them, drawn aside from the ``pivot``, the first one's axis level: how
+    far the ``hinge`` is from the pivot, and the marks there."""
+
+    group: Group
+    motor: str
+    pivot: str
+    hinge: str
+    length: str
+    aside: tuple[str, str]
+
+    def place(self, b: Bodies) -> None:
+        """Both links where they are, by similarity with what is drawn aside."""
+        g, start, end = self.group, at(SCHEME, self.pivot), at(SCHEME, self.hinge)
+        assert g.drive
+        shape = (start, self.aside[0]), (start, self.aside[1]), (start, end)
+        b.draft.step(Image(at(SCHEME, self.motor), start, *shape))
+        first, second = g.first, g.drive.mate(g.first)
+        body = rigid_body(b, first, self.pivot, self.motor)
+        b.place_points(body)
+        under = BodyPoint(self.hinge, moving_name(b, "", self.hinge, first))
+        body.ref, body.rigid = (BodyPoint(self.pivot, self.pivot), under), False
+        b.place_points(rigid_body(b, second, self.motor, self.hinge))
+
+
+def _elbow(b: Bodies, g: Group, pair: Pair) -> Elbow:
+    d, drive, second = b.draft, b.mechanism.drive, b.mechanism.link(pair.mate(g.first))
+    pivot, motor, hinge = g.first_outer.point, pair.point, g.inner.point
+    first, turn = b.mechanism.link(g.first), d.give(f"angle_x_{drive.link}", drive.position)
+    if drive.link == g.first:
+        turn = d.product(f"-angle_x_{drive.link}", -1.0, **{turn: 1})
+    level, helper = d.aim("→", 0.0, Meaning("given", g.first)), Meaning("guide", motor)
+    ways = angle_deg(first.points[pivot], first.points[motor]), angle_deg(second.points[motor], second.points[hinge])
+    one = d.turn(f"→{pivot}{motor}", level, *ways[0], Meaning("given", pivot))
+    turned = d.step(Turn(f"→{second.name}", level, 0, turn, means=Meaning("given", motor)))
+    two = d.turn(f"→{motor}{hinge}", turned, *ways[1], Meaning("given", motor))
+    elbow = d.lay_off(SCHEME, f"{motor}°{pivot}", at(SCHEME, pivot), one, b.length(first, pivot, motor), helper)
+    end = d.lay_off(SCHEME, f"{hinge}°{pivot}", elbow, two, b.length(second, motor, hinge), helper)
+    return Elbow(g, motor, pivot, hinge, d.measure(f"l_{pivot}{hinge}", at(SCHEME, pivot), end), (elbow, end))
+
+
+def cylinder(b: Bodies, pair: Pair, ends: tuple[str, str], pivot: str) -> tuple[str, str | None, str]:
+    """How far its hinges, of the guide's link and of the slider, are apart along the guide and across it, and as they
+    lie, which is drawn aside from the ``pivot`` on the frame: names of values, SI."""
     d, carrier, slider = b.draft, b.mechanism.link(pair.other), b.mechanism.link(pair.link)
     guide, angle = carrier.guides[pair.guide], slider.slides.angle_deg if slider.slides else None
-    more = along(slider.points[hinge] - slider.points[slider.first_point], -(angle or 0.0))
-    more -= along(carrier.points[pivot] - guide.through, guide.angle_deg)
+    more = along(slider.points[ends[1]] - slider.points[slider.first_point], -(angle or 0.0))
+    more -= along(carrier.points[ends[0]] - guide.through, guide.angle_deg)
     reach = d.give("s", b.mechanism.drive.position)
-    if hinge != slider.first_point or guide.through_point != pivot:
-        own = d.give(f"s_{hinge}{pivot}_given", more, 8 * HALF * abs(more), Meaning("offset", hinge, pivot))
-        reach = d.total(f"s_{hinge}{pivot}", [Product(1.0, ((reach, 1),)), Product(1.0, ((own, 1),))])
-    across = difference(b.offset(pair, slider.name, hinge), b.offset(pair, carrier.name, pivot))
-    name = f"l_{pivot}{hinge}"
+    if ends != (guide.through_point, slider.first_point):
+        apart = ends[1] + ends[0]
+        own = d.give(f"s_{apart}_given", more, 8 * HALF * abs(more), Meaning("offset", *ends[::-1]))
+        reach = d.total(f"s_{apart}", [Product(1.0, ((reach, 1),)), Product(1.0, ((own, 1),))])
+    across = difference(b.offset(pair, slider.name, ends[1]), b.offset(pair, carrier.name, ends[0]))
+    name = f"l_{pivot}{ends[1 - ends.index(pivot)]}"
     if across is None:
         return reach, None, d.step(SizeOf(name, reach))
-    offset, helper = d.give(f"e_{pivot}{hinge}", *across, Meaning("offset", pivot, hinge)), Meaning("guide", pair.guide)
+    offset, helper = d.give(f"e_{''.join(ends)}", *across, Meaning("offset", *ends)), Meaning("guide", pair.guide)
     level = d.aim("→", 0.0, Meaning("given", pair.guide))
     foot = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", at(SCHEME, pivot), level, reach, helper)
-    end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}", foot, d.square(level), offset, helper)
+    end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}′", foot, d.square(level), offset, helper)
     return reach, offset, d.measure(name, at(SCHEME, pivot), end)
 
 
@@ -134,7 +193,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
 
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
-    name = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
+    name = b.mechanism.guide(guide).mark if guide and b.mechanism.owner(guide) == link else None
     taken = {*b.mechanism.names, *b.specials.values(), POLE}
     here = point, link
     if not name or name in taken or b.coincident.get(name, here) != here:

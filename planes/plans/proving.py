@@ -82,11 +82,11 @@ def _balanced(s: Statics) -> Iterator[Proof]:
             if r.pair.joins(link):
                 where = at(SCHEME, r.pair.point) if r.pair.kind == "R" else s.bodies.foot(r.pair)
                 sides.append((r.start, r.end, 1 if link == r.pair.link else -1, where, r.moment))
-        if link == drive.link and drive.kind == "phi":
-            couples.append((s.balancing, 1))
-        pair = s.bodies.structure.drive_pair
-        if drive.kind == "s" and pair.joins(link):
-            plan, sign = force_plan(drive.link), 1 if link == drive.link else -1
+        pair, sign = s.bodies.structure.drive_pair, 1 if link == drive.link else -1
+        if drive.kind == "phi" and pair.joins(link):
+            couples.append((s.balancing, sign))
+        elif pair.joins(link):
+            plan = force_plan(drive.link)
             sides.append((at(plan, force_name(drive.link, pair.other)), at(plan, POLE), sign, s.bodies.foot(pair), ""))
         groups = [g.whole for g in s.bodies.structure.groups if link in g.whole]
         plan = force_plan(*(groups[0] if groups else (link,)))

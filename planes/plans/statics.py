@@ -170,7 +170,8 @@ class _GroupForces:
             if pair.mate(link) != FRAME:
                 self.statics.hand_over(self.statics.reactions[found[which].key], pair.mate(link))
         if g.drive:
-            self.statics.hand_over(found["inner"], g.drive.link)
+            which = "inner" if g.inner.joins(g.drive.link) else "first"
+            self.statics.hand_over(found[which], g.drive.link)
 
     def on(self, pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
         """The ends of the reaction on ``link`` from start to end, turned for the pair's own first link."""

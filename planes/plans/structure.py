@@ -124,15 +124,15 @@ class _Finder:
         slides = self.mechanism.links[drive.link].slides
         if drive.kind == "s" and slides and self.mechanism.owner(slides.guide) != FRAME:
             return next(s for s in self.slides if s.link == drive.link)
-        found = self.between(drive.link, FRAME)
+        found = self.between(drive.link, drive.on)
         wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
         fitting = [p for p in found if p.kind == wanted]
         if len(found) != 1 or not fitting:
             need = Phrase("need_hinge" if wanted == "R" else "need_guide")
             have = tuple(Phrase("a_hinge" if p.kind == "R" else "a_slide", name=p.point or p.guide) for p in found)
-            raise self.error(
-                Phrase("driver_pair", link=drive.link, kind=drive.kind, need=need, have=have or Phrase("none")), "drive"
-            )
+            told = {"link": drive.link, "kind": drive.kind, "need": need, "have": have or Phrase("none")}
+            key = "driver_pair" if drive.on == FRAME else "motor_pair"
+            raise self.error(Phrase(key, on=drive.on, **told), "drive")
         return fitting[0]
 
     def between(self, link: str, other: str) -> list[Pair]:
@@ -160,8 +160,8 @@ class _Finder:
         solved: tuple[str, ...] = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
-            found.append(self.driven(drive))
-            solved = drive.link, *found[0].links
+            found.append(driven := self.driven(drive))
+            solved = drive.link, drive.other, driven.last
         while True:
             for link in solved:
                 self.solve(link)
@@ -188,18 +188,19 @@ class _Finder:
         return self.classified(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
 
     def driven(self, drive: Pair) -> Group:
-        """The dyad that is moved from inside: a cylinder, whose guide's link hangs on the frame and whose slider has a
-        hinge with a link that hangs on the frame."""
-        slider, carrier = drive.link, drive.other
-        for link in (x for x in self.left if x not in (slider, carrier)):
-            inner = [p for p in self.between(link, slider) if p.kind == "R" and p.point not in self.reached]
-            outer = [self.outer[x] for x in (slider, carrier, link)]
-            free = not self.between(link, carrier) and not self.between(slider, carrier)[1:]
-            if [len(o) for o in outer] == [0, 1, 1] and len(inner) == 1 and outer[1][0].kind == "R" and free:
-                one, two = sorted((carrier, link), key=self.links.index)
-                kind = 1 if outer[2][0].kind == "R" else 2
-                return Group((one, two), kind, carrier, link, inner[0], outer[1][0], outer[2][0], drive)
-        raise self.error(Phrase("inner_drive", link=slider, carrier=carrier), "drive")
+        """The dyad that is moved from inside: of the two links of the drive one hangs on the frame by a hinge, and the
+        other has a hinge with a link that hangs on the frame."""
+        both = drive.other, drive.link
+        for held, moved in (both, both[::-1]):
+            for link in (x for x in self.left if x not in both):
+                inner = [p for p in self.between(link, moved) if p.kind == "R" and p.point not in self.reached]
+                outer = [self.outer[x] for x in (moved, held, link)]
+                free = not self.between(link, held) and not self.between(drive.link, drive.other)[1:]
+                if [len(o) for o in outer] == [0, 1, 1] and len(inner) == 1 and outer[1][0].kind == "R" and free:
+                    one, two = sorted((held, link), key=self.links.index)
+                    kind = 1 if outer[2][0].kind == "R" else 2
+                    return Group((one, two), kind, held, link, inner[0], outer[1][0], outer[2][0], drive)
+        raise self.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
 
     def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
         """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""

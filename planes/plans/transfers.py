@@ -28,15 +28,15 @@ def driver_vector(plans: Plans) -> DriverVector | None:
     for laid in (s for s in steps.values() if isinstance(s, LayOff) and s.start == at(PLAN, POLE)):
         value = steps.get(laid.length)
         factors = value.terms[0].factors if isinstance(value, Calculate) and len(value.terms) == 1 else ()
-        if len(factors) == 2 and factors[0] == (plans.links[drive.link].omega, 1) and factors[1][1] == 1:
+        if len(factors) == 2 and factors[0] == (drive.rates[0], 1) and factors[1][1] == 1:
             length = factors[1][0]
             return DriverVector(laid.start, laid.makes, laid.along, length) if plans.given.get(length, 1.0) else None
     return None
 
 
 def transfers(plans: Plans) -> Iterator[Derived]:
-    """Ratios of all links that turn (u_31; with a sliding driver omega_q3), analogues of the velocities of all points
-    whose vectors start at the pole, those of guides too (v_qC, v_qB3); the driver's own aside."""
+    """Ratios of all links that turn (u_31; of a drive that slides or is inside, omega_q3), analogues of the velocities
+    of all points whose vectors start at the pole, those of guides too (v_qC, v_qB3); the driver's own aside."""
     vector = driver_vector(plans)
     if vector is None:
         return
@@ -59,15 +59,15 @@ def analogue_units(turns: bool) -> dict[str, str]:
 
 
 def ratio_name(plans: Plans, link: str) -> str:
-    """The name of the transfer ratio ω_link/ω_driver: u_31; of a sliding driver an analogue, omegaq_3."""
-    driver = plans.mechanism.drive.link
-    if plans.mechanism.drive.kind != "phi":
+    """The name of the transfer ratio ω_link/ω_driver: u_31; of a drive that slides or is inside, omegaq_3."""
+    drive = plans.mechanism.drive
+    if drive.kind != "phi" or drive.on != FRAME:
         return f"omegaq_{link}"
+    driver = drive.link
     return f"u_{link}{driver}" if len(link) == len(driver) == 1 else f"u_{link}_{driver}"
 
 
 def turning(plans: Plans) -> list[str]:
     """Links that turn, aside from a driver whose turning is given."""
     drive = plans.mechanism.drive
-    given = drive.link if drive.kind == "phi" else ""
-    return [n for n, v in plans.links.items() if n not in (FRAME, given) and v.omega]
+    return [n for n, v in plans.links.items() if n != FRAME and v.omega and v.omega not in drive.rates]

@@ -54,7 +54,7 @@ def _named(links: Mapping[str, Link], drive: Drive) -> Iterator[tuple[str, Coord
     for link in links.values():
         for letter in ("phi", "omega", "epsilon"):
             here = Coordinate(letter, "link", link.name)
-            yield f"{letter}_{link.name}", own if (letter, link.name) == (drive.kind, drive.link) else here
+            yield f"{letter}_{link.name}", own if (letter, link.name) == (drive.kind, drive.turning) else here
         for letter in ("s", "v", "a") if link.slides else ():
             here = Coordinate(letter, "slider", link.name)
             yield f"{letter}_{link.name}", own if (letter, link.name) == (drive.kind, drive.link) else here

@@ -95,13 +95,26 @@ class Link:
 
 @dataclass(frozen=True)
 class Drive:
-    """The driver and its motion: ``kind`` "phi" (rad/s, rad/s², position in degrees) or "s" (m, m/s, m/s²)."""
+    """The driver and its motion: ``kind`` "phi" (rad/s, rad/s², position in degrees) or "s" (m, m/s, m/s²); what turns
+    does so ``on`` the frame or, with a motor between them, on another link."""
 
     link: str
     kind: Literal["phi", "s"]
     position: float
     velocity: float = 0.0
     acceleration: float = 0.0
+    on: str = FRAME
+
+    @property
+    def turning(self) -> str:
+        """The index of its turning: its link, "2_1" where it turns on another."""
+        return self.link if self.on == FRAME else f"{self.link}_{self.on}"
+
+    @property
+    def rates(self) -> tuple[str, str]:
+        """The names of its given velocity and acceleration."""
+        turning = f"omega_{self.turning}", f"epsilon_{self.turning}"
+        return turning if self.kind == "phi" else ("v_drive", "a_drive")
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from planes.words import Phrase
 ORDERS = ("left", "right", "ahead", "behind")
 _DIRECTIONS = ("direction", "along", "against")
 LOAD_KEYS = ("link", "point", "force", "moment", *_DIRECTIONS)
-DRIVE_KEYS = ("link", "phi", "omega", "epsilon", "s", "velocity", "acceleration")
+DRIVE_KEYS = ("link", "on", "phi", "omega", "epsilon", "s", "velocity", "acceleration")
 Links = Mapping[str, Link]
 
 
@@ -52,7 +52,18 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
     rates = (reader.said(table, key, what) for key in RATES[kind])
     velocity, acceleration = (0.0 if rate is None else rate for rate in rates)
     position = reader.number(reader.required(table, kind, what), part(kind, what))
-    return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration)
+    on = _turned_on(reader, table, kind, link, links)
+    return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration, on)
+
+
+def _turned_on(reader: Reader, table: SourceTable, kind: str, link: str, links: Links) -> str:
+    """The link that the driver turns on."""
+    if "on" not in table.entries:
+        return FRAME
+    if kind == "s":
+        raise reader.error(Phrase("drive_on_guide", link=link), table.lines["on"])
+    what, known = part("on", section("drive")), {FRAME: None, **links}
+    return reader.known(table.entries["on"], what, {k: v for k, v in known.items() if k != link}, Phrase("links_all"))
 
 
 def _check_rates(reader: Reader, table: SourceTable, kind: str) -> None:

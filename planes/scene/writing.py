@@ -5,7 +5,7 @@ from contextlib import suppress
 
 import yaml
 
-from planes.scene.mechanism import RATES, Amount, Drive, Guide, Link, Load, LoadLaw, Mechanism, Slide, StrokeLoad
+from planes.scene.mechanism import FRAME, RATES, Amount, Drive, Guide, Link, Load, LoadLaw, Mechanism, Slide, StrokeLoad
 from planes.scene.source import Items, SourceScalar, SourceTable
 from planes.words.records import Json
 
@@ -104,7 +104,9 @@ def _slide(slide: Slide) -> Json | str:
 
 def _drive(drive: Drive) -> Json:
     names = drive.kind, *RATES[drive.kind]
-    return {"link": drive.link, **dict(zip(names, (drive.position, drive.velocity, drive.acceleration), strict=True))}
+    on = {} if drive.on == FRAME else {"on": drive.on}
+    values = drive.position, drive.velocity, drive.acceleration
+    return {"link": drive.link, **on, **dict(zip(names, values, strict=True))}
 
 
 def _load(load: Load) -> Json:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from planes.drafting.steps import Step
+from planes.drafting.steps.tracks import CutTrack
 from planes.plans.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import plans_of
@@ -23,5 +24,20 @@ def explain(scene: Scene, lang: Lang = "en") -> str:
 def _listed(steps: Iterable[Step], lang: Lang) -> Iterator[str]:
     for step in steps:
         verb = say(f"step_{type(step).__name__}", lang)
-        names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not is_scale(name)))
+        names = ", ".join([*_read(step), *_followed(step, lang)])
         yield f"  {step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")
+
+
+def _series(step: Step) -> set[str]:
+    """The names of an assembly that is followed: numbers that no person gives."""
+    return {name for name, _ in step.guess.reads()} - {step.guess.drive} if isinstance(step, CutTrack) else set()
+
+
+def _read(step: Step) -> Iterator[str]:
+    told = dict.fromkeys(name for name, _ in step.reads() if not is_scale(name))
+    return (name for name in told if name not in _series(step))
+
+
+def _followed(step: Step, lang: Lang) -> Iterator[str]:
+    if found := _series(step):
+        yield say("explain_followed", lang, count=len(found))

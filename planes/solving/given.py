@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from planes.plans.law_words import law_said
-from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
+from planes.plans.loads import load_names
+from planes.scene.mechanism import FRAME, Amount, Guide, Link, StrokeLoad
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat, greek
@@ -52,14 +53,13 @@ class GivenTable:
     naming: Naming
     parameters: Mapping[str, float]
 
-    def rows(self, loading: bool = False) -> list[tuple[str, str, str]]:
-        """Name, value and unit of everything that is given, without what is for forces where none is drawn; of what a
-        force calculation adds alone, if asked."""
+    def rows(self) -> list[tuple[str, str, str]]:
+        """Name, value and unit of everything that is given, without what is for forces where none is drawn."""
         plain = dict.fromkeys(r for r in self.unnamed() if (r.value or r.place) and not self.known(r))
         found = sorted([*self.drive(), *self.named(), *plain], key=lambda r: (not r.of_drive, RANK.index(r.unit)))
         lang = self.naming.lang
         unit = {key: say(key, lang) if key else "—" for key in RANK}
-        shown = [r for r in found if (r.loading or not loading) and (self.position.plans.forces or not r.loading)]
+        shown = [r for r in found if self.position.plans.forces or not r.loading]
         return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in shown]
 
     def drive(self) -> list[GivenRow]:
@@ -68,7 +68,8 @@ class GivenTable:
         if not self.position.plans.moves:
             return []
         letters, units = ("φωε", ("°", "rad/s", "rad/s²")) if drive.kind == "phi" else ("sva", ("m", "m/s", "m/s²"))
-        names = (f"{letter}_{{{self.naming.link(drive.link)}}}" for letter in letters)
+        of = self.naming.link(drive.link) + ("" if drive.on == FRAME else f",{self.naming.link(drive.on)}")
+        names = (f"{letter}_{{{of}}}" for letter in letters)
         values = (self.position.at, drive.velocity, drive.acceleration)
         return [GivenRow(name, v, unit, True) for name, v, unit in zip(names, values, units, strict=True)]
 
@@ -166,6 +167,11 @@ class GivenTable:
             if name in plans.given and m.quantity in ("load", "couple"):
                 unit = "N" if m.quantity == "load" else "N·m"
                 yield GivenRow(self.naming.vector(m.of), float(plans.given[name]), unit)
+        mechanism = plans.mechanism
+        for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
+            if plans.forces and isinstance(load.direction_deg, float | int):
+                of = f"^{{({self.naming.link(load.direction_link)})}}" if load.direction_link else ""
+                yield GivenRow(f"∠{self.naming.vector(name)}{of}", load.direction_deg, "°", place=True)
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""

@@ -17,6 +17,8 @@ def warnings(
     """The sentences, those of a kind together."""
     blunt, passive = _blunt(reader, lang).items(), reader.stated.structure.passive
     said = [say("passive", lang, links=", ".join(passive))] if passive else []
+    if passive and (m := reader.stated.mechanism) and (m.loads or any(x.mass or x.inertia for x in m.links.values())):
+        said.append(say("passive_forces", lang, links=", ".join(passive)))
     said += [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
     for reason, step, _ in reader.drawing.tool.notes:
         said.append(say(reason, lang, makes=index_of(str(getattr(step, "makes", "")))))

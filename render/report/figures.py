@@ -20,7 +20,7 @@ from render.sheet.force_sheet import ForceSheet
 from render.views import View, beside, stacked, view
 from render.views.alignment import alignment_view
 from render.views.instant_centre import instant_centre
-from render.views.plotted import Plotted, of_position
+from render.views.plotted import Plotted, with_links_apart
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
 from render.views.special_points import special_points
@@ -92,7 +92,7 @@ class Studio:
     def drawn(self, block: DrawnViews, caption: str) -> tuple[list[Shown], str]:
         """The views of one position, side by side where they fit; a caption with every μ if it is asked for."""
         composer = self.composers.setdefault(id(block.scene), Composer(block.scene, self.lang, block.position.plans))
-        plotted = of_position(block.position)
+        plotted, _ = with_links_apart(block.position)
         views = []
         for names in block.views:
             held = [v for name in names if (v := _view(name, block, composer, plotted, len(names) == 1))]

@@ -123,7 +123,8 @@ class Composer:
         if kind_of(plan) != "force":
             return say(plan, self.lang)
         numbers = [self.naming.link(x) for x in links_of(plan) if x]
-        key = "force_group" if len(numbers) > 1 else "force_driver" if self.scene.mechanism else "force_link"
+        driver = self.scene.mechanism and links_of(plan) == (self.scene.mechanism.drive.link,)
+        key = "force_group" if len(numbers) > 1 else "force_driver" if driver else "force_link"
         return say(key if numbers else "force_any", self.lang, links="–".join(numbers))
 
     def formulas(self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str) -> View | None:

@@ -3,9 +3,11 @@ links; the driver; the lever."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from planes.plans import Plans
+from planes.plans.apart import LinkApart
 from planes.plans.scales import extent
 from planes.solving import Position
 from planes.words import say
@@ -14,7 +16,7 @@ from render.sheet.composer import Composer
 from render.views import View, beside, view
 from render.views.loading import Loading
 from render.views.moments import Lever
-from render.views.plotted import Places, of_position
+from render.views.plotted import Places, Plotted, of_position, with_links_apart
 from render.views.scheme import Scheme
 
 WANTED = {"loads": 1.6, "groups": 1.0, "lever": 1.2}
@@ -55,7 +57,7 @@ class ForceSheet:
 
     def views(self, position: Position, larger: Figures, letter: float) -> list[View]:
         """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables."""
-        c, plotted = self.composer, of_position(position)
+        c, (plotted, links_apart) = self.composer, with_links_apart(position)
         found: list[View | None] = [self.loaded(larger.loads)]
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)
@@ -63,14 +65,13 @@ class ForceSheet:
             step = [
                 c.stack("group", self.group(larger.groups, plan, links), moments, gap=5.0),
                 c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
-                self.apart(larger.groups, links),
+                self.apart(larger.groups, links, self.closed(plotted, links_apart[plan], letter, False)),
+                *self.closed(plotted, links_apart[plan], letter, True),
             ]
             found += [replace(v, step=plan) for v in step if v]
         found.append(self.lever(larger.lever, letter))
         tables = c.tables(position, letter)
-        return [
-            v for v in (*found, tables.given(loading=True), tables.reactions(), tables.check(), c.note(letter)) if v
-        ]
+        return [v for v in (*found, tables.given(), tables.reactions(), tables.check(), c.note(letter)) if v]
 
     def loaded(self, position: Position) -> View:
         """The scheme with all outer loads."""
@@ -102,8 +103,9 @@ class ForceSheet:
 
         return c.once(("loaded", links, position.scales[mu_of("position")]), make)
 
-    def apart(self, position: Position, links: tuple[str, ...]) -> View | None:
-        """The links of a group one by one, each with its loads and all reactions on it, the inner ones too."""
+    def apart(self, position: Position, links: tuple[str, ...], written: Sequence[View] = ()) -> View | None:
+        """The links of a group one by one, each with its loads and all reactions on it, the inner ones too; with what
+        is ``written`` beneath them."""
         if len(links) < 2:
             return None
         c = self.composer
@@ -112,7 +114,15 @@ class ForceSheet:
             title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
             return view("apart", title, beside([self.alone(position, x) for x in links]).marks, True)
 
-        return c.once(("apart", links, position.scales[mu_of("position")]), make)
+        return c.stack("apart", c.once(("apart", links, position.scales[mu_of("position")]), make), *written)
+
+    def closed(self, plotted: Plotted, apart: Sequence[LinkApart], letter: float, polygons: bool) -> list[View]:
+        """The plans of links alone with their equations; or the equations of those on which but two forces act."""
+        c, drawn = self.composer, [x for x in apart if x.polygon is polygons and plotted.has(x.plan, POLE)]
+        return [
+            c.stack(x.plan, c.plan(plotted, x.plan) if polygons else None, c.formulas(plotted, (x.plan,), letter, ""))
+            for x in drawn
+        ]
 
     def alone(self, position: Position, link: str) -> View:
         """A link with its loads and all reactions on it."""

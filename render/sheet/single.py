@@ -11,7 +11,7 @@ from planes.solving import Position
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
-from planes.words.names import kind_of, label_of, links_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, links_of, plan_of
 from render.files import Page
 from render.labels import Label, place
 from render.paper import symbols
@@ -21,7 +21,7 @@ from render.sheet.composer import Composer, drawn_plans
 from render.sheet.force_sheet import ForceSheet
 from render.sheet.project import Project
 from render.views import View, stacked, view
-from render.views.plotted import of_position
+from render.views.plotted import of_position, with_links_apart
 
 MARGIN_MM = 5.0
 LETTER_MM = 3.5  # letter height of tables; equations are a step larger
@@ -55,7 +55,7 @@ def of_mechanism(
 
     ``more`` are views of what is not seen in a position: constructions over the cycle, the self-aligning variant.
     """
-    plotted = of_position(position)
+    plotted, links_apart = with_links_apart(position)
     bare, loaded, tables = Project(composer), ForceSheet(composer), composer.tables(position, LETTER_MM)
     shown = drawn_plans(plotted, position)
     rates, forces = (tuple(p for p in shown if (kind_of(p) == "force") is of_forces) for of_forces in (False, True))
@@ -76,6 +76,9 @@ def of_mechanism(
         if len(own) > 1:
             found[f"links-{links}"] = partial(loaded.apart, position, own)
         found[f"force-{links}"] = partial(composer.plan, plotted, plan)
+        for one in links_apart[plan]:
+            if one.polygon and plotted.has(one.plan, POLE):
+                found[f"force-{one.link}"] = partial(composer.plan, plotted, one.plan)
     balance = say("balance_equations", composer.lang)
     return found | {
         "force-equations": lambda: composer.formulas(plotted, forces, LETTER_MM, balance),

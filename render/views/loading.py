@@ -172,9 +172,9 @@ class Loading:
             sign = _sign(self.drawing[plans.balancing]) * (1 if link == plans.structure.driver else -1)
             self.force(plans.balancing, foot, along * sign)
         else:
-            taken = len([c for c in plans.acting.couples[plans.structure.driver] if not c.handed])
-            name = self.naming.balancing(True)
-            self.couple(name, plans.structure.driver, float(self.drawing[plans.balancing]), taken, name)
+            taken = len([c for c in plans.acting.couples[link] if not c.handed])
+            name, sign = self.naming.balancing(True), 1 if link == plans.structure.driver else -1
+            self.couple(name, link, float(self.drawing[plans.balancing]) * sign, taken, name)
 
     def inner(self) -> set[str]:
         """Names of the reactions between these links, and of their couples."""

@@ -3,7 +3,7 @@
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -12,6 +12,7 @@ import shapely
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
+from planes.plans.apart import LinkApart, links_apart
 from planes.plans.bodies import SCHEME
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
@@ -57,7 +58,8 @@ class Plotted:
 
     def still(self, plan: str) -> bool:
         """Whether every mark of the plan stands in its pole: there is nothing to draw."""
-        return all(abs(self.mark(plan, label)) < 1e-6 for label in self.labels(plan))
+        ends = self.labels(plan) or [s.end for s in self.drawn_segments(plan)]
+        return all(abs(self.mark(plan, label)) < 1e-6 for label in ends)
 
 
 def of_position(p: Position) -> Plotted:
@@ -65,6 +67,20 @@ def of_position(p: Position) -> Plotted:
     m = p.plans.mechanism
     shared = tuple(n.lower() for n in m.frame.points if any(n in link.points for link in m.links.values()))
     return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared)
+
+
+def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
+    """The same with the plans of links alone; and these links by the plan of their group."""
+    found, plans = of_position(p), {plan: [*links_apart(p.plans, plan)] for plan in p.plans.drawn}
+    things, scales, segments, equations = dict(p.drawing.things), dict(p.scales), [*found.segments], [*found.equations]
+    for one in (x for links in plans.values() for x in links):
+        if marks := one.marks(p.plans, p.drawing):
+            things |= {at(one.plan, label): z for label, z in marks.items()}
+            scales[mu_of(one.plan)] = p.scales[mu_of(one.group)]
+            segments += [Segment(one.plan, t.start, t.end, t.name) for t in one.equation.terms]
+            equations.append(one.equation)
+    drawing = replace(p.drawing, things=things)
+    return replace(found, drawing=drawing, segments=tuple(segments), equations=tuple(equations), scales=scales), plans
 
 
 NEAR_MM = 0.4  # places closer than this are one

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from functools import partial
 from itertools import compress
 
+from planes.scene.mechanism import FRAME
 from planes.words.lettering import Naming
 from render import labels
 from render.labels.footprints import ink, polygons
@@ -30,7 +31,8 @@ def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> tup
         if rate:
             arrow, middle = _free_arc(places, radius, math.copysign(1, rate), [*ground, *found])
             found += arrow
-            text = f"{letter}_{{{naming.link(drive.link)}}}"
+            on = "" if drive.on == FRAME else f",{naming.link(drive.on)}"
+            text = f"{letter}_{{{naming.link(drive.link)}{on}}}"
             named.append(labels.Label(text, middle, LETTER_MM, clear=0.5, name=text))
     return found, named
 

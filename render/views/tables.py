@@ -167,11 +167,11 @@ class Tables:
         rates = self.plan("velocity"), self.plan("acceleration")
         return [t for t in (self.given(), *rates, self.links(), self.reactions(), self.check()) if t]
 
-    def given(self, loading: bool = False) -> View | None:
-        """What the scene gives, each thing once; masses, moments of inertia and loads alone, if ``loading``."""
+    def given(self) -> View | None:
+        """What the scene gives, each thing once."""
         given = GivenTable(self.position, self.naming, self.parameters)
         return self.table(
-            "given", self.say("given"), ["", "", ""], [*given.rows(loading), *given.laws()], list(given.formulas())
+            "given", self.say("given"), ["", "", ""], [*given.rows(), *given.laws()], list(given.formulas())
         )
 
     def plan(self, plan: str) -> View | None:

@@ -88,9 +88,9 @@ def test_every_given_number_is_on_paper(name: str) -> None:
     rows = GivenTable(drawn, Naming("ru", **lettering(scene, drawn.plans)), scene.parameters)
     note = told(Note(scene, drawn, "ru").blocks())
     assert all(" ".join(row) in note for row in rows.rows())
-    for number, some in ((None, rows.rows()), (1, rows.rows()), (2, rows.rows(("kg", "kgm2", "N", "N·m")))):
+    for number in (None, 1, 2):
         shown = texts(sheet_of(scene, None, "ru", number))
-        assert {cell for row in some for cell in row} <= shown, (number, name)
+        assert {cell for row in rows.rows() for cell in row} <= shown, (number, name)
     m = drawn.plans.mechanism
     places = {r.name: r.value for r in rows.unnamed() if r.place}
     assert all(z == 0 or places[f"x_{{{p.replace('_', '')}}}"] == z.real for p, z in m.frame.points.items())

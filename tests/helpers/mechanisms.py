@@ -211,8 +211,9 @@ class Builder:
         first = next(iter(driver.points.values()))
         return float(((first - through) * cmath.rect(1.0, -u)).real)
 
-    def cylinder(self) -> dict[str, Any]:
-        """A cylinder hinged to the frame, that moves a link hinged to it or sliding on it; its part of the scene."""
+    def cylinder(self, motor: bool) -> dict[str, Any]:
+        """A cylinder hinged to the frame (or two links with a ``motor`` between them), that moves a link on the frame;
+        its part of the scene."""
         rng, kind = self.rng, self.rng.choice(("RRR", "RRP"))
         for _ in range(1000):
             d, a, o = self.spot(), self.spot(), self.spot()
@@ -222,8 +223,14 @@ class Builder:
                 break
         u += rng.choice((0.0, 0.0, rng.uniform(-1, 1), math.pi))
         hinge, pivot = next(self.names), self.add(self.frame, d)
-        rod, barrel = self.link([(hinge, a)], u), self.link([(pivot, d)], u)
-        s = self.slid(rod, barrel, u)
+        if motor:
+            drive, barrel = self.motor(hinge, a, pivot, d)
+        elif rng.random() < 0.5:
+            rod, barrel = self.link([(hinge, a)], u), self.link([(pivot, d)], u)
+            drive = {"s": self.slid(rod, barrel, u)}
+        else:  # its barrel moves
+            barrel, rod = self.link([(pivot, d)], u), self.link([(hinge, a)], u)
+            drive = {"s": self.slid(barrel, rod, u)}
         if kind == "RRR":
             other = self.add(self.frame, o)
             self.dyads.append(Dyad(kind, barrel, self.link([(hinge, a), (other, o)]), (pivot, other), hinge, hinge))
@@ -231,7 +238,14 @@ class Builder:
             moved = self.link([(hinge, a)], u2)
             self.slide(moved, self.frame, u2)
             self.dyads.append(Dyad(kind, barrel, moved, (pivot,), hinge, hinge, lean > 0))
-        return {"s": s}
+        return drive
+
+    def motor(self, hinge: str, a: complex, pivot: str, d: complex) -> tuple[dict[str, Any], Body]:
+        """Two links with a motor in the hinge between them, either of which is the driver."""
+        rng, knee, z = self.rng, next(self.names), self.spot()
+        ends = [(hinge, a), (knee, z)], [(pivot, d), (knee, z)]
+        one, two = (self.link(x) for x in rng.choice((ends, ends[::-1])))
+        return {"on": two, "phi": math.degrees(wrapped(one.turn - two.turn))}, one if pivot in one.points else two
 
     def group(self, kind: str, ill: bool) -> None:
         """A group on two different earlier bodies, sharpness over 0.35 or, `ill`, down to `self.ill`."""
@@ -423,10 +437,11 @@ def make(
     rest: bool = False,
     limit: float = 1e9,
     every: bool = False,
-    inner: bool = False,
+    inner: bool | str = False,
     arcs: bool = False,
 ) -> Case:
-    """A random mechanism of these groups in this order; with ``inner`` a cylinder between moving links drives it.
+    """A random mechanism of these groups in this order; with ``inner`` a cylinder between moving links drives it,
+    or a "motor" in their hinge.
 
     `sliding`: the driver slides (None: one in four); `size`: half width of the field, m; `ill` < 1: one
     group of the chain has a sharpness between that and 0.1; `swapped`: an earlier link may slide on a later
@@ -461,13 +476,13 @@ def attempt(
     assembly: str | None,
     rest: bool,
     every: bool = False,
-    inner: bool = False,
+    inner: bool | str = False,
     arcs: bool = False,
 ) -> Case:
     """One try of `make`; raises NoSolution where the draw is of no use."""
     build = Builder(rng, size, ill, swapped, every)
-    sliding |= inner
-    drive = build.cylinder() if inner else build.drive(sliding)
+    sliding = bool(inner or sliding) and inner != "motor"
+    drive = build.cylinder(inner == "motor") if inner else build.drive(sliding)
     blunt = rng.randrange(len(kinds)) if ill < 1 else -1
     for k, kind in enumerate(kinds):
         build.triad(kind) if "-" in kind else build.group(kind, k == blunt)
@@ -493,6 +508,7 @@ def attempt(
     rates = (omega * size, rng.uniform(-100, 100) * size) if sliding else (omega, rng.uniform(-100, 100))
     scene["assembly"] = build.assembly(assembly)
     words = ("velocity", "acceleration") if sliding else ("omega", "epsilon")
+    drive |= {"on": drive["on"].name} if "on" in drive else {}
     scene["drive"] = {"link": driver.name, **drive, **dict(zip(words, rates, strict=True))}
     if arcs:
         build.bend(scene)

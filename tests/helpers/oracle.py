@@ -78,6 +78,7 @@ class Model:
     hinges: list[Pair]
     slides: list[Pair]
     driver: str
+    on: str
     value: float
     rate: float
     rate2: float
@@ -171,15 +172,17 @@ def read(scene: Scene) -> Model:
     slides = [Pair(s.name, s.i, s.j, s.p / size, s.g / size, s.u, s.turn, s.offset / size, s.friction) for s in slides]
     drive = scene["drive"]
     driver, revolving = str(drive["link"]), "phi" in drive
-    inner = [s.j for s in slides if s.i == driver and s.j != FRAME and not revolving]
-    groups = order_of_groups(list(links), points, slides, driver, inner)
+    on = str(drive.get("on", FRAME))
+    inner = [s.j for s in slides if s.i == driver and not revolving] if not revolving else [on]
+    groups = order_of_groups(list(links), points, slides, driver, [n for n in inner if n != FRAME])
     order = [FRAME, driver, *itertools.chain.from_iterable(groups)]
     hinges = []
     for name in dict.fromkeys(k for n in order for k in points[n]):
         base, *others = [n for n in order if name in points[n]]
+        both = ((base, n) if (base, n) == (driver, on) else (n, base) for n in others)  # a driver before what it is on
         hinges += [
-            Pair(name, n, base, points[n][name], points[base][name], friction=radius_of(whole, name, n, base) / size)
-            for n in others
+            Pair(name, n, m, points[n][name], points[m][name], friction=radius_of(whole, name, n, m) / size)
+            for n, m in both
         ]
     if revolving:
         rates = (math.radians(float(drive["phi"])), float(drive.get("omega", 0)), float(drive.get("epsilon", 0)))
@@ -189,20 +192,21 @@ def read(scene: Scene) -> Model:
             float(drive.get("velocity", 0)) / size,
             float(drive.get("acceleration", 0)) / size,
         )
-    return Model(size, list(links), points, order, hinges, slides, driver, *rates, revolving, groups)
+    return Model(size, list(links), points, order, hinges, slides, driver, on, *rates, revolving, groups)
 
 
 def order_of_groups(
     links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair], driver: str, carriers: list[str]
 ) -> list[tuple[str, ...]]:
-    """Groups in order of solving: each time the first two links, in file order, that can be solved. With a drive on a
-    guide of a moving link (``carriers``), that link and the one its slider moves come first."""
+    """Groups in order of solving: each time the first two links, in file order, that can be solved. With a drive
+    against a moving link (``carriers``), that link and the one that the two move come first."""
     solved: set[str] = {FRAME, driver}
     groups: list[tuple[str, ...]] = []
     for carrier in carriers:
         held = {s.i for s in slides if s.j == FRAME} | {n for n in links if points[n].keys() & points[FRAME].keys()}
-        moved = next(n for n in links if n in held - {carrier} and points[n].keys() & points[driver].keys())
-        groups.append((carrier, moved) if links.index(carrier) < links.index(moved) else (moved, carrier))
+        free = next(n for n in (driver, carrier) if n not in held)
+        moved = next(n for n in links if n in held - {driver, carrier} and points[n].keys() & points[free].keys())
+        groups.append((carrier, moved))
         solved |= {carrier, moved}
     while len(solved) <= len(links):
         known = {k for n in solved for k in points[n]}
@@ -297,7 +301,7 @@ def constraints(m: Model, q: Vector, w: Vector) -> tuple[Vector, Vector, Vector]
         turned(pair.i, pair.j, cmath.phase(pair.u) + pair.turn)
         driven = (z.real - m.value, row.real, z2.real) if pair.i == m.driver else driven
     if m.revolving:
-        turned(m.driver, FRAME, m.value)
+        turned(m.driver, m.on, m.value)
     else:
         assert driven is not None, "a sliding driver slides on a guide of the frame"
         for to, value in zip((error, rows, second), driven, strict=True):

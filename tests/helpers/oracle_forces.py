@@ -133,7 +133,7 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
         if s.friction and abs(sol.speeds[s.i]) > 1e-12 * fastest:
             rubs[s.i] = -s.friction * math.copysign(1.0, sol.speeds[s.i]) * between(s.i, s.j, foot, u)
     if m.revolving:
-        cols.append(wrench(m.driver, 0j, 0j, m.size))
+        cols.append(between(m.driver, m.on, 0j, 0j, m.size))
     else:
         at = sol.feet[m.driver] if balancing_at == "foot" else next(sol.points[k][0] for k in m.points[m.driver])
         cols.append(between(m.driver, sol.guides[m.driver][1], at, sol.guides[m.driver][2]))
@@ -182,7 +182,8 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
         ]
     sol.balancing = float(x[-1]) * (m.size if m.revolving else 1.0)
     if m.revolving:
-        sol.actions.append(Action("balancing", m.driver, 0j, 0j, sol.balancing))
+        both = ((m.driver, sol.balancing), (m.on, -sol.balancing))
+        sol.actions += [Action("balancing", link, 0j, 0j, couple) for link, couple in both if link != FRAME]
         return
     for link, sign in ((m.driver, 1), (sol.guides[m.driver][1], -1)):
         if link != FRAME:
@@ -205,7 +206,7 @@ def unbalanced(sol: Solution) -> float:
     """
     parts: dict[str, list[tuple[complex, complex, float]]] = {n: [] for n in sol.links}
     for x in sol.actions:
-        if x.kind != "friction":
+        if x.kind != "friction" and x.link in parts:  # the frame takes any
             parts[x.link].append((x.place, x.force, x.moment))
     for (i, j), r in sol.reactions.items():
         if isinstance(r, tuple):

@@ -1,4 +1,4 @@
-"""Drives between two moving links: a cylinder, against closed forms and the independent solver."""
+"""Drives between two moving links, a cylinder or a motor, against closed forms and the independent solver."""
 
 from __future__ import annotations
 
@@ -56,6 +56,60 @@ def test_a_weightless_cylinder_pushes_along_itself_alone() -> None:
     assert found.value("Fb_2") == pytest.approx((force * along.conjugate()).real / abs(along), rel=1e-12)
 
 
+def test_a_cylinder_turned_round_does_the_same() -> None:
+    """Its rod on the frame and its barrel at the boom: all that is not the cylinder's own is as before."""
+    barrel = "1: {points: {A: 0}, guides: {cyl: {through: A, angle: 0}}}\n  2: {points: {D: 0}, slides: cyl}"
+    old = "1: {points: {D: 0}, guides: {cyl: {through: D, angle: 0}}}\n  2: {points: {A: 0}, slides: cyl}"
+    text = LIFT.replace(", acceleration: 0.3", "")
+    turned = text.replace(old, barrel).replace("s: reach, velocity: 0.1", "s: -reach, velocity: -0.1")
+    found, other = solve(loads(text)), solve(loads(turned))
+    assert abs(found.value("Fb_2")) == pytest.approx(abs(other.value("Fb_2")), rel=1e-12)
+    assert other.value("a_P") == pytest.approx(found.value("a_P"), rel=1e-12)
+    assert other.value("F_30") == pytest.approx(found.value("F_30"), rel=1e-12)
+    assert other.value("Fb_2") == pytest.approx(other.value("zhukovsky_force"), rel=1e-12)
+
+
+MOTOR = """\
+planes: 1
+parameters: {phi: -80}
+frame: {points: {O: [0, 0], C: [0.5, 0]}}
+links:
+  1: {points: {O: 0, A: 0.3}}
+  2: {points: {A: 0, B: 0.35}}
+  3: {points: {C: 0, B: 0.3, P: 0.2}, centre: P, mass: 5}
+assembly: {B: left}
+drive: {link: 2, on: 1, phi: phi, omega: 3}
+gravity: 9.81
+"""
+
+
+def test_a_motor_between_a_crank_and_a_rod() -> None:
+    """The knee's angle gives the distance OB by the law of cosines; the motor's couple is the gradient of the weight's
+    work, with the inertia of what it moves."""
+    found = solve(loads(MOTOR), phi=-80)
+    reach = abs(0.3 + 0.35 * cmath.exp(1j * math.radians(-80)))
+    assert abs(found.r["B"]) == pytest.approx(reach, rel=1e-13)
+    assert found.omega["2"] - found.omega["1"] == pytest.approx(3.0, rel=1e-12)
+    step = 1e-4
+    ahead, behind = (solve(loads(MOTOR), phi=-80 + s) for s in (step, -step))
+    still = solve(loads(MOTOR.replace("omega: 3", "omega: 0")))
+    slope = (ahead.r["P"].imag - behind.r["P"].imag) / math.radians(2 * step)
+    assert still.value("M_2") == pytest.approx(5 * 9.81 * slope, rel=1e-6)
+    assert found.value("M_2") == pytest.approx(found.value("zhukovsky_moment"), rel=1e-12)
+    rate = (cmath.phase(ahead.r["P"] - 0.5) - cmath.phase(behind.r["P"] - 0.5)) / math.radians(2 * step)
+    assert found.omega["3"] == pytest.approx(3 * rate, rel=1e-6)
+
+
+def test_the_motor_told_from_either_side() -> None:
+    """What turns on what is a matter of words: angle, rates and couple change their sense, nothing else."""
+    other = solve(loads(MOTOR.replace("link: 2, on: 1, phi: phi, omega: 3", "link: 1, on: 2, phi: -phi, omega: -3")))
+    found = solve(loads(MOTOR))
+    assert other.value("M_1") == pytest.approx(-found.value("M_2"), rel=1e-12)
+    assert other.epsilon == pytest.approx(found.epsilon, rel=1e-12)
+    assert structure_of(loads(MOTOR).mechanism).formula == "I(1;2) -> II(1-2;3)"  # type: ignore[arg-type]
+    assert loads(loads(MOTOR).to_yaml()).mechanism == loads(MOTOR).mechanism
+
+
 def test_its_structure() -> None:
     structure = structure_of(loads(LIFT).mechanism)  # type: ignore[arg-type]
     assert structure.formula == "I(1;2) -> II(1-2;3)"
@@ -82,11 +136,8 @@ def test_at_rest_and_in_the_loop() -> None:
     ("old", "new", "why"),
     [
         ("2: {points: {A: 0}, slides: cyl}", "2: {points: {B: 0}, slides: cyl}", "W"),
-        (
-            "1: {points: {D: 0}, guides: {cyl: {through: D, angle: 0}}}\n  2: {points: {A: 0}, slides: cyl}",
-            "1: {points: {A: 0}, guides: {cyl: {through: A, angle: 0}}}\n  2: {points: {D: 0}, slides: cyl}",
-            "turn the cylinder round",
-        ),
+        ("link: 2, s: reach, velocity: 0.1, acceleration: 0.3", "link: 2, on: 1, s: reach", "leave it out"),
+        ("link: 2, s: reach, velocity: 0.1, acceleration: 0.3", "link: 3, on: 1, phi: 3", "exactly one hinge"),
         ("link: 2, s", "link: 3, s", "slides on no straight guide"),
     ],
 )
@@ -101,10 +152,12 @@ def test_too_long_a_cylinder_is_one_sentence() -> None:
 
 
 def examined(seed: int) -> float | None:
-    """The worst number of one random mechanism driven by a cylinder; None where something stands still."""
+    """The worst number of one random mechanism driven by a cylinder or a motor between two links; None where something
+    stands still."""
     rng = random.Random(f"inner {seed}")
     kinds = rng.choices(KINDS, k=seed % 3)
-    case = make(rng, kinds, inner=True, pins=seed % 2 == 0, friction=seed % 5 == 0, rest=seed % 7 == 0)
+    rubs, inner = {"pins": seed % 4 < 2, "friction": seed % 5 == 0}, "motor" if seed % 2 else True
+    case = make(rng, kinds, inner=inner, rest=seed % 7 == 0, **rubs)
     if standing(case):
         return None
     drawn, wrong = against(case)
@@ -112,13 +165,13 @@ def examined(seed: int) -> float | None:
     return max(wrong.values()) * drawn.sharpest
 
 
-def test_random_mechanisms_with_cylinders() -> None:
+def test_random_mechanisms_driven_from_inside() -> None:
     found = [e for seed in range(40) if (e := examined(seed)) is not None]
     assert len(found) > 30 and max(found) <= 1e-11
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("fifth", range(5))
-def test_more_random_mechanisms_with_cylinders(fifth: int) -> None:
+def test_more_random_mechanisms_driven_from_inside(fifth: int) -> None:
     found = [e for seed in range(1000 + 80 * fifth, 1080 + 80 * fifth) if (e := examined(seed)) is not None]
     assert len(found) > 60 and max(found) <= 1e-9

@@ -68,11 +68,12 @@ def test_a_link_that_hangs_on_one_pin(omega: float) -> None:
     assert found.value("P_T10") == pytest.approx(-abs(rub) * (abs(omega) or 1.0), rel=1e-13)
 
 
+@pytest.mark.parametrize("radius", [0.04, 0.5, 1.3])
 @pytest.mark.parametrize("phi", [20.0, 50.0, 140.0, 230.0, 300.0])
-def test_a_crank_slider_whose_rod_weighs_nothing(phi: float) -> None:
-    """The rod's force is tangent to both its friction circles."""
-    found = solve(loads(CRANK), phi=phi)
-    rho, length, turned = 0.006, 0.4, math.radians(phi)
+def test_a_crank_slider_whose_rod_weighs_nothing(phi: float, radius: float) -> None:
+    """The rod's force is tangent to both its friction circles, until these are as wide as it is long."""
+    found = solve(loads(CRANK.replace("0.04", str(radius))), phi=phi)
+    rho, length, turned = 0.15 * radius, 0.4, math.radians(phi)
     rod = found.r["B"] - found.r["A"]
     turning = -0.1 * 10 * math.cos(turned) / (length * math.cos(cmath.phase(rod)))
     at_a, at_b = rho * math.copysign(1, turning - 10), rho * math.copysign(1, turning)
@@ -127,8 +128,8 @@ def test_loop_arrays_and_one_position_agree(text: str) -> None:
 
 
 def test_what_cannot_settle_is_one_sentence() -> None:
-    with pytest.raises(PlanesError, match="does not settle in 40 successive plans: self-locking"):
-        solve(loads(CRANK.replace("0.04", "4")))
+    with pytest.raises(PlanesError, match="does not settle: self-locking"):
+        solve(loads(CRANK.replace("0.04", "1.34")))
 
 
 @pytest.mark.parametrize(

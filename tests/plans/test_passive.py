@@ -107,3 +107,16 @@ def test_passive_links_move_as_what_holds_them(phi: float) -> None:
 
 def test_a_note_of_a_mechanism_with_a_passive_slider_has_its_self_aligning_variant() -> None:
     assert note(loads(trammel()), None, ".html", "en")
+
+
+def test_forces_that_are_not_determined_are_told_of() -> None:
+    """The shares of links that hold the same are not found; what the drive must give is, by the work of the load."""
+    text = "planes: 1\nframe: {points: {O: [0, 0], D: [0.4, 0], E: [0.8, 0]}}\nlinks:\n  1: {points: {O: 0, A: 0.1}}\n"
+    text += "  2: {points: {A: 0, B: 0.4, C: 0.8, S: 0.3}, centre: S, mass: 5}\n  3: {points: {D: 0, B: 0.1}}\n"
+    text += "  4: {points: {E: 0, C: 0.1}}\nassembly: {B: left}\ndrive: {link: 1, phi: 40, omega: 10}\ngravity: 9.81\n"
+    found = solve(loads(text))
+    told = found.results["warnings"]
+    assert any("passive" in one for one in told) and any("there are more reactions" in one for one in told)
+    assert found.value("M_1") == pytest.approx(5 * 9.81 * 0.1 * math.cos(math.radians(40)), rel=1e-12)
+    still = solve(loads(trammel())).results["warnings"]
+    assert not any("there are more reactions" in one for one in still)  # no forces there

@@ -20,3 +20,9 @@ def test_every_step_of_every_sample_is_told(lang: Lang) -> None:
         scene = load(str(path))
         listed = [line.split(":")[0].strip() for line in explain(scene, lang).splitlines() if line.startswith("  ")]
         assert len(listed) == len(scene_plans(scene).program.steps), path
+
+
+@pytest.mark.parametrize("lang", ["ru", "en"])
+def test_an_assembly_that_is_followed_is_one_thing(lang: Lang) -> None:
+    lines = explain(load(str(ROOT / "samples/class-three/press.yaml")), lang).splitlines()
+    assert max(map(len, lines)) < 300 and not any("track_" in line or "turning_" in line for line in lines)

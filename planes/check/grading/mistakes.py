@@ -35,8 +35,7 @@ def motion_variants(w: PlanSteps) -> Iterator[Variant]:
 def _driver(w: PlanSteps, quick: bool) -> Iterator[Variant]:
     """The driver's own motion taken with the wrong sense, or left out."""
     drive = w.plans.mechanism.drive
-    spin, speed = ("epsilon", "a") if quick else ("omega", "v")
-    name = f"{spin}_{drive.link}" if drive.kind == "phi" else f"{speed}_drive"
+    spin, name = "epsilon" if quick else "omega", drive.rates[quick]
     mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _leads(w, name, s.length)), None)
     if name not in w.program.givens or mark is None:
         return

@@ -1,4 +1,4 @@
-"""Successive plans: a plan that needs its own result is drawn with a guess, then with what that gave, and so on."""
+"""Successive plans: a plan that needs its own result is drawn with a guess, then with a better one, and so on."""
 
 from dataclasses import dataclass
 from functools import cached_property, reduce
@@ -25,8 +25,8 @@ class Fed(Step):
 @dataclass(frozen=True)
 class Settle(Step):
     """The value ``makes`` of those ``fed``, with which the steps of a plan give it again: they are drawn first with
-    nothing, then with what the plan before gave, until nothing changes. Where plans do not settle it fails. They are
-    drawn aside, without the errors of hand and ruler that what they are drawn from has."""
+    nothing, then with what the plans before lead to, until nothing changes. Where plans do not settle it fails. They
+    are drawn aside, without the errors of hand and ruler that what they are drawn from has."""
 
     plan: tuple[Step, ...]
     fed: tuple[Fed, ...]
@@ -53,21 +53,59 @@ class Settle(Step):
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         tool, things = tool.calm(), {**env, **dict.fromkeys((f.makes for f in self.fed), 0.0)}
-        sizes, before = self._drawn(self.plan, things, tool), [0.0 for _ in self.fed]
-        failures, largest = len(tool.failures), reduce(tool.ar.maximum, sizes)
-        for _ in range(tool.plans if self._anew else 0):
-            before, sizes = sizes, self._drawn(self._anew, things, tool)
-            del tool.failures[failures:]
-            change = reduce(tool.ar.maximum, (abs(a - b) for a, b in zip(sizes, before, strict=True)))
-            still = change <= tool.ar.eps * largest
-            if still is True or (hasattr(still, "all") and still.all()):
-                return things[self.makes]
+        found = self._sizes(self.plan, things, tool)
         if self._anew:
-            tool.require(change <= tool.settled * largest, self, "not_settled", plans=tool.plans)
+            found = self._settled(found, things, tool)
+        self._feed(found, things)
         return things[self.makes]
 
-    def _drawn(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> list[Real]:
-        """Draw a plan, and put what it gives in the place of what it was drawn with; the sizes it gives."""
-        for step in (*steps, *self.fed):
+    def _settled(self, first: list[Real], things: Env, tool: Tool) -> list[Real]:
+        """The sizes that plans drawn with them give again, by Newton's steps from those of the plan drawn with nothing.
+
+        Smaller couples lead to them without a fold; where the slope has turned over, they are of another assembly of
+        forces, and the hinges lock."""
+        ar, failures, sizes = tool.ar, len(tool.failures), [0.0 for _ in first]
+        largest = reduce(ar.maximum, first)
+        least = ar.sqrt(ar.eps) * ar.where(largest > 0, largest, 1.0)
+        for _ in range(tool.plans):
+            self._feed(sizes, things)
+            given = self._sizes(self._anew, things, tool)
+            slopes = [self._slope(k, sizes, given, least, things, tool) for k in range(len(sizes))]
+            steps, turned = eliminated(slopes, [g - s for g, s in zip(given, sizes, strict=True)])
+            del tool.failures[failures:]
+            sizes = [s + step for s, step in zip(sizes, steps, strict=True)]
+            change = reduce(ar.maximum, map(abs, steps))
+            still = change <= tool.settled * least
+            if still is True or (hasattr(still, "all") and (still | (change != change)).all()):
+                break
+        tool.require(still & (turned > 0), self, "not_settled")
+        return sizes
+
+    def _slope(self, k: int, sizes: list[Real], given: list[Real], step: Real, things: Env, tool: Tool) -> list[Real]:
+        """How what plans lack of giving their sizes again changes with one of these: a column."""
+        self._feed([s + step if i == k else s for i, s in enumerate(sizes)], things)
+        moved = self._sizes(self._anew, things, tool)
+        return [float(i == k) - (m - g) / step for i, (m, g) in enumerate(zip(moved, given, strict=True))]
+
+    def _feed(self, sizes: list[Real], things: Env) -> None:
+        """Put what sizes make in the place of what the plan is drawn with."""
+        for fed, size in zip(self.fed, sizes, strict=True):
+            things[fed.makes] = things[fed.factor] * size
+
+    def _sizes(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> list[Real]:
+        """Draw a plan; the sizes it gives."""
+        for step in steps:
             things[step.makes] = step.draw(things, tool)
         return [things[f.size] for f in self.fed]
+
+
+def eliminated(columns: list[list[Real]], right: list[Real]) -> tuple[list[Real], Real]:
+    """The solution of linear equations by C. F. Gauss's elimination, and their determinant."""
+    rows = [[*row, r] for row, r in zip(zip(*columns, strict=True), right, strict=True)]
+    turned: Real = 1.0
+    for k, row in enumerate(rows):
+        turned = turned * row[k]
+        row[:] = [x / row[k] for x in row]
+        for other in (r for r in rows if r is not row):
+            other[:] = [x - other[k] * y for x, y in zip(other, row, strict=True)]
+    return [row[-1] for row in rows], turned

@@ -1,0 +1,80 @@
+"""The links of a group one by one: the equilibrium of a link alone, which gives the reaction inside its group."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Equation, Term
+from planes.plans import Plans
+from planes.plans.loads import force_name
+from planes.plans.reactions import Reaction
+from planes.words.names import POLE, end_of, force_plan, links_of, mu_of
+
+
+@dataclass(frozen=True)
+class LinkApart:
+    """A link alone: the forces known on it, in the order they are laid off, and the ``force`` that closes their plan;
+    each with what is measured of it, and whether that is the opposite."""
+
+    link: str
+    group: str
+    force: str
+    known: tuple[str, ...]
+    reactions: dict[str, tuple[Reaction, bool]]
+
+    @property
+    def plan(self) -> str:
+        """The plan of this link, at the scale of its group's."""
+        return force_plan(self.link)
+
+    @property
+    def polygon(self) -> bool:
+        """Whether its plan is more than two opposite vectors."""
+        return len(self.known) > 1
+
+    @property
+    def equation(self) -> Equation:
+        """Its vectors add up to nothing."""
+        ends = [POLE, *map(end_of, self.known), POLE]
+        last = Term(self.force, ends[-2], POLE)
+        given = (Term(n, a, b, n, n) for n, a, b in zip(self.known, ends, ends[1:], strict=False))
+        return Equation(self.plan, ((*given, last), ()))
+
+    def marks(self, plans: Plans, drawing: Drawing) -> dict[str, complex] | None:
+        """Where its vectors end, mm from the pole; None where one is not drawn."""
+        found, place = {POLE: 0j}, 0j
+        for name in self.known:
+            vector = self._vector(name, plans, drawing)
+            if vector is None:
+                return None
+            place += vector
+            found[end_of(name)] = place
+        return found if self._vector(self.force, plans, drawing) is not None else None
+
+    def _vector(self, name: str, plans: Plans, drawing: Drawing) -> complex | None:
+        if name in self.reactions:
+            r, back = self.reactions[name]
+            if r.start not in drawing or r.end not in drawing:
+                return None
+            return complex((drawing[r.end] - drawing[r.start]) * (-1 if back else 1))
+        load = next(f for f in plans.acting.forces[self.link] if f.name == name)
+        drawn = load.size in drawing and load.along in drawing
+        return complex(drawing[load.size] * drawing[load.along] * drawing[mu_of(self.group)]) if drawn else None
+
+
+def links_apart(plans: Plans, plan: str) -> Iterator[LinkApart]:
+    """A link for every reaction inside the group of a force plan: one that no other such reaction acts on, if there is
+    one, and of two of them that with the fewer forces."""
+    links, own = links_of(plan), {k: r for k, r in plans.reactions.items() if r.plan == plan}
+    inner = {k: r for k, r in own.items() if {r.pair.link, r.pair.other} <= set(links)}
+
+    def apart(r: Reaction, link: str) -> LinkApart:
+        here = [x for x in own.values() if x is not r and x.pair.joins(link)]
+        reactions = {force_name(link, x.pair.mate(link)): (x, x.pair.link != link) for x in (*here, r)}
+        *known, force = reactions
+        loads = (f.name for f in plans.acting.forces[link] if f.quantity != "tangential" and f.name not in reactions)
+        return LinkApart(link, plan, force, (*known, *loads), reactions)
+
+    for r in inner.values():
+        found = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and not plans.structure.drive_pair.joins(x)]
+        yield min(found, key=lambda one: (sum(x.pair.joins(one.link) for x in inner.values()), len(one.known)))
