@@ -73,6 +73,15 @@ class Told:
         return [_equation(self.plans, e) for e in self.plans.equations]
 
     @cached_property
+    def drive(self) -> Json:
+        """The driver's number, and from where to where it runs."""
+        return drive_of(self.plans)
+
+    def value(self, name: str, drawing: Drawing) -> Thing:
+        """A number of a drawing by the name its slot has."""
+        return value_of(name, self.teller, drawing)
+
+    @cached_property
     def practice(self) -> Practice:
         """What a reader is asked."""
         values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}
