@@ -77,10 +77,6 @@ class Told:
         """The driver's number, and from where to where it runs."""
         return drive_of(self.plans)
 
-    def value(self, name: str, drawing: Drawing) -> Thing:
-        """A number of a drawing by the name its slot has."""
-        return value_of(name, self.teller, drawing)
-
     @cached_property
     def practice(self) -> Practice:
         """What a reader is asked."""

@@ -11,6 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from planes.lesson import value_of
 from planes.lesson.live import Live
 from planes.lesson.practice import goal
 from planes.words import Phrase
@@ -86,7 +87,7 @@ class PracticeJudge:
         sharp = {n: z for n, z in drawn.sharpness.items() if n not in trials and plan_of(n) != "motion"}
         self.things = {
             **{f"{m}": drawn[m] for m in self.marks},
-            **{f"= {n}": told.value(n, drawn) for n in told.practice.values},
+            **{f"= {n}": value_of(n, told.teller, drawn) for n in told.practice.values},
             **{f"sharp {n}": z for n, z in sharp.items()},
             **{f"holds {k}": ok for k, (_, _, ok, _) in enumerate(self.live.tool.failures)},
         }
