@@ -122,6 +122,14 @@ def test_the_compass_meets_the_other_crossing(desk: Any) -> None:
     assert "✓" in said(desk)
 
 
+def test_the_other_crossing_of_two_arcs_is_a_ghost(page: Any) -> None:
+    page.evaluate("go(data.frames.findIndex(f => f.makes[0] === 'position:C'))")
+    node = "document.querySelector('#scheme circle.trace')"
+    ghost = f"(q => scheme.mm([+q.getAttribute('cx'), +q.getAttribute('cy')]))({node})"
+    other = "live.pair(data.slips.find(s => s.m === 'other_assembly').place)"
+    assert page.evaluate(ghost) == pytest.approx(page.evaluate(other), abs=0.1)
+
+
 def test_numbers_scales_and_senses_have_their_slips(desk: Any) -> None:
     ask = """([what, by]) => { practice.take(data.practice.findIndex(t => t.what === what)); practice.said = null;
         practice.number(String(practice.truth(practice.item) * by)); return practice.said[1]; }"""
