@@ -24,7 +24,21 @@ PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
 MOST_PAGES = 300
-NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
+NO_DRAWINGS = (
+    ".html",
+    ".htm",
+    ".yaml",
+    ".yml",
+    ".md",
+    ".py",
+    ".db",
+    ".ini",
+    ".lnk",
+    ".tmp",
+    ".part",
+    ".url",
+    ".practice",
+)
 """What lies beside drawings."""
 OTHERS = {  # what cameras and telephones save that is not read: the suffixes, how such a file begins
     "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
@@ -87,6 +101,11 @@ def _pages(file: Path, suffix: str) -> int:
 
     with Image.open(file, formats=("TIFF",)) as opened:
         return int(getattr(opened, "n_frames", 1))
+
+
+def drawings_beside(folder: Path) -> bool:
+    """Whether a folder has anything that may be a drawing."""
+    return any(f.is_file() and f.suffix.lower() not in NO_DRAWINGS and f.name[:1] not in ".~" for f in folder.iterdir())
 
 
 def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:

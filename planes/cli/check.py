@@ -15,10 +15,11 @@ from planes.check import check as judge
 from planes.check.grading.paper import Known
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.handed_in import LINES, PICTURES, HandedSheet, marks_of, read_paper, sheets_in
+from planes.check.handed_in import LINES, PICTURES, HandedSheet, drawings_beside, marks_of, read_paper, sheets_in
 from planes.check.report import Checked, as_json, chance_told, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
+from planes.cli.practice import check_practices, practices
 from planes.course.handed_out import HandedOut, handed_out, is_course
 from planes.course.ledger import MANIFEST
 from planes.scene import Scene
@@ -38,6 +39,10 @@ def check(args: Namespace) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable, 3 right as far as seen."""
     if is_course(Path(args.scene)) and not args.trace:
         return check_class(args, handed_out(Path(args.scene)), _sheets(args))
+    if (handed := practices(args.drawing)) and not args.trace:
+        status = check_practices(args, handed)
+        if not Path(args.drawing).is_dir() or args.json or not drawings_beside(Path(args.drawing)):
+            return status
     if args.plan is None and (args.trace or not _told_by_marks(args.drawing)):
         args.refuse(say("usage_missing", args.lang) % "--plan")
     scene = scene_of(args)

@@ -73,6 +73,11 @@ class Told:
         return [_equation(self.plans, e) for e in self.plans.equations]
 
     @cached_property
+    def drive(self) -> Json:
+        """The driver's number, and from where to where it runs."""
+        return drive_of(self.plans)
+
+    @cached_property
     def practice(self) -> Practice:
         """What a reader is asked."""
         values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}

@@ -1,6 +1,5 @@
 """The program of a lesson as a page runs it: a tape of all that is shown, and the given numbers a reader may change."""
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -17,7 +16,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import LayOff, Put, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.tools import Env, Thing, names_of
-from planes.geometry.arrays import Array, Complexes
+from planes.geometry.arrays import Array, Complexes, Floats
 from planes.lesson.formulas import slot, unit
 from planes.lesson.frame import in_both
 from planes.plans import Plans
@@ -61,9 +60,14 @@ class Live:
 
     def apart(self, pairs: Sequence[tuple[Thing, Thing]], given: Mapping[str, Thing]) -> list[float]:
         """How far two marks of the tape are apart with those numbers, for each of the pairs; NaN of one that fails."""
-        sides = [self._places(a - b) for a, b in pairs]
-        numbers = read(self.tape, self.tape.needed([p for side in sides for p in side]), given_values(given))
-        return [math.hypot(*(float(numbers[p]) for p in side)) for side in sides]
+        apart = self.numbers_of({str(k): a - b for k, (a, b) in enumerate(pairs)}, given_values(given))
+        return [abs(z) for z in apart.values()]
+
+    def numbers_of(self, things: Mapping[str, Thing], given: Mapping[str, Floats]) -> dict[str, complex]:
+        """Marks and values of the tape with those numbers."""
+        places = {n: self._places(z) for n, z in things.items()}
+        numbers = read(self.tape, self.tape.needed([p for own in places.values() for p in own]), given)
+        return {n: complex(*(float(numbers[p]) for p in own)) for n, own in places.items()}
 
     def failures(self, drive: str, symbol: str) -> list[tuple[Thing, dict[Lang, str]]]:
         """What must hold, in the order of the drawing, and what is said where it does not."""

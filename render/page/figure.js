@@ -150,9 +150,18 @@ class Figure { // millimetres y up -> pixels y down
     }
     return found;
   }
+  ghost(t, c) { // the other crossing of two arcs, or of an arc and a line: the mark mirrored in what both are symmetric about
+    const [o, b] = [...(t.arcs || []), ...(t.lines || [])].map(n => this.at(n)), arcs = (t.arcs || []).length;
+    if (!arcs || !o || !b) return;
+    const [x, y] = arcs > 1 ? [b[0] - o[0], b[1] - o[1]] : [b[1] - c[1], c[0] - b[0]], n = x * x + y * y, off = ((c[0] - o[0]) * y - (c[1] - o[1]) * x) / n;
+    if (n < 1e-6 || Math.abs(off) * Math.sqrt(n) * this.k < 6) return;
+    const [u, v] = this.px([c[0] - 2 * off * y, c[1] + 2 * off * x]);
+    svg("circle", { cx: u.toFixed(1), cy: v.toFixed(1), r: 5, class: "trace" }, this.node);
+  }
   trace(t, made) { // the lines or arcs that cross at a mark, a little past it
     const c = this.at(made);
     if (!t || !c) return;
+    this.ghost(t, c);
     const q = this.px(c);
     for (const n of t.lines || []) {
       const p = this.at(n) && this.px(this.at(n));

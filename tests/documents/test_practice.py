@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from planes import cli
 from planes.lesson.data import lesson_data
 from planes.scene import load
 from render.page.lesson_page import page as written
@@ -120,6 +122,14 @@ def test_the_compass_meets_the_other_crossing(desk: Any) -> None:
     assert "✓" in said(desk)
 
 
+def test_the_other_crossing_of_two_arcs_is_a_ghost(page: Any) -> None:
+    page.evaluate("go(data.frames.findIndex(f => f.makes[0] === 'position:C'))")
+    node = "document.querySelector('#scheme circle.trace')"
+    ghost = f"(q => scheme.mm([+q.getAttribute('cx'), +q.getAttribute('cy')]))({node})"
+    other = "live.pair(data.slips.find(s => s.m === 'other_assembly').place)"
+    assert page.evaluate(ghost) == pytest.approx(page.evaluate(other), abs=0.1)
+
+
 def test_numbers_scales_and_senses_have_their_slips(desk: Any) -> None:
     ask = """([what, by]) => { practice.take(data.practice.findIndex(t => t.what === what)); practice.said = null;
         practice.number(String(practice.truth(practice.item) * by)); return practice.said[1]; }"""
@@ -170,6 +180,30 @@ def test_practice_stays_with_its_drawing(page: Any, lesson: str) -> None:
     page.evaluate("location.hash = '#step=3&at=170.5'")
     page.wait_for_function("!practice.on")
     assert page.inner_text("#number").startswith("3 /") and page.is_visible("#told") and page.is_enabled("#crank")
+
+
+def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path, capsys: Any) -> None:
+    """The scene is drawn anew with the numbers of the seed; the answers, not the score that is told, count."""
+    codes = tmp_path / "codes"
+    codes.mkdir()
+    for seed in (0, 5):
+        desk.evaluate(f"practice.begin({seed}); practice.name = 'Анна'; practice.answer(null, '', true)")
+        desk.evaluate(SOLVE)
+        desk.evaluate("draw()")
+        (codes / f"{seed}.practice").write_text(desk.input_value("#code"), "utf-8")
+    assert cli.main(["check", str(HERE / "six-link.yaml"), str(codes), "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    assert [(row["name"], row["seed"], row["right"], row["count"]) for row in rows] == [
+        ("Анна", seed, 96, 97) for seed in (0, 5)
+    ]
+    told = desk.evaluate("""() => { Object.defineProperty(practice, 'good', { get: () => 97 }); return handed(); }""")
+    (codes / "altered.practice").write_text(told, "utf-8")
+    (codes / "cut.practice").write_text(told[:-9], "utf-8")
+    assert cli.main(["check", str(HERE / "six-link.yaml"), str(codes), "--lang", "en"]) == 2
+    out = capsys.readouterr().out
+    assert "altered" in out and "97 of 97" in out and "give 96" in out and "cut.practice: the code is damaged" in out
+    assert cli.main(["check", str(HERE / "kind-1-rrr.yaml"), str(codes / "0.practice"), "--lang", "en"]) == 2
+    assert "not of the scene" in capsys.readouterr().out
 
 
 @pytest.mark.few(1)

@@ -1,0 +1,172 @@
+"""A practice that was handed in: its code read, the scene drawn anew with its numbers, its answers judged again."""
+
+from __future__ import annotations
+
+import base64
+import json
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from planes.lesson import value_of
+from planes.lesson.live import Live
+from planes.lesson.practice import goal
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+from planes.words.names import mu_of, plan_of
+from planes.words.records import Json
+
+if TYPE_CHECKING:
+    from planes.lesson.data import Told
+
+FITS_MM, FITS_SHARE, NUMBER_SHARE, RULER_MM, SCALE_SHARE = 1.0, 0.01, 0.03, 0.5, 0.01
+FRESH, SWING, DRAWS = 0.12, 40.0, 200
+"""How a page judges answers, and chooses fresh numbers (``practice.js``)."""
+SUFFIX, HEAD, LARGEST = ".practice", "planes-practice", 200_000
+
+
+@dataclass(frozen=True)
+class HandedPractice:
+    """What a code tells, judged again: whose it is, of which numbers, how many of how many were right at once."""
+
+    name: str
+    seed: int
+    right: int
+    count: int
+
+
+def read_code(file: str) -> Json:
+    """What a file of practice holds; :class:`PlanesError` of one that is damaged, or none."""
+    try:
+        text = Path(file).read_bytes()[:LARGEST].decode().strip()
+        head, letters, total = text.split(".")
+        data = base64.urlsafe_b64decode(letters + "=" * (-len(letters) % 4))
+        told: Json = json.loads(data)
+        whole = head == HEAD and total == f"{_sum(data):08x}" and isinstance(told["answers"], list)
+        good = whole and all(isinstance(told[key], int) for key in ("seed", "right")) and isinstance(told["name"], str)
+    except (OSError, ValueError, KeyError, TypeError):
+        good = False
+    if not good:
+        raise PlanesError(Phrase("practice_damaged", file=file))
+    return told
+
+
+def _sum(data: bytes) -> int:
+    """By which a slip of copying is found (FNV-1a)."""
+    total = 2166136261
+    for byte in data:
+        total = (total ^ byte) * 16777619 & 0xFFFFFFFF
+    return total
+
+
+def random(seed: int) -> Callable[[], float]:
+    """A stream of numbers from 0 to 1, the same as in a page (mulberry32)."""
+    state = seed & 0xFFFFFFFF
+
+    def draw() -> float:
+        nonlocal state
+        state = state + 0x6D2B79F5 & 0xFFFFFFFF
+        t = (state ^ state >> 15) * (state | 1) & 0xFFFFFFFF
+        t ^= t + ((t ^ t >> 7) * (t | 61) & 0xFFFFFFFF) & 0xFFFFFFFF
+        return ((t ^ t >> 14) & 0xFFFFFFFF) / 4294967296
+
+    return draw
+
+
+class PracticeJudge:
+    """Judges the practices of one scene."""
+
+    def __init__(self, told: Told) -> None:
+        self.told, self.items = told, told.practice.items()
+        self.live = Live(told.plans.program, told.given)
+        drawn, trials = self.live.drawing, told.plans.program.trials
+        self.marks = [item["what"] for item in self.items if item["kind"] == "mark"]
+        sharp = {n: z for n, z in drawn.sharpness.items() if n not in trials and plan_of(n) != "motion"}
+        self.things = {
+            **{f"{m}": drawn[m] for m in self.marks},
+            **{f"= {n}": value_of(n, told.teller, drawn) for n in told.practice.values},
+            **{f"sharp {n}": z for n, z in sharp.items()},
+            **{f"holds {k}": ok for k, (_, _, ok, _) in enumerate(self.live.tool.failures)},
+        }
+
+    def judged(self, file: str) -> HandedPractice:
+        """:class:`PlanesError` where a file is damaged, of another scene, or says what its answers do not."""
+        told = read_code(file)
+        if told["id"] != self.told.practice.id or len(told["answers"]) != len(self.items):
+            raise PlanesError(Phrase("practice_other_scene", file=file, scene=self.told.scene.file))
+        given = self.fresh(told["seed"]) if told["seed"] else self.home
+        numbers = self.live.numbers_of(self.things, given)
+        right = sum(self.right(item, a, numbers, given) for item, a in zip(self.items, told["answers"], strict=True))
+        if right != told["right"]:
+            names = {"file": file, "said": str(told["right"]), "right": str(right)}
+            raise PlanesError(Phrase("practice_altered", **names, count=str(len(self.items))))
+        return HandedPractice(told["name"], told["seed"], right, len(self.items))
+
+    @cached_property
+    def home(self) -> dict[str, float]:
+        """The scene's own numbers."""
+        return self.told.knobs.home()
+
+    def right(self, item: Json, answer: object, numbers: Mapping[str, complex], given: Mapping[str, float]) -> bool:
+        """Whether an answer is right, by the page's own measure."""
+        what, kind = item["what"], item["kind"]
+        if kind == "known":
+            return answer == goal(self.told.equations[what])
+        if kind == "mark":
+            fits = max(FITS_MM, FITS_SHARE * self.size(plan_of(what) or "", numbers))
+            pair = isinstance(answer, list) and len(answer) == 2 and all(isinstance(x, (int, float)) for x in answer)
+            return pair and isinstance(answer, list) and abs(complex(*answer) - numbers[what]) <= fits
+        if not isinstance(answer, (int, float)):
+            return False
+        if kind == "mu":
+            mu = given[mu_of(what)]
+            true = mu if self.told.scene.mu_convention == "mm_per_unit" else 1 / mu
+            return abs(answer - true) <= SCALE_SHARE * true
+        value = numbers[f"= {what}"].real
+        if kind == "sense":
+            return answer == math.copysign(1, value)
+        ruler = RULER_MM / given[item["mu"]] if item["mu"] else 0.0
+        return abs(abs(answer) - abs(value)) <= max(NUMBER_SHARE * abs(value), ruler)
+
+    def size(self, plan: str, numbers: Mapping[str, complex]) -> float:
+        """How large a plan is: the farthest of its marks, mm."""
+        return max((abs(numbers[m]) for m in self.marks if plan_of(m) == plan), default=0.0)
+
+    def fresh(self, seed: int) -> dict[str, float]:
+        """The numbers of a seed; :class:`PlanesError` where there are none."""
+        plans = [p for p in self.told.plans.drawn if p != "motion"]
+        home = self.live.numbers_of(self.things, self.home)
+        sizes, sharp = [self.size(p, home) for p in plans], _bluntest(home)
+        for k in range(DRAWS):
+            given = self.drawn(random(seed * DRAWS + k))
+            now = self.live.numbers_of(self.things, given)
+            holds = all(now[n].real for n in now if n.startswith("holds "))
+            near = all(0.5 * s <= self.size(p, now) <= 1.8 * s for p, s in zip(plans, sizes, strict=True))
+            if holds and near and not _bluntest(now) < 0.5 * sharp:
+                return given
+        raise PlanesError(Phrase("practice_other_scene", file=str(seed), scene=self.told.scene.file))
+
+    def drawn(self, draw: Callable[[], float]) -> dict[str, float]:
+        """Numbers near the scene's own, and what is tied to them."""
+        given, drive = dict(self.home), self.told.drive
+        for knob in self.told.knobs.all():
+            name = knob["given"]
+            if "plan" not in knob and name != drive["given"]:
+                new = float(f"{knob['at'] * (1 + FRESH * (2 * draw() - 1)):.3g}")
+                for tied, power in knob["tied"].items():
+                    given[tied] *= (new / given[name]) ** power
+                given[name] = new
+        if not drive["held"]:
+            turn, reach = 2 * draw() - 1, drive["to"] - drive["from"]
+            turned = math.floor(drive["at"] + SWING * turn + 0.5)
+            given[drive["given"]] = (
+                turned if drive["symbol"] == "φ" else float(f"{drive['at'] + reach / 20 * turn:.3g}")
+            )
+        return given
+
+
+def _bluntest(numbers: Mapping[str, complex]) -> float:
+    return min((z.real for n, z in numbers.items() if n.startswith("sharp ")), default=math.inf)
