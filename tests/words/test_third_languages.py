@@ -16,7 +16,7 @@ from tests.words.test_words import places
 
 FOLDER = Path(words.__file__).parent
 THIRD = [lang for lang in langs() if len(stand_ins(lang)) > 1]
-WHOLE = ("common", "failures", "usage", "language", "lesson", "mistakes", "pages")
+WHOLE = ("common", "failures", "usage", "language", "mistakes")
 SHARE = {"uk": 0.25, "be": 0.17}
 """At least this part of the words is its own."""
 FOREIGN = {"uk": "[ыэъё]", "be": "[ищъ]"}
