@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,11 @@ from tests.words.test_words import places
 
 FOLDER = Path(words.__file__).parent
 THIRD = [lang for lang in langs() if len(stand_ins(lang)) > 1]
-WHOLE = ("common", "failures", "usage", "language")
+WHOLE = ("common", "failures", "usage", "language", "mistakes")
+SHARE = {"uk": 0.25, "be": 0.17}
+"""At least this part of the words is its own."""
+FOREIGN = {"uk": "[ыэъё]", "be": "[ищъ]"}
+"""Letters its alphabet has not."""
 SIX = str(ROOT / "samples" / "six-link.yaml")
 
 
@@ -33,6 +38,8 @@ def test_its_words_are_those_of_the_language_it_leans_on(lang: str) -> None:
         assert text.count("|") == other[key].count("|"), key
         assert set(places(text)) == set(places(other[key])), key
         assert text.count("%") == other[key].count("%"), key
+        assert not re.search(FOREIGN[lang], text, re.I) or key.startswith(("language_", "detail_")), key
+    assert len(own) > SHARE[lang] * len(other)
     for file in WHOLE:
         assert table(lang, file).keys() == table("ru", file).keys(), file
 
