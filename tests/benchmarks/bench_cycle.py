@@ -14,7 +14,7 @@ from planes.drafting.program import Program
 from planes.plans.quantities import MOTION, catalogue
 from planes.scene import load
 from planes.scene.ranges import Span
-from planes.solving import solve
+from planes.solving import plans_of, solve
 
 rivals = pytest.importorskip("rivals")
 COUNTS = (360, 100_000)
@@ -48,6 +48,17 @@ def bench_side_by_side(benchmark, name: str, count: int, who: str) -> None:
     if work is None:
         pytest.skip(f"{who} is not installed, or has no such group")
     timed(benchmark, f"{name}, the columns of the kernel, {count}", who, count, work)
+
+
+@pytest.mark.parametrize(
+    "name", ["kind-1-rrr", *(f"class-three/{n}" for n in ("guide", "press", "rods", "stephenson"))]
+)
+def bench_class_three(benchmark, name: str) -> None:
+    """Places, velocities and accelerations of one assembly over the whole turn, beside a group of class II."""
+    stated, count = plans_of(load(str(SAMPLES / f"{name}.yaml")))[0], 100_000
+    motion = [n for n, q in catalogue(stated).items() if q.group in MOTION]
+    cycle, values = Cycle(stated, motion), Span(0.0, 360.0 / count, count)[0:count]
+    timed(benchmark, "class III", name, count, lambda: list(map(len, cycle.blocks(values, fast=True, bare=True))))
 
 
 @pytest.mark.parametrize("way", ["fused", "arrays", "one by one"])

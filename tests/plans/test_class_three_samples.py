@@ -9,7 +9,7 @@ import pytest
 from planes.check.grading.prepared_plan import known_plans
 from planes.cli import main
 from planes.words import Lang
-from tests.check.test_own_sheets import checked, drawn, made, spoiled, view
+from tests.check.test_own_sheets import checked, drawn, made, mistakes, spoiled, view
 from tests.helpers import ROOT
 from tests.helpers.comparing import balanced, differences, draw, expected, pose
 from tests.helpers.conflicts import conflicts
@@ -44,6 +44,18 @@ def test_its_own_view_is_right_and_with_one_step_spoiled_not(sample: str, plan: 
     wrong, variant, _ = made(sample, plan, drawn(sample)[1], k)
     found = checked(sample, plan, view(sample, plan, wrong), tmp_path / "wrong.svg")
     assert found.verdict == "wrong", (variant, found.sentence.told("en"))
+
+
+@pytest.mark.parametrize("sample", SAMPLES)
+def test_its_other_assembly_is_called_so(sample: str, tmp_path: Path) -> None:
+    every = mistakes(sample, "position")
+    others = [k for k, variant in enumerate(every) if variant.mistake == "other_assembly"]
+    assert others
+    for k in others:
+        wrong, variant, far = made(sample, "position", drawn(sample)[1], k)
+        assert far > 20
+        found = checked(sample, "position", view(sample, "position", wrong), tmp_path / "other.svg")
+        assert (found.verdict, found.mistake, found.first_wrong) == ("wrong", "other_assembly", variant.blames)
 
 
 @pytest.mark.slow

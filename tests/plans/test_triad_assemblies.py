@@ -1,4 +1,4 @@
-"""All assemblies of a link on three ties: published ones, an independent count in long numbers, and words."""
+"""All assemblies of a link on three ties: published ones, an independent exact count, and words."""
 
 from __future__ import annotations
 
@@ -6,11 +6,10 @@ import cmath
 import math
 import random
 from itertools import combinations_with_replacement
-from typing import Any
 
-import mpmath
 import numpy as np
 import pytest
+from flint import fmpq, fmpq_poly
 
 from planes.batch import Cycle, compiled
 from planes.geometry import plane
@@ -21,6 +20,7 @@ from planes.scene import loads
 from planes.words.errors import SceneError
 
 KINDS = ("arc", "line", "guide")
+OVER = fmpq_poly([1, 0, 1])
 
 
 def held(bases: list[complex], platform: list[complex], legs: list[float]) -> list[Tie]:
@@ -66,45 +66,48 @@ def planted(kinds: tuple[str, ...], rng: random.Random) -> tuple[list[Tie], comp
     return ties, origin, axis
 
 
-def counted(ties: list[Tie]) -> int:
-    """Real roots by a way of its own: the resultant at nine angles, its Fourier series, all roots in 50 digits."""
-    mp = mpmath.MPContext()
-    mp.dps = 50
+def exact(number: float) -> fmpq:
+    """The very number a double is."""
+    return fmpq(*number.as_integer_ratio())
 
-    def resultant(theta: Any) -> Any:
-        e, found = mp.expj(theta), list[Any]()
-        for t in ties:
-            local, place, turn, reach = mp.mpc(t.local), mp.mpc(t.place), mp.mpc(t.turn), mp.mpf(t.reach)
-            if t.kind == "arc":  # |X|² + 2 X·q + |q|² - l²
-                q = local * e - place
-                found.append((mp.mpf(1), 2 * q.real, 2 * q.imag, abs(q) ** 2 - reach**2))
-            elif t.kind == "line":
-                q = local * e - place
-                found.append((mp.mpf(0), -turn.imag, turn.real, (mp.conj(turn) * q).imag - reach))
-            else:
-                w = turn * e
-                q = place - local * e
-                found.append((mp.mpf(0), w.imag, -w.real, (mp.conj(w) * q).imag - reach))
-        square = next((r for r in found if r[0]), None)
-        rest = [r for r in found if r is not square]
-        plain = [tuple(x - y for x, y in zip(r, square, strict=True)) if square and r[0] else r for r in rest]
-        if square is None:
-            return mp.det(mp.matrix([r[1:] for r in plain]))
+
+def of_place(local: complex, place: complex) -> tuple[fmpq_poly, fmpq_poly]:
+    """local e - place by its coordinates, over 1 + t², where e is the link's x axis and t = tan θ/2."""
+    x, y = (exact(z) for z in (local.real, local.imag))
+    cos, sin = fmpq_poly([1, 0, -1]), fmpq_poly([0, 2])
+    return x * cos - y * sin - exact(place.real) * OVER, x * sin + y * cos - exact(place.imag) * OVER
+
+
+def row(tie: Tie) -> tuple[fmpq_poly, fmpq_poly, fmpq_poly, fmpq_poly]:
+    """What a tie says of the origin (x, y), over (1 + t²)²: of x² + y², of x, of y, and what is left."""
+    reach, (x, y) = exact(tie.reach) * OVER, of_place(tie.local, tie.place)
+    if tie.kind == "arc":
+        return OVER * OVER, 2 * x * OVER, 2 * y * OVER, x * x + y * y - reach * reach
+    if tie.kind == "line":
+        u, v = exact(tie.turn.real), exact(tie.turn.imag)
+        return 0 * OVER, -v * OVER * OVER, u * OVER * OVER, (u * y - v * x - reach) * OVER
+    u, v = of_place(tie.turn, 0j)
+    return 0 * OVER, v * OVER, -u * OVER, v * x - u * y - reach * OVER
+
+
+def counted(ties: list[Tie]) -> int:
+    """Real roots by a way of its own: the resultant in rationals, and all its complex roots isolated by FLINT."""
+    rows = [row(t) for t in ties]
+    arcs = [r for r, t in zip(rows, ties, strict=True) if t.kind == "arc"]
+    if not arcs:
+        (_, *p), (_, *q), (_, *r) = rows
+        whole = sum(p[i] * (q[j] * r[k] - q[k] * r[j]) for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)))
+    else:
+        square = arcs[0]
+        others = [r for r in rows if r is not square]
+        plain = [tuple(x - y for x, y in zip(r, square, strict=True)) if r in arcs else r for r in others]
         (_, a, b, c), (_, d, f, g) = plain
         x, y, w = b * g - c * f, c * d - a * g, a * f - b * d
-        return x * x + y * y + w * (square[1] * x + square[2] * y) + square[3] * w * w
-
-    n = 4
-    samples = [resultant(2 * mp.pi * k / (2 * n + 1)) for k in range(2 * n + 1)]
-    terms = [
-        sum(s * mp.expj(-2 * mp.pi * j * k / (2 * n + 1)) for k, s in enumerate(samples)) / (2 * n + 1)
-        for j in range(-n, n + 1)
-    ]
-    size = max(abs(z) for z in terms)
-    while abs(terms[-1]) < size * mp.mpf(10) ** -40:
-        terms = terms[1:-1]
-    roots = mp.polyroots(terms, maxsteps=400, extraprec=400, asc=True)
-    return sum(abs(abs(z) - 1) < mp.mpf(10) ** -12 for z in roots)
+        whole = square[0] * (x * x + y * y) + w * (square[1] * x + square[2] * y) + square[3] * w * w
+    assert isinstance(whole, fmpq_poly)
+    while not whole % OVER:
+        whole = whole // OVER
+    return sum(root.imag == 0 for root, _ in whole.numer().complex_roots())
 
 
 @pytest.mark.parametrize("kinds", list(combinations_with_replacement(KINDS, 3)), ids="-".join)

@@ -7,11 +7,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from planes.check.grading.handwork import Variant
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.plan_steps import PlanSteps
+from planes.drafting.drawing import run
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
+from planes.drafting.steps.tracks import CutTrack
+from planes.geometry.arithmetic import Arithmetic
+from planes.geometry.sextic import assemblies
+from planes.geometry.tracks import newton
 from planes.words import Written
 from planes.words.names import label_of, letter_of
 
+ELSEWHERE = 1e-6  # of a link's size: nearer than this is the same assembly
 LEAST_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
 LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
 
@@ -27,6 +33,7 @@ def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) ->
         elif letter_of(name) == "e" and value:
             yield from _marked(w, "guide_offset_ignored", w.readers(name), {name: 0.0})
     yield from _centred(w)
+    yield from _reassembled(w)
     for step in w.own:
         yield from _scales(w, step, taken, mu)
 
@@ -40,6 +47,22 @@ def _centred(w: PlanSteps) -> Iterator[Variant]:
         place = f"place_°{guide}"
         if place in w.program.givens and _apart(w, place, pivot, f"angle_∥{guide}"):
             yield from _marked(w, "guide_offset_ignored", w.readers(place), {place: w.plans.given[pivot]})
+
+
+def _reassembled(w: PlanSteps) -> Iterator[Variant]:
+    """A group of class III put together otherwise: its basic link elsewhere on the same three leads."""
+    cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack) and step.kind == "mark"}
+    for holds, cut in cuts.items():
+        program = w.program.sliced([name for hold in holds for name, _ in hold.reads()])
+        things, guess = run(program, {**w.plans.given, cut.mu: 1.0}).things, cut.guess
+        ties, size = [hold.tie(things, 1.0, Arithmetic()) for hold in holds], things[guess.size]
+        drawn = run(w.program.sliced([cut.makes]), {**w.plans.given, cut.mu: 1.0})[cut.makes]
+        here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys((*guess.places, *guess.turns), 0.0)
+        others = [p for p in assemblies(ties).poses if abs(p[0] + p[1] * things[cut.local] - drawn) > ELSEWHERE * size]
+        for origin, axis in others:
+            there = {guess.places[0]: origin / size, guess.turns[0]: cmath.phase(axis)}
+            side = {cut.side: math.copysign(1.0, newton(ties, origin, axis)[3])}
+            yield from _marked(w, "other_assembly", w.readers(guess.middle), here | there | side, 1 / len(others))
 
 
 def _apart(w: PlanSteps, place: str, pivot: str, angle: str) -> bool:

@@ -147,7 +147,9 @@ def catalogue(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iter
 
 def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float) -> list[Variant]:
     """Every mistake that could be made in the plan that is checked."""
-    return list(catalogue(PlanSteps(bench.plans, bench.program, bench.asked.plan), taken, mu))
+    drive = bench.plans.drive_given
+    there = replace(bench.plans, given={**bench.plans.given, drive: bench.given[drive]})
+    return list(catalogue(PlanSteps(there, bench.program, bench.asked.plan), taken, mu))
 
 
 @dataclass
