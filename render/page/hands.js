@@ -7,7 +7,8 @@ function placed(v) { // a value of the drive within its range; an angle goes rou
   if (held) return data.drive.at;
   return symbol === "φ" ? ((v - from) % 360 + 360) % 360 + from : clamp(v, from, to);
 }
-function allowed(knob, v) { return Number.isFinite(v) && (v > 0 || (v < 0 && knob.at < 0) || (!/^(l_|mu_)/.test(knob.given) && v !== 0)); }
+function allowed(knob, v) { return Number.isFinite(v) && (v > 0 || (v < 0 && knob.at < 0) || !/^(l_|mu_)/.test(knob.given)); }
+function span({ at, reach }) { return at ? [at / 3, 3 * at].sort((a, b) => a - b) : [-reach, reach]; } // from a third of a number to three times; about nothing as far as others of its kind
 function quiet() { // readers of the screen hear of a change when it has come to rest
   $("told").setAttribute("aria-live", "off");
   $("zone").setAttribute("aria-live", "off");
@@ -40,7 +41,7 @@ function crank() {
   put("rates", data.results.filter(r => found(r.value) <= state.frame).map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[state.lang]}</span>`).join(""));
   document.querySelectorAll("#knobs input").forEach(e => {
     const v = live.given[e.dataset.given];
-    if (e !== document.activeElement || e.type === "range") e.value = e.type === "range" ? v / data.home[e.dataset.given] : +v.toPrecision(6);
+    if (e !== document.activeElement || e.type === "range") e.value = +v.toPrecision(6);
     e.disabled = practising;
   });
 }
@@ -59,14 +60,14 @@ function zones() { // positions that fail, and blunt ones, marked over the slide
   const { from, to } = data.drive, long = to - from || 1, said = z => z.kind === "bad" ? say("zone_bad") : plain(data.blunt[z.mark][state.lang]);
   $("zones").innerHTML = live.zones.map(z => `<i class="${z.kind}" title="${said(z)}" style="left:${100 * (z.from - from) / long}%;width:${100 * (z.to - z.from) / long + 100 / TURN}%"></i>`).join("");
 }
-function knobs() { // every given number, to be typed or slid from a third of itself to three times
+function knobs() { // every given number, to be typed or slid
   const name = k => k.plan ? `μ, ${data.plans.find(p => p.key === k.plan)?.title[state.lang].toLowerCase() ?? ""}` : html(k.name);
   const shown = data.knobs.filter(k => !k.plan || data.plans.some(p => p.key === k.plan));
   const unit = k => k.plan ? filled(data.plans.find(p => p.key === k.plan).mu[state.lang]).replace(/^\S+ /, "") : k.unit[state.lang];
   const label = k => (k.plan ? name(k) : k.name) + " " + unit(k);
-  const [low, high] = [1 / 3, 3];
+  const slid = (k, [low, high] = span(k)) => `min="${low}" max="${high}" step="${(high - low) / 500}"`;
   $("knobs").innerHTML = shown.map(k => `<div class="knob"><span>${name(k)}</span>` +
-    `<input type="range" min="${low}" max="${high}" step="0.005" data-given="${k.given}" aria-label="${label(k)}">` +
+    `<input type="range" ${slid(k)} data-given="${k.given}" aria-label="${label(k)}">` +
     `<input type="text" inputmode="decimal" data-given="${k.given}" aria-label="${label(k)}"><small>${unit(k)}</small></div>`).join("");
   const chosen = $("free").value;
   $("free").innerHTML = `<option value="">${say("free_any")}</option>` + shown.filter(k => !k.plan).map(k => `<option value="${k.given}">${k.name.replace("_", "")}</option>`).join("");
@@ -141,7 +142,7 @@ $("home").onclick = () => { live.reset(); put("follow", ""); zones(); writeAddre
 $("large").onclick = e => { if (e.target.dataset.mu) change({ [e.target.dataset.given]: +e.target.dataset.mu }); };
 $("knobs").addEventListener("input", e => {
   const k = data.knobs.find(k => k.given === e.target.dataset.given), text = e.target.value.replace(",", ".");
-  const v = e.target.type === "range" ? +(k.at * text).toPrecision(4) : +text;
+  const v = e.target.type === "range" ? +(+text).toPrecision(4) : +text;
   e.target.setAttribute("aria-invalid", !allowed(k, v));
   if (allowed(k, v)) change({ [k.given]: v });
 });
