@@ -2,10 +2,10 @@
 
     python -m tests.lessons_run --browsers chromium firefox --minutes 60
 
-Counted of each page: complaints and requests; frames; the worst mark against the drawing of the engine, at random places
-and dimensions, mm (of far marks, of their distance); plan vectors dragged, those that reached their place and those that
-said why not; labels upon one another, on a wide screen and on a phone; frames a second; bytes. Ends with 1 where a mark is
-off, a page complains, labels overlap, or a page is too large.
+Counted of each page: complaints and requests; frames; the worst mark against the drawing of the engine, at random
+places and dimensions, mm (of far marks, of their distance); plan vectors dragged, those that reached their place and
+those that said why not; labels upon one another, on a wide screen and on a phone; frames a second; bytes. Ends with 1
+where a mark is off, a page complains, labels overlap, or a page is too large.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ from planes.lesson.formulas import slot, unit
 from planes.lesson.frame import in_both
 from planes.plans import Plans
 from planes.words import Lang, Phrase, say
-from planes.words.names import mu_of, parts_of, plan_of
+from planes.words.names import aimed, mu_of, parts_of, plan_of
 from planes.words.records import Json
 
 CARRIED = ("velocity", "motion", "lever")
@@ -113,7 +113,8 @@ class Knobs:
             plan = next((p for p in self.plans.drawn if mu_of(p) == given), None)
             told = "" if plan else self.told(given, axis)
             if given in used and (told or plan not in (None, *CARRIED[1:])):
-                kind = {"plan": plan} if plan else {"name": told, "unit": in_both(partial(unit, told))}
+                kind: Json = {"plan": plan} if plan else {"name": told, "unit": in_both(partial(unit, told))}
+                kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
                 found.append({"given": name, "at": value, "tied": self.tied(given) if value else {}, **kind})
         return [{**k, **self.around(k, found)} for k in found if k["at"] or self.around(k, found)]
 
@@ -161,7 +162,7 @@ class Knobs:
             return means.of
         if means and means.quantity == "place":
             return f"{axis}_{parts_of(given)[1]}" if "°" not in given else ""
-        return given if letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") else ""
+        return given if letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") else aimed(given)
 
     def drags(self) -> dict[str, list[str]]:
         """For each mark of the scheme the numbers that place it."""

@@ -24,7 +24,7 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
         centre, owner = (found[0].centre, found[1]) if (found := m.round_guide(x)) else ("", "")
         points = [p for p in x.points if p != centre]
         hinges = [at("position", p) for p in points if moving.count(p) > 1 or p in m.frame.points]
-        own = {"name": x.name, "points": [at("position", p) for p in points], "hinges": hinges}
+        own: Json = {"name": x.name, "points": [at("position", p) for p in points], "hinges": hinges}
         own["round"] = {"centre": at("position", centre), "link": owner} if centre else None
         links.append({**own, "slides": x.slides.guide if x.slides else None})
     for link in (m.frame, *m.links.values()):

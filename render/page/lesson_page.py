@@ -25,6 +25,7 @@ SCRIPTS = (
     "plan",
     "live",
     "words",
+    "grips",
     "handout",
     "lesson",
     "hands",
