@@ -49,7 +49,7 @@ COUNTS = (ROOT / "tests" / "helpers" / "lesson_counts.js").read_text(encoding="u
 
 
 @dataclass
-class Count:
+class PageCount:
     """What was found of one page in one browser."""
 
     complaints: list[str]
@@ -80,7 +80,7 @@ class Count:
         return [*self.complaints, *self.unlike, *far, *large, *self.silent, *overlaps]
 
 
-class Engine:
+class DrawnByEngine:
     """The drawing of the engine itself, of a scene, for whatever is given."""
 
     def __init__(self, file: Path) -> None:
@@ -122,9 +122,9 @@ def numbers(data: Any, count: int, dimensions: int, rng: random.Random) -> Itera
         yield {k["given"]: k["at"] + rng.uniform(-0.1, 0.1) * (k["at"] or k["reach"]) for k in data["knobs"]}
 
 
-def count(window: Any, file: Path, data: Any, places: int = PLACES, dimensions: int = DIMENSIONS) -> Count:
+def count(window: Any, file: Path, data: Any, places: int = PLACES, dimensions: int = DIMENSIONS) -> PageCount:
     """All that is counted of the page the window shows."""
-    found, rng, engine = Count(window.errors), random.Random(file.stem), Engine(file)
+    found, rng, engine = PageCount(window.errors), random.Random(file.stem), DrawnByEngine(file)
     found.frames = len(data["frames"])
     window.evaluate(COUNTS)
     for size, (w, h) in SIZES.items():
@@ -145,7 +145,7 @@ def count(window: Any, file: Path, data: Any, places: int = PLACES, dimensions: 
     return found
 
 
-def speed(window: Any, found: Count, frames: int) -> None:
+def speed(window: Any, found: PageCount, frames: int) -> None:
     """Frames a second while the crank goes round, and when the first picture was there."""
     window.set_viewport_size({"width": 1280, "height": 900})
     found.fps = window.evaluate(f"counts.spun({frames - 1})")

@@ -128,7 +128,7 @@ class Live {
     return [...(this.data.drive.held || !first ? [] : [first]), ...(other && other !== first ? [other] : [])];
   }
   handle(mark, drive) { // the number that, beside the drive, moves a mark most freely
-    const knobs = this.data.knobs.map(k => k.given).filter(n => !n.startsWith("place_")); // what is fixed stays
+    const knobs = this.data.knobs.filter(k => k.at).map(k => k.given); // what is nothing stays so
     const [x, y] = this.turns(mark, [drive, ...knobs]), far = Math.hypot(x[0], y[0]) || 1;
     const free = knobs.map((n, k) => [n, Math.abs(x[0] * y[k + 1] - y[0] * x[k + 1]) / far + 1e-3 * Math.hypot(x[k + 1], y[k + 1])]);
     const best = free.reduce((a, b) => b[1] > a[1] * 1.2 ? b : a, ["", 1e-9]);
