@@ -152,6 +152,14 @@ def lesson(args: Namespace) -> int:
     return 0
 
 
+def essay(args: Namespace) -> int:
+    """The method in ten live pages."""
+    from planes.documents.lesson import write_essay
+
+    write_essay(args.output, args.lang)
+    return 0
+
+
 def note(args: Namespace) -> int:
     """The explanatory note."""
     from planes.documents.lesson import write_note

@@ -23,7 +23,7 @@ POSITIONED = ("solve", "sheet", "note", "cycle", "check", "blank")
 EITHER = {"sheet": ("--sheet", "--view"), "course": ("--jobs", "--scheduler")}
 """Options of which one alone may be given."""
 
-WITHOUT_SCENE = ("course", "new", "schema", "completion")
+WITHOUT_SCENE = ("essay", "course", "new", "schema", "completion")
 SHELLS = ("bash", "zsh", "tcsh")
 _FILES = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}  # as shtab's FILE and DIRECTORY
 _FOLDERS = {"bash": "_shtab_compgen_dirs", "zsh": "_files -/", "tcsh": "d"}
@@ -51,6 +51,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--colour", "colour", FLAG),
     ),
     "lesson": (("-o --output", "lesson_output", OUTPUT),),
+    "essay": (("-o --output", "essay_output", {"metavar": "FOLDER", "required": True}),),
     "note": (("-o --output", "note_output", OUTPUT),),
     "cycle": (
         ("-o --output", "cycle_output", FILE),

@@ -1,10 +1,11 @@
-"""The commands ``planes lesson`` and ``planes note``: a page, or prose with figures, written whole or not at all."""
+"""The commands ``planes lesson``, ``essay`` and ``note``: pages, or prose with figures, written whole or not at all."""
 
 import html
 from dataclasses import dataclass
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
+from planes.lesson.essay import PAGES, essay_data
 from planes.lesson.stated_note import note_of
 from planes.scene import Scene
 from planes.scene.files import keep
@@ -12,7 +13,7 @@ from planes.solving import Position, failed, plans_of, position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.waiting import bar
-from render.page.lesson_page import page
+from render.page.lesson_page import essay_page, page
 from render.report import SUFFIXES, rendered
 from render.sheet.composer import Composer
 
@@ -41,6 +42,14 @@ def write_lesson(scene: Scene, output: str, lang: Lang) -> None:
     with bar() as step:
         text = page(lesson_data(scene, step), lang)
     keep(text.encode(), output)
+
+
+def write_essay(folder: str, lang: Lang) -> None:
+    """The pages of the essay, 1.html to 10.html, in a folder; none of them until all are made."""
+    pages = [essay_page(essay_data(k), lang) for k in range(1, len(PAGES) + 1)]
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    for number, text in enumerate(pages, 1):
+        keep(text.encode(), str(Path(folder) / f"{number}.html"))
 
 
 def write_note(scene: Scene, values: list[float] | None, output: str, lang: Lang) -> None:

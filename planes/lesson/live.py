@@ -21,7 +21,7 @@ from planes.lesson.formulas import slot, unit
 from planes.lesson.frame import in_both
 from planes.plans import Plans
 from planes.words import Lang, Phrase, say
-from planes.words.names import mu_of, parts_of, plan_of
+from planes.words.names import aimed, mu_of, parts_of, plan_of
 from planes.words.records import Json
 
 CARRIED = ("velocity", "motion", "lever")
@@ -116,10 +116,20 @@ class Knobs:
             given, _, axis = name.partition(".")
             plan = next((p for p in self.plans.drawn if mu_of(p) == given), None)
             told = "" if plan else self.told(given, axis)
-            if value and given in used and (told or plan not in (None, *CARRIED[1:])):
-                kind = {"plan": plan} if plan else {"name": told, "unit": in_both(partial(unit, told))}
-                found.append({"given": name, "at": value, "tied": self.tied(given), **kind})
-        return found
+            if given in used and (told or plan not in (None, *CARRIED[1:])):
+                kind: Json = {"plan": plan} if plan else {"name": told, "unit": in_both(partial(unit, told))}
+                kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
+                found.append({"given": name, "at": value, "tied": self.tied(given) if value else {}, **kind})
+        return [{**k, **self.around(k, found)} for k in found if k["at"] or self.around(k, found)]
+
+    def around(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
+        """Of a number that is nothing how far from it one may go: as far as the largest of its kind, an angular
+        acceleration as far as the square of the speed; not at all where there is none."""
+        letter = parts_of(str(knob["name"]))[0] if "name" in knob else ""
+        rates = {"epsilon": "omega", "a": "v"}
+        like = ("x", "y", "l") if letter in ("x", "y") else (rates.get(letter, letter),)
+        sizes = [abs(k["at"]) for k in knobs if "name" in k and parts_of(k["name"])[0] in like and k["at"]]
+        return {"reach": max(sizes) ** (2 if letter in rates else 1)} if sizes and not knob["at"] else {}
 
     def tied(self, given: str) -> dict[str, int]:
         """What changes with a number: with a scale those of the plans carried from one another, with a length the
@@ -140,6 +150,7 @@ class Knobs:
         draw, flat = numpy.random.default_rng(1), {n: numpy.full(count, v) for n, v in self.home().items()}
         for knob in self.all():
             times = 1 + SHAKEN * draw.uniform(-1, 1, count)
+            flat[knob["given"]] = flat[knob["given"]] + (times - 1) * knob.get("reach", 0.0)
             for name, power in {knob["given"]: 1, **knob["tied"]}.items():
                 flat[name] = flat[name] * times**power
         whole = {
@@ -155,7 +166,7 @@ class Knobs:
             return means.of
         if means and means.quantity == "place":
             return f"{axis}_{parts_of(given)[1]}" if "°" not in given else ""
-        return given if letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") else ""
+        return given if letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") else aimed(given)
 
     def drags(self) -> dict[str, list[str]]:
         """For each mark of the scheme the numbers that place it."""

@@ -21,8 +21,11 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
     moving = [p for x in m.links.values() for p in x.points]
     links, guides = [], []
     for x in m.links.values():
-        hinges = [at("position", p) for p in x.points if moving.count(p) > 1 or p in m.frame.points]
-        own = {"name": x.name, "points": [at("position", p) for p in x.points], "hinges": hinges}
+        centre, owner = (found[0].centre, found[1]) if (found := m.round_guide(x)) else ("", "")
+        points = [p for p in x.points if p != centre]
+        hinges = [at("position", p) for p in points if moving.count(p) > 1 or p in m.frame.points]
+        own: Json = {"name": x.name, "points": [at("position", p) for p in points], "hinges": hinges}
+        own["round"] = {"centre": at("position", centre), "link": owner} if centre else None
         links.append({**own, "slides": x.slides.guide if x.slides else None})
     for link in (m.frame, *m.links.values()):
         for g in link.guides.values():
@@ -34,8 +37,9 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
 
 
 def pivots(m: Mechanism) -> list[str]:
-    """The fixed points that belong to a moving link too."""
-    return [p for p in m.frame.points if any(p in x.points for x in m.links.values())]
+    """The fixed points that are hinges of a moving link: not those about which a slider's arc is drawn alone."""
+    hinged = {p for x in m.links.values() for p in x.points if not ((g := m.round_guide(x)) and g[0].centre == p)}
+    return [p for p in m.frame.points if p in hinged]
 
 
 def arms(plans: Plans) -> list[Json]:

@@ -175,6 +175,11 @@ def component_of(name: str) -> str:
     return last if last in ("x", "y") and name.count("_") > 1 else ""
 
 
+def aimed(given: str) -> str:
+    """The direction that a given angle of a stated vector makes, "∠v_B" of angle_∠v_B; "" of any other number."""
+    return given.removeprefix("angle_") if given.startswith("angle_∠") else ""
+
+
 def given_of(name: str) -> str:
     """The given a number is of: that of a place is written with .x and .y."""
     return name.removesuffix(".x").removesuffix(".y")

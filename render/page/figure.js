@@ -1,6 +1,6 @@
 "use strict";
 // A panel of ink: maps millimetres of paper to pixels, draws lines and arrows between the marks of the tape, places labels.
-const NS = "http://www.w3.org/2000/svg";
+const NS = "http://www.w3.org/2000/svg", UPON = 40; // what a label upon another one costs: more than any number of strokes
 const LETTERS = JSON.parse(document.getElementById("letters").textContent);
 
 function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: as a sheet has it
@@ -17,9 +17,14 @@ function svg(tag, attributes, parent) {
   if (parent) parent.appendChild(e);
   return e;
 }
-function wide(names, plan, size) { // about how wide a label is
-  const one = n => lettered(n, plan).reduce((w, [t, k]) => w + t.length * (k ? 0.42 : 0.62), 0);
-  return size * names.reduce((w, n) => w + one(n) + 0.5, -0.5);
+const ruler = document.createElement("canvas").getContext("2d"), widths = new Map();
+function wide(names, plan, size) { // how wide a label is, px
+  const key = `${document.documentElement.lang} ${plan} ${size} ${names.join(" ")}`;
+  if (!widths.has(key)) {
+    const one = (text, small) => { ruler.font = `italic ${small ? 0.7 * size : size}px "DejaVu Serif", Georgia, serif`; return ruler.measureText(text).width; };
+    widths.set(key, names.reduce((w, n, i) => w + (i ? one(" = ") : 0) + lettered(n, plan).reduce((s, [text, kind]) => s + one(text, kind), 0), 0));
+  }
+  return widths.get(key);
 }
 function letters(parent, names, x, y, size, plan, joint = ", ") {
   const t = svg("text", { x, y, "font-size": size, class: "label", "text-anchor": "middle" }, parent);
@@ -109,8 +114,8 @@ class Figure { // millimetres y up -> pixels y down
         if (d < tall + 3) cost += (tall + 3 - d) / tall;
       }
       for (const t of this.taken) {
-        const ox = half + t[2] + 3 - Math.abs(x - t[0]), oy = tall * 2 + 3 - Math.abs(y - t[1]);
-        if (ox > 0 && oy > 0) cost += 4;
+        const ox = half + t[2] + 3 - Math.abs(x - t[0]), oy = size * 1.32 - Math.abs(y - t[1]);
+        if (ox > 0 && oy > 0) cost += UPON;
       }
       if (x - half < 2 || x + half > this.w - 2 || y - tall < 2 || y + tall > this.h - 2) cost += 6;
       if (!best || cost < best[0]) best = [cost, x, y, n];
@@ -123,7 +128,7 @@ class Figure { // millimetres y up -> pixels y down
   beside(p, names, plan, clear = 5) { // around a mark
     return this.put(names, (half, tall) => {
       const found = [];
-      for (const far of [0, 7, 15]) for (let k = 0; k < 16; k++) {
+      for (const far of [0, 7, 15, 26, 40]) for (let k = 0; k < 16; k++) {
         const c = Math.cos(k * Math.PI / 8), s = Math.sin(k * Math.PI / 8);
         found.push([p[0] + c * (half + clear + far), p[1] + s * (tall + clear + far), far * 0.06 + (k % 4 ? 0.05 : 0)]);
       }
@@ -134,7 +139,7 @@ class Figure { // millimetres y up -> pixels y down
     const n = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1, ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
     return this.put(names, (half, tall) => {
       const found = [], off = Math.abs(uy) * half + Math.abs(ux) * tall + 5;
-      for (const t of [0.5, 0.35, 0.65, 0.2, 0.8]) for (const side of [1, -1]) for (const far of [0, 10, 22]) {
+      for (const t of [0.5, 0.35, 0.65, 0.2, 0.8, 0.95, 0.08]) for (const side of [1, -1]) for (const far of [0, 10, 22, 36, 54]) {
         found.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far), far * 0.05 + Math.abs(t - 0.5)]);
       }
       return found;

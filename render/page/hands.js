@@ -1,13 +1,7 @@
 "use strict";
-// What a reader's hand changes: the crank, the given numbers, a hinge that is dragged, the end of a vector in a plan.
-const GRIP_PX = 16, GRIP_TOUCH_PX = 30, LOOK_MS = 180;
+// What a reader's hand changes: the crank, the given numbers, what is dragged, the scale where a plan grows.
+const LOOK_MS = 180;
 
-function placed(v) { // a value of the drive within its range; an angle goes round
-  const { from, to, symbol, held } = data.drive;
-  if (held) return data.drive.at;
-  return symbol === "φ" ? ((v - from) % 360 + 360) % 360 + from : clamp(v, from, to);
-}
-function allowed(knob, v) { return Number.isFinite(v) && (v > 0 || (v < 0 && knob.at < 0) || (!/^(l_|mu_)/.test(knob.given) && v !== 0)); }
 function quiet() { // readers of the screen hear of a change when it has come to rest
   $("told").setAttribute("aria-live", "off");
   $("zone").setAttribute("aria-live", "off");
@@ -40,7 +34,7 @@ function crank() {
   put("rates", data.results.filter(r => found(r.value) <= state.frame).map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[state.lang]}</span>`).join(""));
   document.querySelectorAll("#knobs input").forEach(e => {
     const v = live.given[e.dataset.given];
-    if (e !== document.activeElement || e.type === "range") e.value = e.type === "range" ? v / data.home[e.dataset.given] : +v.toPrecision(6);
+    if (e !== document.activeElement || e.type === "range") e.value = +v.toPrecision(6);
     e.disabled = practising;
   });
 }
@@ -59,14 +53,14 @@ function zones() { // positions that fail, and blunt ones, marked over the slide
   const { from, to } = data.drive, long = to - from || 1, said = z => z.kind === "bad" ? say("zone_bad") : plain(data.blunt[z.mark][state.lang]);
   $("zones").innerHTML = live.zones.map(z => `<i class="${z.kind}" title="${said(z)}" style="left:${100 * (z.from - from) / long}%;width:${100 * (z.to - z.from) / long + 100 / TURN}%"></i>`).join("");
 }
-function knobs() { // every given number, to be typed or slid from a third of itself to three times
+function knobs() { // every given number, to be typed or slid
   const name = k => k.plan ? `μ, ${data.plans.find(p => p.key === k.plan)?.title[state.lang].toLowerCase() ?? ""}` : html(k.name);
   const shown = data.knobs.filter(k => !k.plan || data.plans.some(p => p.key === k.plan));
   const unit = k => k.plan ? filled(data.plans.find(p => p.key === k.plan).mu[state.lang]).replace(/^\S+ /, "") : k.unit[state.lang];
   const label = k => (k.plan ? name(k) : k.name) + " " + unit(k);
-  const [low, high] = [1 / 3, 3];
+  const slid = (k, [low, high] = span(k)) => `min="${low}" max="${high}" step="${(high - low) / 500}"`;
   $("knobs").innerHTML = shown.map(k => `<div class="knob"><span>${name(k)}</span>` +
-    `<input type="range" min="${low}" max="${high}" step="0.005" data-given="${k.given}" aria-label="${label(k)}">` +
+    `<input type="range" ${slid(k)} data-given="${k.given}" aria-label="${label(k)}">` +
     `<input type="text" inputmode="decimal" data-given="${k.given}" aria-label="${label(k)}"><small>${unit(k)}</small></div>`).join("");
   const chosen = $("free").value;
   $("free").innerHTML = `<option value="">${say("free_any")}</option>` + shown.filter(k => !k.plan).map(k => `<option value="${k.given}">${k.name.replace("_", "")}</option>`).join("");
@@ -90,50 +84,20 @@ function spin(on = !state.spin) { // the crank goes round by itself, a turn in s
   };
   state.spin = requestAnimationFrame(next);
 }
-function grip(figure, event) { // the mark under the hand, and the numbers that follow it
-  const r = figure.node.getBoundingClientRect(), q = [event.clientX - r.left, event.clientY - r.top];
-  const seen = seenAt(state.frame), near = event.pointerType === "touch" ? GRIP_TOUCH_PX : GRIP_PX;
-  const marks = figure === scheme ? Object.keys(data.drags) : plan.own(planOf(state.frame)).filter(m => !m.endsWith(":p"));
-  let best = null;
-  for (const m of marks) {
-    const p = seen.has(m) && figure.at(m), d = p ? Math.hypot(figure.px(p)[0] - q[0], figure.px(p)[1] - q[1]) : near;
-    if (d < near && (!best || d < best.d - 0.5)) best = { mark: m, d };
-  }
-  return best && best.mark;
-}
 function follower(figure, mark) {
-  if (figure === scheme) return data.drags[mark];
-  const chosen = $("free").value || live.handle(mark);
-  return [...(data.drive.held ? [] : [data.drive.given]), ...(chosen ? [chosen] : [])];
+  return figure === scheme ? data.drags[mark] : live.handles(mark, $("free").value);
 }
-function drag(figure, mark, target) { // the mechanism follows, or it is said how far it cannot
-  const names = follower(figure, mark), moved = names.length && live.data.marks[mark] && live.turns(mark, names).flat().some(Boolean), short = moved ? live.follow(mark, names, target) : Infinity;
+function drag(figure, mark, target) {
+  const { short, text } = pulled(mark, follower(figure, mark), target);
   change({ [data.drive.given]: placed(live.drive) });
-  const said = n => n === data.drive.given ? data.drive.symbol : (data.knobs.find(k => k.given === n) || { name: n }).name;
-  const list = names.map(n => `⟨${said(n)}⟩`).join(", "), end = `⟨${mark.slice(mark.lastIndexOf(":") + 1)}⟩`;
-  const text = say(short <= REACHED ? "follows" : Number.isFinite(short) ? "follows_not" : "follows_none").replace("{mark}", end).replace("{names}", list).replace("{mm}", local(fixed(short, 2)));
-  put("follow", sentence(text, mark.slice(0, mark.lastIndexOf(":"))));
+  put("follow", text);
   return short;
 }
-for (const [id, figure] of [["scheme", scheme], ["plan", plan]]) {
-  const node = $(id);
-  node.addEventListener("pointerdown", e => {
-    const mark = !practice.on && e.button === 0 && grip(figure, e);
-    if (!mark) return;
-    if (state.spin) spin(false);
-    node.setPointerCapture(e.pointerId);
-    node.held = { mark, k: figure.k, dx: figure.dx, dy: figure.dy };
-    figure.fixed_view = node.held;
-    e.preventDefault();
-  });
-  node.addEventListener("touchstart", e => { if (node.held) e.preventDefault(); }, { passive: false });
-  node.addEventListener("pointermove", e => {
-    if (!node.held) { node.style.cursor = !practice.on && e.pointerType !== "touch" && grip(figure, e) ? "grab" : ""; return; }
-    const r = node.getBoundingClientRect();
-    drag(figure, node.held.mark, figure.mm([e.clientX - r.left, e.clientY - r.top]));
-  });
-  for (const end of ["pointerup", "pointercancel"]) node.addEventListener(end, () => { node.held = figure.fixed_view = null; later(); });
+function marks(figure) {
+  const seen = seenAt(state.frame);
+  return (figure === scheme ? Object.keys(data.drags) : plan.own(planOf(state.frame)).filter(m => !m.endsWith(":p"))).filter(m => seen.has(m));
 }
+for (const figure of [scheme, plan]) grips(figure, () => practice.on ? [] : marks(figure), (mark, target) => { if (state.spin) spin(false); drag(figure, mark, target); }, later);
 $("spin").onclick = () => spin();
 $("crank").oninput = e => turn(+e.target.value);
 $("exact").onchange = e => { const v = parseFloat(e.target.value.replace(",", ".")); if (Number.isFinite(v)) turn(v); else crank(); };
@@ -141,7 +105,7 @@ $("home").onclick = () => { live.reset(); put("follow", ""); zones(); writeAddre
 $("large").onclick = e => { if (e.target.dataset.mu) change({ [e.target.dataset.given]: +e.target.dataset.mu }); };
 $("knobs").addEventListener("input", e => {
   const k = data.knobs.find(k => k.given === e.target.dataset.given), text = e.target.value.replace(",", ".");
-  const v = e.target.type === "range" ? +(k.at * text).toPrecision(4) : +text;
+  const v = e.target.type === "range" ? +(+text).toPrecision(4) : +text;
   e.target.setAttribute("aria-invalid", !allowed(k, v));
   if (allowed(k, v)) change({ [k.given]: v });
 });

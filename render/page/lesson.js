@@ -1,6 +1,5 @@
 "use strict";
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
-const [words, data] = JSON.parse(inflated(JSON.parse(document.getElementById("packed").textContent)));
 const $ = id => document.getElementById(id);
 const live = new Live(data);
 const scheme = new Scheme($("scheme"), data), plan = new Plan($("plan"), data);
@@ -22,15 +21,6 @@ function writeAddress() {
   const own = live.altered.map(n => `&${encodeURIComponent(n)}=${+live.given[n].toPrecision(9)}`).join("");
   const seeded = practice.on && practice.seed, text = `#${seeded ? `seed=${practice.seed}` : `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${seeded ? "" : own}`;
   writeAddress.timer = setTimeout(() => { try { history.replaceState(null, "", text); } catch { /* a page inside a page has no address */ } }, 120);
-}
-function seenAt(frame) {
-  const seen = new Set(["position:p"]);
-  for (const f of data.frames.slice(0, frame + 1)) for (const m of f.makes) seen.add(m);
-  return seen;
-}
-function planOf(frame) { // the plan on the right: of this frame, or the last one that was not the scheme
-  for (let k = frame; k >= 0; k--) if (data.frames[k].plan !== "position") return data.frames[k].plan;
-  return "position";
 }
 function draw() {
   state.waiting = false;

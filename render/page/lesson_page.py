@@ -17,21 +17,8 @@ SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
     key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad")
 }
 """Words of the page that stand in other tables."""
-SCRIPTS = (
-    "inflate",
-    "tape",
-    "figure",
-    "scheme",
-    "plan",
-    "live",
-    "words",
-    "handout",
-    "lesson",
-    "hands",
-    "desk",
-    "practice",
-    "task",
-)
+SCRIPTS = ("inflate", "tape", "figure", "scheme", "plan", "live", "words", "grips")
+OWN = ("handout", "lesson", "hands", "desk", "practice", "task")
 NOSCRIPT = (
     "Страница рисует план сама: включите JavaScript. / The page draws the plans itself: please enable JavaScript."
 )
@@ -42,22 +29,32 @@ def page(data: Json, lang: str, scored: bool = False) -> str:
 
     ``data`` is what :func:`planes.lesson.data.lesson_data` exports.
     """
-    told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
-    words = {key: {of: one[key] for of, one in told.items()} for key in told["en"]}
-    lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
-    title = data["title"].get(lang, "")
     parts = {
-        "title": html.escape(title),
         "formula": html.escape(data["formula"]),
         "frames": str(len(data["frames"])),
         **{key: str(data["drive"][key]) for key in ("from", "to", "at")},
         "by": str((data["drive"]["to"] - data["drive"]["from"]) / 360),
-        "noscript": NOSCRIPT,
     }
-    body = web_page.filled(web_page.part("lesson.html"), parts)
-    code = web_page.part(*(f"{name}.js" for name in (*SCRIPTS, *(("scorm",) if scored else ()))))
+    return _whole(data, lang, "lesson", (*SCRIPTS, *OWN, *(("scorm",) if scored else ())), parts)
+
+
+def essay_page(data: Json, lang: str) -> str:
+    """A page of the essay, of what :func:`planes.lesson.essay.essay_data` exports."""
+    return _whole(data, lang, "essay", (*SCRIPTS, "essay"), {})
+
+
+def _whole(data: Json, lang: str, name: str, scripts: tuple[str, ...], parts: dict[str, str]) -> str:
+    """A page with the template of its name, its data and its scripts."""
+    told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
+    words = {key: {of: one[key] for of, one in told.items()} for key in told["en"]}
+    lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
+    title = data["title"].get(lang, "")
+    parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
+    body = web_page.filled(web_page.part(f"{name}.html"), parts)
+    sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
     held = {"packed": packed([words, data]), "letters": written(_names(data), data["lettering"])}
-    return web_page.page(title, lang, web_page.part("practice.css", "lesson.css"), body, code=code, data=held)
+    code = web_page.part(*(f"{script}.js" for script in scripts))
+    return web_page.page(title, lang, web_page.part(*sheets[name]), body, code=code, data=held)
 
 
 def packed(thing: object) -> str:

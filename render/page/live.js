@@ -117,9 +117,18 @@ class Live {
       });
     });
   }
-  size(name) { return name === this.data.drive.given ? (this.data.drive.symbol === "φ" ? 20 : this.data.drive.to - this.data.drive.from) : Math.abs(this.data.home[name]); }
-  handle(mark) { // the number that, beside the drive, moves a mark most freely
-    const drive = this.data.drive.given, knobs = this.data.knobs.map(k => k.given);
+  size(name) { // by how much of a number a hand moves at once
+    const { given, symbol, from, to } = this.data.drive, knob = this.data.knobs.find(k => k.given === name);
+    if (name.startsWith("angle_") || (name === given && symbol === "φ")) return 20;
+    return name === given ? to - from : (knob && knob.reach) || Math.abs(this.data.home[name]);
+  }
+  handles(mark, chosen) { // the drive, or the number that moves a mark most where it stands, and another one
+    const first = this.data.moves ? this.data.drive.given : this.handle(mark, this.data.drive.given);
+    const other = chosen || this.handle(mark, first);
+    return [...(this.data.drive.held || !first ? [] : [first]), ...(other && other !== first ? [other] : [])];
+  }
+  handle(mark, drive) { // the number that, beside the drive, moves a mark most freely
+    const knobs = this.data.knobs.filter(k => k.at).map(k => k.given); // what is nothing stays so
     const [x, y] = this.turns(mark, [drive, ...knobs]), far = Math.hypot(x[0], y[0]) || 1;
     const free = knobs.map((n, k) => [n, Math.abs(x[0] * y[k + 1] - y[0] * x[k + 1]) / far + 1e-3 * Math.hypot(x[k + 1], y[k + 1])]);
     const best = free.reduce((a, b) => b[1] > a[1] * 1.2 ? b : a, ["", 1e-9]);
@@ -134,7 +143,7 @@ class Live {
       if (!(det > 0)) break;
       const p = (c * off[0] - b * off[1]) / det, q = (a * off[1] - b * off[0]) / det, before = { ...this.given };
       this.set(Object.fromEntries(names.map((n, i) => [n, before[n] + Math.max(-0.5, Math.min(0.5, u[i] * p + w[i] * q)) * this.size(n)])));
-      const kept = names.every((n, i) => n === this.data.drive.given || before[n] * this.given[n] > 0), now = kept && miss();
+      const kept = names.every((n, i) => n === this.data.drive.given || n.startsWith("angle_") || !before[n] || before[n] * this.given[n] > 0), now = kept && miss();
       if (now && Math.hypot(...now) < Math.hypot(...off)) { off = now; damp = Math.max(damp / 10, 1e-12); }
       else { this.back(before); damp *= 10; }
     }

@@ -5,6 +5,7 @@ class Scheme extends Figure {
   constructor(node, data, size) {
     super(node, data, size);
     this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !data.helpers.includes(n));
+    this.centres = data.scheme.links.flatMap(l => l.round ? [l.round.centre] : []);
     this.special = data.frames ? data.frames.filter(f => f.key === "special").flatMap(f => f.makes) : [];
   }
   draw(seen, frame) {
@@ -16,13 +17,14 @@ class Scheme extends Figure {
     const own = frame ? this.data.plans.find(p => p.key === frame.plan).links : [], apart = l => own.length && !own.includes(l.name);
     for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");
     for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), live.angle("∥" + l.slides));
+    for (const l of scheme.links) if (l.round) this.rounded(l, there(l.points[0]), there(l.round.centre));
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
     this.hinges(there, lit);
     if (frame && frame.moments !== null && frame.plan === "position") this.forces(this.data.moments[frame.moments], frame.terms);
     for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
     if (frame && frame.turns) this.carried(frame);
     if (own.length) this.loaded(frame);
-    const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots])];
+    const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots, ...this.centres])];
     for (const n of this.special) if (there(n)) this.beside(there(n), [n.slice(n.lastIndexOf(":") + 1)], "position", 9).dataset.name = n;
     for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
       const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n && state.frame >= this.introduced(n));
@@ -57,7 +59,7 @@ class Scheme extends Figure {
     const at = t => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)], [c, d] = [at(-0.1), at(0.75)];
     svg("path", { class: "about turning", d: `M${c[0].toFixed(1)} ${c[1].toFixed(1)}A${r.toFixed(1)} ${r.toFixed(1)} 0 0 ${way > 0 ? 1 : 0} ${d[0].toFixed(1)} ${d[1].toFixed(1)}` }, this.node);
     this.arrow(at(0.62), d, "force", rate);
-    this.put([rate], (half, tall) => [0.33, 0.05, 0.6].map((t, k) => { const m = at(t), u = Math.hypot(m[0] - o[0], m[1] - o[1]) || 1; return [m[0] + (m[0] - o[0]) / u * (half + 6), m[1] + (m[1] - o[1]) / u * (tall + 6), k * 0.2]; }), frame.plan);
+    this.put([rate], (half, tall) => [0.33, 0.05, 0.6, 0.9, -0.3, 1.3].flatMap((t, k) => [6, 16, -2 * half - 6].map((far, j) => { const m = at(t), u = Math.hypot(m[0] - o[0], m[1] - o[1]) || 1; return [m[0] + (m[0] - o[0]) / u * (half + far), m[1] + (m[1] - o[1]) / u * (tall + far), 0.2 * (k + j)]; })), frame.plan);
   }
   guide(g, p, angle, there) {
     if (!p || angle == null) return;
@@ -94,9 +96,19 @@ class Scheme extends Figure {
     const c = Math.cos(angle * Math.PI / 180) * 20 * u, s = -Math.sin(angle * Math.PI / 180) * 20 * u, w = [s * 0.55, -c * 0.55];
     for (const k of [1, -1]) this.strokes.push([[p[0] - c + k * w[0], p[1] - s + k * w[1]], [p[0] + c + k * w[0], p[1] + s + k * w[1]]]);
   }
+  rounded(l, p, o) { // a block on an arc, and the arc on its outer side, hatched where it is the frame's
+    if (!p || !o) return;
+    const u = this.size ? 0.75 : 1, r = Math.hypot(p[0] - o[0], p[1] - o[1]) + 11 * u, here = Math.atan2(p[1] - o[1], p[0] - o[0]), half = Math.min(62 * u / r, Math.PI);
+    const at = (t, far = 0) => [o[0] + (r + far) * Math.cos(here + t), o[1] + (r + far) * Math.sin(here + t)].map(v => v.toFixed(1));
+    const ways = [-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1].map(k => at(k * half).map(Number));
+    svg("path", { class: "rail arc", d: `M${ways.map(q => q.join(" ")).join(`A${r.toFixed(1)} ${r.toFixed(1)} 0 0 1 `)}`, "data-name": l.round.link === "0" ? "" : "link:" + l.round.link }, this.node);
+    ways.slice(1).forEach((q, k) => this.strokes.push([ways[k], q]));
+    if (l.round.link === "0") svg("path", { class: "hatch", d: ways.map((_, k) => `M${at((k / 4 - 1) * half).join(" ")}L${at((k / 4 - 1) * half + 5 / r, 7 * u).join(" ")}`).join("") }, this.node);
+    this.slider(l, p, 90 - here * 180 / Math.PI);
+  }
   hinges(there, lit) {
     const hinges = new Set(this.data.scheme.links.flatMap(l => l.hinges));
-    for (const n of new Set([...this.data.scheme.links.flatMap(l => l.points), ...this.special])) {
+    for (const n of new Set([...this.data.scheme.links.flatMap(l => l.points), ...this.centres, ...this.special])) {
       const p = there(n);
       if (!p) continue;
       const r = hinges.has(n) ? (this.size ? 3.4 : 4.6) : 2.6;

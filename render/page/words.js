@@ -1,6 +1,16 @@
 "use strict";
 // Words of the page: sentences with their numbers, names with their indices, the equations of a plan.
 
+const [words, data] = JSON.parse(inflated(JSON.parse(document.getElementById("packed").textContent)));
+function seenAt(frame) {
+  const seen = new Set(["position:p"]);
+  for (const f of data.frames.slice(0, frame + 1)) for (const m of f.makes) seen.add(m);
+  return seen;
+}
+function planOf(frame) { // the plan on the right: of this frame, or the last one that was not the scheme
+  for (let k = frame; k >= 0; k--) if (data.frames[k].plan !== "position") return data.frames[k].plan;
+  return "position";
+}
 function clamp(v, a, b) { return Math.min(b, Math.max(a, Number.isFinite(v) ? v : a)); }
 function say(key) { return words[key][state.lang]; }
 function local(text) { return state.lang === "ru" ? text.replace(".", ",") : text; }
@@ -41,12 +51,12 @@ function sentence(text, key) {
 function spoken(name, key) { return lettered(name, key).map(([t]) => t).join(""); }
 function plain(text, key) { return filled(text).replace(/⟨([^⟩]*)⟩/g, (_, n) => spoken(n, key)); }
 function described(figure, seen, key) { // what is on a figure, for those who hear it
-  const list = figure === scheme
+  const list = figure instanceof Scheme
     ? [...new Set(data.scheme.links.flatMap(l => l.points))].filter(n => seen.has(n) && live.at(n)).map(n => n.slice(9))
     : data.segments.filter(s => s.plan === key && seen.has(`${key}:${s.start}`) && seen.has(`${key}:${s.end}`)).flatMap(s => s.names);
-  const title = figure === scheme ? say("scheme") : data.plans.find(p => p.key === key)?.title[state.lang] ?? "";
-  const names = [...new Set(list)].map(n => spoken(n, figure === scheme ? "position" : key)).join(", ");
-  return `${title}. ${names ? say(figure === scheme ? "hear_points" : "hear_vectors").replace("{names}", names) : say("hear_nothing")}`;
+  const title = figure instanceof Scheme ? say("scheme") : data.plans.find(p => p.key === key)?.title[state.lang] ?? "";
+  const names = [...new Set(list)].map(n => spoken(n, figure instanceof Scheme ? "position" : key)).join(", ");
+  return `${title}. ${names ? say(figure instanceof Scheme ? "hear_points" : "hear_vectors").replace("{names}", names) : say("hear_nothing")}`;
 }
 function found(name) { // the frame in which a value is first told
   found.at ||= {};
@@ -89,7 +99,7 @@ function term(t, key, f, frame, plainly) { // a vector: its own small segment, i
 function acted(text) { return text.replace(/^([-+])([va]q?_\w+)$/, (_, s, v) => `${s === "-" ? "↑↓" : "↑↑"} ${html(v)}`); }
 function mini(t, later) { // the segment itself, as small as a word: an arrow, or only its line while its length is sought
   const s = t.start ? t : data.segments.find(s => s.names.includes(t.name)) || {};
-  const full = n => n && (n.includes(":") ? n : `${s.plan}:${n}`), a = plan.at(full(s.start)), b = plan.at(full(s.end));
+  const full = n => n && (n.includes(":") ? n : `${s.plan}:${n}`), a = live.at(full(s.start)), b = live.at(full(s.end));
   const n = a && b ? Math.hypot(b[0] - a[0], b[1] - a[1]) : 0;
   if (n < 1e-6) return '<svg class="mini"></svg>';
   const ux = (b[0] - a[0]) / n, uy = (a[1] - b[1]) / n, h = Math.min(19 / Math.max(Math.abs(ux), 1e-6), 8 / Math.max(Math.abs(uy), 1e-6), 19);

@@ -427,3 +427,20 @@ def test_the_note_has_every_figure_it_speaks_of() -> None:
     text = rendered(blocks, ".html", naming).decode()
     assert text.count("<svg") == len(keys) and "<i>v</i><i><sub>CB</sub></i>" in text
     assert json.dumps(text) and at("position", "C") not in text
+
+
+def test_numbers_that_are_nothing_are_offered_as_far_as_others_of_their_kind() -> None:
+    knobs = {k["given"]: k for k in lesson_data(load(str(ROOT / "samples" / "shaper.yaml")))["knobs"]}
+    assert knobs["place_A.x"]["reach"] == 0.75 and knobs["epsilon_1"]["reach"] == 64.0
+    assert all(("reach" in k) == (k["at"] == 0) for k in knobs.values())
+
+
+def test_a_slider_on_an_arc_is_no_rod_to_its_centre() -> None:
+    scene = loads(
+        "planes: 1\nframe: {points: {O: [0, 0]}, guides: {arc: {centre: [0.3, 0], radius: 0.2}}}\n"
+        "links:\n  1: {points: {O: 0, A: 0.1}}\n  2: {points: {A: 0, B: 0.3}}\n  3: {points: {B: 0}, slides: arc}\n"
+        "assembly: {B: left}\ndrive: {link: 1, phi: 40, omega: 10}\n"
+    )
+    drawn = lesson_data(scene)["scheme"]
+    assert drawn["links"][2]["points"] == ["position:B"] and drawn["pivots"] == ["position:O"]
+    assert drawn["links"][2]["round"] == {"centre": "position:K", "link": "0"}

@@ -1,0 +1,46 @@
+"use strict";
+// What a hand takes hold of in a figure: the mark under it, the numbers that follow, what is said where they cannot.
+const GRIP_PX = 16, GRIP_TOUCH_PX = 30;
+
+function placed(v) { // a value of the drive within its range; an angle goes round
+  const { from, to, symbol, held } = data.drive;
+  if (held) return data.drive.at;
+  return symbol === "φ" ? ((v - from) % 360 + 360) % 360 + from : clamp(v, from, to);
+}
+function allowed(knob, v) { return Number.isFinite(v) && (v > 0 || (v < 0 && knob.at < 0) || !/^(l_|mu_)/.test(knob.given)); }
+function span({ at, reach }) { return at ? [at / 3, 3 * at].sort((a, b) => a - b) : [-reach, reach]; } // from a third of a number to three times; about nothing as far as others of its kind
+function pulled(mark, names, target) { // the mechanism follows, or it is said how far it cannot
+  const moved = names.length && data.marks[mark] && live.turns(mark, names).flat().some(Boolean), short = moved ? live.follow(mark, names, target) : Infinity;
+  live.set({ [data.drive.given]: placed(live.drive) });
+  const said = n => n === data.drive.given ? data.drive.symbol : (data.knobs.find(k => k.given === n) || { name: n }).name;
+  const list = names.map(n => `⟨${said(n)}⟩`).join(", "), end = `⟨${mark.slice(mark.lastIndexOf(":") + 1)}⟩`;
+  const text = say(short <= REACHED ? "follows" : Number.isFinite(short) ? "follows_not" : "follows_none").replace("{mark}", end).replace("{names}", list).replace("{mm}", local(fixed(short, 2)));
+  return { short, text: sentence(text, mark.slice(0, mark.lastIndexOf(":"))) };
+}
+function grip(figure, event, marks) { // the mark under the hand
+  const r = figure.node.getBoundingClientRect(), q = [event.clientX - r.left, event.clientY - r.top], near = event.pointerType === "touch" ? GRIP_TOUCH_PX : GRIP_PX;
+  let best = null;
+  for (const m of marks) {
+    const p = figure.at(m), d = p ? Math.hypot(figure.px(p)[0] - q[0], figure.px(p)[1] - q[1]) : near;
+    if (d < near && (!best || d < best.d - 0.5)) best = { mark: m, d };
+  }
+  return best && best.mark;
+}
+function grips(figure, marks, drag, done) { // a figure whose marks are dragged; its view stands still meanwhile
+  const node = figure.node;
+  node.addEventListener("pointerdown", e => {
+    const mark = e.button === 0 && grip(figure, e, marks());
+    if (!mark) return;
+    node.setPointerCapture(e.pointerId);
+    node.held = { mark, k: figure.k, dx: figure.dx, dy: figure.dy };
+    figure.fixed_view = node.held;
+    e.preventDefault();
+  });
+  node.addEventListener("touchstart", e => { if (node.held) e.preventDefault(); }, { passive: false });
+  node.addEventListener("pointermove", e => {
+    if (!node.held) { node.style.cursor = e.pointerType !== "touch" && grip(figure, e, marks()) ? "grab" : ""; return; }
+    const r = node.getBoundingClientRect();
+    drag(node.held.mark, figure.mm([e.clientX - r.left, e.clientY - r.top]));
+  });
+  for (const end of ["pointerup", "pointercancel"]) node.addEventListener(end, () => { if (node.held) done(); node.held = figure.fixed_view = null; });
+}

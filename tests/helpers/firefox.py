@@ -1,0 +1,105 @@
+"""A headless Firefox as it is installed, spoken to in WebDriver BiDi: no driver of its own is needed."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import pytest
+
+from tests.helpers.counting import PATIENCE_S
+
+NAMES = ("firefox-esr", "firefox")
+_LISTENS = re.compile(r"WebDriver BiDi listening on (ws://\S+)")
+WATCHED = ("log.entryAdded", "network.beforeRequestSent")
+LARGEST = 1 << 28  # bytes of one answer
+
+
+class Firefox:
+    """One window: it goes to addresses and evaluates expressions; ``errors`` are what pages complain of or ask for."""
+
+    def __init__(self, address: str) -> None:
+        websocket = pytest.importorskip("tornado.websocket", reason="install the test extra: pip install -e '.[test]'")
+        self.loop = asyncio.new_event_loop()
+        self.errors: list[str] = []
+        self.numbers = itertools.count(1)
+
+        async def dialled() -> Any:
+            return await websocket.websocket_connect(f"{address}/session", max_message_size=LARGEST)
+
+        self.line: Any = self.loop.run_until_complete(dialled())
+        self.ask("session.new", capabilities={})
+        self.ask("session.subscribe", events=list(WATCHED))
+        self.tab = self.ask("browsingContext.getTree")["contexts"][0]["context"]
+
+    def ask(self, method: str, **params: Any) -> Any:
+        """The result of one command; events that come before it are kept."""
+        number = next(self.numbers)
+        return self.loop.run_until_complete(self._asked(number, method, params))
+
+    async def _asked(self, number: int, method: str, params: Any) -> Any:
+        await self.line.write_message(json.dumps({"id": number, "method": method, "params": params}))
+        while True:
+            text = await asyncio.wait_for(self.line.read_message(), PATIENCE_S)
+            assert text, "Firefox has hung up"
+            said = json.loads(text)
+            if said.get("id") == number:
+                assert said["type"] == "success", f"{said.get('error')}: {said.get('message')}"
+                return said["result"]
+            self._heard(said)
+
+    def _heard(self, said: Any) -> None:
+        event = said.get("params", {})
+        if said.get("method") == "log.entryAdded" and event["level"] in ("error", "warn"):
+            self.errors.append(str(event["text"]))
+        if said.get("method") == "network.beforeRequestSent":
+            url = event["request"]["url"]
+            self.errors += [url] if not url.startswith(("file:", "data:", "about:", "blob:")) else []
+
+    def goto(self, address: str) -> None:
+        """Open an address."""
+        self.ask("browsingContext.navigate", context=self.tab, url=address, wait="complete")
+
+    def set_viewport_size(self, size: dict[str, int]) -> None:
+        """How large the page is seen."""
+        self.ask("browsingContext.setViewport", context=self.tab, viewport=size)
+
+    def evaluate(self, expression: str) -> Any:
+        """What an expression comes to, as JSON has it; a promise is waited for."""
+        target, text = {"context": self.tab}, f"(async () => JSON.stringify(await ({expression})) ?? 'null')()"
+        found = self.ask("script.evaluate", expression=text, target=target, awaitPromise=True)
+        assert found["type"] == "success", found.get("exceptionDetails", {}).get("text")
+        return json.loads(found["result"]["value"])
+
+    def close(self) -> None:
+        """End the session."""
+        self.line.close()
+        self.loop.close()
+
+
+@contextmanager
+def firefox() -> Iterator[Firefox]:
+    """A window of it. Without any the test is skipped, and says what to install."""
+    found = next(filter(None, map(shutil.which, NAMES)), "")
+    if not found:
+        pytest.skip("no Firefox here: apt-get install firefox-esr")
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
+        command = [found, "--headless", "--no-remote", "--profile", profile, "--remote-debugging-port", "0"]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as started:
+            try:
+                assert started.stderr
+                lines = (_LISTENS.search(line) for line in started.stderr)
+                window = Firefox(next(one[1] for one in lines if one))
+                yield window
+                window.close()
+            finally:
+                started.terminate()
+                started.wait(PATIENCE_S)
