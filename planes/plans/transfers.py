@@ -70,4 +70,5 @@ def ratio_name(plans: Plans, link: str) -> str:
 def turning(plans: Plans) -> list[str]:
     """Links that turn, aside from a driver whose turning is given."""
     drive = plans.mechanism.drive
-    return [n for n, v in plans.links.items() if n != FRAME and v.omega and v.omega not in drive.rates]
+    given = drive.link if drive.kind == "phi" and drive.on == FRAME else ""
+    return [n for n, v in plans.links.items() if n not in (FRAME, given) and v.omega]
