@@ -1,4 +1,4 @@
-"""What importers of learning platforms read, from their sources and schemas: Moodle 5, STACK, PrairieLearn."""
+"""What files for learning platforms hold: by Moodle 5's importer, PrairieLearn's schema; of STACK's, what ours hold."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ NEEDED = {
         ),
     ],
 }
-"""What Moodle's and STACK's importers read without asking whether it is there."""
+"""What Moodle's importer reads without asking whether it is there, and what a question for STACK holds in ours."""
 INFO = {
     "comment",
     "uuid",
