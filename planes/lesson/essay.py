@@ -56,7 +56,7 @@ PAGES: tuple[tuple[str, tuple[EssayFigure, ...]], ...] = (
     (
         "vectors",
         (
-            EssayFigure("velocity", "velocity:b"),
+            EssayFigure("velocity", "velocity:b", ("|v_B|",)),
             EssayFigure("velocity", "velocity:c", ("angle_∠v_CB", "angle_∠v_C")),
             EssayFigure("velocity", "velocity:c", ("angle_∠v_C",)),
         ),

@@ -112,7 +112,7 @@ function say(text) { // the mark it begins with is lettered as on the plan
   if (name) $("sentence").insertAdjacentHTML("afterbegin", html(name, data.kind));
 }
 function table() {
-  const sign = document.documentElement.lang === "ru" ? "," : ".";
+  const sign = document.documentElement.lang !== "en" ? "," : ".";
   const mm = v => v === undefined || !Number.isFinite(v) ? "—" : v.toFixed(1).replace(".", sign);
   document.querySelectorAll("#marks tbody tr").forEach(row => {
     const one = found.marks[row.dataset.mark], [own, limit, off, word] = row.querySelectorAll("td");

@@ -79,7 +79,7 @@ class Figure { // millimetres y up -> pixels y down
   bar() { // how long ten (or more) millimetres of the paper are here
     const mm = [5, 10, 20, 50, 100, 200].find(m => m * this.k > 46) || 500, y = this.h - 9, x = 12, far = x + mm * this.k;
     svg("path", { class: "bar", d: `M${x} ${y - 4}v4H${far}v-4` }, this.node);
-    svg("text", { class: "bar-text", x: far + 6, y: y + 1 }, this.node).textContent = `${mm} ${document.documentElement.lang === "ru" ? "мм" : "mm"}`;
+    svg("text", { class: "bar-text", x: far + 6, y: y + 1 }, this.node).textContent = `${mm} ${document.documentElement.lang !== "en" ? "мм" : "mm"}`;
   }
   line(a, b, cls, name, solid = true) { // pixels
     const l = svg("line", { x1: a[0].toFixed(1), y1: a[1].toFixed(1), x2: b[0].toFixed(1), y2: b[1].toFixed(1), class: cls }, this.node);

@@ -19,7 +19,7 @@ function change(numbers) { // given numbers; the whole turn is looked at when th
 }
 function crank() {
   const v = live.drive, { symbol, held } = data.drive, turning = symbol === "φ";
-  const shown = turning ? local((((v % 360) + 360) % 360).toFixed(1).replace(/\.0$/, "")) + "°" : local(v.toFixed(4)) + (state.lang === "ru" ? " м" : " m");
+  const shown = turning ? local((((v % 360) + 360) % 360).toFixed(1).replace(/\.0$/, "")) + "°" : local(v.toFixed(4)) + (state.lang !== "en" ? " м" : " m");
   $("value").textContent = `${symbol} = ${shown}`;
   $("crank").value = v;
   if (document.activeElement !== $("exact")) $("exact").value = +(turning ? ((v % 360) + 360) % 360 : v).toFixed(6);

@@ -43,7 +43,7 @@ class Tracing extends Figure {
 const sheet = new Tracing($("sheet"), data);
 
 function place(name) { return sheet.px(sheet.at(name)).map(v => Math.round(v / sheet.zoom)); }
-function shown(v, digits) { const t = v.toFixed(digits); return document.documentElement.lang === "ru" ? t.replace(".", ",") : t; }
+function shown(v, digits) { const t = v.toFixed(digits); return document.documentElement.lang !== "en" ? t.replace(".", ",") : t; }
 function draw() {
   const now = state.held;
   sheet.draw();

@@ -13,7 +13,7 @@ function planOf(frame) { // the plan on the right: of this frame, or the last on
 }
 function clamp(v, a, b) { return Math.min(b, Math.max(a, Number.isFinite(v) ? v : a)); }
 function say(key) { return words[key][state.lang]; }
-function local(text) { return state.lang === "ru" ? text.replace(".", ",") : text; }
+function local(text) { return state.lang !== "en" ? text.replace(".", ",") : text; }
 function fixed(x, digits) { // as the engine rounds: a tie goes to the even digit
   const all = x.toFixed(Math.min(digits + 30, 100)), cut = all.indexOf(".") + 1 + digits;
   if (!/^50*$/.test(all.slice(cut))) return x.toFixed(digits);

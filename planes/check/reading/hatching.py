@@ -3,13 +3,11 @@
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy
 from shapely import STRtree, points
 
 from planes.check.reading.strokes import ReadDrawing, Stroke
-from planes.geometry.arrays import Booleans
 
 FEWEST = 4  # rows of strokes that make hatching
 WIDEST_MM, EVEN_MM = 6.0, 0.15  # how far apart the rows may be, and how much less or more than the rest
@@ -29,18 +27,20 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
 
 
 def _free(strokes: Sequence[Stroke]) -> list[int]:
-    """The strokes with no end but their own where they begin and end."""
+    """The strokes with no end where they begin and end but their own, and those of other pieces of their row."""
     places = numpy.array(strokes, complex).ravel()
+    ways = numpy.repeat([cmath.rect(1.0, cmath.phase(b - a)) for a, b in strokes], 2)
     ends = points(places.real, places.imag)
     tree = STRtree(ends)
-
-    def alone(some: Any) -> Booleans:
-        near = tree.query(some, predicate="dwithin", distance=FREE_MM)[0]
-        found: Booleans = numpy.bincount(near, minlength=len(some)) < 2  # an end is near itself
-        return found
-
-    free = numpy.concatenate([alone(part) for part in numpy.array_split(ends, 1 + len(ends) // AT_ONCE)])
-    return numpy.flatnonzero(free.reshape(-1, 2).all(axis=1)).tolist()
+    joined = numpy.zeros(len(ends), bool)
+    for part in numpy.array_split(numpy.arange(len(ends)), 1 + len(ends) // AT_ONCE):
+        i, other = tree.query(ends[part], predicate="dwithin", distance=FREE_MM)
+        own = part[i]
+        turned = abs((ways[own] * ways[other].conj()).imag)
+        aside = abs(((places[other] - places[own]) * ways[own].conj()).imag)
+        pieces = (turned < math.radians(PARALLEL_DEG)) & (aside < ROW_MM)
+        joined[own[(own != other) & ~pieces]] = True
+    return numpy.flatnonzero(~joined.reshape(-1, 2).any(axis=1)).tolist()
 
 
 def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]:

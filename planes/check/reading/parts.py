@@ -123,10 +123,10 @@ def _part(sketch: ReadDrawing, held: list[int], least_mm: float) -> ReadDrawing 
     strokes, (low, high) = part.strokes, corners(z for s in part.strokes for z in s)
     if max((high - low).real, (high - low).imag) < least_mm or _is_table(strokes, high - low):
         return None
-    far = _distances(strokes, [w.middle for w in sketch.words])
-    words = [w for w, d in zip(sketch.words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
-    far = _distances(strokes, [z for z, _ in sketch.rounds])
+    far = _distances(strokes, [z for z, _ in sketch.rounds], among=True)
     rounds = [r for r, d in zip(sketch.rounds, far, strict=True) if d < NEAR_ROUND_MM]
+    far = _distances([*strokes, *((z, z + r) for z, r in rounds)], [w.middle for w in sketch.words])
+    words = [w for w, d in zip(sketch.words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
     far = _distances(strokes, sketch.passed)
     passed = [z for z, d in zip(sketch.passed, far, strict=True) if d < TOUCH_MM]
     return replace(part, words=words, rounds=rounds, passed=passed)
@@ -140,7 +140,7 @@ def _is_table(strokes: Sequence[Stroke], size: complex) -> bool:
     return across > 2 and up > 2
 
 
-def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> Sequence[float]:
-    """How far places are from the nearest of some strokes."""
-    spots = [(z.real, z.imag) for z in places]
-    return distance(points(spots), multilinestrings(_lines(strokes))).tolist() if spots else []
+def _distances(strokes: Sequence[Stroke], places: Sequence[complex], among: bool = False) -> Sequence[float]:
+    """How far places are from the nearest of some strokes; none of those ``among`` them, as a point of a plate is."""
+    spots, lines = [(z.real, z.imag) for z in places], multilinestrings(_lines(strokes))
+    return distance(points(spots), lines.convex_hull if among else lines).tolist() if spots else []
