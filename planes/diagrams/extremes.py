@@ -15,7 +15,7 @@ from planes.geometry.arrays import Array
 
 CELLS = 64  # parts a bracket is cut into, each round
 ROUNDS = 7
-BATCH = 128  # brackets closed in on together: what bounds the memory
+BATCH = 48  # brackets closed in on together: what bounds the memory
 STILL = 1e-11  # a curve that varies less than this, beside its size, is constant
 GROWS = 3.0  # how many times larger ten thousand times nearer to a limit: without bound
 

@@ -3,12 +3,13 @@
 A page is the data of a lesson, and of each paragraph its words and what its figure shows of that lesson.
 """
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
+from planes.lesson.formulas import slots
 from planes.lesson.frame import in_both
 from planes.scene import load, loads
 from planes.words import say
@@ -139,14 +140,24 @@ def essay_data(number: int) -> Json:
     """All that a page shows, numbered from one."""
     name, shown = PAGES[number - 1]
     data = dict(lesson_data(loads(RAFT, "raft") if name == "raft" else load(str(TEMPLATES / f"{name}.yaml"))))
-    frames = data["frames"]
-    told = [{**vars(s), "frame": s.place(frames), "said": _told(f"essay_{number}_{k}")} for k, s in enumerate(shown, 1)]
+    frames, count = data["frames"], range(1, len(shown) + 1)
+    said = {
+        k: {lang: _known(text, data["values"]) for lang, text in _told(f"essay_{number}_{k}").items()} for k in count
+    }
+    told = [{**vars(s), "frame": s.place(frames), "said": said[k]} for k, s in zip(count, shown, strict=True)]
     kept: Mapping[str, object] = {"said": {"en": ""}, "why": {"en": ""}}
     for unused in ("practice", "results", "blunt"):
         del data[unused]
     titles = [_told(f"essay_{k}") for k in range(1, len(PAGES) + 1)]
     own = {"frames": [{**{key: f[key] for key in KEPT}, **kept} for f in frames], "paragraphs": told}
     return {**data, **own, "title": titles[number - 1], "titles": titles, "number": number}
+
+
+def _known(text: str, values: Container[str]) -> str:
+    """A text with lengths of vectors that are given, not measured, by the names of what is given."""
+    for name in slots(text):
+        text = text if name in values else text.replace(name, name.replace("‖", "|"))
+    return text
 
 
 def _told(key: str) -> Json:

@@ -14,6 +14,7 @@ from planes.words.names import kind_of, mu_of, parts_of
 from planes.words.units import Convention, mu_number, mu_text, number
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
+NOISE = 1e-12  # what is smaller is nothing: an arm that is zero, a force that is not there
 SCALES: dict[str, Convention] = {"k": "mm_per_unit", "i": "unit_per_mm"}
 _LETTERS = {
     "rad/s": "omega",
@@ -47,6 +48,7 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
     def one(match: re.Match[str]) -> str:
         how, name, mu = match.groups()
         size = read(name)
+        size = 0.0 if abs(size) < NOISE else size
         if how == "mm":
             return decimal(f"{abs(size * read(mu)):.1f}".removesuffix(".0"), lang)
         if how == "s":

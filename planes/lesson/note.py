@@ -9,7 +9,7 @@ from typing import ClassVar
 
 from planes.lesson import Teller, value_of
 from planes.lesson.conditions import conditions
-from planes.lesson.formulas import fill, mu_said, unit
+from planes.lesson.formulas import NOISE, fill, mu_said, unit
 from planes.lesson.frame import Frame
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.alignment import aligned
@@ -29,8 +29,6 @@ from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of
 from planes.words.units import number
-
-NOISE = 1e-12
 
 
 @dataclass

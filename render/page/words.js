@@ -36,8 +36,8 @@ function scaled(mu, inverse) { // a scale as the engine writes it: exact, its in
 function filled(text) { // the numbers of a sentence, for what is shown
   return text.replace(/⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧/g, (_, how, name, mu) => {
     if (how === "d") return number(Math.asin(live.zone ? live.zone.least : live.sharpness(name)) * 180 / Math.PI);
-    const v = live.value(name);
-    if (v === null) return "—";
+    const found = live.value(name), v = Math.abs(found) < 1e-12 ? 0 : found; // noise is nothing
+    if (found === null) return "—";
     if (how === "mm") return local(fixed(Math.abs(v * live.given[mu]), 1).replace(/\.0$/, ""));
     if (how === "s") return say(v > 0 ? "ccw" : v < 0 ? "cw" : "still");
     if (how === "k" || how === "i") return scaled(v, how === "i").replace("-", "−");

@@ -297,7 +297,7 @@ def test_every_error_tells_itself():
 @pytest.mark.parametrize(
     ("home", "lang", "words"),
     [
-        ("uk_UA.UTF-8", [], "такого файла нет"),
+        ("uk_UA.UTF-8", [], "такого файла немає"),
         ("C", [], "there is no such file"),
         ("C", ["--lang", "ru"], "такого файла нет"),
         ("be_BY", ["--lang", "en"], "there is no such file"),
