@@ -22,8 +22,13 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
 
 OUT, TEACHER, SCENE = "out", "teacher", "scene.yaml"
-_KINDS = {"velocity": r"velocit|скорост", "acceleration": r"accel|ускор", "position": r"position|положен|схем"}
-_VARIANT = r"(?:variant|var|вариант|вар|v|в)\W*"
+_KINDS = {
+    "velocity": "velocit|скорост|швидк|хуткас",
+    "acceleration": "accel|ускор|прискор|паскар",
+    "position": "position|полож|станов|схем",
+}
+"""Beginnings of words that tell a plan, in the languages of those who hand in."""
+_VARIANT = r"(?:variant|var|вариант|варіант|варыянт|вар|v|в)\W*"
 
 
 @dataclass(frozen=True)
