@@ -289,6 +289,7 @@ def test_the_vector_that_gave_the_scale_is_not_judged_in_length(tmp_path: Path) 
         assert abs(complex(*row["read_mm"]) - drawn.marks[name] * stretched) < 0.3, name
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("askew", [-2.0, 3.0])
 def test_a_sheet_without_print_that_lies_askew_is_turned_straight(askew: float, tmp_path: Path) -> None:
     """By the vector it takes its scale from; what is turned further is no sheet askew, but a wrong vector."""

@@ -37,6 +37,7 @@ def test_names_are_taken_apart_where_they_are_made() -> None:
     assert not [f"{module}:{line}" for module in rooms for line in parsers(module)]
 
 
+@pytest.mark.slow
 def test_no_key_of_a_word_is_taken_for_a_name() -> None:
     """A key of the tables of words is read whole; what keys share is asked of the tables themselves (``under``)."""
     takers = ("index_of", "letter_of", "parts_of", "component_of")

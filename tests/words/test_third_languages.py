@@ -39,6 +39,7 @@ def test_its_words_are_those_of_the_language_it_leans_on(lang: str) -> None:
         assert not re.search(FOREIGN[lang], text, re.I) or key.startswith(("language_", "detail_")), key
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("lang", "plan", "segment"), [("uk", "План швидкостей", "відрізок"), ("be", "План хуткасцей", "адрэзак")]
 )
