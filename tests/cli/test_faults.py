@@ -102,7 +102,10 @@ def test_a_signal_leaves_what_was_there(tmp_path: Path, suffix: str, name: str) 
         until(lambda: len(list(tmp_path.iterdir())) > 1)
         process.send_signal(number)
         said = process.communicate(timeout=MINUTES)[1]
-    assert (process.returncode, said) == (128 + number, "")
+    ends = {128 + number, -signal.SIGINT if number == signal.SIGINT else 128 + number}
+    assert (
+        process.returncode in ends and said == ""
+    )  # caught within exec("…"), Python ends by Ctrl-C itself: 130 in a shell
     assert target.read_bytes() == OLD and [p.name for p in tmp_path.iterdir()] == [target.name]
 
 
