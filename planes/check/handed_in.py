@@ -103,9 +103,10 @@ def _pages(file: Path, suffix: str) -> int:
         return int(getattr(opened, "n_frames", 1))
 
 
-def drawings_beside(folder: Path) -> bool:
-    """Whether a folder has anything that may be a drawing."""
-    return any(f.is_file() and f.suffix.lower() not in NO_DRAWINGS and f.name[:1] not in ".~" for f in folder.iterdir())
+def drawings_in(folder: Path) -> list[Path]:
+    """The files of a folder that may be drawings."""
+    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
+    return [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
 
 
 def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:
@@ -113,9 +114,8 @@ def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:
 
     Tables of corrected marks lie beside their pictures, a course's list of what it wrote (``but``) beside its blanks.
     """
-    whole, unlike = place.is_dir(), (".", "~$")
-    files = [f for f in sorted(place.iterdir()) if f.is_file() and not f.name.startswith(unlike)] if whole else [place]
-    files = [f for f in files if not whole or (f.suffix.lower() not in NO_DRAWINGS and f.name != but)]
+    whole = place.is_dir()
+    files = [f for f in drawings_in(place) if f.name != but] if whole else [place]
     sheets = [s for f in files for s in ([HandedSheet(f)] if told else sheets_of(f))]
     beside = {s.marks for s in sheets if s.file.suffix.lower() not in TABLES} if whole else set()
     sheets = [s for s in sheets if s.file not in beside]

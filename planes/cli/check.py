@@ -15,7 +15,7 @@ from planes.check import check as judge
 from planes.check.grading.paper import Known
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.handed_in import LINES, PICTURES, HandedSheet, drawings_beside, marks_of, read_paper, sheets_in
+from planes.check.handed_in import LINES, PICTURES, HandedSheet, drawings_in, marks_of, read_paper, sheets_in
 from planes.check.report import Checked, as_json, chance_told, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
@@ -41,7 +41,7 @@ def check(args: Namespace) -> int:
         return check_class(args, handed_out(Path(args.scene)), _sheets(args))
     if (handed := practices(args.drawing)) and not args.trace:
         status = check_practices(args, handed)
-        if not Path(args.drawing).is_dir() or args.json or not drawings_beside(Path(args.drawing)):
+        if not Path(args.drawing).is_dir() or args.json or not drawings_in(Path(args.drawing)):
             return status
     if args.plan is None and (args.trace or not _told_by_marks(args.drawing)):
         args.refuse(say("usage_missing", args.lang) % "--plan")
