@@ -124,9 +124,9 @@ def test_a_picture_upon_another_carries_no_drawing() -> None:
 ANEW = (
     ("assignments/36", "position", "right"),  # two points nearer to each other than their signs are wide
     ("six-link", "velocity", "right"),
-    ("sliding-driver", "acceleration", "right"),
-    ("kind-1-rrr", "position", "right"),
     ("assignments/50", "acceleration", "right"),  # a head hidden at the pole
+    ("kind-1-rrr", "position", "right"),
+    ("sliding-driver", "acceleration", "right"),
     ("assignments/29", "velocity", "right_as_seen"),  # a head hidden between two others
 )
 

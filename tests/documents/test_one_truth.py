@@ -52,7 +52,7 @@ def told(blocks: list[Block]) -> str:
     return "\n".join(lines)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
     scene = SCENES[name]
@@ -80,7 +80,7 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
     assert formula_of(drawn.plans.structure, naming.frame, True) in told(Note(scene, drawn, "ru").blocks())
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_given_number_is_on_paper(name: str) -> None:
     scene = SCENES[name]

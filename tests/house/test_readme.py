@@ -85,6 +85,7 @@ def test_the_two_commands_make_their_own_environment(lang: str) -> None:
         assert "python3 -m venv .venv" in marked(lang, mark)
 
 
+@pytest.mark.few(1)
 @both
 def test_the_python_of_the_readme_runs(lang: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "samples").symlink_to(ROOT / "samples")

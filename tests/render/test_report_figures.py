@@ -69,7 +69,7 @@ def test_the_mechanism_and_each_link_are_drawn_with_their_forces() -> None:
     assert {"P_3", "I_3", "I_2", "I_1", "F_30", "F_32", "F_23", "F_21", "F_12", "F_10", "G_1"} <= names
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 @pytest.mark.parametrize("what", ["report", "note"])
 def test_no_page_is_half_empty(what: str, lang: Lang) -> None:
