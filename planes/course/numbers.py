@@ -12,12 +12,14 @@ from planes.course import Course, ParameterChoice
 from planes.course.ledger import fingerprint
 from planes.course.random_numbers import choices_of, dice, draw_numbers
 from planes.course.students import Share
+from planes.plans.derived import unit_of_value
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
 from planes.scene.parameters import names_of, reached
 from planes.scene.reader import entries_of, texts
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.scene.source import parse as parse_text
+from planes.scene.vectors import Statement
 from planes.scene.writing import written
 from planes.solving import solve
 from planes.words import Lang, Phrase
@@ -137,8 +139,11 @@ def drawn(q: Question) -> dict[str, str]:
 
 
 def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
-    """What a teacher compares first, by name and unit: links' ω and ε, sliders' v and a, the balancing load."""
+    """What a teacher compares first, by name and unit: links' ω and ε, sliders' v and a, the balancing load; of stated
+    vectors those that are sought, and the values."""
     found: dict[tuple[str, str], float] = {}
+    if scene.statement is not None:
+        return _vectors(scene, scene.statement, key)
     if not key["positions"] or scene.mechanism is None:
         return found
     at, m = key["positions"][0], scene.mechanism
@@ -153,3 +158,12 @@ def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
         if (value := at.get(f"balancing_{kind}")) is not None:
             found[f"{letter}_{m.drive.link}", unit] = value
     return found
+
+
+def _vectors(scene: Scene, stated: Statement, key: Json) -> dict[tuple[str, str], float]:
+    """How long the vectors are that are asked, or whose length is not given, and what the values are."""
+    units = {s["name"]: s["unit"] for plan in key["plans"].values() for s in plan["segments"].values()}
+    given = {n for n, v in stated.vectors.items() if v.value is not None}
+    asked = scene.find or [*(n for n in stated.vectors if n not in given), *stated.values]
+    found = {(n, units[n]): float(key["vectors"][n]["value"]) for n in asked if n in key["vectors"] and n in units}
+    return found | {(n, unit_of_value(n)): float(key["values"][n]) for n in asked if n in key.get("values", {})}

@@ -2,17 +2,20 @@
 away is shown in a position that reads well, not in the one asked."""
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from planes.drafting.drawing import Drawing
 from planes.lesson.conditions import conditions
 from planes.lesson.formulas import unit
-from planes.lesson.note import Note
+from planes.lesson.stated_note import note_of
 from planes.plans import Plans
 from planes.plans.measuring import say_plan
 from planes.plans.scales import drawn_in_si
 from planes.scene import Scene
+from planes.scene.vector_amounts import VectorAmount
+from planes.scene.vectors import AlongVector, Statement
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.words import Lang, decimal, say
@@ -21,6 +24,7 @@ from planes.words.names import kind_of, mu_of, parts_of
 from planes.words.units import Convention, mu_text, number, unit_of_parameter
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
+_NAME = re.compile(r"[^\W\d]\w*(?:\^(?!\d)\w+)?(?!\w*\()")
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
 ACROSS = 3  # numbers to a line
 _WORK = ("structure", "position", "velocity", "acceleration", "force", "lever")
@@ -32,8 +36,12 @@ def task(
     """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do."""
     yield Heading(heads[0], 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
-    yield Figure(DrawnViews(scene, shown, (("scheme",),)), say("task_scheme", lang))
+    if drawn.plans.moves:
+        yield Figure(DrawnViews(scene, shown, (("scheme",),)), say("task_scheme", lang))
     yield given(scene, drawn, used, lang)
+    if not drawn.plans.moves:
+        yield from stated(scene, drawn, lang)
+        return
     if lines := list(conditions(drawn.plans.mechanism, lang)):
         yield Heading(say("task_conditions", lang))
         yield from map(Paragraph, lines)
@@ -45,13 +53,44 @@ def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Blo
     """The numbers of the assignment's table, three to a line."""
     head = tuple(say(k, lang) for k in ("task_quantity", "task_value", "task_unit"))
     names = [n for n in scene.parameters if n in used]
-    if not names:  # all numbers stand in the scene itself
-        return next(b for b in Note(scene, drawn, lang).opening() if isinstance(b, DocumentTable))
+    if not names or not drawn.plans.moves:  # all numbers stand in the scene itself
+        return next(b for b in note_of(scene, drawn, lang).opening() if isinstance(b, DocumentTable))
     cells = [(parameter_sign(n), number(scene.parameters[n], lang, 6), unit_of(n, lang)) for n in names]
     high = -(-len(cells) // ACROSS)
     cells += [("", "", "")] * (ACROSS * high - len(cells))
     rows = (tuple(c for k in range(ACROSS) for c in cells[row + k * high]) for row in range(high))
     return DocumentTable(say("task_given", lang), (head * ACROSS, *rows))
+
+
+def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
+    """The equations of stated vectors, and what is to be found by them."""
+    for name in dict.fromkeys(e.plan for e in drawn.plans.equations):
+        yield Figure(DrawnViews(scene, drawn, ((f"asked {name}",),)), "")
+    if scene.statement and (amounts := list(amounts_of(scene.statement))):
+        yield Paragraph(say("task_amounts", lang, amounts="; ".join(amounts)))
+    yield Heading(say("task_todo", lang))
+    names = tuple(f"⟨{name}⟩" for name in note_of(scene, drawn, lang).sought())
+    said = [say("task_stated", lang), say("task_find", lang, names=names)]
+    yield from (Paragraph(line, number=k) for k, line in enumerate(said, 1))
+
+
+def amounts_of(statement: Statement) -> Iterator[str]:
+    """How lengths are reckoned from what is found, directions that go by other vectors, and the values."""
+    for name, v in statement.vectors.items():
+        if isinstance(v.value, VectorAmount):
+            yield f"⟨{name}⟩ = {amount_said(v.value)}"
+        if isinstance(v.direction, AlongVector):
+            way = v.direction
+            sign = "∥" if way.quarter % 2 == 0 else "⊥"
+            yield f"⟨{name}⟩ {sign} ⟨{way.vector}⟩"
+    for name, value in statement.values.items():
+        if isinstance(value, VectorAmount):
+            yield f"⟨{name}⟩ = {amount_said(value)}"
+
+
+def amount_said(amount: VectorAmount) -> str:
+    """An amount as it is stated, its names lettered."""
+    return _NAME.sub(lambda m: f"⟨{m[0]}⟩", amount.text).replace("*", "·")
 
 
 def parameter_sign(name: str) -> str:
@@ -85,9 +124,8 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
     yield Heading(say("key_title", lang, title=heads[0]), 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
     yield given(scene, drawn, used, lang)
-    note = Note(scene, drawn, lang)
-    yield from note.structure()
-    yield from note.results()
+    note = note_of(scene, drawn, lang)
+    yield from note.answers()
     if drawn.plans.zhukovsky in drawn.drawing:
         yield from note.compared()
     yield Heading(say("key_plans", lang))
@@ -121,7 +159,7 @@ def clearest(plans: Plans, value: float) -> float:
 
     A sliding driver stays where it is.
     """
-    if plans.mechanism.drive.kind != "phi":
+    if not plans.moves or plans.mechanism.drive.kind != "phi":
         return value
     scores = dict(_scores(plans, value))
     return max(scores, key=lambda v: round(scores[v], 3), default=value)

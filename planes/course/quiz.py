@@ -73,7 +73,7 @@ def questions(scene: Scene, lang: Lang) -> tuple[QuizItem, ...]:
         raise PlanesError(Phrase("quiz_not_drawn", why=(exact.failed or drawn.failed)[0]["error"]))
     add_errors(drawn, HAND)
     errors = drawn.positions[0].results["errors"]
-    answers = main_answers(scene, {"positions": [exact.positions[0].results]})
+    answers = main_answers(scene, exact.json())
     return tuple(_question(name, unit, value, errors) for (name, unit), value in answers.items())
 
 
@@ -85,6 +85,10 @@ def _question(name: str, unit: str, value: float, errors: Json) -> QuizItem:
 
 def error_of(name: str, errors: Json) -> float:
     """One standard deviation of a main answer."""
+    if name in errors.get("vectors", {}):
+        return math.hypot(*(x or 0.0 for x in errors["vectors"][name]))
+    if name in errors.get("values", {}):
+        return float(errors["values"][name] or 0.0)
     letter, of, _ = parts_of(name)
     if letter in ("omega", "epsilon"):
         return float(errors["links"][of][letter] or 0.0)

@@ -59,7 +59,7 @@ def choices_of(text: str, file: str, draw: Mapping[str, ParameterChoice] | None)
 
 def _usual(table: SourceTable, plain: Mapping[str, float]) -> dict[str, ParameterChoice]:
     """What is drawn when nothing is said: the driver's place, lengths and coordinates, its speed, loads."""
-    at = entries_of(table.entries["drive"]).get("phi")
+    at = entries_of(table.entries.get("drive")).get("phi")
     angle = at.text if isinstance(at, SourceScalar) else ""
     found = {}
     for name, value in plain.items():
@@ -114,7 +114,7 @@ def draw_numbers(
 def _fault(scene: Scene, least_deg: float) -> str | None:
     """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
     plans, limit = scene_plans(scene), math.sin(math.radians(least_deg))
-    around = around_turn(plans) if plans.mechanism.drive.kind == "phi" else []
+    around = around_turn(plans) if plans.moves and plans.mechanism.drive.kind == "phi" else []
     if None in around:
         return "apart"
     if any(sharpness < limit for sharpness in around if sharpness is not None):

@@ -129,8 +129,6 @@ def scenes_in(folder: Path) -> list[Path]:
 def _assignment(file: Path) -> Assignment:
     text = source.read(file)
     scene = loads(text, str(file))
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), str(file), 1)
     doubts = list(scene.doubts)
     for variant in scene.variants:
         with suppress(PlanesError):  # told to whom it is given

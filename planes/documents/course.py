@@ -2,7 +2,7 @@
 
 import json
 import threading
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -14,7 +14,7 @@ from planes.course.ledger import fingerprint
 from planes.course.numbers import why
 from planes.course.papers import answers, clearest, task
 from planes.course.quiz import Quiz, questions
-from planes.documents import picture
+from planes.documents import picture, view_of
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed
 from planes.documents.packages import scorm
@@ -26,7 +26,7 @@ from planes.solving import Position, position
 from planes.solving.document import Block
 from planes.words import Lang, Phrase
 from planes.words.names import kind_of
-from render.files import pdf
+from render.files import Page, pdf
 from render.page.lesson_page import page
 from render.report import rendered
 from render.sheet import Sheet
@@ -67,6 +67,11 @@ def names_of(course: Course) -> dict[str, str]:
     known |= {"scorm": ["scorm.zip"], "book": ["key.pdf"]} | {key: ["quiz.json"] for key in PLATFORMS}
     side = {"task": "students", "blank": "students"}
     return {n: side.get(d, "teacher") for d in course.documents for n in known.get(d, [f"{d}.pdf"])}
+
+
+def due(names: Mapping[str, str], scene: Scene) -> tuple[str, ...]:
+    """Those of the files that a scene has: stated vectors have one sheet."""
+    return tuple(n for n in names if scene.mechanism or not n.startswith("sheet-2"))
 
 
 def make(order: Order) -> Made:
@@ -114,7 +119,8 @@ class Desk:
     def sheet(self, number: int) -> Sheet:
         """A sheet of the project, composed once for all its formats."""
         if number not in self.sheets:
-            self.sheets[number] = sheet_of(self.scene, None, self.order.lang, number)
+            asked = number if self.drawn.plans.moves else None  # stated vectors have one sheet
+            self.sheets[number] = sheet_of(self.scene, None, self.order.lang, asked)
         return self.sheets[number]
 
     def task(self) -> bytes:
@@ -154,8 +160,7 @@ class Desk:
     def quiz(self) -> bytes:
         """What platforms ask, with the scheme in another position as a picture."""
         assignment, _, student = self.order.whose
-        plans, lang = self.drawn.plans, self.order.lang
-        shown = position(self.scene, plans, None, clearest(plans, self.drawn.at), None, lang)
+        lang = self.order.lang
         given = {n: v for n, v in self.scene.parameters.items() if n in self.order.used}
         held = Quiz(
             student=str(self.scene.sheet.get("student", "")),
@@ -165,9 +170,16 @@ class Desk:
             place=student,
             given=given,
             questions=questions(self.scene, lang),
-            picture=picture(shown, None, lang).rendered(".png"),
+            picture=self.asked_of().rendered(".png"),
         )
         return (json.dumps(held.json(), ensure_ascii=False, indent=1) + "\n").encode()
+
+    def asked_of(self) -> Page:
+        """What a question shows: the scheme in another position; of stated vectors their equations."""
+        plans, lang = self.drawn.plans, self.order.lang
+        if not plans.moves:
+            return view_of(self.scene, "asked", None, lang)
+        return picture(position(self.scene, plans, None, clearest(plans, self.drawn.at), None, lang), None, lang)
 
     def note(self) -> bytes:
         """The explanatory note."""

@@ -18,7 +18,7 @@ from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each
 from planes.documents.answer_book import together
-from planes.documents.course import Made, Order, make, names_of
+from planes.documents.course import Made, Order, due, make, names_of
 from planes.scene import loads
 from planes.words import Lang, Phrase
 from planes.words.lettering import Naming
@@ -64,9 +64,10 @@ class Conductor:
         settled = self.settle()
         orders = {s: self.order(s, settled[s].scene) for s in self.given if not settled[s].fault}
         self.documents(orders)
-        wanted = [self.place(s, n) for s in orders for n in (SCENE, KEY, *self.names)]
+        wanted = [self.place(s, n) for s, order in orders.items() for n in (SCENE, KEY, *order.files)]
         self.ledger.close([*wanted, *self.summary(settled), *self.together(list(orders))])
-        kept = {(s.place, n): self.ledger.entries.get(self.place(s, n), Entry()) for s in orders for n in self.names}
+        files = [(s, n) for s, order in orders.items() for n in order.files]
+        kept = {(s.place, n): self.ledger.entries.get(self.place(s, n), Entry()) for s, n in files}
         self.report.faults.sort()
         self.report.said = sorted((*where, text) for where, entry in kept.items() for text in entry.said)
         return self.report
@@ -138,7 +139,9 @@ class Conductor:
         """What is to be made for a student."""
         heads, used = self.heads(share, text), used_names(text, SCENE)
         whose = share.assignment.name, share.variant or "", share.folder
-        return Order(text, heads, used, tuple(self.names), self.course.plans, self.lang, whose)
+        files = due(self.names, loads(text, SCENE))
+        self.total -= len(self.names) - len(files)
+        return Order(text, heads, used, files, self.course.plans, self.lang, whose)
 
     def heads(self, share: Share, text: str) -> tuple[str, ...]:
         """What stands above a task: the scene's title, the course, the student, the variant."""

@@ -54,6 +54,10 @@ class Note:
         """The whole note."""
         return [*self.opening(), *self.structure(), *self.plans(), *self.results()]
 
+    def answers(self) -> Iterator[Block]:
+        """What is found, without how."""
+        return iter([*self.structure(), *self.results()])
+
     def say(self, key: str, **names: object) -> str:
         return say(key, self.lang, **names)
 

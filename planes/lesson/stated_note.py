@@ -20,6 +20,9 @@ class StatedNote(Note):
     def blocks(self) -> list[Block]:
         return [*self.opening(), *self.plans(), *self.vectors()]
 
+    def answers(self) -> Iterator[Block]:
+        return self.vectors()
+
     def sought(self) -> Sequence[str]:
         """What is asked, or all vectors that are not given, and the values."""
         plans = self.position.plans

@@ -104,6 +104,8 @@ class Studio:
 
 def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
     kind, _, of = name.partition(" ")
+    if kind == "asked":
+        return composer.formulas(plotted, (of,), LETTER_MM[alone], "", True)
     if kind == "equations":
         return composer.formulas(plotted, (of,), LETTER_MM[alone], "")
     if kind == "scheme":

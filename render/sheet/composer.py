@@ -127,14 +127,16 @@ class Composer:
         key = "force_group" if len(numbers) > 1 else "force_driver" if driver else "force_link"
         return say(key if numbers else "force_any", self.lang, links="–".join(numbers))
 
-    def formulas(self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str) -> View | None:
-        """The vector equations of some plans."""
+    def formulas(
+        self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str, asked: bool = False
+    ) -> View | None:
+        """The vector equations of some plans; without numbers as they are ``asked``."""
 
         def make() -> View | None:
-            marks = Formulas(plotted, self.naming, LARGER[letter]).drawn(plans)
+            marks = Formulas(plotted, self.naming, LARGER[letter], asked).drawn(plans)
             return view("equations", title, marks) if marks else None
 
-        return self.once(("formulas", plans, letter, title), make)
+        return self.once(("formulas", plans, letter, title, asked), make)
 
     def moments(self, position: Position, letter: float, links: tuple[str, ...] | None = None) -> View | None:
         """The moment equations with their numbers: under a title, or those of some links alone."""

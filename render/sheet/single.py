@@ -101,6 +101,7 @@ def of_vectors(position: Position, composer: Composer) -> Makers:
     return {
         **{name_of_view(plan): partial(composer.plan, plotted, plan) for plan in shown},
         "equations": partial(composer.formulas, plotted, shown, LETTER_MM, say("equations", composer.lang)),
+        "asked": partial(composer.formulas, plotted, shown, LETTER_MM, "", True),
         "given": tables.given,
         "measured": tables.vectors,
         "values": tables.values,

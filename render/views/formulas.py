@@ -118,6 +118,7 @@ class Formulas:
     plotted: Plotted
     naming: Naming
     letter: float = 5.0
+    asked: bool = False  # as they are to be drawn: without numbers
 
     def drawn(self, plans: tuple[str, ...]) -> tuple[Mark, ...]:
         """All equations of these plans, from the top down."""
@@ -132,11 +133,11 @@ class Formulas:
         """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""
         total = equation.total or ""
         unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
-        first, sides = Word(self.naming.vector(total), value=unit), []
+        first, sides = Word(self.naming.vector(total), value="" if self.asked else unit), []
         for chain in equation.chains:
             terms = [t for t in chain if t.action != "=0"]
             if len(terms) == 1 and len(chain) > 1 and terms[0].known == 1:
-                first = Word(self.naming.vector(total), 1, self.action(terms[0]), unit)
+                first = Word(self.naming.vector(total), 1, self.action(terms[0]), first.value)
             elif chain:
                 sides.append(terms or list(chain))
         found = [first]
@@ -151,7 +152,7 @@ class Formulas:
     def closed_words(self, equation: Equation) -> list[Word]:
         """The unit; both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
         unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
-        found, sides = [Word("", vector=False, value=unit)], equation.written
+        found, sides = [Word("", vector=False, value="" if self.asked else unit)], equation.written
         for n, side in enumerate(sides):
             found += [Word("=", vector=False)] * bool(n)
             for k, (sign, term) in enumerate(side):
@@ -162,7 +163,7 @@ class Formulas:
     def word(self, term: Term, plan: str) -> Word:
         """A vector with its underlines, its line of action and, where it is known, its number."""
         text, known, value = self.naming.vector(term.name), term.known, ""
-        if known == 2:
+        if known == 2 and not self.asked:
             length = abs(self.plotted.mark(plan, term.end) - self.plotted.mark(plan, term.start))
             si = length / self.plotted.mu(plan) if length > NOISE_MM else 0.0
             value = measured(si, self.naming.lang)
