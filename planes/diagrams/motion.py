@@ -23,7 +23,8 @@ INSET = 0.02  # of a range that ends at limits of assembly
 
 @dataclass(frozen=True)
 class Motion:
-    """A uniform motion over one turn: ``time`` (s) at the ends of the sections, ``closed`` if it comes back.
+    """A uniform motion over one turn: ``time`` (s) at the ends of the sections, ``closed`` if it comes back; ``driver`` is
+    the name of the driver's angle.
 
     ``ends`` and ``middles`` hold for each rank (0 place, 1 velocity, 2 acceleration) the exact values at the ends and
     at the middles of the sections, SI (an angle in radians); ``curves`` the same over a dense time, for drawing.
@@ -31,6 +32,7 @@ class Motion:
 
     link: str
     slides: bool
+    driver: str
     angles: tuple[float, ...]
     time: tuple[float, ...]
     closed: bool
@@ -68,7 +70,7 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
     ends, middles = (tuple(tuple(row[k::2]) for row in half) for k in (0, 1))
     times, all_times = (tuple((np.radians(at - at[0]) / drive.velocity).tolist()) for at in (angles[::2], dense))
     places, curves = tuple(angles[::2].tolist()), tuple(map(tuple, fine))
-    return Motion(link, slides, places, times, closed, ends, middles, all_times, curves)
+    return Motion(link, slides, drive.letters[0], places, times, closed, ends, middles, all_times, curves)
 
 
 def _values(turn: WholeTurn, angles: Array, slides: bool, rate: float) -> list[list[float]]:

@@ -5,10 +5,10 @@ import math
 from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
 from planes.plans.measuring import formula_of
-from planes.scene.mechanism import Drive
 from planes.solving import told
 from planes.solving.text_tables import table
 from planes.words import Lang, say
+from planes.words.lettering import in_plain_text
 from planes.words.names import index_of
 from planes.words.records import Json, or_none
 from planes.words.units import RATES, quantity
@@ -35,21 +35,14 @@ def report(s: Summary, lang: Lang) -> str:
 
 def drive_name(s: Summary) -> str:
     """The letter of the driver's place: φ1, or s1."""
-    drive = s.plans.mechanism.drive
-    return ("φ" if drive.kind == "phi" else "s") + index(drive)
-
-
-def index(drive: Drive) -> str:
-    """What the letters of a drive's motion have: its link, and that it turns on."""
-    return drive.turning.replace("_", ",") if drive.kind == "phi" else drive.link
+    return in_plain_text(s.plans.mechanism.drive.letters[0])
 
 
 def _drive(s: Summary, lang: Lang) -> str:
     drive = s.plans.mechanism.drive
-    letters = ("ω", "ε") if drive.kind == "phi" else ("v", "a")
     rates = zip((drive.velocity, drive.acceleration), RATES[drive.kind != "phi"][1:], strict=True)
     v, a = (f"{quantity(x)} {say(unit, lang)}" for x, unit in rates)
-    velocity, acceleration = (letter + index(drive) for letter in letters)
+    velocity, acceleration = (in_plain_text(name) for name in drive.letters[1:])
     first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
     parts = {"velocity": velocity, "v": v, "acceleration": acceleration, "a": a}
     return say("cycle_range", lang, name=drive_name(s), first=first, last=last, **parts)

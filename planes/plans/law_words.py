@@ -35,7 +35,7 @@ def _expression(text: str, drive: Drive, letter: Letter, lang: Lang) -> str:
         elif kind == "number":
             said.append(number(float(word), lang, DIGITS))
         elif kind == "name" and ("_" in word or word == drive.kind):
-            said.append(letter(f"{word}_{drive.link}" if word == drive.kind else word))
+            said.append(letter(drive.letters[0] if word == drive.kind else word))
         else:
             said.append({"*": "·", "**": "^", "-": "−", ",": "; ", "pi": "π"}.get(word, word))
     return "".join(said)

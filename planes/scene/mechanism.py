@@ -111,6 +111,13 @@ class Drive:
         return self.link if self.on == FRAME else f"{self.link}_{self.on}"
 
     @property
+    def letters(self) -> tuple[str, str, str]:
+        """Names of its place, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1."""
+        if self.kind == "phi":
+            return f"phi_{self.turning}", *self.rates
+        return f"s_{self.link}", f"v_{self.link}", f"a_{self.link}"
+
+    @property
     def rates(self) -> tuple[str, str]:
         """The names of its given velocity and acceleration."""
         turning = f"omega_{self.turning}", f"epsilon_{self.turning}"

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from planes.plans.law_words import law_said
 from planes.plans.loads import load_names
-from planes.scene.mechanism import FRAME, Amount, Guide, Link, StrokeLoad
+from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat, greek
@@ -67,9 +67,8 @@ class GivenTable:
         drive = self.position.plans.mechanism.drive
         if not self.position.plans.moves:
             return []
-        letters, units = ("φωε", ("°", "rad/s", "rad/s²")) if drive.kind == "phi" else ("sva", ("m", "m/s", "m/s²"))
-        of = self.naming.link(drive.link) + ("" if drive.on == FRAME else f",{self.naming.link(drive.on)}")
-        names = (f"{letter}_{{{of}}}" for letter in letters)
+        units = ("°", "rad/s", "rad/s²") if drive.kind == "phi" else ("m", "m/s", "m/s²")
+        names = map(self.naming.vector, drive.letters)
         values = (self.position.at, drive.velocity, drive.acceleration)
         return [GivenRow(name, v, unit, True) for name, v, unit in zip(names, values, units, strict=True)]
 

@@ -115,6 +115,11 @@ def flat(text: str) -> str:
     return "".join(c for c in text if c not in "_^{}")
 
 
+def in_plain_text(name: str) -> str:
+    """A vector or a value as a terminal has it: omega_2_1 -> ω2,1."""
+    return flat(Naming().vector(name))
+
+
 def rate_of(letter: str) -> tuple[str, str]:
     """The letter as it is written, and the index of an analogue: omegaq -> ω, q."""
     plain = letter.removesuffix("q")

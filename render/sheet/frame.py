@@ -170,7 +170,7 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     found["student_date"] = said.get("date", "")
     found["title"] = said.get("title") or scene.title.get(lang, "")
     if number and "title" not in said:
-        found["title"] += f". {say(f'sheet_{number}', lang)}"
+        found["title"] = ". ".join(filter(None, (found["title"], say(f"sheet_{number}", lang))))
     found["designation"] = said.get("designation") or said.get("number", "")
     company = [said.get(key, "") for key in ("company", "university", "department", "group")]
     found["company"] = " ".join(text for text in company if text)

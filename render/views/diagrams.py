@@ -132,8 +132,9 @@ class Diagrams:
     def one(self, panel: Sequence[DiagramCurve], axes: Axes) -> tuple[Mark, ...]:
         """Curves on their axes, with thin verticals at the numbered positions."""
         low, zero, high = axes.zero + axes.bottom, axes.zero, axes.zero + axes.top
-        (letter, key), lang, link = self.driver, self.naming.lang, self.plans.mechanism.drive.link
-        abscissa, sides = f"{letter}_{{{self.naming.link(link)}}}", (self.section * k for k in range(1, SECTIONS + 1))
+        key, lang = self.driver[1], self.naming.lang
+        abscissa = self.naming.vector(self.plans.mechanism.drive.letters[0])
+        sides = (self.section * k for k in range(1, SECTIONS + 1))
         marks: list[Mark] = [
             *(Line((complex(x, low - 1.5), complex(x, high + 1.5)), "construction", "construction") for x in sides),
             Arrow(complex(0, zero), complex(self.wide + 9, zero), "thin", "dimension"),
