@@ -23,8 +23,8 @@ INSET = 0.02  # of a range that ends at limits of assembly
 
 @dataclass(frozen=True)
 class Motion:
-    """A uniform motion over one turn: ``time`` (s) at the ends of the sections, ``closed`` if it comes back; ``driver`` is
-    the name of the driver's angle.
+    """A uniform motion over one turn: ``time`` (s) at the ends of the sections, ``closed`` if it comes back; ``driver``
+    is the name of the driver's angle.
 
     ``ends`` and ``middles`` hold for each rank (0 place, 1 velocity, 2 acceleration) the exact values at the ends and
     at the middles of the sections, SI (an angle in radians); ``curves`` the same over a dense time, for drawing.

@@ -65,6 +65,7 @@ class LinkApart:
 def links_apart(plans: Plans, plan: str) -> Iterator[LinkApart]:
     """A link for every reaction inside the group of a force plan: one that no other such reaction acts on, if there is
     one, and of two of them that with the fewer forces."""
+    drives = plans.structure.drives
     links, own = links_of(plan), {k: r for k, r in plans.reactions.items() if r.plan == plan}
     inner = {k: r for k, r in own.items() if {r.pair.link, r.pair.other} <= set(links)}
 
@@ -76,5 +77,5 @@ def links_apart(plans: Plans, plan: str) -> Iterator[LinkApart]:
         return LinkApart(link, plan, force, (*known, *loads), reactions)
 
     for r in inner.values():
-        found = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and not plans.structure.drive_pair.joins(x)]
+        found = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and not any(p.joins(x) for p in drives)]
         yield min(found, key=lambda one: (sum(x.pair.joins(one.link) for x in inner.values()), len(one.known)))

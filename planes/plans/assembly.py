@@ -24,7 +24,7 @@ def resolve(b: Bodies) -> None:
             continue
         key, said = _said(choice, mechanism)
         words = WORDS_OF_KIND[choice.group.kind]
-        if said is None:
+        if said is None or (said.near is not None and not choice.placed):
             line = mechanism.where.get(("assembly",), mechanism.where.get(("links",)))
             raise SceneError(_question(b, program, choice), b.file, line)
         if said.near is not None:
@@ -89,7 +89,7 @@ def _question(b: Bodies, program: Program, choice: AssemblyChoice) -> Phrase:
     more, g, words = bool(b.mechanism.assembly), choice.group, WORDS_OF_KIND[choice.group.kind]
     own, placed = ("assembly_more", "assembly_more_at") if more else ("assembly_offer", "assembly_offer_at")
     offers = [Phrase(own, key=choice.key, word=word) for word in words]
-    if g.kind != 3:
+    if g.kind != 3 and choice.placed:
         for side, place in _places(b, program, choice, choice.key):
             index = 0 if side > 0 else 1
             offers[index] = Phrase(placed, key=choice.key, word=words[index], x=place.real, y=place.imag)

@@ -49,6 +49,20 @@ class AssemblyChoice:
     side: str
     key: str
     group: Group
+    placed: bool = True  # its places can be told before other choices are made
+
+
+@dataclass(frozen=True)
+class BraceReach:
+    """How a cylinder works on the hinge it braces, by names of values: the sense it points in, its reach along its
+    guide and its length between its hinges, its arm about the braced hinge, and that hinge's distance ``along`` it."""
+
+    way: str
+    reach: str
+    length: str
+    offset: bool
+    arm: str
+    along: str
 
 
 @dataclass(frozen=True)
@@ -74,6 +88,7 @@ class Bodies:
     leads: dict[str, tuple[Lead, Lead, Lead]] = field(default_factory=dict)  # of a basic link: the first two meet in S
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
+    reach: BraceReach | None = None
     specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
     coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
 

@@ -29,6 +29,10 @@ class PlanOfRates(Protocol):
     def letter(self) -> str: ...
     @property
     def drive_rate(self) -> str: ...
+    @property
+    def hinge_rate(self) -> str: ...
+    @property
+    def hinge_spin(self) -> str: ...
     def spin(self, link: str) -> str: ...
     def label(self, name: str) -> str: ...
     def mark(self, name: str) -> str: ...
@@ -72,11 +76,11 @@ def _turned(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
         back = d.step(Turn(f"{ends[1]}→{ends[0]}", ray, 2, means=Meaning("towards", *ends[::-1])))
         yield (coriolis := _coriolis(r, leg, back))
         inward = back if ends[0] == motor else ray
-        omega, means = r.bodies.mechanism.drive.rates[0], Meaning("normal", hinge, motor)
+        omega, means = r.hinge_spin, Meaning("normal", hinge, motor)
         value = d.product(f"{name}^n", **{omega: 2, length: 1})
         yield (normal := Term(f"{name}^n", coriolis.end, f"n_{leg.driven}", value, inward, inward, means=means))
         start, name = normal.end, f"{name}^t"
-    value = d.product(name, **{r.drive_rate: 1, length: 1})
+    value = d.product(name, **{r.hinge_rate: 1, length: 1})
     yield _relative(r, leg, name, start, value, across, across)
 
 
@@ -93,8 +97,7 @@ def _coriolis(r: PlanOfRates, leg: Leg, across: str) -> Term:
 
 def _speed(r: PlanOfRates, leg: Leg) -> str:
     """The name of the given velocity against the link that turns."""
-    drive = r.bodies.mechanism.drive
-    return "v_drive" if drive.kind == "s" else f"v_{leg.driven}"
+    return "v_drive" if leg.drive and leg.drive.kind == "P" else f"v_{leg.driven}"
 
 
 def _end(r: PlanOfRates, leg: Leg) -> str:
@@ -128,7 +131,7 @@ def _other_turns(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     """The other link of a motor turns as the first does, and as the drive says besides."""
     other, d = drive.mate(leg.turns or ""), r.bodies.draft
     sign = 1.0 if other == drive.link else -1.0
-    own = [Product(1.0, ((r.spin(leg.turns or ""), 1),)), Product(sign, ((r.drive_rate, 1),))]
+    own = [Product(1.0, ((r.spin(leg.turns or ""), 1),)), Product(sign, ((r.hinge_rate, 1),))]
     d.total(r.spin(other), own)
     r.image(leg.turns or "", BodyPoint(drive.point, drive.point))
     ray = d.ray(SCHEME, drive.point, leg.new.place)

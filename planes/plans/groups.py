@@ -36,13 +36,29 @@ class Pair:
 
 
 @dataclass(frozen=True)
+class Brace:
+    """A cylinder across the hinge of two links: its own ``slide``, its hinge with the ``near`` link, that hangs on the
+    frame, and with the ``far`` one. While it is stopped the two links are one, as if a motor held their hinge."""
+
+    slide: Pair
+    near: Pair
+    far: Pair
+
+    @property
+    def halves(self) -> tuple[str, str]:
+        """Its two links, that at the near hinge first."""
+        return self.near.link, self.far.link
+
+
+@dataclass(frozen=True)
 class Group:
     """An Assur group of class II: two links, their inner pair and one outer pair each.
 
     ``links`` stand in the order of the file. ``first`` and ``last`` are the same two in the order the method
     takes them (RRP: connecting rod, slider; RPR: slider, guide link; RPP: hinged link, the other), with
     outer pairs ``first_outer`` and ``last_outer``. With a ``drive`` inside (a cylinder, a motor in a hinge) ``first``
-    is the link of it that hangs on the frame, and with the drive stopped the other is one with it.
+    is the link of it that hangs on the frame, and with the drive stopped the other is one with it. Where a cylinder
+    is the ``brace`` of two links, the drive inside is the motor in their hinge that does the same.
     """
 
     links: tuple[str, str]
@@ -53,6 +69,7 @@ class Group:
     first_outer: Pair
     last_outer: Pair
     drive: Pair | None = None
+    brace: Brace | None = None
     level: ClassVar[str] = "II"
 
     @property
@@ -64,6 +81,10 @@ class Group:
         """The links that one of the two is made of: itself and, with a drive inside, the other of that."""
         return (link, self.drive.mate(link)) if self.drive and link == self.first else (link,)
 
+    def loaded(self, link: str) -> tuple[str, ...]:
+        """The links whose loads one of the two has: its parts, and the cylinder that braces them."""
+        return (*self.parts(link), *(self.brace.halves if self.brace and link == self.first else ()))
+
     def holder(self, link: str, pair: Pair) -> str:
         """Which of its parts has a pair."""
         return next(x for x in self.parts(link) if pair.joins(x))
@@ -71,7 +92,7 @@ class Group:
     @property
     def members(self) -> str:
         """Its links as a formula of structure has them, those that are one with the drive stopped together."""
-        return ";".join("-".join(self.parts(x)) for x in self.links)
+        return ";".join("-".join(self.loaded(x)) for x in self.links)
 
     @property
     def ends(self) -> tuple[str, ...]:
@@ -105,7 +126,9 @@ class Group:
 
     def json(self) -> Json:
         """The group as the JSON has it."""
-        drive = {"drive": [self.drive.other, self.drive.link]} if self.drive else {}
+        pair = self.brace.slide if self.brace else self.drive
+        drive: Json = {"drive": [pair.other, pair.link]} if pair else {}
+        drive |= {"across": self.drive.point} if self.brace and self.drive else {}
         return {"links": list(self.links), "kind": self.kind, "name": self.name, **drive}
 
     @property

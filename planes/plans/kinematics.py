@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Image, Same, Turn
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.braces import braced_rate
 from planes.plans.driven import driven_end, driven_spot, driven_terms
 from planes.plans.groups import Group
 from planes.plans.legs import Leg, SlideReading, legs_of
@@ -46,6 +47,21 @@ class Rates:
         """Name of the rate of the drive."""
         drive = self.bodies.mechanism.drive
         return f"{self.letter}drive" if drive.kind == "s" else self.spin(drive.turning)
+
+    @property
+    def hinge_rate(self) -> str:
+        """Name of the rate at which a motor turns the links of its hinge, or a cylinder those that it braces."""
+        pair, name = self.bodies.structure.drives[-1], self.drive_rate
+        if not self.bodies.reach:
+            return name
+        spun = self.spin(f"{pair.link}_{pair.other}")
+        return braced_rate(self.bodies, self.plan, spun, name, self.hinge_spin)
+
+    @property
+    def hinge_spin(self) -> str:
+        """Name of the angular velocity of the one against the other."""
+        pair = self.bodies.structure.drives[-1]
+        return f"omega_{pair.link}_{pair.other}" if self.bodies.reach else self.bodies.mechanism.drive.rates[0]
 
     def label(self, name: str) -> str:
         """The label a point has on this plan: small letters, primed for accelerations; the pole if fixed."""

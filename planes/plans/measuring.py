@@ -106,7 +106,7 @@ def say_plan(plan: str, lang: Lang) -> str:
 def formula_of(s: Structure, frame: str, kinds: bool = False) -> str:
     """The formula of structure with the frame's number; ``kinds``: lettered, the kind of every group lowered."""
     kind = {id(g): f"_{{{g.kind}}}" for g in s.dyads if kinds}
-    groups = (f"{g.level}{kind.get(id(g), '')}({g.members})" for g in s.groups)
+    groups = (f"{g.level}{kind.get(id(g), '')}({g.members})" for g in s.groups if not s.is_drive(g))
     base = s.drive_pair.other if s.inner_drive else frame
     return (" → " if kinds else " -> ").join([f"I({base};{s.driver})", *groups])
 

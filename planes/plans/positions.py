@@ -73,12 +73,12 @@ def place_driven(b: Bodies, g: Group) -> None:
     hinge, pivot = g.inner.point, g.first_outer.point
     if g.drive.kind == "R":
         elbow = _elbow(b, g, g.drive)
-        _reach(b, g, elbow.length)
+        place_reached(b, g, elbow.length)
         elbow.place(b)
         return
     pair, ends = g.drive, (pivot, hinge) if g.first == g.drive.other else (hinge, pivot)
     reach, offset, length = cylinder(b, pair, ends, pivot)
-    _reach(b, g, length)
+    place_reached(b, g, length)
     means, marks = Meaning("along", pair.guide), (at(SCHEME, ends[0]), at(SCHEME, ends[1]))
     way = b.draft.step(SenseOf(f"way_{pair.guide}", reach))
     along = b.draft.step(Touch(f"∥{pair.guide}", *marks, offset, "mu_position", way, means=means))
@@ -87,7 +87,7 @@ def place_driven(b: Bodies, g: Group) -> None:
     place_slider(b, pair, pair.mate(g.first), hinge, along)
 
 
-def _reach(b: Bodies, g: Group, length: str) -> None:
+def place_reached(b: Bodies, g: Group, length: str) -> None:
     """The hinge between what is driven, with the drive stopped one link of this length, and the link it moves."""
     hinge, pivot = g.inner.point, g.first_outer.point
     chains = {g.first: _chain(hinge, pivot, length)}
@@ -147,9 +147,9 @@ def _elbow(b: Bodies, g: Group, pair: Pair) -> Elbow:
     return Elbow(g, motor, pivot, hinge, d.measure(f"l_{pivot}{hinge}", at(SCHEME, pivot), end), (elbow, end))
 
 
-def cylinder(b: Bodies, pair: Pair, ends: tuple[str, str], pivot: str) -> tuple[str, str | None, str]:
+def cylinder(b: Bodies, pair: Pair, ends: tuple[str, str], pivot: str, start: str = "") -> tuple[str, str | None, str]:
     """How far its hinges, of the guide's link and of the slider, are apart along the guide and across it, and as they
-    lie, which is drawn aside from the ``pivot`` on the frame: names of values, SI."""
+    lie, which is drawn aside from the ``start`` on the frame (the ``pivot``): names of values, SI."""
     d, carrier, slider = b.draft, b.mechanism.link(pair.other), b.mechanism.link(pair.link)
     guide, angle = carrier.guides[pair.guide], slider.slides.angle_deg if slider.slides else None
     more = along(slider.points[ends[1]] - slider.points[slider.first_point], -(angle or 0.0))
@@ -165,9 +165,10 @@ def cylinder(b: Bodies, pair: Pair, ends: tuple[str, str], pivot: str) -> tuple[
         return reach, None, d.step(SizeOf(name, reach))
     offset, helper = d.give(f"e_{''.join(ends)}", *across, Meaning("offset", *ends)), Meaning("guide", pair.guide)
     level = d.aim("→", 0.0, Meaning("given", pair.guide))
-    foot = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", at(SCHEME, pivot), level, reach, helper)
+    start = at(SCHEME, start or pivot)
+    foot = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", start, level, reach, helper)
     end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}′", foot, d.square(level), offset, helper)
-    return reach, offset, d.measure(name, at(SCHEME, pivot), end)
+    return reach, offset, d.measure(name, start, end)
 
 
 def place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:
@@ -181,7 +182,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
     one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
     offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
     given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset, Meaning("offset", one, two))
-    side = _side(b, pair.guide, g)
+    side = b.reach.way if b.reach and b.structure.is_drive(g) else _side(b, pair.guide, g)
     ends = at(SCHEME, two), at(SCHEME, one)
     means = Meaning("along", pair.guide)
     direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=means))

@@ -1,6 +1,7 @@
 """The scheme: the frame, the driver in its position, and the groups in the order they attach."""
 
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.braces import place_braced
 from planes.plans.groups import Group
 from planes.plans.positions import PLACERS, place_driven, place_slider
 from planes.plans.triads import place_triad
@@ -21,7 +22,8 @@ def place_all(b: Bodies) -> None:
         _place_driver(b)
     for group in b.structure.groups:
         if isinstance(group, Group):
-            (place_driven if group.drive else PLACERS[group.kind])(b, group)
+            braced = place_braced if group.brace else place_driven
+            (braced if group.drive else PLACERS[group.kind])(b, group)
         else:
             place_triad(b, group)
 

@@ -12,6 +12,7 @@ from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.settling import Fed
 from planes.plans.bodies import SCHEME
+from planes.plans.brace_forces import BraceForces
 from planes.plans.groups import Group, Pair
 from planes.plans.hinges import Grip, grip_of, settle
 from planes.plans.loads import Couple, Force, force_name
@@ -22,10 +23,14 @@ from planes.words.names import POLE, at, end_of, force_plan
 
 
 def draw_forces(statics: Statics) -> None:
-    """Every group from the last to the first, then the driver."""
-    for group in reversed(statics.bodies.structure.groups):
+    """Every group from the last to the first, then the driver; a cylinder that drives comes after what it braces."""
+    structure = statics.bodies.structure
+    for group in (g for g in reversed(structure.groups) if not structure.is_drive(g)):
         forces = _GroupForces(statics, group) if isinstance(group, Group) else TriadForces(statics, group)
         forces.draw()
+    for group in structure.dyads:
+        if group.drive and group.brace:
+            BraceForces(statics, group.drive, group.brace).draw()
     DriverForces(statics).draw()
 
 
@@ -36,8 +41,8 @@ class _GroupForces:
         self.statics, self.group, self.bodies, self.draft = statics, group, statics.bodies, statics.bodies.draft
         self.plan = force_plan(*group.whole)
         acting = statics.acting
-        self.loads = {x: [f for part in group.parts(x) for f in acting.forces[part]] for x in group.links}
-        self.couples = {x: [c for part in group.parts(x) for c in acting.couples[part]] for x in group.links}
+        self.loads = {x: [f for part in group.loaded(x) for f in acting.forces[part]] for x in group.links}
+        self.couples = {x: [c for part in group.loaded(x) for c in acting.couples[part]] for x in group.links}
         self.grips: dict[Pair, Grip] = {}
 
     def draw(self) -> None:
@@ -144,7 +149,7 @@ class _GroupForces:
         products, shown = self.statics.moment_terms(at(SCHEME, about), forces, couples, sign, length)
         name = self.name(link, pair) + "^t"
         d.total(name, products)
-        links = tuple(part for x in sides for part in g.parts(x))
+        links = tuple(part for x in sides for part in g.loaded(x))
         d.moments.append(Moments(about, links, shown, name, length))
         return [Force(name, link, name, d.square(ray), at(SCHEME, pair.point), "tangential")]
 

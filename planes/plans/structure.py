@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from planes.plans.groups import KIND_NAMES, AnyGroup, Group, Lead, Pair, Triad
+from planes.plans.inner_drives import driven_from_inside
 from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words import Phrase
@@ -34,8 +35,18 @@ class Structure:
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
-        """Every pair once: the drive's, then each group's outer, inner, outer."""
-        return (self.drive_pair, *(p for g in self.groups for p in g.pairs))
+        """Every pair once: the drive's, then each group's outer, inner, outer; a hinge that a cylinder braces last."""
+        braced = (g.drive for g in self.dyads if g.brace and g.drive)
+        return tuple(dict.fromkeys((self.drive_pair, *(p for g in self.groups for p in g.pairs), *braced)))
+
+    @property
+    def drives(self) -> tuple[Pair, ...]:
+        """The drive's pair, and the hinge it works on from across."""
+        return (self.drive_pair, *(g.drive for g in self.dyads if g.brace and g.drive))
+
+    def is_drive(self, group: AnyGroup) -> bool:
+        """Whether a group is the cylinder that drives."""
+        return isinstance(group, Group) and group.inner == self.drive_pair
 
     def json(self) -> Json:
         """W, q, formula and groups as the JSON has them."""
@@ -47,7 +58,7 @@ class Structure:
     def formula(self) -> str:
         """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"; of a cylinder of 1 and 2 that moves 3,
         "I(1;2) -> II(1-2;3)"."""
-        groups = (f"{g.level}({g.members})" for g in self.groups)
+        groups = (f"{g.level}({g.members})" for g in self.groups if not self.is_drive(g))
         return " -> ".join([f"I({self.drive_pair.other};{self.driver})", *groups])
 
     @property
@@ -160,8 +171,12 @@ class _Finder:
         solved: tuple[str, ...] = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
-            found.append(driven := self.driven(drive))
-            solved = drive.link, drive.other, driven.last
+            driven = driven_from_inside(self, drive)
+            if driven is None:
+                raise self.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
+            found.append(driven)
+            both = (drive.link, drive.other) if driven.drive == drive else driven.parts(driven.first)
+            solved = *both, driven.last
         while True:
             for link in solved:
                 self.solve(link)
@@ -186,21 +201,6 @@ class _Finder:
         one, two = links
         inner = [p for p in self.between(two, one) if p.kind == "P" or p.point not in self.reached]
         return self.classified(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
-
-    def driven(self, drive: Pair) -> Group:
-        """The dyad that is moved from inside: of the two links of the drive one hangs on the frame by a hinge, and the
-        other has a hinge with a link that hangs on the frame."""
-        both = drive.other, drive.link
-        for held, moved in (both, both[::-1]):
-            for link in (x for x in self.left if x not in both):
-                inner = [p for p in self.between(link, moved) if p.kind == "R" and p.point not in self.reached]
-                outer = [self.outer[x] for x in (moved, held, link)]
-                free = not self.between(link, held) and not self.between(drive.link, drive.other)[1:]
-                if [len(o) for o in outer] == [0, 1, 1] and len(inner) == 1 and outer[1][0].kind == "R" and free:
-                    one, two = sorted((held, link), key=self.links.index)
-                    kind = 1 if outer[2][0].kind == "R" else 2
-                    return Group((one, two), kind, held, link, inner[0], outer[1][0], outer[2][0], drive)
-        raise self.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
 
     def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
         """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""

@@ -1,0 +1,76 @@
+"""The group that a drive between two moving links moves: with the drive stopped its links are one.
+
+Of a cylinder or a motor one link hangs on the frame and the other has a hinge with a third; or a cylinder is the brace
+of two links, across their hinge: it holds that as a motor in it would.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import permutations, product
+from typing import Protocol
+
+from planes.plans.groups import Brace, Group, Pair
+
+
+class Reached(Protocol):
+    """How far the links of a mechanism are solved."""
+
+    @property
+    def links(self) -> Sequence[str]: ...
+    @property
+    def left(self) -> Mapping[str, int]: ...
+    @property
+    def reached(self) -> set[str]: ...
+    @property
+    def outer(self) -> Mapping[str, list[Pair]]: ...
+    def between(self, link: str, other: str) -> list[Pair]: ...
+
+
+def driven_from_inside(f: Reached, drive: Pair) -> Group | None:
+    """The dyad on the frame that the drive moves, if it is one."""
+    return next((g for g in (*_direct(f, drive), *_braced(f, drive))), None)
+
+
+def _direct(f: Reached, drive: Pair) -> Iterator[Group]:
+    """Of the two links of the drive one hangs on the frame by a hinge, and the other has a hinge with a third."""
+    for held, moved in permutations((drive.other, drive.link)):
+        if f.between(moved, held)[1:] or f.outer[moved]:
+            continue
+        for hung in f.outer[held]:
+            yield from _with_third(f, held, moved, hung, drive)
+
+
+def _braced(f: Reached, drive: Pair) -> Iterator[Group]:
+    """The cylinder has a hinge with each of two links, and they have one with each other."""
+    if drive.kind == "R" or f.outer[drive.link] or f.outer[drive.other]:
+        return
+    for pins in product(_hinges(f, drive.link, drive), _hinges(f, drive.other, drive)):
+        for near, far in permutations(pins):
+            between, hung = f.between(far.other, near.other), f.outer[near.other]
+            if len(between) == 1 == len(hung) and _new(f, between[0]) and not f.outer[far.other]:
+                motor = Pair("R", far.other, near.other, point=between[0].point)
+                yield from _with_third(f, near.other, far.other, hung[0], motor, Brace(drive, near, far))
+
+
+def _hinges(f: Reached, half: str, drive: Pair) -> list[Pair]:
+    """The hinges of one half of a cylinder with links that are left."""
+    others = (x for x in f.left if not drive.joins(x))
+    return [p for x in others for p in f.between(half, x) if _new(f, p)]
+
+
+def _new(f: Reached, pair: Pair) -> bool:
+    """Whether it is a hinge that no solved link has."""
+    return pair.kind == "R" and pair.point not in f.reached
+
+
+def _with_third(
+    f: Reached, held: str, moved: str, hung: Pair, drive: Pair, brace: Brace | None = None
+) -> Iterator[Group]:
+    """The dyad of what is one with the drive stopped and of a link that hangs on the frame."""
+    taken = {held, moved, *(brace.halves if brace else ())}
+    for link in (x for x in f.left if x not in taken):
+        inner = [p for p in f.between(link, moved) if _new(f, p)]
+        outer = f.outer[link]
+        if len(f.outer[held]) == len(outer) == len(inner) == 1 and hung.kind == "R" and not f.between(link, held):
+            one, two = sorted((held, link), key=f.links.index)
+            kind = 1 if outer[0].kind == "R" else 2
+            yield Group((one, two), kind, held, link, inner[0], hung, outer[0], drive, brace)
