@@ -73,7 +73,7 @@ class Easel:
         return {n: drawn.marks[n.lower() + "'"] for n in m.sol.points if n.lower() + "'" in drawn.marks}
 
 
-UNDRAWN = ("lift", "friction-circles")  # a cylinder between links drives; friction in hinges
+UNDRAWN = ("lift", "hinge-motor", "folding-boom", "friction-circles")  # driven from inside; friction in hinges
 
 
 @cache

@@ -49,11 +49,19 @@ SKETCHES: dict[str, dict[str, Pose]] = {
     "kind-5-rpp": {"1": (0, 0, 50), "2": (0.06, 0.08, 75), "3": (0.04, 0, 0)},
     "shaper": {"1": (0, 0, 60), "2": (0.06, 0.1, 83), "3": (0, -0.4, 83), "4": (0.09, 0.34, -2), "5": (0.39, 0.33, 0)},
     "lift": {"1": (0.9, -0.5, 82), "2": (1.05, 0.6, 82), "3": (0, 0, 29)},
+    "hinge-motor": {"1": (0, 0, -10), "2": (0.3, -0.05, 85), "3": (0.6, 0.1, 132)},
+    "folding-boom": {
+        "1": (-0.05, 0.2, 35),
+        "2": (0.32, 0.46, 35),
+        "3": (0, 0, 90),
+        "4": (0, 0.5, 12),
+        "5": (1, 0.1, 111),
+    },
     "friction-circles": {"1": (0, 0, 65), "2": (0.04, 0.09, -13), "3": (0.43, 0, 0)},
     "sliding-driver": {"1": (0.15, 0, 0), "2": (0.15, 0, 65), "3": (0.45, 0.12, 128)},
 }
 KINDS = ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp")
-UNPUBLISHED = (*KINDS, "shaper", "sliding-driver", "lift", "friction-circles")
+UNPUBLISHED = (*KINDS, "shaper", "sliding-driver", "lift", "hinge-motor", "folding-boom", "friction-circles")
 WORDS = ("title", "note", "plans", "assembly", "parameters", "variants", "planes", "find", "sheet")
 
 
@@ -88,7 +96,7 @@ def numeric(name: str, variant: str | None = None) -> dict[str, Any]:
 def worked_out(node: Any, known: dict[str, Any]) -> Any:
     """Expressions of known parameters as numbers; all other texts (names) as they are."""
     if isinstance(node, dict):
-        named = ("link", "point", "centre", "slides", "guide", "through", "mark", "against", "along", "stroke")
+        named = ("link", "on", "point", "centre", "slides", "guide", "through", "mark", "against", "along", "stroke")
         return {k: v if k in named and isinstance(v, str) else worked_out(v, known) for k, v in node.items()}
     if isinstance(node, list):
         return [worked_out(v, known) for v in node]

@@ -195,7 +195,8 @@ def transfer_curves(plans: Plans) -> tuple[str, ...]:
 
 def driven(plans: Plans) -> tuple[str, bool]:
     """The link that a mechanism drives, and whether it slides on the frame: the last group's."""
-    m, group = plans.mechanism, plans.structure.groups[-1]
+    m, structure = plans.mechanism, plans.structure
+    group = next(g for g in reversed(structure.groups) if not structure.is_drive(g))
     for name in group.ends:
         slides = m.links[name].slides
         if slides and m.owner(slides.guide) == FRAME:

@@ -161,9 +161,9 @@ class Note:
         if kind_of(plan) != "force":
             return self.say(f"note_{plan}")
         links = [x for x in links_of(plan) if x]
-        return self.say(
-            "note_group" if len(links) > 1 else self.alone if links else "note_forces", links=", ".join(links)
-        )
+        driver = tuple(links) == (self.position.plans.structure.driver,)
+        alone = self.alone if driver else "note_link_forces"
+        return self.say("note_group" if len(links) > 1 else alone if links else "note_forces", links=", ".join(links))
 
     def caption(self, plan: str, group: str = "") -> str:
         mu = fill(

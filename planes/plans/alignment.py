@@ -18,7 +18,7 @@ from typing import Literal
 
 from planes.drafting.tools import Thing
 from planes.plans import Plans
-from planes.plans.groups import AnyGroup, Pair
+from planes.plans.groups import AnyGroup, Group, Pair
 from planes.plans.scales import drawn_in_si
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
@@ -76,20 +76,36 @@ def aligned(plans: Plans, file: str = "") -> Aligned:
     """The self-aligning variant of a mechanism; :class:`StructureError` where a group has none or nothing assembles."""
     cycle = _places(plans, file)
     found: list[tuple[Pair, Sign]] = [(plans.structure.drive_pair, plans.structure.drive_pair.kind)]
-    for group in plans.structure.groups:
+    for group in (g for g in plans.structure.groups if not plans.structure.is_drive(g)):
         ways = list(_variants(group))
         steady = (w for w in ways if steadily(plans, group, w, cycle))
         signs = next(steady, None) or next((w for w in ways if steadily(plans, group, w, cycle[:1])), None)
         if signs is None:
             raise StructureError(Phrase("no_alignment", links=group.links), file)
-        found += zip(group.pairs, signs, strict=True)
+        found += zip(pairs_of(group), signs, strict=True)
     return Aligned(len(plans.mechanism.links), plans.structure.W, tuple(found))
+
+
+def pairs_of(group: AnyGroup) -> tuple[Pair, ...]:
+    """The pairs that are loosened together: those of a group, and of a cylinder that braces it."""
+    if isinstance(group, Group) and group.brace and group.drive:
+        return *group.pairs, group.drive, group.brace.near, group.brace.far
+    return group.pairs
+
+
+def bodies_of(group: AnyGroup) -> tuple[tuple[str, ...], ...]:
+    """What these pairs hold: its links, those that are one with the drive stopped together."""
+    if not isinstance(group, Group):
+        return tuple((link,) for link in group.links)
+    if group.brace:
+        return *((link,) for link in group.whole), group.brace.halves
+    return tuple(group.parts(link) for link in group.links)
 
 
 def _variants(group: AnyGroup) -> Iterator[tuple[Sign, ...]]:
     """Ways to loosen a group's pairs by as much as is redundant: those that change least and keep bearings first."""
-    pairs = group.pairs
-    excess = 5 * len(pairs) - 6 * len(group.links)
+    pairs = pairs_of(group)
+    excess = 5 * len(pairs) - 6 * len(bodies_of(group))
     ways = [w for w in product(*(CHOICES[p.kind] for p in pairs)) if sum(FREEDOMS[s] - 1 for s in w) == excess]
 
     def awkward(way: tuple[Sign, ...]) -> tuple[int, int, int]:
@@ -159,17 +175,18 @@ def steadily(plans: Plans, group: AnyGroup, signs: tuple[Sign, ...], cycle: list
 
 def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
     """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
-    column = {link: 3 * k for k, link in enumerate(group.links)}
+    bodies = bodies_of(group)
+    column = {link: 3 * k for k, body in enumerate(bodies) for link in body}
     rows: list[list[float]] = []
-    for pair, sign in zip(group.pairs, signs, strict=True):
+    for pair, sign in zip(pairs_of(group), signs, strict=True):
         for held in holds(sign, pair.kind, *places.lines[pair], places.size):
-            row = [0.0] * (3 * len(group.links))
+            row = [0.0] * (3 * len(bodies))
             for link, side in ((pair.link, 1.0), (pair.other, -1.0)):
                 if link in column:
                     row[column[link] : column[link] + 3] = [side * x for x in held]
             length = math.hypot(*row)
             rows.append([x / length for x in row])
-    return determinant(rows) if len(rows) == 3 * len(group.links) else 0.0
+    return determinant(rows) if len(rows) == 3 * len(bodies) else 0.0
 
 
 def determinant(rows: list[list[float]]) -> float:

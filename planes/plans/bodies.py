@@ -54,15 +54,13 @@ class AssemblyChoice:
 
 @dataclass(frozen=True)
 class BraceReach:
-    """How a cylinder works on the hinge it braces, by names of values: the sense it points in, its reach along its
-    guide and its length between its hinges, its arm about the braced hinge, and that hinge's distance ``along`` it."""
+    """How long a cylinder is that braces a hinge, by names of values: the sense it points in, its reach along its guide
+    and its length between its hinges, which are not the same where one lies off the guide."""
 
     way: str
     reach: str
     length: str
     offset: bool
-    arm: str
-    along: str
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """The forces of a cylinder across a hinge: its own plan and that of the link it turns.
 
-Across itself it is held by moments about its near hinge; along itself by moments of the far link about the hinge that it
-braces, in which nothing else is unknown. Then its polygon is closed, and that of the far link.
+Across itself it is held by moments about its near hinge; along itself by moments of the far link about the hinge that
+it braces, in which nothing else is unknown. Then its polygon is closed, and that of the far link.
 """
 
 from planes.drafting.draft import Moments

@@ -74,8 +74,13 @@ class Group:
 
     @property
     def whole(self) -> tuple[str, ...]:
-        """All its links, both of a drive inside among them, by which its force plan is called."""
+        """All its links, both of a drive inside among them."""
         return tuple(part for link in self.links for part in self.parts(link))
+
+    @property
+    def balanced(self) -> tuple[str, ...]:
+        """The links whose forces its plan has, by which that is called."""
+        return tuple(part for link in self.links for part in self.loaded(link))
 
     def parts(self, link: str) -> tuple[str, ...]:
         """The links that one of the two is made of: itself and, with a drive inside, the other of that."""
@@ -162,7 +167,12 @@ class Triad:
 
     @property
     def whole(self) -> tuple[str, ...]:
-        """All its links, by which its force plan is called."""
+        """All its links."""
+        return self.links
+
+    @property
+    def balanced(self) -> tuple[str, ...]:
+        """The links whose forces its plan has, by which that is called."""
         return self.links
 
     @property

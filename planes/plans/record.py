@@ -19,7 +19,7 @@ from planes.plans.reactions import Reaction
 from planes.plans.structure import Structure
 from planes.scene.mechanism import Link, Mechanism
 from planes.words.errors import SceneError
-from planes.words.names import HELPERS, Meaning, at, kind_of
+from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of
 
 STILL = "°still"
 """The given in the place of a drive, where nothing moves."""
@@ -106,9 +106,16 @@ class Plans:
         return found
 
     def moments_of(self, links: tuple[str, ...]) -> list[Moments]:
-        """The moment equations of some links; those of a driver alone stand with no others."""
-        alone = (self.structure.driver,)
-        return [m for m in self.moments if set(m.links) <= set(links) and (links == alone or m.links != alone)]
+        """The moment equations that give what the plan of some links is drawn by, or else are of these links alone."""
+        plan, of = force_plan(*links), {t.name: e.plan for e in self.equations for t in e.terms}
+        alone = self.on(links)
+        return [m for m in self.moments if of.get(m.unknown, plan if m in alone else "") == plan]
+
+    def on(self, links: tuple[str, ...]) -> list[Moments]:
+        """The moment equations of forces on some links, and of no fewer that have a plan."""
+        fewer = [set(links_of(p)) for p in self.drawn if kind_of(p) == "force"]
+        fewer = [f for f in fewer if f < set(links)]
+        return [m for m in self.moments if set(m.links) <= set(links) and not any(set(m.links) <= f for f in fewer)]
 
     @property
     def helpers(self) -> frozenset[str]:

@@ -39,7 +39,7 @@ class _GroupForces:
 
     def __init__(self, statics: Statics, group: Group) -> None:
         self.statics, self.group, self.bodies, self.draft = statics, group, statics.bodies, statics.bodies.draft
-        self.plan = force_plan(*group.whole)
+        self.plan = force_plan(*group.balanced)
         acting = statics.acting
         self.loads = {x: [f for part in group.loaded(x) for f in acting.forces[part]] for x in group.links}
         self.couples = {x: [c for part in group.loaded(x) for c in acting.couples[part]] for x in group.links}

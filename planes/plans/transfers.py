@@ -45,7 +45,8 @@ def transfers(plans: Plans) -> Iterator[Derived]:
         names = dict.fromkeys((as_indexed(ratio_name(plans, link)), f"omega_q{link}", f"omegaq_{link}"))
         yield Derived((*names,), units["omega"], plans.links[link].omega, "transfers", per=vector)
     named = {label_of(marks.velocity): point for point, marks in plans.points.items()}
-    for end in dict.fromkeys(s.end for s in plans.segments_of.get(PLAN, ()) if s.start == POLE != s.end):
+    parts = {t.end for e in plans.equations for t in e.terms if t.means and t.means.quantity == "relative"}
+    for end in dict.fromkeys(s.end for s in plans.segments_of.get(PLAN, ()) if s.start == POLE != s.end not in parts):
         if (mark := at(PLAN, end)) != vector.end:
             name = f"vq_{named.get(end) or end.upper()}"
             yield Derived((as_indexed(name), name), units["v"], "", "transfers", (at(PLAN, POLE), mark), vector)

@@ -201,4 +201,7 @@ def plan_phrase(plan: str) -> Phrase:
     """The name of a plan in words."""
     if plan == "force":
         return Phrase("plan_forces")
-    return Phrase(f"plan_{kind_of(plan)}", links=", ".join(links_of(plan)))
+    links = links_of(plan)
+    if kind_of(plan) == "force" and len(links) == 1:
+        return Phrase("plan_force_alone", links=links[0])
+    return Phrase(f"plan_{kind_of(plan)}", links=", ".join(links))

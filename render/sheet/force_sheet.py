@@ -65,7 +65,9 @@ class ForceSheet:
             step = [
                 c.stack("group", self.group(larger.groups, plan, links), moments, gap=5.0),
                 c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
-                self.apart(larger.groups, links, self.closed(plotted, links_apart[plan], letter, False)),
+                self.apart(larger.groups, links, self.closed(plotted, links_apart[plan], letter, False))
+                if links_apart[plan]
+                else None,
                 *self.closed(plotted, links_apart[plan], letter, True),
             ]
             found += [replace(v, step=plan) for v in step if v]
@@ -95,9 +97,10 @@ class ForceSheet:
             loading.reactions(plan)
             if links == (position.plans.structure.driver,):
                 loading.balancing(*links)
-            loading.arms(position.plans.moments_of(links))
+            loading.arms(position.plans.on(links))
             drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
-            key = "loaded_group" if len(links) > 1 else "loaded_driver"
+            alone = "loaded_driver" if links == (position.plans.structure.driver,) else "loaded_link"
+            key = "loaded_group" if len(links) > 1 else alone
             title = c.titled(position, key, links="–".join(map(c.naming.link, links)))
             return view("group", title, drawn, True)
 

@@ -82,6 +82,8 @@ def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Si
     """How far the frame's hinges, level and upright guides are from the driver's pair, in mm as they are: level sizes
     beneath everything drawn, upright ones at its left."""
     found, pair = list[Size](), places.position.plans.structure.drive_pair.point
+    if places.mechanism.drive.on != FRAME:  # the driver is nowhere on the frame: from its first hinge
+        pair = next((p for p in places.mechanism.frame.points if p in places.shared), "")
     if not places.has(pair):
         return found
     for way, aside, edge in ((1 + 0j, -1j, -about[1]), (1j, -1 + 0j, -about[0])):

@@ -240,6 +240,48 @@ class Builder:
             self.dyads.append(Dyad(kind, barrel, moved, (pivot,), hinge, hinge, lean > 0))
         return drive
 
+    def brace(self) -> dict[str, Any]:
+        """A cylinder across the hinge of two links, one of which hangs on the frame as the third does that they move;
+        its part of the scene."""
+        rng, least = self.rng, 0.3 * self.size
+        for _ in range(2000):
+            o, a, q, p, b, d = (self.spot() for _ in range(6))
+            u2 = self.direction(self.frame)
+            kind = rng.choice(("RRR", "RRP"))
+            knee, lean = self.leaning(a, p, q), self.leaning(o, b, d)
+            lean = lean if kind == "RRR" else math.cos(u2 - cmath.phase(b - o))
+            sides = (p - q, a - p, a - q, o - b, o - a, a - b, b - d)
+            if min(map(abs, sides)) > least and min(abs(knee), abs(lean)) > 0.35:
+                break
+        else:
+            raise NoSolution("no well conditioned place for a brace was drawn")
+        names = [next(self.names) for _ in range(4)]
+        pivot = self.add(self.frame, o)
+        first = self.link([(pivot, o), (names[0], a), (names[1], q)])
+        second = self.link([(names[0], a), (names[2], p), (names[3], b)])
+        u = cmath.phase(p - q) + rng.choice((0.0, 0.0, rng.uniform(-1, 1), math.pi))
+        ends = rng.sample([(names[1], q), (names[2], p)], 2)
+        rod, barrel = (self.link([end], u) for end in ends)
+        self.bodies.remove(rod)
+        self.bodies.insert(1, rod)
+        drive = {"s": self.slid(rod, barrel, u)}
+        far = rod if names[2] in rod.points else barrel
+        self.dyads.append(Dyad("RRR", second, far, (names[0], names[1]), names[2], names[2]))
+        if kind == "RRR":
+            other = self.add(self.frame, d)
+            third = self.link([(names[3], b), (other, d)])
+            self.dyads.append(Dyad(kind, first, third, (pivot, other), names[3], names[3]))
+        else:
+            third = self.link([(names[3], b)], u2)
+            self.slide(third, self.frame, u2)
+            self.dyads.append(Dyad(kind, first, third, (pivot,), names[3], names[3], lean > 0))
+        return drive
+
+    def leaning(self, start: complex, inner: complex, end: complex) -> float:
+        """The sine of the angle two sides of a triangle meet at."""
+        one, two = inner - start, end - inner
+        return (one.conjugate() * two).imag / (abs(one * two) or 1.0)
+
     def motor(self, hinge: str, a: complex, pivot: str, d: complex) -> tuple[dict[str, Any], Body]:
         """Two links with a motor in the hinge between them, either of which is the driver."""
         rng, knee, z = self.rng, next(self.names), self.spot()
@@ -338,6 +380,7 @@ class Builder:
         """The assembly by side words or by true places; call it once the bodies stand in file order."""
         out: dict[str, Any] = {}
         rank = {id(b): k for k, b in enumerate(self.bodies)}
+        spots = {k: z for b in self.bodies for k, z in b.points.items()}
         for d in (d for d in self.dyads if d.key):
             assert d.key is not None
             mine = {**d.i.points, **d.j.points}
@@ -348,7 +391,7 @@ class Builder:
                 out[mark] = {"near": [mine[mark].real, mine[mark].imag]}
             elif d.kind == "RRR":
                 ends = d.outer if rank[id(d.i)] < rank[id(d.j)] else d.outer[::-1]
-                start, end, inner = (mine[k] for k in (*ends, d.key))
+                start, end, inner = (spots[k] for k in (*ends, d.key))
                 out[d.key] = "left" if ((end - start).conjugate() * (inner - start)).imag > 0 else "right"
             else:
                 out[d.key] = "ahead" if d.ahead else "behind"
@@ -482,7 +525,8 @@ def attempt(
     """One try of `make`; raises NoSolution where the draw is of no use."""
     build = Builder(rng, size, ill, swapped, every)
     sliding = bool(inner or sliding) and inner != "motor"
-    drive = build.cylinder(inner == "motor") if inner else build.drive(sliding)
+    inside = {"brace": build.brace, "motor": lambda: build.cylinder(True), True: lambda: build.cylinder(False)}
+    drive = inside[inner]() if inner else build.drive(sliding)
     blunt = rng.randrange(len(kinds)) if ill < 1 else -1
     for k, kind in enumerate(kinds):
         build.triad(kind) if "-" in kind else build.group(kind, k == blunt)

@@ -175,7 +175,8 @@ def read(scene: Scene) -> Model:
     on = str(drive.get("on", FRAME))
     inner = [s.j for s in slides if s.i == driver and not revolving] if not revolving else [on]
     groups = order_of_groups(list(links), points, slides, driver, [n for n in inner if n != FRAME])
-    order = [FRAME, driver, *itertools.chain.from_iterable(groups)]
+    chain = list(itertools.chain.from_iterable(groups))
+    order = [FRAME, *chain] if driver in chain else [FRAME, driver, *chain]
     hinges = []
     for name in dict.fromkeys(k for n in order for k in points[n]):
         base, *others = [n for n in order if name in points[n]]
@@ -204,6 +205,10 @@ def order_of_groups(
     groups: list[tuple[str, ...]] = []
     for carrier in carriers:
         held = {s.i for s in slides if s.j == FRAME} | {n for n in links if points[n].keys() & points[FRAME].keys()}
+        if not held & {driver, carrier}:  # a cylinder across a hinge of two links, and the third one they move
+            groups.append(braced(links, points, held, driver, carrier))
+            solved = {FRAME, *groups[-1]}
+            continue
         free = next(n for n in (driver, carrier) if n not in held)
         moved = next(n for n in links if n in held - {driver, carrier} and points[n].keys() & points[free].keys())
         groups.append((carrier, moved))
@@ -224,6 +229,23 @@ def order_of_groups(
             groups.append(triad)
             solved |= set(triad)
     return groups
+
+
+def braced(
+    links: list[str], points: Mapping[str, Mapping[str, complex]], held: set[str], driver: str, carrier: str
+) -> tuple[str, ...]:
+    """The two links a cylinder is across the hinge of, that on the frame first, and the third link they move."""
+
+    def meet(n: str, m: str) -> bool:
+        return bool(points[n].keys() & points[m].keys())
+
+    others = [n for n in links if n not in (driver, carrier)]
+    for near, far, third in itertools.permutations(others, 3):
+        pins = (meet(driver, near) and meet(carrier, far)) or (meet(driver, far) and meet(carrier, near))
+        hung = {near, third} <= held and far not in held and not meet(near, third)
+        if pins and hung and meet(near, far) and meet(far, third):
+            return near, far, third
+    raise NoSolution("no links that a cylinder braces")
 
 
 def basic_and_leads(

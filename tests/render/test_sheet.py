@@ -186,7 +186,11 @@ def test_underlines_count_what_is_known():
     assert [sum(abs(x - at[n]) < 1e-9 for x in under) for n in ("vC", "vB", "vCB")] == [1, 2, 1]
 
 
-TURNING = [n for n in NAMES if not n.startswith("vectors") and n not in ("sliding-driver", "lift")]
+TURNING = [
+    n
+    for n in NAMES
+    if not n.startswith("vectors") and n not in ("sliding-driver", "lift", "hinge-motor", "folding-boom")
+]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 
 

@@ -55,7 +55,7 @@ def test_they_are_differences_of_places_by_the_driver_s(seed: int) -> None:
     assert compared
 
 
-@pytest.mark.parametrize("name", ["six-link", "sliding-driver", "lift", "shaper"])
+@pytest.mark.parametrize("name", ["six-link", "sliding-driver", "lift", "hinge-motor", "folding-boom", "shaper"])
 def test_the_sheet_the_note_the_curves_and_solve_tell_the_same(name: str) -> None:
     scene = load(ROOT / "samples" / f"{name}.yaml")
     one = position(scene, find=None)

@@ -1,0 +1,119 @@
+"""A cylinder across the hinge of two links drives: against the law of cosines and the independent solver."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+
+import numpy as np
+import pytest
+
+from planes import cycle, solve
+from planes.plans import plans_of, structure_of
+from planes.plans.alignment import aligned
+from planes.scene import loads
+from planes.words.errors import PlanesError
+from tests.helpers.comparing import Number, differences, draw, expected, standing
+from tests.helpers.mechanisms import KINDS, make
+
+KNEE = """\
+planes: 1
+frame: {points: {O: [0, 0], D: [1.0, 0.1]}}
+links:
+  1: {points: {Q: 0}, guides: {cyl: {through: Q, angle: 0}}}
+  2: {points: {P: 0}, slides: cyl}
+  3: {points: {O: 0, A: 0.5, Q: [0.2, 0.05], S3: 0.25}, centre: S3, mass: 10, inertia: 0.4}
+  4: {points: {A: 0, B: 0.8, P: [0.3, -0.1], S4: 0.4}, centre: S4, mass: 12, inertia: 0.9}
+  5: {points: {D: 0, B: 0.6}}
+assembly: {B: left, P: left}
+drive: {link: 2, s: 0.45, velocity: 0.1, acceleration: 0.3}
+loads: [{link: 5, point: B, force: 300, direction: 20}]
+gravity: 9.81
+"""
+
+
+def test_the_angle_of_the_two_links_by_the_law_of_cosines() -> None:
+    """The triangle of the cylinder gives the angle of rocker and coupler, its derivative their relative speed."""
+    found = solve(loads(KNEE))
+    a_q, a_p = abs(0.5 - complex(0.2, 0.05)), abs(complex(0.3, -0.1))
+    cosine = (a_q**2 + a_p**2 - 0.45**2) / (2 * a_q * a_p)
+    one, two = found.r["Q"] - found.r["A"], found.r["P"] - found.r["A"]
+    assert abs(cmath.phase(two / one)) == pytest.approx(math.acos(cosine), rel=1e-13)
+    slope = 0.45 / (a_q * a_p * math.sin(math.acos(cosine)))  # of the angle by the length
+    assert abs(found.omega["4"] - found.omega["3"]) == pytest.approx(0.1 * slope, rel=1e-12)
+    assert found.value("Fb_2") == pytest.approx(found.value("zhukovsky_force"), rel=1e-11)
+
+
+def test_a_weightless_cylinder_pushes_along_itself_alone() -> None:
+    found = solve(loads(KNEE))
+    along = found.r["P"] - found.r["Q"]
+    force = found.value("F_42")
+    assert abs((force * along.conjugate()).imag) <= 1e-12 * abs(force * along)
+
+
+def test_its_structure() -> None:
+    structure = structure_of(loads(KNEE).mechanism)  # type: ignore[arg-type]
+    assert structure.formula == "I(1;2) -> II(3-4-1-2;5)" and structure.q == 6
+    assert structure.json()["groups"][0]["drive"] == ["1", "2"] and structure.json()["groups"][0]["across"] == "A"
+    found = aligned(plans_of(loads(KNEE).mechanism))  # type: ignore[arg-type]
+    assert found.q == 0 and len(found.pairs) == 7 == len({p for p, _ in found.pairs})
+
+
+def test_in_the_loop_and_at_rest() -> None:
+    reaches = np.linspace(0.35, 0.55, 5)
+    found = cycle(loads(KNEE), s=reaches)
+    for k, reach in enumerate(reaches):
+        assert found["Fb_2"][k] == pytest.approx(solve(loads(KNEE), s=float(reach)).value("Fb_2"), rel=1e-11)
+    rest = solve(loads(KNEE.replace("velocity: 0.1", "velocity: 0")))
+    assert rest.value("Fb_2") == pytest.approx(rest.value("zhukovsky_force"), rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ("assembly: {B: left, P: left}", "assembly: {B: left}", "P: left"),
+        ("P: left}", "P: {near: [0.6, 0.1]}}", "P: left"),
+        ("gravity: 9.81", "gravity: 9.81\nfriction: {A: {coefficient: 0.1, radius: 0.02}}", "friction in the hinge A"),
+        ("P: [0.3, -0.1]", "K: [0.3, -0.1]", "W"),
+    ],
+)
+def test_what_cannot_be_drawn_is_one_sentence(old: str, new: str, why: str) -> None:
+    with pytest.raises(PlanesError, match=why):
+        solve(loads(KNEE.replace(old, new)))
+
+
+def test_too_long_a_cylinder_is_one_sentence() -> None:
+    with pytest.raises(PlanesError, match="arcs"):
+        solve(loads(KNEE), s=2.0)
+
+
+def examined(seed: int) -> float | None:
+    """The worst number of one random mechanism; None where something stands still."""
+    rng = random.Random(f"brace {seed}")
+    rubs = {"friction": seed % 5 == 0}
+    case = make(rng, rng.choices(KINDS, k=seed % 3), inner="brace", rest=seed % 7 == 0, assembly="side", **rubs)
+    if standing(case):
+        return None
+    d = draw(case.scene)
+    keys = set(d.plans.reactions)
+    truth = {}
+    for n in expected(case.solution, False):
+        head, _, key = n.name.rpartition("F_")
+        turned = "F_" + "_".join(key.split("_")[::-1]) if "_" in key else f"F_{key[::-1]}"
+        if key and "F_" in n.name and f"F_{key}" not in keys and turned in keys:
+            n = Number(head + turned, n.sort, n.value if n.sort == "arm" else -n.value)
+        truth[n.name] = n
+    return max(differences(d, truth).values()) * d.sharpest
+
+
+def test_random_mechanisms_braced_by_a_cylinder() -> None:
+    found = [e for seed in range(15) if (e := examined(seed)) is not None]
+    assert len(found) > 10 and max(found) <= 1e-10
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("fifth", range(5))
+def test_more_random_mechanisms_braced_by_a_cylinder(fifth: int) -> None:
+    found = [e for seed in range(1000 + 80 * fifth, 1080 + 80 * fifth) if (e := examined(seed)) is not None]
+    assert len(found) > 60 and max(found) <= 1e-9
