@@ -101,7 +101,7 @@ class Stating:
 
     def driven(self) -> dict[str, Under]:
         """The hinge that a drive inside a group moves, by the names of its motion against the link on the frame."""
-        for g in (g for g in self.plans.structure.dyads if g.drive):
+        for g in self.plans.structure.driven:
             means = (t.means for e in self.plans.equations for t in e.terms if t.means)
             hinge, guide = g.inner.point, g.drive.guide if g.drive else ""
             given = (m.of for m in means if m.quantity == "relative")

@@ -96,7 +96,7 @@ def pairs_of(group: AnyGroup) -> tuple[Pair, ...]:
 def bodies_of(group: AnyGroup) -> tuple[tuple[str, ...], ...]:
     """What these pairs hold: its links, those that are one with the drive stopped together."""
     if not isinstance(group, Group):
-        return tuple((link,) for link in group.links)
+        return (group.basic,), *(lead.parts for lead in group.leads)
     if group.brace:
         return *((link,) for link in group.whole), group.brace.halves
     return tuple(group.parts(link) for link in group.links)

@@ -9,8 +9,8 @@ from planes.drafting.steps import Similar
 from planes.drafting.steps.crossings import CrossArcs
 from planes.drafting.steps.reckoning import Drop, Product, SenseOf
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach
+from planes.plans.driven_positions import Elbow, cylinder, place_reached
 from planes.plans.groups import Brace, Group, Pair
-from planes.plans.positions import Elbow, cylinder, place_reached
 from planes.plans.reckoned import angle_deg, ratio
 from planes.words.names import Meaning, at, mu_of
 

@@ -109,6 +109,11 @@ class Group:
         """Its links in the order of solving."""
         return self.links
 
+    def reached(self, drive: Pair) -> tuple[str, ...]:
+        """The links that are solved with it where the drive is inside."""
+        both = (drive.link, drive.other) if self.drive == drive else self.parts(self.first)
+        return *both, self.last
+
     @property
     def pairs(self) -> tuple[Pair, Pair, Pair]:
         """Its pairs: outer, inner, outer."""
@@ -144,11 +149,22 @@ class Group:
 
 @dataclass(frozen=True)
 class Lead:
-    """A driver (поводок) of a basic link: its ``inner`` pair with that, its ``outer`` one with a solved link."""
+    """A driver (поводок) of a basic link: its ``inner`` pair with that, its ``outer`` one with a solved link; with a
+    ``drive`` inside it is of two links, ``link`` that with the outer pair."""
 
     link: str
     inner: Pair
     outer: Pair
+    drive: Pair | None = None
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """The links it is made of."""
+        return (self.link, self.drive.mate(self.link)) if self.drive else (self.link,)
+
+    def moving(self, basic: str) -> Group:
+        """It with the basic link, as a dyad that is driven from inside would be."""
+        return Group((self.link, basic), 1, self.link, basic, self.inner, self.outer, self.outer, self.drive)
 
     @property
     def name(self) -> str:
@@ -167,18 +183,20 @@ class Triad:
 
     @property
     def whole(self) -> tuple[str, ...]:
-        """All its links."""
-        return self.links
+        """All its links, both of a drive inside among them."""
+        mates = {lead.link: lead.parts for lead in self.leads}
+        return tuple(part for link in self.links for part in mates.get(link, (link,)))
 
     @property
     def balanced(self) -> tuple[str, ...]:
         """The links whose forces its plan has, by which that is called."""
-        return self.links
+        return self.whole
 
     @property
     def members(self) -> str:
         """Its links as a formula of structure has them."""
-        return ";".join(self.links)
+        mates = {lead.link: lead.parts for lead in self.leads}
+        return ";".join("-".join(mates.get(link, (link,))) for link in self.links)
 
     @property
     def ends(self) -> tuple[str, ...]:
@@ -189,6 +207,10 @@ class Triad:
     def solved(self) -> tuple[str, ...]:
         """Its links in the order of solving."""
         return self.basic, *(lead.link for lead in self.leads)
+
+    def reached(self, drive: Pair) -> tuple[str, ...]:
+        """The links that are solved with it where the drive is inside."""
+        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
 
     @property
     def pairs(self) -> tuple[Pair, ...]:

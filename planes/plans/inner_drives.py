@@ -1,14 +1,15 @@
 """The group that a drive between two moving links moves: with the drive stopped its links are one.
 
 Of a cylinder or a motor one link hangs on the frame and the other has a hinge with a third; or a cylinder is the brace
-of two links, across their hinge: it holds that as a motor in it would.
+of two links, across their hinge: it holds that as a motor in it would. Or the two links of the drive are one of three
+leads of a basic link.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import permutations, product
 from typing import Protocol
 
-from planes.plans.groups import Brace, Group, Pair
+from planes.plans.groups import AnyGroup, Brace, Group, Lead, Pair, Triad
 
 
 class Reached(Protocol):
@@ -25,9 +26,9 @@ class Reached(Protocol):
     def between(self, link: str, other: str) -> list[Pair]: ...
 
 
-def driven_from_inside(f: Reached, drive: Pair) -> Group | None:
-    """The dyad on the frame that the drive moves, if it is one."""
-    return next((g for g in (*_direct(f, drive), *_braced(f, drive))), None)
+def driven_from_inside(f: Reached, drive: Pair) -> AnyGroup | None:
+    """The group on the frame that the drive moves, if it is one."""
+    return next((g for ways in (_direct, _braced, _leading) for g in ways(f, drive)), None)
 
 
 def _direct(f: Reached, drive: Pair) -> Iterator[Group]:
@@ -49,6 +50,22 @@ def _braced(f: Reached, drive: Pair) -> Iterator[Group]:
             if len(between) == 1 == len(hung) and _new(f, between[0]) and not f.outer[far.other]:
                 motor = Pair("R", far.other, near.other, point=between[0].point)
                 yield from _with_third(f, near.other, far.other, hung[0], motor, Brace(drive, near, far))
+
+
+def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
+    """The two links of the drive are a lead of a basic link that has two more on the frame."""
+    for held, moved in permutations((drive.other, drive.link)):
+        if len(f.outer[held]) != 1 or f.outer[held][0].kind != "R" or f.outer[moved] or f.between(moved, held)[1:]:
+            continue
+        for basic in (x for x in f.left if not drive.joins(x) and not f.outer[x]):
+            inner = [p for p in f.between(moved, basic) if _new(f, p)]
+            others = [x for x in f.left if not drive.joins(x) and x != basic and len(f.outer[x]) == 1]
+            found = [(x, [p for p in f.between(x, basic) if p.kind == "P" or _new(f, p)]) for x in others]
+            leads = [Lead(x, pairs[0], f.outer[x][0]) for x, pairs in found if len(pairs) == 1]
+            if len(inner) == 1 and len(leads) == 2 and not any(lead.name == "PP" for lead in leads):
+                driven = Lead(held, inner[0], f.outer[held][0], drive)
+                names = tuple(x for x in f.links if x in (basic, held, *(lead.link for lead in leads)))
+                yield Triad(names, basic, (driven, leads[0], leads[1]))
 
 
 def _hinges(f: Reached, half: str, drive: Pair) -> list[Pair]:

@@ -69,6 +69,8 @@ def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
 
 def lead_leg(b: Bodies, basic: str, lead: Lead) -> Leg:
     """The way a lead holds its basic link, the new point being of that."""
+    if lead.drive:
+        return _driven_leg(b, lead.moving(basic), lead.drive)
     if lead.inner.kind == "P":
         return inner_leg(b, lead.inner, lead.link, lead.outer.point, basic)
     return _outer_leg(b, lead.outer, lead.link, BodyPoint(lead.inner.point, lead.inner.point))

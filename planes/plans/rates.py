@@ -20,6 +20,9 @@ from planes.words.names import Meaning, at, parts_of
 
 def draw_rates(r: Rates) -> None:
     """The plan: the driver, then every group, then every point of every link."""
+    first = r.bodies.structure.groups[0] if r.bodies.structure.inner_drive else None
+    if first and not isinstance(first, Group):  # its special point is found on the scheme before the plan is begun
+        _Triad(r, first).meet()
     r.start()
     for group in r.bodies.structure.groups:
         if isinstance(group, Group):
@@ -40,17 +43,21 @@ class _Triad:
     def draw(self) -> None:
         r, (one, two, three) = self.rates, self.legs
         s, body = self.special, self.bodies.known[self.group.basic]
-        (a, along), (b, across), (c, beside) = ((at(SCHEME, leg.new.place), self.line(leg)) for leg in self.legs)
-        met = CrossLeads(at(SCHEME, s.place), a, along, b, across, third=c, third_along=beside)
-        self.draft.step(replace(met, means=Meaning("special", self.group.basic)))
+        self.meet()
         r.solve(s.name, self.to_special(one), self.to_special(two), ())
         body.ref, body.moving, body.rigid = (s, three.new), three.new, False
         turning = self.about_special(three)
         r.solve(three.new.name, r.chain(turning), r.chain(three), (turning, three))
         for leg in (one, two):
             self.read(leg)
-        for link in self.group.links:
+        for link in self.group.whole:
             r.show_points(link)
+
+    def meet(self) -> None:
+        """The special point, where the lines of two leads cross."""
+        (a, along), (b, across), (c, beside) = ((at(SCHEME, leg.new.place), self.line(leg)) for leg in self.legs)
+        met = CrossLeads(at(SCHEME, self.special.place), a, along, b, across, third=c, third_along=beside)
+        self.draft.step(replace(met, means=Meaning("special", self.group.basic)))
 
     def line(self, leg: Leg) -> str:
         """The line of a lead, across what its point may do."""
@@ -62,7 +69,7 @@ class _Triad:
         """The terms from the pole by what a lead hangs on to S; both tangential parts are one."""
         r, s = self.rates, self.special.name
         *known, last = r.chain(leg)
-        symbol, part = s + leg.symbol.removeprefix(leg.new.name), parts_of(last.name)[2]
+        symbol, part = s + leg.symbol.removeprefix((leg.spot or leg.new).name), parts_of(last.name)[2]
         if r.quick:
             known.append(self.towards(leg, last.start))
         name = f"{r.letter}{symbol}" + (f"^{part}" if part else "")

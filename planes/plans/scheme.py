@@ -2,8 +2,9 @@
 
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.braces import place_braced
+from planes.plans.driven_positions import place_driven
 from planes.plans.groups import Group
-from planes.plans.positions import PLACERS, place_driven, place_slider
+from planes.plans.positions import PLACERS, place_slider
 from planes.plans.triads import place_triad
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning

@@ -62,6 +62,12 @@ class Structure:
         return " -> ".join([f"I({self.drive_pair.other};{self.driver})", *groups])
 
     @property
+    def driven(self) -> tuple[Group, ...]:
+        """What is driven from inside, as dyads: groups, and a lead with the basic link."""
+        leads = ((g.basic, lead) for g in self.groups if not isinstance(g, Group) for lead in g.leads)
+        return *(g for g in self.dyads if g.drive), *(x.moving(basic) for basic, x in leads if x.drive)
+
+    @property
     def dyads(self) -> tuple[Group, ...]:
         """The groups of class II."""
         return tuple(g for g in self.groups if isinstance(g, Group))
@@ -175,8 +181,7 @@ class _Finder:
             if driven is None:
                 raise self.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
             found.append(driven)
-            both = (drive.link, drive.other) if driven.drive == drive else driven.parts(driven.first)
-            solved = *both, driven.last
+            solved = driven.reached(drive)
         while True:
             for link in solved:
                 self.solve(link)

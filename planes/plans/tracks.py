@@ -27,7 +27,7 @@ class Tracks:
 
     def __init__(self, b: Bodies, program: Program, choice: TrackChoice) -> None:
         self.bodies, self.choice, self.whole = b, choice, program
-        marks = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "") if n]
+        marks = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "", h.reach) if n]
         self.program = program.sliced(marks)
         places = [b.draft.given[h.local] for h in choice.holds]
         self.size = max(abs(p - q) for p in places for q in places)

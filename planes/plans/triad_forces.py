@@ -43,7 +43,7 @@ class TriadForces:
 
     def __init__(self, statics: Statics, group: Triad) -> None:
         self.statics, self.group, self.bodies, self.draft = statics, group, statics.bodies, statics.bodies.draft
-        self.plan = force_plan(*group.links)
+        self.plan = force_plan(*group.balanced)
         self.special = at(SCHEME, self.bodies.special(group.basic))
         self.leads = self.bodies.leads[group.basic]
         for pair in group.pairs:
@@ -81,7 +81,8 @@ class TriadForces:
     def held(self, lead: Lead) -> _Held:
         """A lead, and what its own equilibrium gives."""
         d, outer, inner, link = self.draft, lead.outer, lead.inner, lead.link
-        loads, couples = list(self.statics.acting.forces[link]), list(self.statics.acting.couples[link])
+        loads = [f for part in lead.parts for f in self.statics.acting.forces[part]]
+        couples = [c for part in lead.parts for c in self.statics.acting.couples[part]]
         key = force_name(link, outer.mate(link))
         if outer.kind == "P":
             hinge = at(SCHEME, inner.point)
@@ -89,9 +90,11 @@ class TriadForces:
         pivot, name = at(SCHEME, outer.point), f"{key}^t"
         if inner.kind == "R":
             line = d.ray(SCHEME, outer.point, inner.point)
-            length = self.bodies.length(self.bodies.mechanism.links[link], outer.point, inner.point)
+            length = f"l_{outer.point}{inner.point}"
+            if not lead.drive:
+                length = self.bodies.length(self.bodies.mechanism.links[link], outer.point, inner.point)
             products, shown = self.statics.moment_terms(at(SCHEME, inner.point), loads, couples, 1.0, length)
-            d.moments.append(Moments(inner.point, (link,), shown, name, length))
+            d.moments.append(Moments(inner.point, lead.parts, shown, name, length))
             along = d.square(line)
         else:
             along = f"∥{inner.guide}"
@@ -120,7 +123,7 @@ class TriadForces:
         arm = d.step(Drop(name, three.point, three.line, self.special, mu_of(SCHEME), means=means))
         products, shown = self.statics.moment_terms(self.special, forces, couples, -1.0, arm)
         name = d.total(three.part, products)
-        d.moments.append(Moments(centre, self.group.links, shown, name, arm))
+        d.moments.append(Moments(centre, self.group.balanced, shown, name, arm))
         return Force(name, three.lead.link, name, three.line, three.point, "tangential")
 
     def read(self, held: _Held, outer: tuple[str, str], inner: tuple[str, str]) -> None:
@@ -133,8 +136,10 @@ class TriadForces:
             s.seat(found[1], lead.link, held.point, held.loads, held.couples)
         if lead.outer.mate(lead.link) != FRAME:
             s.hand_over(s.reactions[found[0].key], lead.outer.mate(lead.link))
+        if lead.drive:
+            s.hand_over(next(r for r in found if r.pair.joins(lead.drive.link)), lead.drive.link)
 
     def on(self, lead: Lead, pair: Pair, ends: tuple[str, str]) -> Reaction:
         """A reaction on the lead, noted for its pair's own first link."""
         start, end = (at(self.plan, label) for label in ends)
-        return self.statics.react(pair, self.plan, *((start, end) if lead.link == pair.link else (end, start)))
+        return self.statics.react(pair, self.plan, *((start, end) if pair.link in lead.parts else (end, start)))

@@ -4,8 +4,12 @@ Every lead holds the basic link by one tie: a rod of two hinges on an arc, a sli
 turns about a hinge and slides on the basic one by that one's guide.
 """
 
+from collections.abc import Callable
+from functools import partial
+
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
+from planes.plans.driven_positions import driven_length
 from planes.plans.groups import Lead, Triad
 from planes.plans.positions import on_line, place_slider, rigid_body
 from planes.plans.reckoned import difference
@@ -16,7 +20,8 @@ from planes.words.names import Meaning, at, mu_of
 def place_triad(b: Bodies, g: Triad) -> None:
     """Draw the basic link where its track is cut, and the leads."""
     d, link = b.draft, b.mechanism.links[g.basic]
-    one, two, three = (hold_of(b, g.basic, lead) for lead in g.leads)
+    placers: dict[Lead, Callable[[], None]] = {}
+    one, two, three = (hold_of(b, g.basic, lead, placers) for lead in g.leads)
     drive = b.mechanism.drive
     middle, half, size = (
         d.give(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
@@ -37,7 +42,7 @@ def place_triad(b: Bodies, g: Triad) -> None:
         axis = d.step(CutTurn(f"x_{g.basic}", _local(b, link, key), *cut, means=Meaning("own", g.basic)))
         b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
     for lead in g.leads:
-        _place_lead(b, g.basic, lead)
+        placers.get(lead, partial(_place_lead, b, g.basic, lead))()
 
 
 def _place_lead(b: Bodies, basic: str, lead: Lead) -> None:
@@ -52,11 +57,14 @@ def _place_lead(b: Bodies, basic: str, lead: Lead) -> None:
         place_slider(b, inner, lead.link, outer.point, along)
 
 
-def hold_of(b: Bodies, basic: str, lead: Lead) -> Hold:
-    """How a lead holds the basic link."""
+def hold_of(b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], None]]) -> Hold:
+    """How a lead holds the basic link; what draws one with a drive inside is put among the ``placers``."""
     d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
     if inner.kind == "R":
         local = _local(b, link, inner.point)
+        if lead.drive:
+            length, placers[lead] = driven_length(b, lead.moving(basic))
+            return Hold("arc", local, at(SCHEME, outer.point), length)
         if outer.kind == "R":
             length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
             return Hold("arc", local, at(SCHEME, outer.point), length)

@@ -277,6 +277,35 @@ class Builder:
             self.dyads.append(Dyad(kind, first, third, (pivot,), names[3], names[3], lean > 0))
         return drive
 
+    def lead(self) -> dict[str, Any]:
+        """A cylinder or a motor, in a lead of a basic link that has two more on the frame; its part of the scene."""
+        rng, pins = self.rng, [next(self.names) for _ in range(3)]
+        kinds = [rng.choice(("RR", "PR")) for _ in range(2)]
+        for _ in range(2000):
+            spots, pivots = ([self.spot() for _ in range(3)] for _ in range(2))
+            ways = [rng.uniform(-math.pi, math.pi) for _ in range(3)]
+            near = min(abs(a - b) for a, b in zip(spots, pivots, strict=True))
+            if three_lines(["RR", *kinds], spots, pivots, ways) > 0.35 * self.size and near > 0.3 * self.size:
+                break
+        else:
+            raise NoSolution("no well conditioned place for a lead was drawn")
+        pivot, p, a = self.add(self.frame, pivots[0]), spots[0], pivots[0]
+        if rng.random() < 0.3:
+            drive, _ = self.motor(pins[0], p, pivot, a)
+        else:
+            u = cmath.phase(p - a) + rng.choice((0.0, 0.0, rng.uniform(-1, 1), math.pi))
+            rod, barrel = (self.link([end], u) for end in rng.sample([(pivot, a), (pins[0], p)], 2))
+            drive = {"s": self.slid(rod, barrel, u)}
+        basic, leads = self.link(list(zip(pins, spots, strict=True))), list[Body]()
+        for name, at, base, u, kind in zip(pins[1:], spots[1:], pivots[1:], ways[1:], kinds, strict=True):
+            if kind == "RR":
+                leads.append(self.link([(self.add(self.frame, base), base), (name, at)]))
+            else:
+                leads.append(self.link([(name, at)], u))
+                self.slide(leads[-1], self.frame, u)
+        self.triads.append((basic, leads, dict(zip(pins[1:], spots[1:], strict=True))))
+        return drive
+
     def leaning(self, start: complex, inner: complex, end: complex) -> float:
         """The sine of the angle two sides of a triangle meet at."""
         one, two = inner - start, end - inner
@@ -524,9 +553,14 @@ def attempt(
 ) -> Case:
     """One try of `make`; raises NoSolution where the draw is of no use."""
     build = Builder(rng, size, ill, swapped, every)
-    sliding = bool(inner or sliding) and inner != "motor"
-    inside = {"brace": build.brace, "motor": lambda: build.cylinder(True), True: lambda: build.cylinder(False)}
+    inside = {
+        "brace": build.brace,
+        "lead": build.lead,
+        "motor": lambda: build.cylinder(True),
+        True: lambda: build.cylinder(False),
+    }
     drive = inside[inner]() if inner else build.drive(sliding)
+    sliding = "s" in drive
     blunt = rng.randrange(len(kinds)) if ill < 1 else -1
     for k, kind in enumerate(kinds):
         build.triad(kind) if "-" in kind else build.group(kind, k == blunt)

@@ -210,9 +210,15 @@ def order_of_groups(
             solved = {FRAME, *groups[-1]}
             continue
         free = next(n for n in (driver, carrier) if n not in held)
-        moved = next(n for n in links if n in held - {driver, carrier} and points[n].keys() & points[free].keys())
-        groups.append((carrier, moved))
-        solved |= {carrier, moved}
+        near = [n for n in links if n not in (driver, carrier) and points[n].keys() & points[free].keys()]
+        moved = next((n for n in near if n in held), "")
+        if not moved:  # the two are a lead of a link that has two more on the frame
+            moved = near[0]
+            leads = [n for n in links if n in held - {driver, carrier} and joined(n, moved, points, slides)]
+            groups.append((carrier, moved, *leads))
+        else:
+            groups.append((carrier, moved))
+        solved |= set(groups[-1])
     while len(solved) <= len(links):
         known = {k for n in solved for k in points[n]}
         ends = [n for s in slides for n, other in ((s.i, s.j), (s.j, s.i)) if other in solved]
@@ -229,6 +235,11 @@ def order_of_groups(
             groups.append(triad)
             solved |= set(triad)
     return groups
+
+
+def joined(n: str, m: str, points: Mapping[str, Mapping[str, complex]], slides: list[Pair]) -> bool:
+    """Whether two links have a pair."""
+    return bool(points[n].keys() & points[m].keys()) or any({s.i, s.j} == {n, m} for s in slides)
 
 
 def braced(
