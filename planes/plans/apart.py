@@ -33,6 +33,12 @@ class LinkApart:
         return len(self.known) > 1
 
     @property
+    def drawn(self) -> tuple[str, ...]:
+        """What its vectors are called on the plan of its group, where they close a polygon as they stand."""
+        own = {n: r.key for n, (r, _) in self.reactions.items() if r.plan == self.group}
+        return tuple(own.get(n, n) for n in (self.force, *self.known))
+
+    @property
     def equation(self) -> Equation:
         """Its vectors add up to nothing."""
         ends = [POLE, *map(end_of, self.known), POLE]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import product
 
 import pytest
 
@@ -14,6 +15,7 @@ from planes.plans.loads import load_names
 from planes.scene import load
 from planes.solving import solve
 from planes.solving.document import DocumentTable, Paragraph
+from planes.words.names import at
 from tests.helpers import ROOT
 
 SCENES = sorted(p for f in ("", "assignments") for p in (ROOT / "samples" / f).glob("*.yaml") if p.stem != "vectors")
@@ -69,3 +71,17 @@ def test_inertia_arms_and_single_links_are_told():
     assert "Link 3 apart: ⟨F_30⟩ + ⟨G_3⟩ + ⟨F_32⟩ = 0" in told
     assert "Link 4 apart: ⟨F_42⟩ + ⟨F_45⟩ = 0" in told
     assert "its arm is zero and it gives no moment" in told
+
+
+@pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-3-rpr", "folding-boom"])
+def test_the_polygon_of_a_single_link_is_lit_on_the_plan_of_its_group_and_closes(name):
+    scene = load(ROOT / "samples" / f"{name}.yaml")
+    here = solve(scene).positions[0]
+    told = [f for f in Teller(here.plans, here.drawing).frames() if f.key == "apart"]
+    assert told
+    for frame in told:
+        ends = {s.name: (s.start, s.end) for s in here.plans.segments if s.plan == frame.plan}
+        place = {n: complex(here.drawing[at(frame.plan, n)]) for pair in ends.values() for n in pair}
+        vectors = [place[ends[n][1]] - place[ends[n][0]] for n in frame.terms]
+        signs = product((1, -1), repeat=len(vectors))  # a reaction is drawn as it acts on one of two links
+        assert min(abs(sum(s * v for s, v in zip(way, vectors, strict=True))) for way in signs) < 1e-9
