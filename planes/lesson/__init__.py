@@ -206,9 +206,7 @@ class Teller:
         drive = self.plans.mechanism.drive
         names += [self.plans.balancing] * (drive.kind == "s" and plan == force_plan(drive.link))
         found = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
-        found += [
-            self.frame("apart", plan, names=apart_words(x), terms=x.drawn) for x in links_apart(self.plans, plan)
-        ]
+        found += [self.frame("apart", plan, names=apart_words(x), terms=x.drawn) for x in links_apart(self.plans, plan)]
         reactions = self.plans.reactions.values()
         return found + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
 

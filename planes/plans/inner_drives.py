@@ -10,6 +10,8 @@ from itertools import permutations, product
 from typing import Protocol
 
 from planes.plans.groups import AnyGroup, Brace, Group, Lead, Pair, Triad
+from planes.words import Phrase
+from planes.words.errors import StructureError
 
 
 class Reached(Protocol):
@@ -24,11 +26,15 @@ class Reached(Protocol):
     @property
     def outer(self) -> Mapping[str, list[Pair]]: ...
     def between(self, link: str, other: str) -> list[Pair]: ...
+    def error(self, phrase: Phrase, *path: str) -> StructureError: ...
 
 
-def driven_from_inside(f: Reached, drive: Pair) -> AnyGroup | None:
-    """The group on the frame that the drive moves, if it is one."""
-    return next((g for ways in (_direct, _braced, _leading) for g in ways(f, drive)), None)
+def driven_from_inside(f: Reached, drive: Pair) -> AnyGroup:
+    """The group on the frame that the drive moves; :class:`StructureError` if it is none that is drawn."""
+    for ways in (_direct, _braced, _leading):
+        for group in ways(f, drive):
+            return group
+    raise f.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
 
 
 def _direct(f: Reached, drive: Pair) -> Iterator[Group]:

@@ -1,7 +1,6 @@
 """Pairs, Chebyshev's W, Reshetov's q and the Assur groups of a mechanism, in the order they are attached.
 
-Sources: Chebyshev's W = 3n - 2p₁ and Reshetov's q = W - 6n + 5p₁ for one-freedom pairs; Assur's groups of
-class II in the five kinds of Artobolevsky.
+Sources: Chebyshev's W = 3n - 2p₁, Reshetov's q = W - 6n + 5p₁ for one-freedom pairs; Artobolevsky's five kinds of groups.
 """
 
 from collections.abc import Iterator
@@ -50,9 +49,8 @@ class Structure:
 
     def json(self) -> Json:
         """W, q, formula and groups as the JSON has them."""
-        groups = [g.json() for g in self.groups]
-        passive = {"passive": list(self.passive)} if self.passive else {}
-        return {"W": self.W, "q": self.q, "formula": self.formula, "groups": groups, **passive}
+        found = {"W": self.W, "q": self.q, "formula": self.formula, "groups": [g.json() for g in self.groups]}
+        return found | ({"passive": list(self.passive)} if self.passive else {})
 
     @property
     def formula(self) -> str:
@@ -177,10 +175,7 @@ class _Finder:
         solved: tuple[str, ...] = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
-            driven = driven_from_inside(self, drive)
-            if driven is None:
-                raise self.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
-            found.append(driven)
+            found.append(driven := driven_from_inside(self, drive))
             solved = driven.reached(drive)
         while True:
             for link in solved:
