@@ -1,6 +1,6 @@
 """Pairs, Chebyshev's W, Reshetov's q and the Assur groups of a mechanism, in the order they are attached.
 
-Sources: Chebyshev's W = 3n - 2p₁, Reshetov's q = W - 6n + 5p₁ for one-freedom pairs; Artobolevsky's five kinds of groups.
+Sources: Chebyshev's W = 3n - 2p₁, Reshetov's q = W - 6n + 5p₁ for one-freedom pairs; the five kinds of Artobolevsky.
 """
 
 from collections.abc import Iterator
