@@ -20,6 +20,7 @@ from planes.drafting.tools import Thing
 from planes.lesson import Teller, value_of
 from planes.lesson.formulas import mu_said, slot, unit
 from planes.lesson.frame import Frame, in_both, needed
+from planes.lesson.kit import Kit
 from planes.lesson.live import Knobs, Live
 from planes.lesson.practice import Practice, sentences, told_values
 from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
@@ -88,6 +89,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     """The lesson of a scene; ``progress`` hears how far the catalogue of mistakes is drawn. Errors as :class:`Told`."""
     told = Told.of(scene)
     plans, drawing, knobs, frames = told.plans, told.drawing, told.knobs, told.frames
+    kit = Kit(plans, drawing)
     return {
         "title": dict(scene.title),
         "moves": plans.moves,
@@ -106,7 +108,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
         "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
         "equations": told.equations,
-        "frames": [{**vars(f), "values": told_values(f)} for f in frames],
+        "frames": [{**vars(f), "values": told_values(f), "tools": kit.of_frame(f)} for f in frames],
         "results": (results := _results(plans)),
         "units": {n: in_both(partial(unit, n)) for n in needed(frames) if unit(n, "en")},
         **_live(told, [r["value"] for r in results], progress),

@@ -18,7 +18,7 @@ SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
 }
 """Words of the page that stand in other tables."""
 SCRIPTS = ("inflate", "tape", "figure", "scheme", "plan", "live", "words", "grips")
-OWN = ("handout", "lesson", "hands", "desk", "practice", "task")
+OWN = ("handout", "kit", "lesson", "hands", "desk", "practice", "task")
 NOSCRIPT = (
     "Страница рисует план сама: включите JavaScript. / The page draws the plans itself: please enable JavaScript."
 )

@@ -36,6 +36,7 @@ class Plan extends Figure {
     if (pole && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
     if (force) for (const [a, b, n] of names) this.along(a, b, n, key);
     else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q, this.fixed(g.names, key), key);
+    this.settle();
   }
   remark() {
     const text = svg("text", { class: "bar-text", x: this.w - 8, y: this.h - 8, "text-anchor": "end" }, this.node);
