@@ -67,6 +67,7 @@ class Figure { // millimetres y up -> pixels y down
   }
   start(box) {
     this.node.textContent = "";
+    this.view = box;
     const [w, h] = this.size || this.real;
     const pad = (this.size ? 26 : w < 520 ? 30 : 44) + (this.more || 0), bw = Math.max(box[2] - box[0], 1), bh = Math.max(box[3] - box[1], 1);
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);

@@ -228,18 +228,28 @@ def test_labels_keep_clear_of_each_other(page: Any) -> None:
 
 
 @pytest.mark.slow
-def test_it_prints_as_a_handout_of_numbered_frames(page: Any, tmp_path: Path) -> None:
+def test_it_prints_a_page_a_plan_at_the_position_shown(page: Any, tmp_path: Path) -> None:
     import pypdfium2
 
     target = tmp_path / "handout.pdf"
-    page.evaluate("handout()")
+    page.evaluate("turn(170); handout()")
     page.pdf(path=str(target), prefer_css_page_size=True)
     paper = pypdfium2.PdfDocument(str(target))
     size = paper[0].get_size()
     assert size[0] == pytest.approx(595, abs=2) and size[1] == pytest.approx(842, abs=2)
-    assert page.locator("#handout article").count() == page.evaluate("data.frames.length")
+    plans = page.evaluate("new Set(data.frames.map(f => f.plan)).size")
+    assert page.locator("#handout article").count() == plans <= len(paper) <= plans + 3
+    assert page.locator("#handout li").count() == page.evaluate("data.frames.length")
+    long = """() => {
+        const plan = document.querySelector('#handout article:nth-child(2)');
+        const at = n => plan.querySelector(`.arrow[data-name~="${n}"] polygon`);
+        const tip = n => at(n).getAttribute('points').split(' ')[0].split(',').map(Number);
+        const [b, c] = ['v_B', 'v_C'].map(tip);
+        return Math.hypot(b[0] - c[0], b[1] - c[1]) / 96 * 25.4; }"""
+    true = "Math.hypot(...[0, 1].map(k => live.at('velocity:b')[k] - live.at('velocity:c')[k]))"
+    assert page.evaluate(long) == pytest.approx(page.evaluate(true), abs=0.1)  # in the paper's own millimetres
     text = "".join(p.get_textpage().get_text_range() for p in paper)
-    assert "план ускорений" in text.lower() and 5 <= len(paper) <= 20
+    assert "план ускорений" in text.lower() and "φ = 170°" in text
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""The draughtsman's tools in a lesson: each lies where its step is drawn, comes from where it is taken, and moves in time."""
+"""The tools of a lesson: each lies where its step is drawn, comes from where it is taken, and moves in time."""
 
 from __future__ import annotations
 
@@ -11,15 +11,20 @@ from planes.scene import load
 from tests.helpers import ROOT
 
 SIX = ROOT / "samples" / "six-link.yaml"
-ACTS = """() => data.frames.flatMap((f, k) => { go(k); const gap = (p, a, u) => Math.abs((p[0] - a[0]) * u[1] - (p[1] - a[1]) * u[0]);
-    return f.tools.map(t => { const act = KITS[t.tool](t); if (!act) return null;
+ACTS = """() => data.frames.flatMap((f, k) => {
+    go(k);
+    const gap = (p, a, u) => Math.abs((p[0] - a[0]) * u[1] - (p[1] - a[1]) * u[0]);
+    const far = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
+    return f.tools.map(t => {
+        const act = KITS[t.tool](t);
+        if (!act) return null;
         const [a, b] = t.to.map(m => kit.spot(m)), [c, d] = (t.from || []).map(m => kit.spot(m));
-        const on = act.tool === "square" ? Math.max(gap(a, act.corner, act.u), gap(b, act.corner, act.u)) : act.tool === "dividers"
-            ? (b ? Math.max(...[a, b].map((p, i) => Math.hypot(p[0] - act.goal[i][0], p[1] - act.goal[i][1]))) : 0)
-            : Math.hypot(a[0] - act.at[0], a[1] - act.at[1]);
-        const laid = act.tool === "square" && c && d && Math.hypot(c[0] - d[0], c[1] - d[1]) > 5
-            ? Math.min(...[act.u, act.v].map(w => Math.max(gap(c, act.first, w), gap(d, act.first, w)))) : 0;
-        return { frame: k, tool: act.tool, on, laid }; }).filter(Boolean); })"""
+        const on = act.tool === "square" ? Math.max(gap(a, act.corner, act.u), gap(b, act.corner, act.u))
+            : act.tool === "dividers" ? (b ? Math.max(far(a, act.goal[0]), far(b, act.goal[1])) : 0) : far(a, act.at);
+        const slid = act.tool === "square" && c && d && far(c, d) > 5;
+        const off = w => Math.max(gap(c, act.first, w), gap(d, act.first, w));
+        return { frame: k, tool: act.tool, on, laid: slid ? Math.min(off(act.u), off(act.v)) : 0 };
+    }).filter(Boolean); })"""
 
 
 @pytest.mark.slow
@@ -33,9 +38,14 @@ def test_each_tool_lies_on_what_it_draws_and_comes_off_what_it_is_laid_to(page: 
 @pytest.mark.slow
 def test_a_step_of_a_tool_takes_six_tenths_of_a_second_and_none_where_motion_is_not_wanted(page: Any) -> None:
     cross = "data.frames.findIndex(f => f.makes[0] === 'velocity:c')"
-    seen = """k => { go(k - 1); go(k); return new Promise(done => { const told = [], begun = performance.now();
-        const look = () => { told.push([performance.now() - begun, document.querySelector('#kit .tool')?.getAttribute('d') || '',
-            document.querySelector('.panels').classList.contains('moving')]); told.at(-1)[0] < 1500 ? requestAnimationFrame(look) : done(told); };
+    seen = """k => { go(k - 1); go(k); return new Promise(done => {
+        const told = [], begun = performance.now();
+        const tool = () => document.querySelector('#kit .tool')?.getAttribute('d');
+        const moving = () => document.querySelector('.panels').classList.contains('moving');
+        const look = () => {
+            told.push([performance.now() - begun, tool() || '', moving()]);
+            told.at(-1)[0] < 1500 ? requestAnimationFrame(look) : done(told);
+        };
         look(); }); }"""
     told = page.evaluate(f"({seen})({cross})")
     moving = [t for t, _, on in told if on]
