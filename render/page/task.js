@@ -20,8 +20,9 @@ const task = {
   question() {
     const t = practice.item, f = practice.frame, own = n => `⟨${n}⟩`, unit = (data.units[t.what] || {})[state.lang] || "";
     if (t.kind === "known") return say("ask_known");
+    if (t.kind === "sense" && !f.turns) return say("ask_turning").replace("{force}", own(t.what.slice(1))).replace("{about}", own(desk.short(data.moments[f.moments].about)));
     if (t.kind === "sense") return say("ask_sense").replace("{vector}", own(f.turns.vector)).replace("{rate}", own(t.what)).replace("{point}", own(desk.short(f.turns.point))).replace("{about}", own(desk.short(f.turns.about)));
-    if (t.kind === "number") return `${own(t.what.replace(/[‖|]/g, ""))} = ? ${unit}`;
+    if (t.kind === "number") return `${own(t.what.replace(/[‖|]/g, ""))} = ? ${unit}${t.signed ? ` (${say("plus_ccw")})` : ""}`;
     const mark = practice.items.find(o => o.kind === "mark" && o.what.startsWith((t.kind === "mu" ? t.what : f.plan) + ":")), name = own(t.kind === "mu" ? data.frames[mark.frame].terms[0] || desk.short(mark.what) : desk.short(t.what));
     if (t.kind === "mark") return say(practice.laid && f.terms[0] ? "ask_vector" : "ask_mark").replace("{name}", f.terms.slice(0, 1).map(own)).replace("{mark}", name);
     const start = live.at(data.frames[mark.frame].uses[0]) || [0, 0], end = live.at(mark.what), mm = Math.hypot(end[0] - start[0], end[1] - start[1]);
@@ -62,7 +63,7 @@ const task = {
     return marks.length > 1 ? `<label>${say("tool_ruler")} ${this.select("from", all, desk.from)}</label> <label>${say("to")} ${this.select("to", all, desk.to)}</label> <output>${desk.ruler()} ${say("millimetres")}</output>` : "";
   },
   erase() { return desk.strokes.length ? this.button("erase", say("erase")) : ""; },
-  short(k) { const t = practice.items[k], key = data.frames[t.frame].plan; return `${t.kind === "mu" ? "μ" : t.kind === "known" ? say("equation") : spoken(t.kind === "mark" ? desk.short(t.what) : t.what.replace(/[‖|]/g, ""), key)}${t.kind === "mark" ? "" : t.kind === "sense" ? " ↺" : t.kind === "known" ? " " + practice.goal(data.equations[t.what]).map(g => spoken(g.name)).slice(0, 3).join(" ") : " ="}`; },
+  short(k) { const t = practice.items[k], key = data.frames[t.frame].plan; return `${t.kind === "mu" ? "μ" : t.kind === "known" ? say("equation") : spoken(t.kind === "mark" ? desk.short(t.what) : t.what.replace(/[‖|↺]/g, ""), key)}${t.kind === "mark" ? "" : t.kind === "sense" ? " ↺" : t.kind === "known" ? " " + practice.goal(data.equations[t.what]).map(g => spoken(g.name)).slice(0, 3).join(" ") : " ="}`; },
   safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); },
   select(id, options, chosen) { return `<select id="${id}">${options.map(([v, text]) => `<option value="${this.safe(v)}"${String(v) === String(chosen) ? " selected" : ""}>${this.safe(text)}</option>`).join("")}</select>`; },
   button(what, label) { return `<button type="button" id="do-${what}" data-do="${what}">${label}</button>`; },
@@ -81,7 +82,7 @@ const task = {
     else if (what === "show") p.answer(null, "", true);
     else if (what === "known") { p.marks[e.dataset.term] = (p.given(e.dataset.term) + 1) % 3; draw(); }
     else if (what === "check") p.answer(p.goal(p.equation).map(t => p.given(t.name)).join(""), say("why_known"));
-    else if (what === "ccw" || what === "cw") p.answer(what === "ccw" ? 1 : -1, p.named([["sense_wrong", [p.item.what]]]));
+    else if (what === "ccw" || what === "cw") p.answer(what === "ccw" ? 1 : -1, p.named([["sense_wrong", [p.item.what.replace("↺", "")]]]));
     else if (what === "number") p.number($("figure").value);
     else if (what === "draw") this.draw();
   },

@@ -146,6 +146,33 @@ def test_numbers_scales_and_senses_have_their_slips(desk: Any) -> None:
     assert "направление вращения" in said(desk)
 
 
+def test_moments_and_reactions_have_a_sense(desk: Any) -> None:
+    ask = """([what, by]) => { practice.take(data.practice.findIndex(t => t.what === what)); practice.said = null;
+        practice.number(String(practice.truth(practice.item) * by)); return practice.said; }"""
+    assert desk.evaluate(ask, ["M_1", -1])[0] == "no" and "знак" in desk.evaluate("practice.said[1]")
+    assert desk.evaluate(ask, ["M_1", 1])[0] == "yes"
+    assert desk.evaluate(ask, ["h_G_2_C", -1])[0] == "yes"  # which way an arm is counted is one's own
+    desk.evaluate(TAKE, "↺F_21^t")
+    assert "F21t" in desk.inner_text("#h").replace("\n", "") and "C" in desk.inner_text("#h")
+    moment = """(() => { const [b, c] = ['B', 'C'].map(n => live.at('position:' + n));
+        const a = live.angle('⊥BC') * Math.PI / 180, f = live.value('F_21^t');
+        return (b[0] - c[0]) * Math.sin(a) * f - (b[1] - c[1]) * Math.cos(a) * f; })()"""
+    way = "ccw" if desk.evaluate(moment) > 0 else "cw"
+    desk.click(f"#do-{'cw' if way == 'ccw' else 'ccw'}")
+    assert "✗" in said(desk)
+    desk.click(f"#do-{way}")
+    assert "✓" in said(desk)
+
+
+def test_a_mark_must_be_nearer_to_its_place_than_to_a_mistake(desk: Any) -> None:
+    found = desk.evaluate("""() => data.practice.filter(t => t.kind === 'mark').map(t => {
+        const p = live.at(t.what);
+        const off = practice.slips(t.what).map(s => Math.hypot(s.place[0] - p[0], s.place[1] - p[1]));
+        return [practice.fits(t.what), practice.allowed(t.what), Math.min(...off, Infinity)]; })""")
+    assert all(fits <= wide and (fits <= off / 2 + 1e-12 or fits == 0.5) for fits, wide, off in found)
+    assert any(fits < wide for fits, wide, _ in found) and any(fits == wide for fits, wide, _ in found)
+
+
 def test_what_cannot_be_told_apart_is_named_with_the_other(desk: Any) -> None:
     desk.evaluate(UPTO, "acceleration:k_HL")
     told = desk.evaluate("""() => { const [x, y] = live.at('acceleration:k_HL'), s = live.at(desk.from);
@@ -194,14 +221,14 @@ def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path
     assert cli.main(["check", str(HERE / "six-link.yaml"), str(codes), "--json"]) == 0
     rows = json.loads(capsys.readouterr().out)
     assert [(row["name"], row["seed"], row["right"], row["count"]) for row in rows] == [
-        ("Анна", seed, 96, 97) for seed in (0, 5)
+        ("Анна", seed, 98, 99) for seed in (0, 5)
     ]
-    told = desk.evaluate("""() => { Object.defineProperty(practice, 'good', { get: () => 97 }); return handed(); }""")
+    told = desk.evaluate("""() => { Object.defineProperty(practice, 'good', { get: () => 99 }); return handed(); }""")
     (codes / "altered.practice").write_text(told, "utf-8")
     (codes / "cut.practice").write_text(told[:-9], "utf-8")
     assert cli.main(["check", str(HERE / "six-link.yaml"), str(codes), "--lang", "en"]) == 2
     out = capsys.readouterr().out
-    assert "altered" in out and "97 of 97" in out and "give 96" in out and "cut.practice: the code is damaged" in out
+    assert "altered" in out and "99 of 99" in out and "give 98" in out and "cut.practice: the code is damaged" in out
     assert cli.main(["check", str(HERE / "kind-1-rrr.yaml"), str(codes / "0.practice"), "--lang", "en"]) == 2
     assert "not of the scene" in capsys.readouterr().out
 
