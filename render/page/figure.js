@@ -7,8 +7,8 @@ function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: as a sh
   const own = LETTERS[document.documentElement.lang] || {}, first = Object.values(LETTERS)[0], full = `${plan}:${name}`;
   return own[full] || first[full] || own[name] || first[name] || [[name, ""]];
 }
+function safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); }
 function html(name, plan) { // letters stand up, indices stay whole
-  const safe = t => t.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
   return lettered(name, plan).map(([t, k]) => k ? `<${k}>${safe(t)}</${k}>` : safe(t)).join("");
 }
 function svg(tag, attributes, parent) {

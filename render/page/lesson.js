@@ -48,6 +48,7 @@ function draw() {
   large(key);
   if (practising) practice.paint();
   kit.show(practising || state.spin ? null : f, false);
+  heard();
 }
 function facing(f) { // on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
   const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;

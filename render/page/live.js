@@ -142,7 +142,8 @@ class Live {
       const scale = sum(u, u) + sum(w, w), a = sum(u, u) + damp * scale, b = sum(u, w), c = sum(w, w) + damp * scale, det = a * c - b * b;
       if (!(det > 0)) break;
       const p = (c * off[0] - b * off[1]) / det, q = (a * off[1] - b * off[0]) / det, before = { ...this.given };
-      this.set(Object.fromEntries(names.map((n, i) => [n, before[n] + Math.max(-0.5, Math.min(0.5, u[i] * p + w[i] * q)) * this.size(n)])));
+      const moved = (n, i) => before[n] + Math.max(-0.5, Math.min(0.5, u[i] * p + w[i] * q)) * this.size(n);
+      this.set(Object.fromEntries(names.map((n, i) => [n, n === this.data.drive.given ? placed(moved(n, i)) : moved(n, i)])));
       const kept = names.every((n, i) => n === this.data.drive.given || n.startsWith("angle_") || !before[n] || before[n] * this.given[n] > 0), now = kept && miss();
       if (now && Math.hypot(...now) < Math.hypot(...off)) { off = now; damp = Math.max(damp / 10, 1e-12); }
       else { this.back(before); damp *= 10; }

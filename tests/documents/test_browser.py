@@ -18,9 +18,9 @@ from planes.plans import plans_of
 from planes.plans.scales import scales
 from planes.scene import load
 from planes.solving import position
-from render.page.lesson_page import page as written
 from tests.helpers import ROOT
-from tests.helpers.browser import until, watched
+from tests.helpers.browser import until
+from tests.helpers.lessons import lesson_opened, lesson_written
 
 HERE = ROOT / "samples"
 SIX = HERE / "six-link.yaml"
@@ -86,10 +86,8 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
 ) -> None:
     scene = load(str(HERE / f"{name}.yaml"))
     exported = lesson_data(scene)
-    target = tmp_path / "lesson.html"
-    target.write_text(written(exported, "en"), encoding="utf-8")
     page = browser.new_page()
-    page.goto(target.as_uri())
+    page.goto(lesson_written(tmp_path, HERE / f"{name}.yaml", "en", exported))
     plans, drive = plans_of(scene.mechanism), exported["drive"]
     mus = {n: z for n, z in exported["home"].items() if n.startswith("mu_")}
     teller = Teller(plans, run(plans.program, {**plans.given, **mus}))
@@ -265,23 +263,18 @@ def test_on_a_telephone_nothing_runs_off_the_page(page: Any) -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("path", SAMPLES, ids=[p.stem for p in SAMPLES])
 def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: Path, path: Path) -> None:
-    target = tmp_path / "lesson.html"
-    target.write_text(written(lesson_data(load(str(path))), "en"), encoding="utf-8")
-    page = browser.new_page()
-    errors = watched(page)
-    page.goto(target.as_uri())
-    page.evaluate("data.frames.forEach((_, k) => go(k))")
-    page.evaluate(
-        "for (let k = 0; k < 72; k++) { turn(data.drive.from + k * (data.drive.to - data.drive.from) / 71.7); draw(); }"
-    )
-    page.evaluate(
-        "practice.toggle(); data.practice.forEach((_, k) => { practice.take(k); "
-        "for (const n of TOOLS) task.pick('tool', { dataset: { tool: n } }); })"
-    )
-    page.evaluate("practice.toggle(); handout()")
-    assert not page.evaluate("/NaN|undefined/.test(document.querySelector('main').innerHTML)")
-    page.close()
-    assert errors == []
+    with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:
+        page.evaluate("data.frames.forEach((_, k) => go(k))")
+        page.evaluate(
+            "const { from, to } = data.drive; "
+            "for (let k = 0; k < 72; k++) { turn(from + k * (to - from) / 71.7); draw(); }"
+        )
+        page.evaluate(
+            "practice.toggle(); data.practice.forEach((_, k) => { practice.take(k); "
+            "for (const n of TOOLS) task.pick('tool', { dataset: { tool: n } }); })"
+        )
+        page.evaluate("practice.toggle(); handout()")
+        assert not page.evaluate("/NaN|undefined/.test(document.querySelector('main').innerHTML)")
 
 
 @pytest.mark.slow

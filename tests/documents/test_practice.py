@@ -9,11 +9,8 @@ from typing import Any
 import pytest
 
 from planes import cli
-from planes.lesson.data import lesson_data
-from planes.scene import load
-from render.page.lesson_page import page as written
 from tests.helpers import ROOT
-from tests.helpers.browser import watched
+from tests.helpers.lessons import lesson_opened, lesson_written
 
 WIDE = {"width": 1280, "height": 900}
 HERE = ROOT / "samples"
@@ -99,6 +96,33 @@ def test_lines_drawn_by_hand(desk: Any) -> None:
     x, y = desk.evaluate("plan.px(plan.at('velocity:c'))")
     desk.mouse.click(box["x"] + x + 4, box["y"] + y)
     assert "✓" in said(desk) and desk.evaluate("practice.seen().has('velocity:c')")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["pen", "touch"])
+def test_a_vector_drawn_with_a_pen_or_a_finger(desk: Any, kind: str) -> None:
+    desk.evaluate(UPTO, "velocity:b")
+    line = desk.context.new_cdp_session(desk)
+    line.send("Emulation.setTouchEmulationEnabled", {"enabled": kind == "touch"})
+    desk.click("#tool-vector")
+    desk.select_option("#along", "AB|1")
+    box = desk.locator("#plan").bounding_box()
+    points = desk.evaluate("['velocity:p', 'velocity:b'].map(m => plan.px(live.at(m)))")
+    (x, y), (far_x, far_y) = ((box["x"] + p[0], box["y"] + p[1]) for p in points)
+    path = [(x + k / 5 * (far_x - x), y + k / 5 * (far_y - y)) for k in range(6)]
+    for k, (px, py) in enumerate([*path, path[-1]]):
+        at = "start" if k == 0 else "end" if k == 6 else "move"
+        if kind == "touch":
+            points = [] if at == "end" else [{"x": px, "y": py}]
+            line.send("Input.dispatchTouchEvent", {"type": f"touch{at.title()}", "touchPoints": points})
+        else:
+            told = {"start": "mousePressed", "end": "mouseReleased", "move": "mouseMoved"}[at]
+            more = {"button": "left", "buttons": 1, "clickCount": 1, "pointerType": "pen"}
+            line.send("Input.dispatchMouseEvent", {"type": told, "x": px, "y": py, **more})
+    drawn = float(desk.input_value("#mm").replace(",", "."))
+    assert drawn == pytest.approx(desk.evaluate("Math.hypot(...practice.truth(practice.item))"), abs=1)
+    desk.click("#do-draw")
+    assert "✓" in said(desk)
 
 
 def test_the_compass_meets_the_other_crossing(desk: Any) -> None:
@@ -236,16 +260,10 @@ def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path
 @pytest.mark.few(1)
 @pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
 def test_every_scene_is_practised_to_the_end_whatever_its_numbers(browser: Any, tmp_path: Path, path: Path) -> None:
-    target = tmp_path / "lesson.html"
-    target.write_text(written(lesson_data(load(str(path))), "en"), encoding="utf-8")
-    page = browser.new_page()
-    errors = watched(page)
-    page.goto(target.as_uri())
-    page.click("#practise")
-    page.evaluate(GIVE)
-    for seed in (0, 1, 2):
-        page.evaluate(f"practice.begin({seed})")
-        assert page.evaluate(SOLVE) == [True, True, []]
-    assert page.input_value("#code").startswith("planes-practice.")
-    page.close()
-    assert errors == []
+    with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:
+        page.click("#practise")
+        page.evaluate(GIVE)
+        for seed in (0, 1, 2):
+            page.evaluate(f"practice.begin({seed})")
+            assert page.evaluate(SOLVE) == [True, True, []]
+        assert page.input_value("#code").startswith("planes-practice.")
