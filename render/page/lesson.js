@@ -1,7 +1,7 @@
 "use strict";
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
 const $ = id => document.getElementById(id);
-const live = new Live(data);
+const live = new Live(data, LOOKS); // the whole turn is looked at once the first picture is there
 const scheme = new Scheme($("scheme"), data), plan = new Plan($("plan"), data);
 const state = { frame: 0, lang: document.documentElement.lang, timer: 0, spin: 0, waiting: false };
 

@@ -168,3 +168,4 @@ readAddress();
 language();
 draw();
 if (practice.seed) practice.toggle();
+else setTimeout(() => { live.scan(); zones(); later(); }, 60);
