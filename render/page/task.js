@@ -43,7 +43,7 @@ const task = {
     if (t.kind === "known") return row(practice.goal(practice.equation).map(g => `<button type="button" class="term known${practice.given(g.name)}" data-do="known" data-term="${g.name}" aria-label="${spoken(g.name)}: ${say("known" + practice.given(g.name))}"><b>${html(g.name)}</b></button>`).join("") + this.button("check", say("check"))) + last;
     if (t.kind === "sense") return row(this.button("ccw", "↺ " + say("ccw")) + this.button("cw", "↻ " + say("cw"))) + this.ruler() + last;
     if (t.kind === "mark") return row(TOOLS.map(n => `<button type="button" id="tool-${n}" data-do="tool" data-tool="${n}" aria-pressed="${desk.tool === n}">${say("tool_" + n)}</button>`).join("")) + row(this.hand()) + last;
-    return row(`<span>${this.told()}</span><label>${t.kind === "mu" ? "μ" : html(t.what.replace(/[‖|]/g, ""))} = <input id="figure" type="text" inputmode="decimal" autocomplete="off"></label> ${t.kind === "mu" ? this.unit(t.what) : (data.units[t.what] || {})[state.lang] || ""} ${this.button("number", say("check"))}`) + this.ruler() + last;
+    return row(`<span>${this.told()}</span><label><span>${t.kind === "mu" ? "μ" : html(t.what.replace(/[‖|]/g, ""))} =</span> <input id="figure" type="text" inputmode="decimal" autocomplete="off"></label> ${t.kind === "mu" ? this.unit(t.what) : (data.units[t.what] || {})[state.lang] || ""} ${this.button("number", say("check"))}`) + this.ruler() + last;
   },
   told() { // numbers the question needs that are not asked themselves
     const asked = new Set(practice.items.filter((t, k) => t.kind === "number" && !practice.done.has(k)).map(t => t.what.replace(/[‖|]/g, "")));
