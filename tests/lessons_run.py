@@ -32,10 +32,10 @@ from planes.scene import load
 from planes.solving import plans_of
 from planes.words.errors import PlanFailure
 from planes.words.names import plan_of
-from render.page.lesson_page import page as written
 from tests.helpers import ROOT
 from tests.helpers.browser import chromium, watched
 from tests.helpers.firefox import firefox
+from tests.helpers.lessons import lesson_written
 
 ASSIGNMENTS = (3, 6, 9, 11, 14, 17, 21, 24, 27, 30, 34, 38, 41, 45, 48, 52, 56, 60, 64, 67)
 PLACES, DIMENSIONS = 40, 20
@@ -189,15 +189,14 @@ def main() -> int:
                 for file in scenes():
                     if args.only not in file.as_posix() or time.monotonic() > end:
                         continue
-                    target = Path(folder) / "lesson.html"
                     data = lesson_data(load(str(file)))
-                    target.write_text(written(data, "ru"), encoding="utf-8")
+                    address = lesson_written(Path(folder), file, data=data)
                     one.errors.clear()
-                    one.goto(target.as_uri())
+                    one.goto(address)
                     found = count(one, file, data, args.places, args.dimensions)
                     if data["moves"]:
                         speed(one, found, len(data["frames"]))
-                    found.size = target.stat().st_size
+                    found.size = (Path(folder) / f"{file.stem}.html").stat().st_size
                     bad += bool(found.wrong)
                     print(name, file.stem, found, *(f"\n    {w}" for w in found.wrong[:12]), flush=True)
     return min(bad, 1)

@@ -12,7 +12,6 @@ from functools import cached_property, partial
 import numpy
 
 from planes.drafting.drawing import Drawing, run
-from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
@@ -20,10 +19,12 @@ from planes.drafting.tools import Thing
 from planes.lesson import Teller, value_of
 from planes.lesson.formulas import mu_said, slot, unit
 from planes.lesson.frame import Frame, in_both, needed
+from planes.lesson.kit import Kit
 from planes.lesson.live import Knobs, Live
-from planes.lesson.practice import Practice, sentences, told_values
+from planes.lesson.practice import JUDGING, Practice, sentences, told_values
 from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
+from planes.lesson.written import equation_written
 from planes.plans import Plans
 from planes.plans.measuring import formula_of, lettering, say_plan
 from planes.plans.scales import fits_on, scales
@@ -70,7 +71,7 @@ class Told:
     @cached_property
     def equations(self) -> list[Json]:
         """The vector equations as they are written."""
-        return [_equation(self.plans, e) for e in self.plans.equations]
+        return [equation_written(self.plans, e) for e in self.plans.equations]
 
     @cached_property
     def drive(self) -> Json:
@@ -88,6 +89,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     """The lesson of a scene; ``progress`` hears how far the catalogue of mistakes is drawn. Errors as :class:`Told`."""
     told = Told.of(scene)
     plans, drawing, knobs, frames = told.plans, told.drawing, told.knobs, told.frames
+    kit = Kit(plans, drawing)
     return {
         "title": dict(scene.title),
         "moves": plans.moves,
@@ -106,7 +108,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
         "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
         "equations": told.equations,
-        "frames": [{**vars(f), "values": told_values(f)} for f in frames],
+        "frames": [{**vars(f), "values": told_values(f), "tools": kit.of_frame(f)} for f in frames],
         "results": (results := _results(plans)),
         "units": {n: in_both(partial(unit, n)) for n in needed(frames) if unit(n, "en")},
         **_live(told, [r["value"] for r in results], progress),
@@ -147,7 +149,11 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
         {
             "marks": marks,
             "turned": {d: drawn[d] for d in dict.fromkeys([*ways, *lines]) if d in drawn},
-            "values": {**{n: value_of(n, told.teller, drawn) for n in names}, **live.numbers},
+            "values": {
+                **{n: value_of(n, told.teller, drawn) for n in names},
+                **live.numbers,
+                **told.practice.senses(drawn),
+            },
             "sharp": sharp,
             "holds": {str(k): ok for k, (ok, _) in enumerate(fails)},
             "slips": wrong,
@@ -157,7 +163,13 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     blunt = {n: in_both(partial(_blunt, n)) for n in sharp}
     helpers = [*(n for n in marks if n in plans.helpers), *own]
     places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(slips)]
-    asked = {"practice": told.practice.items(), "lines": lines, "mistakes": sentences(slips), "id": told.practice.id}
+    asked: Json = {
+        "judging": JUDGING,
+        "practice": told.practice.items(),
+        "lines": lines,
+        "mistakes": sentences(slips),
+        "id": told.practice.id,
+    }
     return {**places, **asked, "tape": tape, "holds": holds, "blunt": blunt, "helpers": helpers}
 
 
@@ -212,33 +224,6 @@ def _traces(drawing: Drawing) -> Json:
             case CrossArcs():
                 found[name] = {"arcs": [step.centre, step.other]}
     return found
-
-
-def _equation(plans: Plans, e: Equation) -> Json:
-    """An equation as it is written: without the vectors that are nothing, a vector along the frame's guide itself."""
-    if not e.total:
-        sides = [[{**_term(plans, e.plan, t), "minus": sign < 0} for sign, t in side] for side in e.written]
-        return {"plan": e.plan, "total": None, "closed": e.closed, "sides": sides}
-    total: Json | None = {"name": e.total, "action": "", "known": 0}
-    sides = []
-    for chain in e.chains:
-        alone = [t for t in chain if total and whole(e, t.name) == e.total and t.name != e.total]
-        if alone and total:
-            total.update(action=_acted(plans, alone[0]), known=alone[0].known)
-        elif chain:
-            sides.append([{**_term(plans, e.plan, t), "minus": t.sign < 0} for t in chain])
-    return {"plan": e.plan, "total": total, "closed": False, "sides": sides}
-
-
-def _term(plans: Plans, plan: str, t: Term) -> Json:
-    start, end = (at(plan, label) for label in ((t.start, t.end) if t.sign > 0 else (t.end, t.start)))
-    own = {"name": t.name, "start": start, "end": end, "at": at(plan, t.end)}
-    return {**own, "action": _acted(plans, t), "known": t.known}
-
-
-def _acted(plans: Plans, t: Term) -> str:
-    """The line of action beneath a term."""
-    return plans.means[t.direction].action if t.direction else t.action
 
 
 def _results(plans: Plans) -> list[Json]:

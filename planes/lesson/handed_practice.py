@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from planes.lesson import value_of
 from planes.lesson.live import Live
-from planes.lesson.practice import goal
+from planes.lesson.practice import JUDGING, goal
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.names import mu_of, plan_of
@@ -22,9 +22,6 @@ from planes.words.records import Json
 if TYPE_CHECKING:
     from planes.lesson.data import Told
 
-FITS_MM, FITS_SHARE, NUMBER_SHARE, RULER_MM, SCALE_SHARE = 1.0, 0.01, 0.03, 0.5, 0.01
-FRESH, SWING, DRAWS = 0.12, 40.0, 200
-"""How a page judges answers, and chooses fresh numbers (``practice.js``)."""
 SUFFIX, HEAD, LARGEST = ".practice", "planes-practice", 200_000
 
 
@@ -84,10 +81,14 @@ class PracticeJudge:
         self.live = Live(told.plans.program, told.given)
         drawn, trials = self.live.drawing, told.plans.program.trials
         self.marks = [item["what"] for item in self.items if item["kind"] == "mark"]
+        slips, wrong = told.practice.slips(self.live)
+        self.slips = [(slip["at"], f"wrong {k}") for k, slip in enumerate(slips)]
         sharp = {n: z for n, z in drawn.sharpness.items() if n not in trials and plan_of(n) != "motion"}
         self.things = {
             **{f"{m}": drawn[m] for m in self.marks},
             **{f"= {n}": value_of(n, told.teller, drawn) for n in told.practice.values},
+            **{f"= {n}": z for n, z in told.practice.senses(drawn).items()},
+            **{f"wrong {k}": z for k, z in wrong.items()},
             **{f"sharp {n}": z for n, z in sharp.items()},
             **{f"holds {k}": ok for k, (_, _, ok, _) in enumerate(self.live.tool.failures)},
         }
@@ -116,20 +117,29 @@ class PracticeJudge:
         if kind == "known":
             return answer == goal(self.told.equations[what])
         if kind == "mark":
-            fits = max(FITS_MM, FITS_SHARE * self.size(plan_of(what) or "", numbers))
             pair = isinstance(answer, list) and len(answer) == 2 and all(isinstance(x, (int, float)) for x in answer)
-            return pair and isinstance(answer, list) and abs(complex(*answer) - numbers[what]) <= fits
+            return (
+                pair and isinstance(answer, list) and abs(complex(*answer) - numbers[what]) <= self.fits(what, numbers)
+            )
         if not isinstance(answer, (int, float)):
             return False
         if kind == "mu":
             mu = given[mu_of(what)]
             true = mu if self.told.scene.mu_convention == "mm_per_unit" else 1 / mu
-            return abs(answer - true) <= SCALE_SHARE * true
+            return bool(abs(answer - true) <= JUDGING["scale_share"] * true)
         value = numbers[f"= {what}"].real
         if kind == "sense":
             return answer == math.copysign(1, value)
-        ruler = RULER_MM / given[item["mu"]] if item["mu"] else 0.0
-        return abs(abs(answer) - abs(value)) <= max(NUMBER_SHARE * abs(value), ruler)
+        ruler = JUDGING["ruler_mm"] / given[item["mu"]] if item["mu"] else 0.0
+        seen = (answer, value) if "signed" in item else (abs(answer), abs(value))
+        return bool(abs(seen[0] - seen[1]) <= max(JUDGING["number_share"] * abs(value), ruler))
+
+    def fits(self, mark: str, numbers: Mapping[str, complex]) -> float:
+        """How near a mark must be, mm: nearer to its place than to where any mistake puts it, as far as a hand can."""
+        wide = max(JUDGING["fits_mm"], JUDGING["fits_share"] * self.size(plan_of(mark) or "", numbers))
+        wrong = (abs(numbers[slip] - numbers[mark]) for at, slip in self.slips if at == mark)
+        nearest = min((off for off in wrong if off == off), default=math.inf)
+        return float(max(JUDGING["least_mm"], min(wide, nearest / 2)))
 
     def size(self, plan: str, numbers: Mapping[str, complex]) -> float:
         """How large a plan is: the farthest of its marks, mm."""
@@ -140,8 +150,8 @@ class PracticeJudge:
         plans = [p for p in self.told.plans.drawn if p != "motion"]
         home = self.live.numbers_of(self.things, self.home)
         sizes, sharp = [self.size(p, home) for p in plans], _bluntest(home)
-        for k in range(DRAWS):
-            given = self.drawn(random(seed * DRAWS + k))
+        for k in range(JUDGING["draws"]):
+            given = self.drawn(random(seed * JUDGING["draws"] + k))
             now = self.live.numbers_of(self.things, given)
             holds = all(now[n].real for n in now if n.startswith("holds "))
             near = all(0.5 * s <= self.size(p, now) <= 1.8 * s for p, s in zip(plans, sizes, strict=True))
@@ -155,13 +165,13 @@ class PracticeJudge:
         for knob in self.told.knobs.all():
             name = knob["given"]
             if "plan" not in knob and name != drive["given"]:
-                new = float(f"{knob['at'] * (1 + FRESH * (2 * draw() - 1)):.3g}")
+                new = float(f"{knob['at'] * (1 + JUDGING['fresh'] * (2 * draw() - 1)):.3g}")
                 for tied, power in knob["tied"].items():
                     given[tied] *= (new / given[name]) ** power
                 given[name] = new
         if not drive["held"]:
             turn, reach = 2 * draw() - 1, drive["to"] - drive["from"]
-            turned = math.floor(drive["at"] + SWING * turn + 0.5)
+            turned = math.floor(drive["at"] + JUDGING["swing"] * turn + 0.5)
             given[drive["given"]] = (
                 turned if drive["symbol"] == "φ" else float(f"{drive['at'] + reach / 20 * turn:.3g}")
             )

@@ -6,7 +6,7 @@ The catalogue's variants are drawn on the lesson's own tape, so a page knows the
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from hashlib import sha256
 
 from planes.check.grading.handwork import Variant
@@ -17,13 +17,15 @@ from planes.drafting.steps import Image, LayOff, Similar, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.tools import Thing
+from planes.geometry.arrays import Floats
 from planes.lesson.formulas import SLOT, slots
 from planes.lesson.frame import Frame, in_both
 from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
+from planes.lesson.scheme import arms
 from planes.plans import Plans
 from planes.words import Phrase, say, table
-from planes.words.names import at, mu_of, plan_of
+from planes.words.names import at, letter_of, mu_of, plan_of
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
@@ -32,8 +34,22 @@ APART_MM = 0.3  # a wrong place nearer than this to the right one is no mistake
 NOTHING = 1e-7  # a value that is nothing
 PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "normal", "force", "gap", "vector")
 NUMBERS = {m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")}
+SENSE, MOMENTS = "↺", ("M", "MI")
 LENGTHS = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}
 """Slips of who reckons: in values, in lengths laid off."""
+JUDGING: Json = {
+    "fits_mm": 1.0,
+    "fits_share": 0.01,
+    "least_mm": 0.5,
+    "number_share": 0.03,
+    "ruler_mm": 0.5,
+    "scale_share": 0.01,
+    "fresh": 0.12,
+    "swing": 40.0,
+    "draws": 200,
+}
+"""How answers are judged, in a page and where a code is read again: a mark that fits, of its plan's size, never nearer
+than a hand draws; a number; a ruler's reading; a scale. Then how far fresh numbers go, and how often they are drawn."""
 CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
@@ -57,7 +73,8 @@ class Practice:
             for kind, name in self.of_frame(f):
                 if (kind, plain(str(name))) not in asked:
                     asked.add((kind, plain(str(name))))
-                    more = {"mu": self.read_at(str(name))} if kind == "number" else {}
+                    more: Json = {"mu": self.read_at(str(name))} if kind == "number" else {}
+                    more |= {"signed": True} if kind == "number" and letter_of(str(name)) in MOMENTS else {}
                     found.append({"frame": k, "kind": kind, "what": name, **more})
         return found
 
@@ -74,8 +91,26 @@ class Practice:
             given = {name, f"{name}_given"} & {*self.plans.given}
             if how == "v" and not given and abs(self.values.get(name, 0.0)) > NOTHING:
                 yield "number", name
+        if f.moments is not None and (sense := f"{SENSE}{self.plans.moments[f.moments].unknown}") in self.turning:
+            yield "sense", sense
         if mark:
             yield "mark", mark
+
+    @cached_property
+    def turning(self) -> dict[str, Floats]:
+        """Which way each tangential reaction turns its link about the point of its moments, of those that do."""
+        found = self.senses(self.drawing)
+        return {n: z for n, z in found.items() if abs(z) > NOTHING}
+
+    def senses(self, drawn: Drawing) -> dict[str, Thing]:
+        """The moments of tangential reactions on paper, in a drawing: plus is counter-clockwise."""
+        found = {}
+        for moment, told in zip(self.plans.moments, arms(self.plans), strict=True):
+            for f in told["forces"]:
+                if f["name"] == moment.unknown and f["foot"] is None and f["mark"] in drawn:
+                    lever = drawn[f["mark"]] - drawn[told["about"]]
+                    found[f"{SENSE}{f['name']}"] = (lever.conjugate() * drawn[f["along"]]).imag * drawn[f["size"]]
+        return found
 
     @property
     def scaled(self) -> set[str]:

@@ -1,14 +1,14 @@
 "use strict";
 // A panel of ink: maps millimetres of paper to pixels, draws lines and arrows between the marks of the tape, places labels.
-const NS = "http://www.w3.org/2000/svg", UPON = 40; // what a label upon another one costs: more than any number of strokes
+const NS = "http://www.w3.org/2000/svg", UPON = 40, ROUNDS = 4; // what a label upon another one costs: more than any number of strokes
 const LETTERS = JSON.parse(document.getElementById("letters").textContent);
 
 function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: as a sheet has it
   const own = LETTERS[document.documentElement.lang] || {}, first = Object.values(LETTERS)[0], full = `${plan}:${name}`;
   return own[full] || first[full] || own[name] || first[name] || [[name, ""]];
 }
+function safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); }
 function html(name, plan) { // letters stand up, indices stay whole
-  const safe = t => t.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
   return lettered(name, plan).map(([t, k]) => k ? `<${k}>${safe(t)}</${k}>` : safe(t)).join("");
 }
 function svg(tag, attributes, parent) {
@@ -45,6 +45,9 @@ function gap(p, [a, b]) { // from a point to a stroke, px
   const t = n ? Math.max(0, Math.min(1, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / n)) : 0;
   return Math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
 }
+function crowds(a, b, size) { // whether labels stand upon one another, [x, y, half the width]
+  return a[2] + b[2] + 3 > Math.abs(a[0] - b[0]) && size * 1.32 > Math.abs(a[1] - b[1]);
+}
 function union(a, b) {
   return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])];
 }
@@ -64,6 +67,7 @@ class Figure { // millimetres y up -> pixels y down
   }
   start(box) {
     this.node.textContent = "";
+    this.view = box;
     const [w, h] = this.size || this.real;
     const pad = (this.size ? 26 : w < 520 ? 30 : 44) + (this.more || 0), bw = Math.max(box[2] - box[0], 1), bh = Math.max(box[3] - box[1], 1);
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);
@@ -100,35 +104,54 @@ class Figure { // millimetres y up -> pixels y down
     return g;
   }
   put(names, spots, plan, joint) { // a label at the best of some places: clear of strokes and of other labels
-    const size = this.letter, half = wide(names, plan, size) / 2, tall = size * 0.5;
-    const key = names.join(" "), kept = this.kept.get(key), all = spots(half, tall);
+    const size = this.letter, half = wide(names, plan, size) / 2, label = { names, half, size, all: spots(half, size * 0.5), key: names.join(" ") };
+    const [x, y] = this.best(label);
+    label.node = letters(this.node, names, x.toFixed(1), (y + size * 0.34).toFixed(1), size, plan, joint);
+    this.taken.push([x, y, half, label]);
+    return label.node;
+  }
+  best(label) { // where it was last time, unless another place is better: a label does not jump for little
+    const { all, key } = label, kept = this.kept.get(key);
     let best = null;
-    for (let k = -1; k < all.length; k++) { // first where it was last time: a label does not jump for little
+    for (let k = -1; k < all.length; k++) {
       const n = k < 0 ? kept : k;
       if (n === undefined || n >= all.length || (k >= 0 && n === kept)) continue;
-      const [x, y, own] = all[n];
-      let cost = own - (k < 0 ? 0.6 : 0);
-      if (best && cost >= best[0]) continue;
-      for (const s of this.strokes) for (const o of [-0.8, 0, 0.8]) {
-        const d = gap([x + o * half, y], s);
-        if (d < tall + 3) cost += (tall + 3 - d) / tall;
-      }
-      for (const t of this.taken) {
-        const ox = half + t[2] + 3 - Math.abs(x - t[0]), oy = size * 1.32 - Math.abs(y - t[1]);
-        if (ox > 0 && oy > 0) cost += UPON;
-      }
-      if (x - half < 2 || x + half > this.w - 2 || y - tall < 2 || y + tall > this.h - 2) cost += 6;
-      if (!best || cost < best[0]) best = [cost, x, y, n];
+      const own = all[n][2] - (k < 0 ? 0.6 : 0);
+      if (best && own >= best[0]) continue;
+      const cost = this.price(label, all[n], own);
+      if (!best || cost < best[0]) best = [cost, n];
       if (k < 0 && cost <= 0) break;
     }
-    this.kept.set(key, best[3]);
-    this.taken.push([best[1], best[2], half]);
-    return letters(this.node, names, best[1].toFixed(1), (best[2] + size * 0.34).toFixed(1), size, plan, joint);
+    this.kept.set(key, best[1]);
+    return all[best[1]];
+  }
+  price({ half, size }, [x, y], own) { // what a place costs: strokes, other labels, the edge of the figure
+    const tall = size * 0.5;
+    let cost = own;
+    for (const s of this.strokes) for (const o of [-0.8, 0, 0.8]) {
+      const d = gap([x + o * half, y], s);
+      if (d < tall + 3) cost += (tall + 3 - d) / tall;
+    }
+    for (const t of this.taken) if (crowds([x, y, half], t, size)) cost += UPON;
+    return x - half < 2 || x + half > this.w - 2 || y - tall < 2 || y + tall > this.h - 2 ? cost + 6 : cost;
+  }
+  settle() { // labels upon one another are placed again, now that all are there
+    for (let round = 0; round < ROUNDS; round++) {
+      const crowded = this.taken.filter(t => t[3] && this.taken.some(o => o !== t && crowds(t, o, t[3].size)));
+      for (const t of crowded) {
+        this.taken.splice(this.taken.indexOf(t), 1);
+        const { node, size, half } = t[3], [x, y] = this.best(t[3]);
+        node.setAttribute("x", x.toFixed(1));
+        node.setAttribute("y", (y + size * 0.34).toFixed(1));
+        this.taken.push([x, y, half, t[3]]);
+      }
+      if (!crowded.length) return;
+    }
   }
   beside(p, names, plan, clear = 5) { // around a mark
     return this.put(names, (half, tall) => {
       const found = [];
-      for (const far of [0, 7, 15, 26, 40]) for (let k = 0; k < 16; k++) {
+      for (const far of [0, 7, 15, 26, 40, 58]) for (let k = 0; k < 16; k++) {
         const c = Math.cos(k * Math.PI / 8), s = Math.sin(k * Math.PI / 8);
         found.push([p[0] + c * (half + clear + far), p[1] + s * (tall + clear + far), far * 0.06 + (k % 4 ? 0.05 : 0)]);
       }
@@ -139,7 +162,7 @@ class Figure { // millimetres y up -> pixels y down
     const n = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1, ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
     return this.put(names, (half, tall) => {
       const found = [], off = Math.abs(uy) * half + Math.abs(ux) * tall + 5;
-      for (const t of [0.5, 0.35, 0.65, 0.2, 0.8, 0.95, 0.08]) for (const side of [1, -1]) for (const far of [0, 10, 22, 36, 54]) {
+      for (const t of [0.5, 0.35, 0.65, 0.2, 0.8, 0.95, 0.08]) for (const side of [1, -1]) for (const far of [0, 10, 22, 36, 54, 74, 96]) {
         found.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far), far * 0.05 + Math.abs(t - 0.5)]);
       }
       return found;

@@ -1,24 +1,47 @@
 "use strict";
-// The lesson on paper.
+// The lesson on paper: a page a plan, at the position shown, in its own millimetres where it fits; its steps beneath.
+const PAPER = 96 / 25.4, WIDEST = [690, 400], BODY = [250, 215], ARMS = [300, 200];
 
-function handout() { // every frame as a numbered picture and its sentence, for printing
-  let last = "";
-  const own = live.altered.map(n => data.knobs.find(k => k.given === n)).map(k => `; ${k.plan ? "μ" : html(k.name)} = ${number(live.given[k.given])} ${k.plan ? "" : k.unit[state.lang]}`);
-  $("handout").innerHTML = `<p>${$("value").textContent}${own.join("")}</p>`;
+function parts() { // the frames of each plan; moments belong to the plan that needs them
+  const found = [];
   data.frames.forEach((f, k) => {
-    const key = planOf(k), onScheme = f.plan === "position", p = data.plans.find(p => p.key === f.plan);
-    if (f.plan !== last && !(onScheme && f.moments !== null)) {
-      $("handout").insertAdjacentHTML("beforeend", `<h2>${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])}</h2>`);
-      last = f.plan;
-    }
-    const item = document.createElement("article"), figure = svg("svg", { class: "figure" });
-    item.innerHTML = `<h3>${k + 1}</h3>`;
-    item.appendChild(figure);
-    if (onScheme) new Scheme(figure, data, [350, 205]).draw(seenAt(k), f);
-    else new Plan(figure, data, [350, 205]).show(key, seenAt(k), f);
-    const begins = f.equation !== null && data.frames.findIndex(g => g.equation === f.equation) === k && !onScheme;
-    const equation = begins ? lines(data.equations[f.equation], false, f, data.frames.length) : "";
-    item.insertAdjacentHTML("beforeend", `${equation}<p>${sentence(f.said[state.lang], f.plan)}</p><p class="why">${sentence(f.why[state.lang], f.plan)}</p>`);
-    $("handout").appendChild(item);
+    const last = found[found.length - 1], links = f.plan === "position" && f.moments !== null ? data.moments[f.moments].links : [];
+    const key = data.plans.find(p => p.links.includes(links[0]))?.key || f.plan;
+    if (last && last.key === key) last.frames.push(k); else found.push({ key, frames: [k] });
   });
+  return found;
+}
+function drawn(key, k, most, parent, shown = {}) { // a figure no larger than that, at 1:1 if it can be
+  const node = svg("svg", { class: "figure" }, parent), figure = key === "position" ? new Scheme(node, data, most) : new Plan(node, data, most), seen = seenAt(k);
+  const paint = () => key === "position" ? figure.draw(seen, shown.frame) : figure.show(key, seen, shown.frame);
+  paint();
+  if (shown.full && figure.k >= PAPER) {
+    figure.size = most.map((side, i) => Math.min(side, side - (figure.k - PAPER) * (figure.view[i + 2] - figure.view[i])));
+    paint();
+  }
+  node.setAttribute("width", figure.w);
+  node.setAttribute("height", figure.h);
+  return Math.abs(figure.k - PAPER) < 1e-6;
+}
+function handout() {
+  const own = live.altered.map(n => data.knobs.find(k => k.given === n)).map(k => `; ${k.plan ? "μ" : html(k.name)} = ${number(live.given[k.given])} ${k.plan ? "" : k.unit[state.lang]}`);
+  $("handout").innerHTML = "";
+  for (const { key, frames } of parts()) {
+    const page = $("handout").appendChild(document.createElement("article")), p = data.plans.find(p => p.key === key), last = frames[frames.length - 1], f = data.frames[last];
+    page.innerHTML = `<h2>${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])} <small>${$("value").textContent}${own.join("")}</small></h2><div class="figures"></div>`;
+    const figures = page.querySelector(".figures"), group = key.startsWith("force") && p.links.length;
+    const exact = drawn(key, last, group ? [WIDEST[0] - BODY[0] - 10, WIDEST[1]] : WIDEST, figures, { full: true });
+    if (exact) page.querySelector("small").insertAdjacentText("beforeend", "; 1 : 1");
+    if (group) drawn("position", last, BODY, figures, { frame: data.frames[frames.filter(k => data.frames[k].plan === key).pop()] });
+    page.insertAdjacentHTML("beforeend", "<ol></ol>");
+    frames.forEach(k => step(k, page.lastChild));
+  }
+}
+function step(k, list) { // what is said of a frame; the equation it begins; the arms of a moment equation
+  const f = data.frames[k], item = document.createElement("li"), onScheme = f.plan === "position";
+  item.value = k + 1;
+  const begins = f.equation !== null && data.frames.findIndex(g => g.equation === f.equation) === k && !onScheme;
+  item.innerHTML = `${begins ? lines(data.equations[f.equation], false, f, data.frames.length) : ""}<p>${sentence(f.said[state.lang], f.plan)}</p><p class="why">${sentence(f.why[state.lang], f.plan)}</p>`;
+  if (onScheme && f.moments !== null && f.key === "moments") drawn("position", k, ARMS, item, { frame: f });
+  list.appendChild(item);
 }

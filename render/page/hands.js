@@ -1,16 +1,16 @@
 "use strict";
 // What a reader's hand changes: the crank, the given numbers, what is dragged, the scale where a plan grows.
-const LOOK_MS = 180;
+const LOOK_MS = 180, REST_MS = 400;
 
-function quiet() { // readers of the screen hear of a change when it has come to rest
-  $("told").setAttribute("aria-live", "off");
-  $("zone").setAttribute("aria-live", "off");
-  clearTimeout(quiet.timer);
-  quiet.timer = setTimeout(() => { for (const id of ["told", "zone"]) $(id).setAttribute("aria-live", "polite"); }, 600);
+function heard() { // readers of the screen hear what there is once it has come to rest
+  clearTimeout(heard.timer);
+  heard.timer = setTimeout(() => {
+    const parts = practice.on ? ["#task .said", "#h"] : ["#sentence", "#why", "#zone", "#large", "#follow"];
+    put("heard", parts.map(p => document.querySelector(p)?.textContent.trim()).filter(Boolean).map(safe).join(" "));
+  }, REST_MS);
 }
-function turn(value) { quiet(); live.set({ [data.drive.given]: placed(value) }); writeAddress(); later(); }
+function turn(value) { live.set({ [data.drive.given]: placed(value) }); writeAddress(); later(); }
 function change(numbers) { // given numbers; the whole turn is looked at when they rest
-  quiet();
   live.set(numbers);
   writeAddress();
   clearTimeout(change.timer);
@@ -70,13 +70,12 @@ function spin(on = !state.spin) { // the crank goes round by itself, a turn in s
   cancelAnimationFrame(state.spin);
   state.spin = 0;
   $("spin").textContent = on ? "❚❚" : "⟳";
-  if (!on) return;
+  if (!on) { later(); return; }
   const { from, to, symbol } = data.drive, round = symbol === "φ" && !live.zones.some(z => z.kind === "bad");
   let way = 1, last = 0;
   const next = now => {
     const was = live.drive, step = way * (to - from) * Math.min(now - (last || now), 100) / 6000;
     last = now;
-    quiet();
     live.set({ [data.drive.given]: round ? placed(was + step) : was + step });
     if (!round && (live.failed || live.drive < from || live.drive > to)) { way = -way; live.set({ [data.drive.given]: was }); }
     draw();

@@ -6,27 +6,30 @@ const LENGTHS = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 1
 const COMMON = [Array.from({ length: 288 }, (_, k) => k < 144 ? 8 : k < 256 ? 9 : k < 280 ? 7 : 8), new Array(30).fill(5)]; // trees of a block without its own
 
 function inflated(text) {
-  const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0)), out = [];
-  let bit = 0;
-  const bits = n => { let v = 0; for (let k = 0; k < n; k++, bit++) v |= (bytes[bit >> 3] >> (bit & 7) & 1) << k; return v; };
-  const tree = lengths => { // how many codes of each length, and the symbols in order of their codes
-    const count = new Array(16).fill(0), first = [0, 0], symbols = [];
-    for (const n of lengths) count[n]++;
-    count[0] = 0;
-    for (let n = 1; n < 15; n++) first[n + 1] = first[n] + count[n];
-    lengths.forEach((n, s) => { if (n) symbols[first[n]++] = s; });
-    return { count, symbols };
+  const read = atob(text), bytes = new Uint8Array(read.length);
+  for (let k = 0; k < bytes.length; k++) bytes[k] = read.charCodeAt(k);
+  let out = new Uint8Array(8 * bytes.length), end = 0, held = 0, count = 0, at = 0;
+  const need = n => { for (; count < n; count += 8) held |= bytes[at++] << count; };
+  const bits = n => { need(n); const v = held & ((1 << n) - 1); held >>>= n; count -= n; return v; };
+  const tree = lengths => { // by as many bits as the longest code has: a symbol and the length of its code
+    const most = Math.max(...lengths), found = new Uint16Array(1 << most);
+    for (let n = 1, code = 0; n <= most; n++, code <<= 1) lengths.forEach((long, s) => {
+      if (long !== n) return;
+      let back = 0;
+      for (let k = 0; k < n; k++) back |= (code >> k & 1) << (n - 1 - k);
+      for (code++; back < found.length; back += 1 << n) found[back] = s << 4 | n;
+    });
+    return { most, found };
   };
-  const symbol = ({ count, symbols }) => {
-    for (let code = 0, first = 0, index = 0, n = 1; n < 16; n++) {
-      code |= bits(1);
-      if (code < first + count[n]) return symbols[index + code - first];
-      index += count[n];
-      first = (first + count[n]) << 1;
-      code <<= 1;
-    }
-    throw new Error("packed data");
+  const symbol = ({ most, found }) => {
+    need(most);
+    const one = found[held & ((1 << most) - 1)], n = one & 15;
+    if (!n || at > bytes.length + 2) throw new Error("packed data");
+    held >>>= n;
+    count -= n;
+    return one >> 4;
   };
+  const room = n => { if (end + n > out.length) { const more = new Uint8Array(2 * out.length + n); more.set(out); out = more; } };
   const table = () => { // the two trees of a block
     const literals = bits(5) + 257, all = literals + bits(5) + 1, own = bits(4) + 4, sizes = new Array(19).fill(0), lengths = [];
     for (let k = 0; k < own; k++) sizes[LENGTHS[k]] = bits(3);
@@ -41,11 +44,12 @@ function inflated(text) {
     last = bits(1);
     const [letters, ways] = bits(2) === 1 ? COMMON.map(tree) : table();
     for (let s; (s = symbol(letters)) !== 256;) {
-      if (s < 256) { out.push(s); continue; }
+      if (s < 256) { room(1); out[end++] = s; continue; }
       s -= 257;
       const long = LONG[s] + bits(s < 8 || s > 27 ? 0 : (s - 4) >> 2), w = symbol(ways), far = FAR[w] + bits(w < 4 ? 0 : (w - 2) >> 1);
-      for (let k = 0; k < long; k++) out.push(out[out.length - far]);
+      room(long);
+      for (let k = 0; k < long; k++, end++) out[end] = out[end - far];
     }
   }
-  return new TextDecoder().decode(Uint8Array.from(out));
+  return new TextDecoder().decode(out.subarray(0, end));
 }

@@ -1,7 +1,7 @@
 "use strict";
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
 const $ = id => document.getElementById(id);
-const live = new Live(data);
+const live = new Live(data, LOOKS); // the whole turn is looked at once the first picture is there
 const scheme = new Scheme($("scheme"), data), plan = new Plan($("plan"), data);
 const state = { frame: 0, lang: document.documentElement.lang, timer: 0, spin: 0, waiting: false };
 
@@ -47,6 +47,8 @@ function draw() {
   crank();
   large(key);
   if (practising) practice.paint();
+  kit.show(practising || state.spin ? null : f, false);
+  heard();
 }
 function facing(f) { // on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
   const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;
@@ -77,7 +79,13 @@ function language() {
   $("lang").textContent = state.lang === "ru" ? "English" : "Русский";
 }
 function later() { if (!state.waiting) { state.waiting = true; requestAnimationFrame(draw); } }
-function go(frame) { state.frame = clamp(frame, 0, data.frames.length - 1); writeAddress(); draw(); }
+function go(frame) { // one forward with the tools at work
+  const next = clamp(frame, 0, data.frames.length - 1), forward = next === state.frame + 1;
+  state.frame = next;
+  writeAddress();
+  draw();
+  if (forward) kit.show(data.frames[next], true);
+}
 function play() {
   if (state.timer) { clearInterval(state.timer); state.timer = 0; }
   else state.timer = setInterval(() => state.frame + 1 < data.frames.length ? go(state.frame + 1) : play(), 3500);

@@ -17,8 +17,8 @@ SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
     key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad")
 }
 """Words of the page that stand in other tables."""
-SCRIPTS = ("inflate", "tape", "figure", "scheme", "plan", "live", "words", "grips")
-OWN = ("handout", "lesson", "hands", "desk", "practice", "task")
+SCRIPTS = ("inflate", "tape", "figure", "scheme", "plan", "lens", "live", "words", "grips")
+OWN = ("handout", "kit", "lesson", "hands", "desk", "practice", "task")
 NOSCRIPT = (
     "Страница рисует план сама: включите JavaScript. / The page draws the plans itself: please enable JavaScript."
 )

@@ -1,14 +1,14 @@
 "use strict";
 // The program at work: given numbers in, marks, values and failures out; what a whole turn shows; what follows a hand.
-const TURN = 360, BLUNT = Math.sin(Math.PI / 12), REACHED = 0.01;
+const TURN = 360, LOOKS = 5, BLUNT = Math.sin(Math.PI / 12), REACHED = 0.01;
 
 class Live {
-  constructor(data) {
+  constructor(data, by = 1) {
     this.data = data;
     this.tape = new Tape(data.tape);
     this.given = { ...data.home };
     this.run();
-    this.scan();
+    this.scan(by);
   }
   get drive() { return this.given[this.data.drive.given]; }
   get at_home() { return Object.entries(this.data.home).every(([n, v]) => this.given[n] === v); }
@@ -43,12 +43,12 @@ class Live {
     return Number.isFinite(v) ? v : null;
   }
   sharpness(mark) { return this.tape.values[this.data.sharp[mark]]; }
-  scan() { // a turn of the drive: where it fails or is blunt, what is in view, how far sliders run
+  scan(by = 1) { // a turn of the drive: where it fails or is blunt, what is in view, how far sliders run
     const { from, to, at } = this.data.drive, now = this.drive, seen = [], rows = [];
-    for (let k = 0; k < (to > from ? TURN : 1); k++) {
+    for (let k = 0; k < (to > from ? TURN : 1); k += by) {
       this.set({ [this.data.drive.given]: from + k * (to - from) / TURN });
       rows.push({ drive: this.drive, failed: this.failed, ...this.bluntest() });
-      if (!this.failed) seen.push(this.look());
+      if (!this.failed && k % LOOKS === 0) seen.push(this.look());
     }
     this.zones = this.zoned(rows);
     this.set({ [this.data.drive.given]: at });
@@ -142,7 +142,8 @@ class Live {
       const scale = sum(u, u) + sum(w, w), a = sum(u, u) + damp * scale, b = sum(u, w), c = sum(w, w) + damp * scale, det = a * c - b * b;
       if (!(det > 0)) break;
       const p = (c * off[0] - b * off[1]) / det, q = (a * off[1] - b * off[0]) / det, before = { ...this.given };
-      this.set(Object.fromEntries(names.map((n, i) => [n, before[n] + Math.max(-0.5, Math.min(0.5, u[i] * p + w[i] * q)) * this.size(n)])));
+      const moved = (n, i) => before[n] + Math.max(-0.5, Math.min(0.5, u[i] * p + w[i] * q)) * this.size(n);
+      this.set(Object.fromEntries(names.map((n, i) => [n, n === this.data.drive.given ? placed(moved(n, i)) : moved(n, i)])));
       const kept = names.every((n, i) => n === this.data.drive.given || n.startsWith("angle_") || !before[n] || before[n] * this.given[n] > 0), now = kept && miss();
       if (now && Math.hypot(...now) < Math.hypot(...off)) { off = now; damp = Math.max(damp / 10, 1e-12); }
       else { this.back(before); damp *= 10; }

@@ -21,6 +21,7 @@ class Plan extends Figure {
     const names = [];
     this.places = [];
     this.shifted = false;
+    this.drawn = [];
     const upto = frame ? this.data.frames.indexOf(frame) - (hidden ? 1 : 0) : this.data.frames.length;
     const begun = s => !force || s.names.some(n => born(n, key) <= upto);
     for (const s of this.data.segments) if (s.plan === key && begun(s)) this.segment(s, there, lit, force, names);
@@ -36,6 +37,8 @@ class Plan extends Figure {
     if (pole && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
     if (force) for (const [a, b, n] of names) this.along(a, b, n, key);
     else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q, this.fixed(g.names, key), key);
+    this.settle();
+    if (!hidden && !state.spin) this.lenses(key, this.drawn);
   }
   remark() {
     const text = svg("text", { class: "bar-text", x: this.w - 8, y: this.h - 8, "text-anchor": "end" }, this.node);
@@ -49,8 +52,10 @@ class Plan extends Figure {
     if (!a || !b) return;
     const whole = force ? s.names.some(n => !n.includes("^")) : s.start === "p" && !s.corner;
     const on = s.names.some(n => lit.has(n));
+    const kind = (whole ? "result" : "part") + (on ? " lit" : "");
+    this.drawn.push({ a, b, kind, names: s.names });
     if (force) [a, b] = this.aside(a, b);
-    this.arrow(a, b, (whole ? "result" : "part") + (on ? " lit" : ""), s.names.join(" "));
+    this.arrow(a, b, kind, s.names.join(" "));
     if (force && Math.hypot(b[0] - a[0], b[1] - a[1]) > 1) names.push([a, b, s.names]);
   }
   aside(a, b) { // a force that would lie upon another one of the same line is drawn beside it

@@ -1,6 +1,6 @@
 "use strict";
 // Practice: what is asked of the reader, in whatever sensible order; answers are judged by the mistakes on the lesson's tape.
-const TRIES = 3, FITS_MM = 1, FITS_SHARE = 0.01, NUMBER_SHARE = 0.03, RULER_MM = 0.5, SCALE_SHARE = 0.01, FRESH = 0.12, SWING = 40, DRAWS = 200;
+const TRIES = 3, JUDGING = data.judging;
 
 const practice = {
   on: false, seed: 0, index: 0, tries: 0, answers: [], done: new Set(), marks: {}, said: null, over: false, name: "",
@@ -67,7 +67,11 @@ const practice = {
   size(key) { // how large a plan is: the farthest of its marks
     return Math.max(0, ...this.items.filter(t => t.kind === "mark" && t.what.startsWith(key + ":")).map(t => live.at(t.what) ? Math.hypot(...live.at(t.what)) : 0));
   },
-  fits(mark) { return Math.max(FITS_MM, FITS_SHARE * this.size(mark.slice(0, mark.lastIndexOf(":")))); },
+  allowed(mark) { return Math.max(JUDGING.fits_mm, JUDGING.fits_share * this.size(mark.slice(0, mark.lastIndexOf(":")))); },
+  fits(mark) { // nearer to its place than to where any mistake puts it, as far as a hand can
+    const p = live.at(mark), wrong = this.slips(mark).map(s => Math.hypot(s.place[0] - p[0], s.place[1] - p[1]));
+    return Math.max(JUDGING.least_mm, Math.min(this.allowed(mark), ...wrong.map(d => d / 2)));
+  },
   truth(t) {
     if (t.kind === "known") return this.goal(data.equations[t.what]).map(g => g.known).join("");
     if (t.kind === "mark") return live.at(t.what);
@@ -79,8 +83,9 @@ const practice = {
     if (a === null || true_ === null) return false;
     if (t.kind === "known" || t.kind === "sense") return a === true_;
     if (t.kind === "mark") return Math.hypot(a[0] - true_[0], a[1] - true_[1]) <= this.fits(t.what);
-    if (t.kind === "mu") return Math.abs(a - true_) <= SCALE_SHARE * true_;
-    return Math.abs(Math.abs(a) - Math.abs(true_)) <= Math.max(NUMBER_SHARE * Math.abs(true_), t.mu ? RULER_MM / live.given[t.mu] : 0);
+    if (t.kind === "mu") return Math.abs(a - true_) <= JUDGING.scale_share * true_;
+    const [seen, due] = t.signed ? [a, true_] : [Math.abs(a), Math.abs(true_)];
+    return Math.abs(seen - due) <= Math.max(JUDGING.number_share * Math.abs(true_), t.mu ? JUDGING.ruler_mm / live.given[t.mu] : 0);
   },
   goal(e) { return [...terms(e), ...(e.total.known ? [e.total] : [])].filter(t => t.action !== "=0"); },
   answer(given, said, shown) { // the first answer counts
@@ -106,7 +111,7 @@ const practice = {
   },
   slips(mark) { return data.slips.filter(s => s.at === mark).map(s => ({ ...s, place: live.pair(s.place) })).filter(s => s.place); },
   place(p, stroke) { // a mark put here
-    const t = this.item, fits = this.fits(t.what), at = p.map(v => +v.toFixed(2)), near = q => Math.hypot(q[0] - at[0], q[1] - at[1]) <= fits;
+    const t = this.item, fits = this.allowed(t.what), at = p.map(v => +v.toFixed(2)), near = q => Math.hypot(q[0] - at[0], q[1] - at[1]) <= fits;
     if (this.right(t, at)) { this.answer(at); return; }
     const fit = this.slips(t.what).filter(s => near(s.place)).map(s => [s.m, s.names]), mark = [desk.short(t.what)];
     const true_ = live.at(t.what), way = stroke && stroke.end ? Math.atan2(true_[1] - stroke.at[1], true_[0] - stroke.at[0]) : null, mu = live.given["mu_" + this.frame.plan];
@@ -132,8 +137,9 @@ const practice = {
   number(text) { // a value, or a scale
     const given = parseFloat(String(text).replace(",", ".").replace("−", "-")), t = this.item;
     if (!Number.isFinite(given)) return;
-    const true_ = Math.abs(this.truth(t)), as = v => Math.abs(Math.abs(given) - Math.abs(v)) <= NUMBER_SHARE * Math.abs(v), fit = [];
+    const true_ = Math.abs(this.truth(t)), as = v => Math.abs(Math.abs(given) - Math.abs(v)) <= JUDGING.number_share * Math.abs(v), fit = [];
     const add = (m, v) => { if (v && as(v)) fit.push([m, [t.kind === "mu" ? "μ" : t.what.replace(/[‖|]/g, "")]]); };
+    if (t.signed && given * this.truth(t) < 0) add("sense_wrong", true_);
     if (t.kind === "mu") add("mu_inverted", 1 / true_);
     else {
       const rate = /^(omega|epsilon)_/.test(t.what), mu = live.given[t.mu || "mu_" + this.frame.plan], scheme_ = live.given.mu_position;
@@ -159,10 +165,10 @@ function random(seed) { // a stream of numbers from 0 to 1: mulberry32
 function fresh(seed) { // other numbers near the scene's, with which everything is drawn as well; false where there are none
   const { given, symbol, held, at, from, to } = data.drive, sizes = () => data.plans.map(p => practice.size(p.key)), blunt = () => Math.min(...Object.keys(data.sharp).map(m => live.sharpness(m)));
   const home = sizes(), sharp = blunt();
-  for (let k = 0; k < DRAWS; k++) {
-    const draw = random(seed * DRAWS + k), numbers = {};
-    for (const n of data.knobs) if (!n.plan && n.given !== given) numbers[n.given] = +(n.at * (1 + FRESH * (2 * draw() - 1))).toPrecision(3);
-    if (!held) numbers[given] = symbol === "φ" ? Math.round(at + SWING * (2 * draw() - 1)) : +(at + (to - from) / 20 * (2 * draw() - 1)).toPrecision(3);
+  for (let k = 0; k < JUDGING.draws; k++) {
+    const draw = random(seed * JUDGING.draws + k), numbers = {};
+    for (const n of data.knobs) if (!n.plan && n.given !== given) numbers[n.given] = +(n.at * (1 + JUDGING.fresh * (2 * draw() - 1))).toPrecision(3);
+    if (!held) numbers[given] = symbol === "φ" ? Math.round(at + JUDGING.swing * (2 * draw() - 1)) : +(at + (to - from) / 20 * (2 * draw() - 1)).toPrecision(3);
     live.back(data.home);
     live.set(numbers);
     const now = live.failed ? [] : sizes();

@@ -30,6 +30,7 @@ class Scheme extends Figure {
       const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n && state.frame >= this.introduced(n));
       this.beside(g.q, [...g.names, ...under], "position", 9).dataset.name = g.names.map(n => "position:" + n).join(" ");
     }
+    this.settle();
   }
   loaded(frame) { // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
     const upto = this.data.frames.indexOf(frame), taken = {};

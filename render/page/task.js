@@ -11,8 +11,15 @@ const task = {
     const said = p.said ? `<p class="said ${p.said[0]}">${p.said[0] === "yes" ? "✓" : "✗"} ${text(p.said[1])}</p>` : "";
     const held = document.activeElement, id = box.contains(held) ? held.id || "h" : "", data_ = held?.dataset?.term;
     const score = `<span class="score">${say("score")}: ${p.good} / ${p.asked}${p.seed ? ` · № ${p.seed}` : ""}</span>`;
-    box.innerHTML = p.over ? this.end(said) : `${score}<h2 id="h" tabindex="-1">${text(this.question())}</h2>${said}${this.fields()}`;
+    const now = p.over ? this.end(said) : `${score}<h2 id="h" tabindex="-1">${text(this.question())}</h2>${said}${this.fields()}`;
     if (!p.over) desk.paint();
+    const same = now.replace(/(<input[^>]*) value="[^"]*"/g, "$1");
+    if (same === task.last) { // the same question: where one was and what was typed stay
+      for (const n of ["mm", "angle"]) if ($(n) && $(n).value !== String(desk[n])) $(n).value = desk[n];
+      return;
+    }
+    task.last = same;
+    box.innerHTML = now;
     if (!id) return;
     const again = data_ ? [...box.querySelectorAll("[data-term]")].find(b => b.dataset.term === data_) : $(id);
     (again && !again.disabled ? again : box.querySelector("#mm, #figure, button[data-do], #h")).focus();
@@ -20,8 +27,9 @@ const task = {
   question() {
     const t = practice.item, f = practice.frame, own = n => `⟨${n}⟩`, unit = (data.units[t.what] || {})[state.lang] || "";
     if (t.kind === "known") return say("ask_known");
+    if (t.kind === "sense" && !f.turns) return say("ask_turning").replace("{force}", own(t.what.slice(1))).replace("{about}", own(desk.short(data.moments[f.moments].about)));
     if (t.kind === "sense") return say("ask_sense").replace("{vector}", own(f.turns.vector)).replace("{rate}", own(t.what)).replace("{point}", own(desk.short(f.turns.point))).replace("{about}", own(desk.short(f.turns.about)));
-    if (t.kind === "number") return `${own(t.what.replace(/[‖|]/g, ""))} = ? ${unit}`;
+    if (t.kind === "number") return `${own(t.what.replace(/[‖|]/g, ""))} = ? ${unit}${t.signed ? ` (${say("plus_ccw")})` : ""}`;
     const mark = practice.items.find(o => o.kind === "mark" && o.what.startsWith((t.kind === "mu" ? t.what : f.plan) + ":")), name = own(t.kind === "mu" ? data.frames[mark.frame].terms[0] || desk.short(mark.what) : desk.short(t.what));
     if (t.kind === "mark") return say(practice.laid && f.terms[0] ? "ask_vector" : "ask_mark").replace("{name}", f.terms.slice(0, 1).map(own)).replace("{mark}", name);
     const start = live.at(data.frames[mark.frame].uses[0]) || [0, 0], end = live.at(mark.what), mm = Math.hypot(end[0] - start[0], end[1] - start[1]);
@@ -35,7 +43,7 @@ const task = {
     if (t.kind === "known") return row(practice.goal(practice.equation).map(g => `<button type="button" class="term known${practice.given(g.name)}" data-do="known" data-term="${g.name}" aria-label="${spoken(g.name)}: ${say("known" + practice.given(g.name))}"><b>${html(g.name)}</b></button>`).join("") + this.button("check", say("check"))) + last;
     if (t.kind === "sense") return row(this.button("ccw", "↺ " + say("ccw")) + this.button("cw", "↻ " + say("cw"))) + this.ruler() + last;
     if (t.kind === "mark") return row(TOOLS.map(n => `<button type="button" id="tool-${n}" data-do="tool" data-tool="${n}" aria-pressed="${desk.tool === n}">${say("tool_" + n)}</button>`).join("")) + row(this.hand()) + last;
-    return row(`<span>${this.told()}</span><label>${t.kind === "mu" ? "μ" : html(t.what.replace(/[‖|]/g, ""))} = <input id="figure" type="text" inputmode="decimal" autocomplete="off"></label> ${t.kind === "mu" ? this.unit(t.what) : (data.units[t.what] || {})[state.lang] || ""} ${this.button("number", say("check"))}`) + this.ruler() + last;
+    return row(`<span>${this.told()}</span><label><span>${t.kind === "mu" ? "μ" : html(t.what.replace(/[‖|]/g, ""))} =</span> <input id="figure" type="text" inputmode="decimal" autocomplete="off"></label> ${t.kind === "mu" ? this.unit(t.what) : (data.units[t.what] || {})[state.lang] || ""} ${this.button("number", say("check"))}`) + this.ruler() + last;
   },
   told() { // numbers the question needs that are not asked themselves
     const asked = new Set(practice.items.filter((t, k) => t.kind === "number" && !practice.done.has(k)).map(t => t.what.replace(/[‖|]/g, "")));
@@ -45,14 +53,14 @@ const task = {
   },
   hand() { // the fields of the tool in hand
     const marks = desk.marks().map(m => [m, spoken(desk.short(m), practice.frame.plan)]), from = `<label>${say("from")} ${this.select("from", marks, desk.from)}</label>`, draw_ = this.button("draw", say("draw"));
-    const mm = name => `<label>${say(name)} <input id="mm" type="text" inputmode="decimal" autocomplete="off" value="${this.safe(desk.mm)}"> ${say("millimetres")}</label>`;
+    const mm = name => `<label>${say(name)} <input id="mm" type="text" inputmode="decimal" autocomplete="off" value="${safe(desk.mm)}"> ${say("millimetres")}</label>`;
     if (desk.tool === "ruler") return this.measures(marks);
     if (desk.tool === "arc") return from + mm("radius") + draw_ + this.erase();
     if (desk.tool === "point") {
       const spots = desk.crossings().map((_, k) => [k, k + 1]);
       return (spots.length ? `<label>${say("crossing")} ${this.select("spot", spots, desk.spot)}</label>${this.button("draw", say("mark_it"))}` : `<span>${say("no_crossing")}</span>`) + this.erase();
     }
-    const along = `<label>${say("along")} ${this.select("along", desk.lines(), desk.along)}</label>`, angle = desk.along === "angle" ? `<label>${say("degrees")} <input id="angle" type="text" inputmode="decimal" autocomplete="off" value="${this.safe(desk.angle)}"></label>` : "";
+    const along = `<label>${say("along")} ${this.select("along", desk.lines(), desk.along)}</label>`, angle = desk.along === "angle" ? `<label>${say("degrees")} <input id="angle" type="text" inputmode="decimal" autocomplete="off" value="${safe(desk.angle)}"></label>` : "";
     const both = desk.tool === "vector" && desk.along.includes("|") ? `<label>${say("way")} ${this.select("way", desk.ways().map((w, k) => [k, w]), +desk.back)}</label>` : "";
     return from + along + angle + both + (desk.tool === "vector" ? mm("long") : "") + draw_ + this.erase();
   },
@@ -62,13 +70,12 @@ const task = {
     return marks.length > 1 ? `<label>${say("tool_ruler")} ${this.select("from", all, desk.from)}</label> <label>${say("to")} ${this.select("to", all, desk.to)}</label> <output>${desk.ruler()} ${say("millimetres")}</output>` : "";
   },
   erase() { return desk.strokes.length ? this.button("erase", say("erase")) : ""; },
-  short(k) { const t = practice.items[k], key = data.frames[t.frame].plan; return `${t.kind === "mu" ? "μ" : t.kind === "known" ? say("equation") : spoken(t.kind === "mark" ? desk.short(t.what) : t.what.replace(/[‖|]/g, ""), key)}${t.kind === "mark" ? "" : t.kind === "sense" ? " ↺" : t.kind === "known" ? " " + practice.goal(data.equations[t.what]).map(g => spoken(g.name)).slice(0, 3).join(" ") : " ="}`; },
-  safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); },
-  select(id, options, chosen) { return `<select id="${id}">${options.map(([v, text]) => `<option value="${this.safe(v)}"${String(v) === String(chosen) ? " selected" : ""}>${this.safe(text)}</option>`).join("")}</select>`; },
+  short(k) { const t = practice.items[k], key = data.frames[t.frame].plan; return `${t.kind === "mu" ? "μ" : t.kind === "known" ? say("equation") : spoken(t.kind === "mark" ? desk.short(t.what) : t.what.replace(/[‖|↺]/g, ""), key)}${t.kind === "mark" ? "" : t.kind === "sense" ? " ↺" : t.kind === "known" ? " " + practice.goal(data.equations[t.what]).map(g => spoken(g.name)).slice(0, 3).join(" ") : " ="}`; },
+  select(id, options, chosen) { return `<select id="${id}">${options.map(([v, text]) => `<option value="${safe(v)}"${String(v) === String(chosen) ? " selected" : ""}>${safe(text)}</option>`).join("")}</select>`; },
   button(what, label) { return `<button type="button" id="do-${what}" data-do="${what}">${label}</button>`; },
   end(said) { // the result, and the code a teacher's planes reads
-    const code = handed(), name = this.safe(practice.name || "practice");
-    return `${said}<h2 id="h" tabindex="-1">${say("over")} ${practice.good} / ${practice.items.length}.</h2><p>${say("hand_in")}</p><div class="answers"><label>${say("student")} <input id="student" type="text" autocomplete="name" value="${this.safe(practice.name)}"></label>` +
+    const code = handed(), name = safe(practice.name || "practice");
+    return `${said}<h2 id="h" tabindex="-1">${say("over")} ${practice.good} / ${practice.items.length}.</h2><p>${say("hand_in")}</p><div class="answers"><label>${say("student")} <input id="student" type="text" autocomplete="name" value="${safe(practice.name)}"></label>` +
       `<a id="save" download="${name}.practice" href="${URL.createObjectURL(new Blob([code + "\n"], { type: "text/plain" }))}">${say("save_code")}</a></div><textarea id="code" readonly rows="4" aria-label="${say("code")}">${code}</textarea>` +
       `<div class="answers">${this.button("again", say("again"))}${this.button("fresh", say("fresh"))}</div>`;
   },
@@ -81,7 +88,7 @@ const task = {
     else if (what === "show") p.answer(null, "", true);
     else if (what === "known") { p.marks[e.dataset.term] = (p.given(e.dataset.term) + 1) % 3; draw(); }
     else if (what === "check") p.answer(p.goal(p.equation).map(t => p.given(t.name)).join(""), say("why_known"));
-    else if (what === "ccw" || what === "cw") p.answer(what === "ccw" ? 1 : -1, p.named([["sense_wrong", [p.item.what]]]));
+    else if (what === "ccw" || what === "cw") p.answer(what === "ccw" ? 1 : -1, p.named([["sense_wrong", [p.item.what.replace("↺", "")]]]));
     else if (what === "number") p.number($("figure").value);
     else if (what === "draw") this.draw();
   },
@@ -137,7 +144,7 @@ for (const [id, figure] of [["scheme", scheme], ["plan", plan]]) {
       node.drawing = true;
       figure.fixed_view = { k: figure.k, dx: figure.dx, dy: figure.dy };
       e.preventDefault();
-      draw();
+      later(); // not now: what the finger is upon must still be there for its touch
     } else if (line && practice.drawing) desk.lay(line.dataset.name.slice(5));
   });
   node.addEventListener("touchstart", e => { if (node.drawing) e.preventDefault(); }, { passive: false });
@@ -161,3 +168,4 @@ readAddress();
 language();
 draw();
 if (practice.seed) practice.toggle();
+else setTimeout(() => { live.scan(); zones(); later(); }, 60);

@@ -7,12 +7,10 @@ from typing import Any
 
 import pytest
 
-from planes.lesson.data import lesson_data
-from planes.scene import load
-from render.page.lesson_page import page as written
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium, watched
+from tests.helpers.browser import chromium
 from tests.helpers.counting import PATIENCE_MS
+from tests.helpers.lessons import lesson_opened, lesson_written
 
 
 @pytest.fixture(scope="package")
@@ -33,17 +31,11 @@ def browser(chrome: Any, request: pytest.FixtureRequest) -> Iterator[Any]:
 @pytest.fixture(scope="module")
 def lesson(tmp_path_factory: pytest.TempPathFactory) -> str:
     """The lesson of the six links."""
-    target = tmp_path_factory.mktemp("lesson") / "lesson.html"
-    target.write_text(written(lesson_data(load(str(ROOT / "samples" / "six-link.yaml"))), "ru"), encoding="utf-8")
-    return target.as_uri()
+    return lesson_written(tmp_path_factory.mktemp("lesson"), ROOT / "samples" / "six-link.yaml")
 
 
 @pytest.fixture
 def page(browser: Any, lesson: str) -> Iterator[Any]:
     """It in a window; at the end nothing was complained of and nothing asked of the network."""
-    one = browser.new_page()
-    errors = watched(one)
-    one.goto(lesson)
-    yield one
-    one.close()
-    assert errors == []
+    with lesson_opened(browser, lesson) as one:
+        yield one

@@ -18,9 +18,9 @@ from planes.plans import plans_of
 from planes.plans.scales import scales
 from planes.scene import load
 from planes.solving import position
-from render.page.lesson_page import page as written
 from tests.helpers import ROOT
-from tests.helpers.browser import until, watched
+from tests.helpers.browser import until
+from tests.helpers.lessons import lesson_opened, lesson_written
 
 HERE = ROOT / "samples"
 SIX = HERE / "six-link.yaml"
@@ -86,10 +86,8 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
 ) -> None:
     scene = load(str(HERE / f"{name}.yaml"))
     exported = lesson_data(scene)
-    target = tmp_path / "lesson.html"
-    target.write_text(written(exported, "en"), encoding="utf-8")
     page = browser.new_page()
-    page.goto(target.as_uri())
+    page.goto(lesson_written(tmp_path, HERE / f"{name}.yaml", "en", exported))
     plans, drive = plans_of(scene.mechanism), exported["drive"]
     mus = {n: z for n, z in exported["home"].items() if n.startswith("mu_")}
     teller = Teller(plans, run(plans.program, {**plans.given, **mus}))
@@ -228,18 +226,28 @@ def test_labels_keep_clear_of_each_other(page: Any) -> None:
 
 
 @pytest.mark.slow
-def test_it_prints_as_a_handout_of_numbered_frames(page: Any, tmp_path: Path) -> None:
+def test_it_prints_a_page_a_plan_at_the_position_shown(page: Any, tmp_path: Path) -> None:
     import pypdfium2
 
     target = tmp_path / "handout.pdf"
-    page.evaluate("handout()")
+    page.evaluate("turn(170); handout()")
     page.pdf(path=str(target), prefer_css_page_size=True)
     paper = pypdfium2.PdfDocument(str(target))
     size = paper[0].get_size()
     assert size[0] == pytest.approx(595, abs=2) and size[1] == pytest.approx(842, abs=2)
-    assert page.locator("#handout article").count() == page.evaluate("data.frames.length")
+    plans = page.evaluate("new Set(data.frames.map(f => f.plan)).size")
+    assert page.locator("#handout article").count() == plans <= len(paper) <= plans + 3
+    assert page.locator("#handout li").count() == page.evaluate("data.frames.length")
+    long = """() => {
+        const plan = document.querySelector('#handout article:nth-child(2)');
+        const at = n => plan.querySelector(`.arrow[data-name~="${n}"] polygon`);
+        const tip = n => at(n).getAttribute('points').split(' ')[0].split(',').map(Number);
+        const [b, c] = ['v_B', 'v_C'].map(tip);
+        return Math.hypot(b[0] - c[0], b[1] - c[1]) / 96 * 25.4; }"""
+    true = "Math.hypot(...[0, 1].map(k => live.at('velocity:b')[k] - live.at('velocity:c')[k]))"
+    assert page.evaluate(long) == pytest.approx(page.evaluate(true), abs=0.1)  # in the paper's own millimetres
     text = "".join(p.get_textpage().get_text_range() for p in paper)
-    assert "план ускорений" in text.lower() and 5 <= len(paper) <= 20
+    assert "план ускорений" in text.lower() and "φ = 170°" in text
 
 
 @pytest.mark.slow
@@ -255,23 +263,18 @@ def test_on_a_telephone_nothing_runs_off_the_page(page: Any) -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("path", SAMPLES, ids=[p.stem for p in SAMPLES])
 def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: Path, path: Path) -> None:
-    target = tmp_path / "lesson.html"
-    target.write_text(written(lesson_data(load(str(path))), "en"), encoding="utf-8")
-    page = browser.new_page()
-    errors = watched(page)
-    page.goto(target.as_uri())
-    page.evaluate("data.frames.forEach((_, k) => go(k))")
-    page.evaluate(
-        "for (let k = 0; k < 72; k++) { turn(data.drive.from + k * (data.drive.to - data.drive.from) / 71.7); draw(); }"
-    )
-    page.evaluate(
-        "practice.toggle(); data.practice.forEach((_, k) => { practice.take(k); "
-        "for (const n of TOOLS) task.pick('tool', { dataset: { tool: n } }); })"
-    )
-    page.evaluate("practice.toggle(); handout()")
-    assert not page.evaluate("/NaN|undefined/.test(document.querySelector('main').innerHTML)")
-    page.close()
-    assert errors == []
+    with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:
+        page.evaluate("data.frames.forEach((_, k) => go(k))")
+        page.evaluate(
+            "const { from, to } = data.drive; "
+            "for (let k = 0; k < 72; k++) { turn(from + k * (to - from) / 71.7); draw(); }"
+        )
+        page.evaluate(
+            "practice.toggle(); data.practice.forEach((_, k) => { practice.take(k); "
+            "for (const n of TOOLS) task.pick('tool', { dataset: { tool: n } }); })"
+        )
+        page.evaluate("practice.toggle(); handout()")
+        assert not page.evaluate("/NaN|undefined/.test(document.querySelector('main').innerHTML)")
 
 
 @pytest.mark.slow

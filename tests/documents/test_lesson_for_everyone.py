@@ -16,6 +16,11 @@ RULES = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "be
 HELP = "const asked = n => data.practice.findIndex(t => t.what === n), tool = n => ({ dataset: { tool: n } })"
 STATES = {
     "first": "go(0)",
+    "a tool at rest": "go(data.frames.findIndex(f => f.makes[0] === 'velocity:c')); kit.rest()",
+    "a free body": "go(data.frames.findIndex(f => f.plan === 'force:2-3' && f.key === 'cross'))",
+    "arms": "go(data.frames.findIndex(f => f.key === 'moments'))",
+    "the lever": "go(data.frames.findIndex(f => f.plan === 'lever' && f.key === 'moments'))",
+    "dragged": "go(20); drag(plan, 'acceleration:n_B', [9, 9]); draw()",
     "equation": "go(data.frames.findIndex(f => f.key === 'equation'))",
     "sense": "go(data.frames.findIndex(f => f.key === 'sense'))",
     "last": "go(data.frames.length - 1)",
@@ -27,6 +32,8 @@ STATES = {
     "practice, crossings": "practice.toggle(); practice.take(asked('position:C')); task.pick('tool', tool('point'))",
     "practice, a sense": "practice.toggle(); practice.take(data.practice.findIndex(t => t.kind === 'sense'))",
     "practice, underlines": "practice.toggle(); practice.take(data.practice.findIndex(t => t.kind === 'known'))",
+    "practice, a scale": "practice.toggle(); practice.take(data.practice.findIndex(t => t.kind === 'mu'))",
+    "practice, a turning": "practice.toggle(); practice.take(asked('↺F_21^t'))",
     "practice, an arm": "practice.toggle(); practice.take(asked('h_G_2_C'))",
     "practice done": "practice.toggle(); practice.over = true; draw()",
 }
@@ -90,3 +97,62 @@ def test_a_group_stands_alone_under_its_forces_as_long_as_on_the_plan(page: Any)
         return Math.hypot(tip[0] - from[0], tip[1] - from[1]) / scheme.k; }"""
     there = page.evaluate("Math.abs(live.value('|F_42|')) * live.given['mu_force:2-3']")
     assert page.evaluate(long) == pytest.approx(there, rel=5e-3)
+
+
+@pytest.mark.slow
+def test_readers_of_the_screen_hear_it_at_rest_alone(page: Any) -> None:
+    watch = """() => { window.rest = []; const heard = document.getElementById('heard');
+        const look = new MutationObserver(() => rest.push(heard.textContent));
+        look.observe(heard, { childList: true, characterData: true }); }"""
+    page.wait_for_timeout(500)
+    page.evaluate(watch)
+    page.evaluate("go(3); go(4); for (let k = 0; k < 20; k++) turn(150 + k)")
+    page.wait_for_timeout(700)
+    told = page.evaluate("rest")
+    assert len(told) == 1 and page.inner_text("#sentence")[:20] in told[0]
+    page.evaluate("rest.length = 0; spin(true)")
+    page.wait_for_timeout(900)
+    assert page.evaluate("rest.length") == 0
+    page.evaluate("spin(false)")
+    assert page.locator("[aria-live], [role=status]").count() == 1
+
+
+@pytest.mark.slow
+def test_practice_by_keys_alone_from_its_beginning_to_its_end(page: Any) -> None:
+    """Every question is answered with Tab, letters, arrows and Enter; the focus never leaves the task."""
+    page.focus("#practise")
+    page.keyboard.press("Enter")
+    count = page.evaluate("data.practice.length")
+
+    def press(selector: str) -> None:
+        for _ in range(60):
+            if page.evaluate(f"document.activeElement.matches({selector!r})"):
+                break
+            page.keyboard.press("Tab")
+        else:
+            pytest.fail(f"the keys do not come to {selector}")
+
+    for k in range(count):
+        kind = page.evaluate("practice.item.kind")
+        if kind == "known" and k < 20:
+            for name, times in page.evaluate("practice.goal(practice.equation).map(t => [t.name, t.known])"):
+                press(f'[data-term="{name}"]')
+                for _ in range(times):
+                    page.keyboard.press("Enter")
+            press("#do-check")
+            page.keyboard.press("Enter")
+            assert page.evaluate("practice.said[0]") == "yes"
+        elif kind in ("number", "mu"):
+            press("#figure")
+            page.keyboard.type(str(page.evaluate("practice.truth(practice.item)")))
+            page.keyboard.press("Enter")
+            assert page.evaluate("practice.said[0]") == "yes"
+        elif kind == "sense":
+            press("#do-ccw" if page.evaluate("practice.truth(practice.item)") > 0 else "#do-cw")
+            page.keyboard.press("Enter")
+            assert page.evaluate("practice.said[0]") == "yes"
+        else:
+            press("#do-show")
+            page.keyboard.press("Enter")
+        assert page.evaluate("practice.over || document.getElementById('task').contains(document.activeElement)")
+    assert page.evaluate("practice.over") and page.input_value("#code").startswith("planes-practice.")

@@ -1,0 +1,137 @@
+"""Which of a draughtsman's tools a step takes, from where to where: set square, compass, dividers, protractor.
+
+A tool is told by marks alone: a page knows where they stand, whatever numbers are given.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from planes.drafting import steps as s
+from planes.drafting.drawing import Drawing
+from planes.drafting.steps import crossings
+from planes.drafting.steps.reckoning import Choose, Drop
+from planes.drafting.steps.tracks import CutTrack
+from planes.lesson.frame import Frame
+from planes.plans import Plans
+from planes.words.names import at, plan_of
+from planes.words.records import Json
+
+Handled = Iterator[Json]
+
+
+@dataclass(frozen=True)
+class Kit:
+    """The tools of each step of a program: ``from`` are the marks a tool is taken off, none of one that lies aside (of
+    dividers, of a scale); ``guide`` is the guide it is laid to."""
+
+    plans: Plans
+    drawing: Drawing
+
+    @property
+    def made(self) -> Mapping[str, s.Step]:
+        """The steps by what they make."""
+        return self.drawing.program.makers
+
+    def of_frame(self, f: Frame) -> list[Json]:
+        """The tools of a frame: of its mark, of what it measures, of the arms it drops, of the vector it carries."""
+        if f.makes:
+            return self.of(self.made[f.makes[0]]) if f.key != "fixed" else []
+        if f.turns:
+            return [_dividers(span, (f.turns["point"],)) for span in self.spans(f)[:1]]
+        if f.key in ("measured", "closing"):
+            return [_dividers(span, ()) for span in self.spans(f)]
+        arms = self.plans.moments[f.moments].terms if f.moments is not None and f.key == "found_values" else ()
+        steps = (self.made.get(arm) for force, arm in arms if force in f.terms)
+        return [_dropped(step) for step in steps if isinstance(step, Drop)]
+
+    def spans(self, f: Frame) -> list[tuple[str, str]]:
+        """The segments of a frame's vectors on its plan."""
+        own = {x.name: (at(x.plan, x.start), at(x.plan, x.end)) for x in self.plans.segments if x.plan == f.plan}
+        return [own[name] for name in f.terms if name in own and own[name][0] != own[name][1]]
+
+    def of(self, step: s.Step) -> list[Json]:
+        """The tools of a step, in the order they are taken up."""
+        if isinstance(step, Choose):  # the trials are drawn alike
+            return self.of(self.made[step.trials[0].mark])
+        return list(self.handled(step))
+
+    def handled(self, step: s.Step) -> Handled:
+        """As :meth:`of`, one after another."""
+        end = step.makes
+        match step:
+            case s.LayOff():
+                yield from self.line(step.along, step.start, end)
+                yield _dividers((), (step.start, end))
+            case crossings.Cross():
+                yield from self.line(step.along, step.start, end)
+                yield from self.line(step.across, step.other, end)
+            case CutTrack():
+                for hold in (h for h in step.holds if h.local == step.local):
+                    if hold.kind == "arc":
+                        yield _compass(hold.place, end)
+                    elif hold.kind == "line":
+                        yield from self.line(hold.turn, hold.place, end)
+            case crossings.CrossArc():
+                yield from self.line(step.along, step.start, end)
+                yield _compass(step.centre, end)
+            case crossings.CrossArcs():
+                yield _compass(step.centre, end)
+                yield _compass(step.other, end)
+            case s.Similar() | s.Image():
+                yield from self.figure(step)
+            case s.Carry():
+                yield _dividers((step.first, step.second), (step.start, end))
+
+    def line(self, direction: str, start: str, end: str) -> Handled:
+        """A line through two marks: by a set square laid to what it goes along or across, by protractor at an angle."""
+        on = plan_of(end) or "position"
+        step = self.made[direction]
+        if on != "position":
+            yield {"tool": "square", "to": (start, end), **self.laid(step)}
+            return
+        while isinstance(step, s.Turn) and not step.angle:
+            step = self.made[step.of]
+        base = self.laid(step).get("from", ()) if isinstance(step, s.Turn) else ()
+        turned = isinstance(step, s.Turn | s.Aim) and not self.guided(step)
+        yield {"tool": "protractor" if base or turned else "square", "to": (start, end), "from": base}
+
+    def laid(self, step: s.Step) -> Json:
+        """To what a set square is laid: two marks of the scheme, or a guide."""
+        if guide := self.guided(step):
+            return {"guide": guide}
+        means = self.plans.means.get(step.makes)
+        ends = tuple(at("position", point) for point in (means.of, means.about)) if means else ()
+        if ends and all(mark in self.drawing for mark in ends):
+            return {"from": ends}
+        return self.laid(self.made[step.of]) if isinstance(step, s.Turn) else {}
+
+    def guided(self, step: s.Step) -> str:
+        """The guide a direction goes along or across, "" of another."""
+        means = self.plans.means.get(step.makes)
+        links = (self.plans.mechanism.frame, *self.plans.mechanism.links.values()) if self.plans.moves else ()
+        own = means is not None and any(means.of in link.guides for link in links)
+        return means.of if own and means and not means.about else ""
+
+    def figure(self, step: s.Similar | s.Image) -> Handled:
+        """A figure like one of the scheme: both its angles by protractor; a point on the line itself by dividers."""
+        ends = (step.start, step.end) if isinstance(step, s.Similar) else step.image
+        apart = isinstance(step, s.Image) and step.start not in ends
+        if apart or (isinstance(step, s.Similar) and not complex(self.drawing[step.ratio]).imag):
+            yield _dividers((), (step.start, step.makes))
+            return
+        for vertex, other in (ends, ends[::-1]):
+            yield {"tool": "protractor", "to": (vertex, step.makes), "from": (vertex, other)}
+
+
+def _dropped(step: Drop) -> Json:
+    """The set square that drops an arm: laid to a force, its other edge through the point of the moments."""
+    foot = at(plan_of(step.point), f"⊥{step.makes}")
+    return {"tool": "square", "to": (step.about, foot), "from": (step.point, foot)}
+
+
+def _dividers(taken: tuple[str, ...], to: tuple[str, ...]) -> Json:
+    return {"tool": "dividers", "from": taken, "to": to}
+
+
+def _compass(centre: str, end: str) -> Json:
+    return {"tool": "compass", "to": (centre, end)}
