@@ -12,6 +12,7 @@ from planes.drafting.equations import Term
 from planes.drafting.steps import Turn
 from planes.drafting.steps.crossings import CrossLeads
 from planes.plans.bodies import SCHEME, BodyPoint
+from planes.plans.contour_rates import ContourRates
 from planes.plans.groups import Group, Triad
 from planes.plans.kinematics import Rates
 from planes.plans.legs import Leg, lead_leg
@@ -24,8 +25,10 @@ def draw_rates(r: Rates) -> None:
     for group in r.bodies.structure.groups:
         if isinstance(group, Group):
             r.dyad(group)
-        else:
+        elif isinstance(group, Triad):
             _Triad(r, group).draw()
+        else:
+            ContourRates(r, group).draw()
 
 
 class _Triad:

@@ -1,7 +1,8 @@
 """The scheme: the frame, the driver in its position, and the groups in the order they attach."""
 
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
-from planes.plans.groups import Group
+from planes.plans.contour_scheme import place_contour
+from planes.plans.groups import Group, Triad
 from planes.plans.positions import PLACERS, place_driven, place_slider
 from planes.plans.triads import place_triad
 from planes.scene.mechanism import FRAME
@@ -22,8 +23,10 @@ def place_all(b: Bodies) -> None:
     for group in b.structure.groups:
         if isinstance(group, Group):
             (place_driven if group.drive else PLACERS[group.kind])(b, group)
-        else:
+        elif isinstance(group, Triad):
             place_triad(b, group)
+        else:
+            place_contour(b, group)
 
 
 def _place_driver(b: Bodies) -> None:

@@ -12,7 +12,8 @@ from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.settling import Fed
 from planes.plans.bodies import SCHEME
-from planes.plans.groups import Group, Pair
+from planes.plans.contour_forces import ContourForces
+from planes.plans.groups import Group, Pair, Triad
 from planes.plans.hinges import Grip, grip_of, settle
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.reactions import Reaction, Statics, chain_of, meet_with_friction
@@ -24,8 +25,12 @@ from planes.words.names import POLE, at, end_of, force_plan
 def draw_forces(statics: Statics) -> None:
     """Every group from the last to the first, then the driver."""
     for group in reversed(statics.bodies.structure.groups):
-        forces = _GroupForces(statics, group) if isinstance(group, Group) else TriadForces(statics, group)
-        forces.draw()
+        if isinstance(group, Group):
+            _GroupForces(statics, group).draw()
+        elif isinstance(group, Triad):
+            TriadForces(statics, group).draw()
+        else:
+            ContourForces(statics, group).draw()
     DriverForces(statics).draw()
 
 
