@@ -47,7 +47,9 @@ def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
 
 def passes(arm: str, cycle: Drawing) -> bool:
     """Whether a force passes through the point of its moments in every position: its arm there is nothing."""
-    return bool(arm) and float(numpy.nanmax(numpy.abs(cycle[arm]))) <= NOISE
+    sizes = numpy.abs(cycle[arm]) if arm else numpy.array([])
+    known = sizes[~numpy.isnan(sizes)]
+    return known.size > 0 and float(known.max()) <= NOISE
 
 
 def _size(term: Product, cycle: Drawing) -> Floats:

@@ -20,7 +20,7 @@ from planes.plans.reactions import Statics, chain_of
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE, Meaning, at, end_of, force_plan, mu_of
+from planes.words.names import POLE, Meaning, at, force_plan, mu_of
 
 
 class _Rod:
@@ -55,7 +55,9 @@ class ContourForces:
             if rubbing := self.bodies.mechanism.rubs(pair.point, pair.link, pair.other):
                 where = self.bodies.mechanism.where
                 line = where.get(("friction", rubbing), where.get(("friction",)))
-                raise SceneError(Phrase("triad_friction", pair=rubbing, links=group.links), self.bodies.file, line)
+                raise SceneError(
+                    Phrase("triad_friction", pair=rubbing, level=group.level, links=group.links), self.bodies.file, line
+                )
 
     def draw(self) -> None:
         d, g = self.draft, self.group
@@ -78,7 +80,10 @@ class ContourForces:
         last = loads[-1].end if loads else ends[1]
         handed = [Term(rod.back, a, b, drawn=True) for rod, a, b in ((two, ends[3], ends[2]), (one, ends[2], ends[1]))]
         d.conclude(Equation(self.plan, ((*handed, *loads, Term(base, last, ends[3])), ())))
-        for rod, outer, inner in ((one, (ends[1], ends[2]), (ends[2], POLE)), (two, (ends[2], ends[3]), (ends[4], ends[2]))):
+        for rod, outer, inner in (
+            (one, (ends[1], ends[2]), (ends[2], POLE)),
+            (two, (ends[2], ends[3]), (ends[4], ends[2])),
+        ):
             self.react(rod.lead.outer, rod.lead.link, outer)
             self.react(rod.lead.inner, rod.lead.link, inner)
         self.react(g.outer[0], g.base, (last, ends[3]))

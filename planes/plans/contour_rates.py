@@ -7,15 +7,18 @@ changes: where the line of that of the second rod meets the perpendicular to the
 same proportion the true rate stands to the false ones. From there the base is known, and the rest is a dyad on it.
 """
 
+from dataclasses import replace
+
+from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry, Image
 from planes.drafting.steps.crossings import Cross, CrossFalse
 from planes.plans.bodies import SCHEME, BodyPoint
 from planes.plans.contours import Contour
 from planes.plans.kinematics import Rates
 from planes.plans.legs import Leg, lead_leg, outer_leg
-from planes.words.names import Meaning, at
+from planes.words.names import POLE, Meaning, at, label_of
 
-FALSE = Meaning("trial")
+FALSE = Meaning("false")
 
 
 class ContourRates:
@@ -35,9 +38,7 @@ class ContourRates:
             self.bodies.known[link].ref = leg.known, leg.new
             r.image(leg.link, leg.known)
         first = self.still()
-        second = self.draft.lay_off(
-            r.plan, self.label(base, "II"), first, self.swing.along, self.false_rate(), FALSE
-        )
+        second = self.draft.lay_off(r.plan, self.label(base, "II"), first, self.swing.along, self.false_rate(), FALSE)
         self.draft.step(Image(r.mark(base.name), first, *self.proportion(first, second), (first, second)))
         self.read(self.swing)
         r.driven.append(r.mark(base.name))
@@ -66,18 +67,21 @@ class ContourRates:
 
     def false_rate(self) -> str:
         """The length of the vector that plan II supposes."""
-        drive, r = self.bodies.mechanism.drive, self.rates
+        b, r = self.bodies, self.rates
+        drive, ends = b.mechanism.drive, b.known[b.mechanism.drive.link].ref
         rate = {"velocity": drive.velocity, "acceleration": drive.velocity**2}.get(r.plan, 1.0) or 1.0
-        reach = abs(self.bodies.draft.given[self.swing.length or ""])
+        named = b.distance(b.known[drive.link].link, *ends) if ends else self.swing.length or ""
+        given = b.draft.given
+        reach = abs(given[named] if named in given else given[self.swing.length or ""])
         size = abs(rate) * (reach if drive.kind == "phi" else 1.0)
         return self.draft.give(f"{r.letter}{self.swing.symbol}^II", size, means=Meaning("rate", self.swing.new.name))
 
     def proportion(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
         """How far the true plan lies from I, and II from I, on the line of the second rod's false vectors."""
-        r, d = self.rates, self.draft
+        d = self.draft
         found = [self.supposed(first, "I"), self.supposed(second, "II")]
         (start, end), (from_, to) = found
-        carried = d.step(Carry(self.mark(self.label(self.other.new, "II") + "*"), start, from_, to, means=FALSE))
+        carried = d.step(Carry(self.mark(self.label(self.other.new, "II,I")), start, from_, to, means=FALSE))
         line = d.through(f"{self.other.new.name}^I{self.other.new.name}^II", end, carried, Meaning("guide"))
         foot = self.normal(self.other, start, "I")
         met = self.mark(self.label(self.other.new, "0"))
@@ -101,10 +105,27 @@ class ContourRates:
             back = d.lay(r.plan, r.normal(self.basic, r.label(self.basic.known.name)))
         instead, basic = (self.other.along, self.far.along), self.group.basic
         crossing = met, tied, self.rod.along, back, self.basic.along
-        d.step(CrossFalse(*crossing, instead=instead, means=Meaning("trial", basic)))
+        d.step(CrossFalse(*crossing, instead=instead, means=Meaning("false", basic)))
+        self.state(hinge, tied, met, plan)
         shape = self.scheme(self.basic.known, self.other.new), self.scheme(self.basic.known, self.rod.new)
         d.step(Image(end, far, *shape, (far, met), means=FALSE))
         return start, end
+
+    def state(self, hinge: str, tied: str, met: str, plan: str) -> None:
+        """The equation that a false plan was drawn by."""
+        r, end = self.rates, label_of(met)
+        one = [Term(f"{r.letter}{self.rod.known.name}^{plan}", POLE, label_of(hinge), drawn=True)]
+        two = list(r.chain(self.basic))
+        if r.quick:
+            normal = r.normal(self.rod, "")
+            one.append(replace(normal, start=label_of(hinge), end=label_of(tied), drawn=True))
+        part = "t" if r.quick else ""
+        for chain, leg in ((one, self.rod), (two, self.basic)):
+            name = f"{r.letter}{leg.symbol}^{part}{plan}"
+            last = Term(name, chain[-1].end, end, direction=leg.along, action=leg.along)
+            chain[:] = [*(chain if leg is self.rod else chain[:-1]), last]
+            chain[-1] = replace(last, start=chain[-2].end)
+        self.draft.conclude(Equation(r.plan, (tuple(one), tuple(two)), f"{r.letter}{self.rod.new.name}^{plan}"))
 
     def scheme(self, *spots: BodyPoint) -> tuple[str, str]:
         """Two spots on the scheme."""
@@ -117,7 +138,7 @@ class ContourRates:
         if not r.quick:
             return start
         term = r.normal(leg, "")
-        label = f"{term.end}_{plan}"
+        label = f"{term.end},{plan}"
         return self.draft.lay_off(r.plan, label, start, term.direction or "", term.length or "", FALSE)
 
     def read(self, leg: Leg) -> None:

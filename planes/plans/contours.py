@@ -90,6 +90,16 @@ AnyGroup = Group | Tracked
 Between = Callable[[str, str], Sequence[Pair]]  # the pairs of a link with another one
 
 
+def triad_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Triad | None:
+    """Four links as a basic link on three leads, if they are that."""
+    for basic in (n for n in names if not outer[n]):
+        held = [(n, between(n, basic), outer[n]) for n in names if n != basic]
+        leads = [Lead(n, inner[0], own[0]) for n, inner, own in held if len(inner) == 1 == len(own)]
+        if len(leads) == 3:
+            return Triad(tuple(names), basic, (leads[0], leads[1], leads[2]))
+    return None
+
+
 def contour_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Contour | None:
     """Four links as a closed contour of hinges, if they are one."""
     hung = [n for n in names if len(outer[n]) == 1]

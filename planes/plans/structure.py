@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from planes.plans.contours import AnyGroup, Tracked, contour_of
-from planes.plans.groups import KIND_NAMES, Group, Lead, Pair, Triad
+from planes.plans.contours import AnyGroup, Tracked, contour_of, triad_of
+from planes.plans.groups import KIND_NAMES, Group, Pair
 from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words import Phrase
@@ -221,24 +221,16 @@ class _Finder:
         """The smallest group that is solved only all together, if it is of class III and order 3 or IV and 2."""
         names, free = self.together()
         if free >= 0 and len(names) == 4:
-            for basic in names:
-                leads = [lead for name in names if name != basic for lead in self.lead(name, basic)]
-                if len(leads) == 3 and not self.outer[basic]:
-                    if twice := next((lead.link for lead in leads if lead.name == "PP"), None):  # it cannot turn
-                        raise self.error(Phrase("lead_slides_twice", link=twice, basic=basic), "links", twice)
-                    return Triad(names, basic, (leads[0], leads[1], leads[2]))
-            if contour := contour_of(names, self.inside, self.outer):
-                return contour
+            found = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
+            if found and (twice := next((lead.link for lead in found.leads if lead.name == "PP"), None)):
+                raise self.error(Phrase("lead_slides_twice", link=twice, basic=found.basic), "links", twice)
+            if found:
+                return found
         raise self.stuck(names, free)
 
     def inside(self, link: str, other: str) -> list[Pair]:
         """Pairs of two links that are not solved."""
         return [p for p in self.between(link, other) if p.kind == "P" or p.point not in self.reached]
-
-    def lead(self, name: str, basic: str) -> list[Lead]:
-        """The link as a lead of a basic one, if it is one."""
-        inner = self.inside(name, basic)
-        return [Lead(name, inner[0], self.outer[name][0])] if len(inner) == 1 == len(self.outer[name]) else []
 
     def together(self) -> tuple[tuple[str, ...], int]:
         """The links that keep what is left from being solved, and their freedom."""

@@ -1,4 +1,4 @@
-"""Which assembly of a higher group is meant: all of them found and counted at the drive's value, one chosen and followed."""
+"""Which assembly of a higher group is meant: all are found and counted at the drive's value, one chosen, followed."""
 
 from collections.abc import Iterator
 from dataclasses import replace

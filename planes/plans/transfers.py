@@ -46,7 +46,9 @@ def transfers(plans: Plans) -> Iterator[Derived]:
         yield Derived((*names,), units["omega"], plans.links[link].omega, "transfers", per=vector)
     named = {label_of(marks.velocity): point for point, marks in plans.points.items()}
     for end in dict.fromkeys(s.end for s in plans.segments_of.get(PLAN, ()) if s.start == POLE != s.end):
-        if (mark := at(PLAN, end)) != vector.end:
+        mark = at(PLAN, end)
+        supposed = mark in plans.means and plans.means[mark].quantity == "false"
+        if mark != vector.end and not supposed:
             name = f"vq_{named.get(end) or end.upper()}"
             yield Derived((as_indexed(name), name), units["v"], "", "transfers", (at(PLAN, POLE), mark), vector)
 
