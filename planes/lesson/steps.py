@@ -10,6 +10,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.drafting.steps.tracks import CutTrack
+from planes.lesson.false_plans import false_words
 from planes.lesson.formulas import formula, slot, unit
 from planes.plans import Plans
 from planes.plans.apart import LinkApart
@@ -33,6 +34,8 @@ class StepWords:
 
     def of(self, step: s.Step) -> Words:
         """The key of the sentence of a step, of its reason, and what it says besides the step's own names."""
+        if words := false_words(step, self.made):
+            return words
         match step:
             case s.Put():
                 kind = kind_of(step.makes)

@@ -18,7 +18,8 @@ from typing import Literal
 
 from planes.drafting.tools import Thing
 from planes.plans import Plans
-from planes.plans.groups import AnyGroup, Group, Pair
+from planes.plans.contours import AnyGroup
+from planes.plans.groups import Group, Pair
 from planes.plans.scales import drawn_in_si
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase

@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 from planes.drafting.draft import Draft
 from planes.drafting.steps import Similar
 from planes.drafting.steps.tracks import Hold, SeriesGuess
-from planes.plans.groups import Group, Lead, Pair, Triad
+from planes.plans.contours import Tracked
+from planes.plans.groups import Group, Lead, Pair
 from planes.plans.reckoned import Off, angle_deg, difference, distance, height, ratio
 from planes.plans.structure import Structure
 from planes.scene.mechanism import FRAME, Link, Mechanism
@@ -65,10 +66,10 @@ class BraceReach:
 
 @dataclass(frozen=True)
 class TrackChoice:
-    """Which crossing of a track is meant: the series of a triad's assembly, the sign of it, and what holds the link."""
+    """Which crossing of a track is meant: the series of an assembly, the sign of it, and what holds the link."""
 
     key: str
-    group: Triad
+    group: Tracked
     holds: tuple[Hold, Hold, Hold]
     guess: SeriesGuess
     side: str
@@ -83,7 +84,7 @@ class Bodies:
     draft: Draft
     file: str = ""
     choices: list[AssemblyChoice | TrackChoice] = field(default_factory=list)
-    leads: dict[str, tuple[Lead, Lead, Lead]] = field(default_factory=dict)  # of a basic link: the first two meet in S
+    leads: dict[str, tuple[Lead, ...]] = field(default_factory=dict)  # of a basic link: the first two meet in S
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
     reach: BraceReach | None = None

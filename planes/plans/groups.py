@@ -243,6 +243,3 @@ class Triad:
         leads = [lead.link for lead in self.leads]
         own = {"class": 3, "order": 3, "basic": self.basic, "leads": leads}
         return {"links": list(self.links), **own, "name": self.name}
-
-
-AnyGroup = Group | Triad

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import permutations, product
 from typing import Protocol
 
-from planes.plans.groups import AnyGroup, Brace, Group, Lead, Pair, Triad
+from planes.plans.groups import Brace, Group, Lead, Pair, Triad
 from planes.words import Phrase
 from planes.words.errors import StructureError
 
@@ -29,7 +29,7 @@ class Reached(Protocol):
     def error(self, phrase: Phrase, *path: str) -> StructureError: ...
 
 
-def driven_from_inside(f: Reached, drive: Pair) -> AnyGroup:
+def driven_from_inside(f: Reached, drive: Pair) -> Group | Triad:
     """The group on the frame that the drive moves; :class:`StructureError` if it is none that is drawn."""
     for ways in (_direct, _braced, _leading):
         for group in ways(f, drive):

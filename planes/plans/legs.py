@@ -59,12 +59,12 @@ class SlideReading:
 def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     """The two legs of a group, in the order the method writes them."""
     if g.drive:
-        return _driven_leg(b, g, g.drive), _outer_leg(b, g.last_outer, g.last, BodyPoint(*[g.inner.point] * 2))
+        return _driven_leg(b, g, g.drive), outer_leg(b, g.last_outer, g.last, BodyPoint(*[g.inner.point] * 2))
     if g.kind in (1, 2, 4):
         new = BodyPoint(g.inner.point, g.inner.point)
-        return _outer_leg(b, g.first_outer, g.first, new), _outer_leg(b, g.last_outer, g.last, new)
+        return outer_leg(b, g.first_outer, g.first, new), outer_leg(b, g.last_outer, g.last, new)
     inner = inner_leg(b, g.inner, g.first, g.first_outer.point, g.last)
-    return inner, _outer_leg(b, g.last_outer, g.last, inner.new)
+    return inner, outer_leg(b, g.last_outer, g.last, inner.new)
 
 
 def lead_leg(b: Bodies, basic: str, lead: Lead) -> Leg:
@@ -73,7 +73,7 @@ def lead_leg(b: Bodies, basic: str, lead: Lead) -> Leg:
         return _driven_leg(b, lead.moving(basic), lead.drive)
     if lead.inner.kind == "P":
         return inner_leg(b, lead.inner, lead.link, lead.outer.point, basic)
-    return _outer_leg(b, lead.outer, lead.link, BodyPoint(lead.inner.point, lead.inner.point))
+    return outer_leg(b, lead.outer, lead.link, BodyPoint(lead.inner.point, lead.inner.point))
 
 
 def inner_leg(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
@@ -94,7 +94,8 @@ def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
     return Leg(new, known, mate, spot.name + pivot, *turning, drive=drive, spot=spot)
 
 
-def _outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
+def outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
+    """The way to a point of ``link`` by its pair with a solved one."""
     if pair.kind == "P":
         return _sliding(b, pair, link, pair.mate(link), new)
     pivot, d = pair.point, b.draft

@@ -1,4 +1,4 @@
-"""Which two leads of a basic link meet in its special point: others, where those cross much less sharply.
+"""By which leads of a basic link its plans are drawn: by others, where those cross much less sharply.
 
 The plans are stated once for every choice that is met, from the same scheme.
 """
@@ -9,14 +9,14 @@ from typing import Any, TypeVar
 
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
-from planes.drafting.steps.crossings import FAIR, CrossLeads
+from planes.drafting.steps.crossings import FAIR, ByLeads
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.groups import Lead
 from planes.words.errors import PlanFailure
 from planes.words.names import mu_of
 
 Stated = TypeVar("Stated", bound=Any)  # the plans of a mechanism
-Leads = tuple[Lead, Lead, Lead]
+Leads = tuple[Lead, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,13 +37,13 @@ class Restating:
         return self.known[key]
 
 
-def met(program: Program) -> list[CrossLeads]:
-    """The crossings of leads in special points."""
-    return [step for step in program.steps if isinstance(step, CrossLeads)]
+def met(program: Program) -> list[ByLeads]:
+    """The steps that other leads may serve better."""
+    return [step for step in program.steps if isinstance(step, ByLeads)]
 
 
 def with_others(plans: Stated, special: str, turns: int = 1) -> Stated:
-    """The plans in which the next two leads meet in a special point; after three turns it is these again."""
+    """The plans in which the next leads are taken where these lean; after a turn of all it is these again."""
     basic = next(s.means.of for s in met(plans.program) if s.makes == special and s.means)
     leads = plans.leads[basic]
     turned: Stated = plans.restated({**plans.leads, basic: (*leads[turns:], *leads[:turns])})

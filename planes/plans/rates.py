@@ -12,6 +12,7 @@ from planes.drafting.equations import Term
 from planes.drafting.steps import Turn
 from planes.drafting.steps.crossings import CrossLeads
 from planes.plans.bodies import SCHEME, BodyPoint
+from planes.plans.contour_rates import ContourRates
 from planes.plans.groups import Group, Triad
 from planes.plans.kinematics import Rates
 from planes.plans.legs import Leg, lead_leg
@@ -21,14 +22,16 @@ from planes.words.names import Meaning, at, parts_of
 def draw_rates(r: Rates) -> None:
     """The plan: the driver, then every group, then every point of every link."""
     first = r.bodies.structure.groups[0] if r.bodies.structure.inner_drive else None
-    if first and not isinstance(first, Group):  # its special point is found on the scheme before the plan is begun
+    if isinstance(first, Triad):  # its special point is found on the scheme before the plan is begun
         _Triad(r, first).meet()
     r.start()
     for group in r.bodies.structure.groups:
         if isinstance(group, Group):
             r.dyad(group)
-        else:
+        elif isinstance(group, Triad):
             _Triad(r, group).draw()
+        else:
+            ContourRates(r, group).draw()
 
 
 class _Triad:

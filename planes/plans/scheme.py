@@ -2,8 +2,9 @@
 
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.braces import place_braced
+from planes.plans.contour_scheme import place_contour
 from planes.plans.driven_positions import place_driven
-from planes.plans.groups import Group
+from planes.plans.groups import Group, Triad
 from planes.plans.positions import PLACERS, place_slider
 from planes.plans.triads import place_triad
 from planes.scene.mechanism import FRAME
@@ -25,8 +26,10 @@ def place_all(b: Bodies) -> None:
         if isinstance(group, Group):
             braced = place_braced if group.brace else place_driven
             (braced if group.drive else PLACERS[group.kind])(b, group)
-        else:
+        elif isinstance(group, Triad):
             place_triad(b, group)
+        else:
+            place_contour(b, group)
 
 
 def _place_driver(b: Bodies) -> None:

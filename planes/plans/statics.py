@@ -10,10 +10,11 @@ from dataclasses import replace
 
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.settling import Fed
 from planes.plans.bodies import SCHEME
 from planes.plans.brace_forces import BraceForces
-from planes.plans.groups import Group, Pair
+from planes.plans.contour_forces import ContourForces
+from planes.plans.driver_forces import DriverForces
+from planes.plans.groups import Group, Pair, Triad
 from planes.plans.hinges import Grip, grip_of, settle
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.reactions import Reaction, Statics, chain_of, meet_with_friction
@@ -26,8 +27,13 @@ def draw_forces(statics: Statics) -> None:
     """Every group from the last to the first, then the driver; a cylinder that drives comes after what it braces."""
     structure = statics.bodies.structure
     for group in (g for g in reversed(structure.groups) if not structure.is_drive(g)):
-        forces = _GroupForces(statics, group) if isinstance(group, Group) else TriadForces(statics, group)
-        forces.draw()
+        match group:
+            case Group():
+                _GroupForces(statics, group).draw()
+            case Triad():
+                TriadForces(statics, group).draw()
+            case _:
+                ContourForces(statics, group).draw()
     for group in structure.dyads:
         if group.drive and group.brace:
             BraceForces(statics, group.drive, group.brace).draw()
@@ -197,51 +203,3 @@ class _GroupForces:
         for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
             if pair.kind == "P":
                 s.seat(found[which], link, about, self.loads[link], self.couples[link])
-
-
-class DriverForces:
-    """The primary mechanism: the frame's reaction and the balancing moment (or force)."""
-
-    def __init__(self, statics: Statics) -> None:
-        self.statics, self.bodies, self.draft = statics, statics.bodies, statics.bodies.draft
-        self.link = self.bodies.mechanism.drive.link
-        self.pair = self.bodies.structure.drive_pair
-        self.plan = force_plan(self.link)
-        self.forces = statics.acting.forces[self.link]
-        self.couples = statics.acting.couples[self.link]
-
-    def draw(self) -> None:
-        """Draw the driver's polygon and find what balances it."""
-        self.draft.pole(self.plan)
-        terms, key = chain_of(self.forces, POLE), force_name(self.link, self.pair.other)
-        for term in terms:
-            self.draft.lay(self.plan, term)
-        balance = self.turning if self.pair.kind == "R" else self.sliding
-        balance(terms, terms[-1].end if terms else POLE, key)
-
-    def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
-        """F_10 closes the polygon; the balancing moment by moments about the pivot."""
-        self.draft.conclude(Equation(self.plan, ((*terms, Term(key, start, POLE)), ())))
-        ends = at(self.plan, start), at(self.plan, POLE)
-        if grip := grip_of(self.statics.acting, self.pair):
-            self.draft.step(Fed(grip.couple, grip.factor, self.draft.measure(f"|{key}|", *ends)))
-        self.statics.react(self.pair, self.plan, *ends, grip)
-        about, couples = at(SCHEME, self.pair.point), [*self.couples, *([grip.on(self.link)] if grip else ())]
-        products, shown = self.statics.moment_terms(about, self.forces, couples, -1.0)
-        self.statics.balancing = self.draft.total(f"M_{self.link}", products)
-        self.draft.moments.append(Moments(self.pair.point, (self.link,), shown, self.statics.balancing, ""))
-
-    def sliding(self, terms: tuple[Term, ...], start: str, key: str) -> None:
-        """The guide's reaction crosses the balancing force, which acts along the guide."""
-        guide = f"∥{self.pair.guide}"
-        normal = self.draft.square(guide)
-        reaction = Term(key, start, key, None, normal, normal)
-        force = Term(f"Fb_{self.link}", POLE, key, length=None, direction=guide, action=guide, drawn=False, sign=-1)
-        if self.pair.guide in self.bodies.mechanism.friction:
-            leant = meet_with_friction(self.statics.acting, self.plan, [reaction, force], key, [self.pair])
-            self.draft.conclude(Equation(self.plan, ((*terms, leant[key]), (force,))))
-        else:
-            self.draft.draw(Equation(self.plan, ((*terms, reaction), (force,))))
-        self.statics.balancing = force.name
-        found = self.statics.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
-        self.statics.seat(found, self.link, self.bodies.foot(self.pair), self.forces, self.couples)

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from planes.plans.groups import KIND_NAMES, AnyGroup, Group, Lead, Pair, Triad
+from planes.plans.contours import AnyGroup, Tracked, contour_of, triad_of
+from planes.plans.groups import KIND_NAMES, Group, Pair
 from planes.plans.inner_drives import driven_from_inside
 from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Mechanism
@@ -170,7 +171,7 @@ class _Finder:
                 self.outer[slide.mate(link)].append(slide)
 
     def groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
-        """Dyads in the order they attach, and a triad where none does; refuses what is left when none attaches."""
+        """Dyads in the order they attach, a higher group where none does; refuses what is left when none attaches."""
         found: list[AnyGroup] = []
         solved: tuple[str, ...] = (FRAME, drive.link)
         if drive.other != FRAME:
@@ -182,7 +183,7 @@ class _Finder:
                 self.solve(link)
             if not self.left:
                 return tuple(found)
-            group = next((g for g in map(self.dyad, self.meeting()) if g), None) or self.triad()
+            group = next((g for g in map(self.dyad, self.meeting()) if g), None) or self.higher()
             found.append(group)
             solved = group.solved
 
@@ -199,7 +200,7 @@ class _Finder:
     def dyad(self, links: tuple[str, str]) -> Group | None:
         """The two links as a dyad on what is solved, or None."""
         one, two = links
-        inner = [p for p in self.between(two, one) if p.kind == "P" or p.point not in self.reached]
+        inner = self.inside(two, one)
         return self.classified(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
 
     def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
@@ -216,22 +217,20 @@ class _Finder:
         kind = KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
         return Group(links, kind, one, two, inner, a, b)
 
-    def triad(self) -> Triad:
-        """The smallest group that is solved only all together, if it is of class III and order 3."""
+    def higher(self) -> Tracked:
+        """The smallest group that is solved only all together, if it is of class III and order 3 or IV and 2."""
         names, free = self.together()
         if free >= 0 and len(names) == 4:
-            for basic in names:
-                leads = [lead for name in names if name != basic for lead in self.lead(name, basic)]
-                if len(leads) == 3 and not self.outer[basic]:
-                    if twice := next((lead.link for lead in leads if lead.name == "PP"), None):  # it cannot turn
-                        raise self.error(Phrase("lead_slides_twice", link=twice, basic=basic), "links", twice)
-                    return Triad(names, basic, (leads[0], leads[1], leads[2]))
+            found = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
+            if found and (twice := next((lead.link for lead in found.leads if lead.name == "PP"), None)):
+                raise self.error(Phrase("lead_slides_twice", link=twice, basic=found.basic), "links", twice)
+            if found:
+                return found
         raise self.stuck(names, free)
 
-    def lead(self, name: str, basic: str) -> list[Lead]:
-        """The link as a lead of a basic one, if it is one."""
-        inner = [p for p in self.between(name, basic) if p.kind == "P" or p.point not in self.reached]
-        return [Lead(name, inner[0], self.outer[name][0])] if len(inner) == 1 == len(self.outer[name]) else []
+    def inside(self, link: str, other: str) -> list[Pair]:
+        """Pairs of two links that are not solved."""
+        return [p for p in self.between(link, other) if p.kind == "P" or p.point not in self.reached]
 
     def together(self) -> tuple[tuple[str, ...], int]:
         """The links that keep what is left from being solved, and their freedom."""

@@ -1,4 +1,4 @@
-"""Which assembly of a triad is meant: all of them found and counted at the drive's value, one chosen and followed."""
+"""Which assembly of a higher group is meant: all are found and counted at the drive's value, one chosen, followed."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -12,22 +12,23 @@ from planes.geometry.sextic import Counted, assemblies
 from planes.geometry.tracks import Pose, Tie
 from planes.plans.bodies import SCHEME, Bodies, TrackChoice
 from planes.plans.branch import Branch, follow
-from planes.plans.groups import Lead
+from planes.plans.groups import Triad
 from planes.scene.mechanism import Assembly
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.names import at, mu_of
 
-ORDERS = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+ORDERS = ((0, 1), (1, 2), (2, 0))
 ANGLE = {"kind": "phi"}
 
 
 class Tracks:
-    """The assemblies of a triad at the drive's value in the file."""
+    """The assemblies of a higher group at the drive's value in the file."""
 
     def __init__(self, b: Bodies, program: Program, choice: TrackChoice) -> None:
         self.bodies, self.choice, self.whole = b, choice, program
-        marks = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "", h.reach) if n]
+        named = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "", h.reach) if n]
+        marks = [n for n in named if n in b.draft.steps]
         self.program = program.sliced(marks)
         places = [b.draft.given[h.local] for h in choice.holds]
         self.size = max(abs(p - q) for p in places for q in places)
@@ -75,22 +76,30 @@ class Tracks:
                 d.steps[name] = replace(step, guess=guess)
 
     def choose(self, pose: Pose) -> None:
-        """Take an assembly, follow it, and let the two leads meet in S that cross best all the way."""
+        """Take an assembly, follow it, and draw by the leads that cross best there."""
         branch = follow(self.ties, self.start, pose, self.size, self.choice.guess.turning)
         if branch is None:
             raise self.error(Phrase("track_not_followed", **self.named()))
         self.set(branch)
-        pulls = [tie.wrench(*pose)[1] for tie in self.ties(self.start)]
-        order = max(ORDERS, key=lambda o: abs(plane.cross(pulls[o[0]], pulls[o[1]])))
-        leads: list[Lead] = [self.choice.group.leads[k] for k in order]
-        self.bodies.leads[self.choice.group.basic] = (leads[0], leads[1], leads[2])
+        leads, sharp = self.choice.group.leads, self.crossings(pose)
+        first = sharp.index(max(sharp))
+        self.bodies.leads[self.choice.group.basic] = (*leads[first:], *leads[:first])
+
+    def crossings(self, pose: Pose) -> list[float]:
+        """How sharply two leads cross in the special point, or of class IV one with what it leads to."""
+        ties = self.ties(self.start)
+        pulls = [tie.wrench(*pose)[1] for tie in ties]
+        if isinstance(self.choice.group, Triad):
+            return [abs(plane.cross(pulls[i], pulls[j])) for i, j in ORDERS]
+        arms = [pose[1] * (tie.local - ties[2].local) for tie in ties[:2]]
+        return [abs(plane.cross(pull, arm)) / abs(arm) for pull, arm in zip(pulls, arms, strict=False)]
 
     def named(self) -> dict[str, object]:
         """What sentences say of the group."""
         g, drive = self.choice.group, self.bodies.mechanism.drive
         unit = "°" if drive.kind == "phi" else " m"
         name = "φ" if drive.kind == "phi" else "s"
-        return {"links": g.links, "name": g.name, "drive": name, "value": f"{self.start:.10g}{unit}"}
+        return {"level": g.level, "links": g.links, "name": g.name, "drive": name, "value": f"{self.start:.10g}{unit}"}
 
     def error(self, why: Phrase, *path: str) -> SceneError:
         """A refusal at its line."""
@@ -124,7 +133,8 @@ def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
 
 def _said(b: Bodies, choice: TrackChoice) -> tuple[str, Assembly | None]:
     """What the scene says of a triad, under any point that moves with it."""
-    outer = {lead.outer.point for lead in choice.group.leads}
+    inside = choice.group.inner_pairs
+    outer = {pair.point for pair in choice.group.pairs if pair not in inside}
     points = {p for link in choice.group.links for p in b.mechanism.links[link].points} - outer
     return next(((key, said) for key, said in b.mechanism.assembly.items() if key in points), (choice.key, None))
 

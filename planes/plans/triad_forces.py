@@ -54,7 +54,9 @@ class TriadForces:
             if rubbing:
                 where = self.bodies.mechanism.where
                 line = where.get(("friction", rubbing), where.get(("friction",)))
-                raise SceneError(Phrase("triad_friction", pair=rubbing, links=group.links), self.bodies.file, line)
+                raise SceneError(
+                    Phrase("triad_friction", pair=rubbing, level=group.level, links=group.links), self.bodies.file, line
+                )
 
     def draw(self) -> None:
         self.draft.pole(self.plan)

@@ -9,6 +9,7 @@ from functools import partial
 
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
+from planes.plans.contours import Tracked
 from planes.plans.driven_positions import driven_length
 from planes.plans.groups import Lead, Triad
 from planes.plans.positions import on_line, place_slider, rigid_body
@@ -16,13 +17,31 @@ from planes.plans.reckoned import difference
 from planes.scene.mechanism import Link
 from planes.words.names import Meaning, at, mu_of
 
+Holds = tuple[Hold, Hold, Hold]
+
 
 def place_triad(b: Bodies, g: Triad) -> None:
     """Draw the basic link where its track is cut, and the leads."""
     d, link = b.draft, b.mechanism.links[g.basic]
     placers: dict[Lead, Callable[[], None]] = {}
     one, two, three = (hold_of(b, g.basic, lead, placers) for lead in g.leads)
-    drive = b.mechanism.drive
+    hinges = [lead.inner.point for lead in reversed(g.leads) if lead.inner.kind == "R"] or [link.first_point]
+    key = hinges[0]
+    cut = cut_of(b, g, key, (one, two, three))
+    for p in hinges:
+        d.step(CutTrack(at(SCHEME, p), local_of(b, link, p), *cut))
+    if len(hinges) > 1:
+        b.place_points(rigid_body(b, g.basic, hinges[0], hinges[1]))
+    else:
+        axis = d.step(CutTurn(f"x_{g.basic}", local_of(b, link, key), *cut, means=Meaning("own", g.basic)))
+        b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
+    for lead in g.leads:
+        placers.get(lead, partial(_place_lead, b, g.basic, lead))()
+
+
+def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> tuple[Holds, SeriesGuess, str, str]:
+    """What cuts the tracks of a basic link, its assembly still to be chosen; ``key`` is the point that tells it."""
+    d, drive = b.draft, b.mechanism.drive
     middle, half, size = (
         d.give(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
     )
@@ -30,19 +49,8 @@ def place_triad(b: Bodies, g: Triad) -> None:
     place, turn = d.give(f"track_{g.basic}_0", 0j), d.give(f"turning_{g.basic}_0", 0.0)
     guess = SeriesGuess(f"angle_x_{drive.link}" if turning else "s", turning, middle, half, size, (place,), (turn,))
     side = d.give(f"sense_{g.basic}", 1.0)
-    hinges = [lead.inner.point for lead in reversed(g.leads) if lead.inner.kind == "R"] or [link.first_point]
-    key = hinges[0]
-    b.choices.append(TrackChoice(key, g, (one, two, three), guess, side))
-    cut = (one, two, three), guess, mu_of(SCHEME), side
-    for p in hinges:
-        d.step(CutTrack(at(SCHEME, p), _local(b, link, p), *cut))
-    if len(hinges) > 1:
-        b.place_points(rigid_body(b, g.basic, hinges[0], hinges[1]))
-    else:
-        axis = d.step(CutTurn(f"x_{g.basic}", _local(b, link, key), *cut, means=Meaning("own", g.basic)))
-        b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
-    for lead in g.leads:
-        placers.get(lead, partial(_place_lead, b, g.basic, lead))()
+    b.choices.append(TrackChoice(key, g, holds, guess, side))
+    return holds, guess, mu_of(SCHEME), side
 
 
 def _place_lead(b: Bodies, basic: str, lead: Lead) -> None:
@@ -61,7 +69,7 @@ def hold_of(b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], 
     """How a lead holds the basic link; what draws one with a drive inside is put among the ``placers``."""
     d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
     if inner.kind == "R":
-        local = _local(b, link, inner.point)
+        local = local_of(b, link, inner.point)
         if lead.drive:
             length, placers[lead] = driven_length(b, lead.moving(basic))
             return Hold("arc", local, at(SCHEME, outer.point), length)
@@ -76,9 +84,9 @@ def hold_of(b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], 
     reach = "" if offset is None else d.give(f"e_{outer.point}{first}", *offset, beside)
     angle = b.own_angle(inner, basic)
     turn = d.give(f"guide_{inner.guide}_{basic}", angle)
-    return Hold("guide", _local(b, link, first), at(SCHEME, outer.point), reach, turn)
+    return Hold("guide", local_of(b, link, first), at(SCHEME, outer.point), reach, turn)
 
 
-def _local(b: Bodies, link: Link, point: str) -> str:
+def local_of(b: Bodies, link: Link, point: str) -> str:
     """The place of a point on its link."""
     return b.draft.give(f"at_{point}_{link.name}", complex(link.points[point]))

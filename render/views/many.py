@@ -20,6 +20,7 @@ MOST = 3.5  # times its usual size a scheme may have in the course of a turn
 TOGETHER_MM = 2.0  # places nearer than this are numbered together
 FINE = 10  # places of a line looked at
 BELOW_MM = 16.0  # how far from everything else a stroke is measured
+FURTHER = 1.02  # than the positions looked at an extreme one may reach
 NEAR = 1.3  # and so many times where it grows beyond that: the positions farther off are not drawn
 
 
@@ -60,7 +61,7 @@ class ManyPositions:
         if not sizes:
             return 0.0
         usual = median(sizes)
-        return max(sizes) if self.closed and max(sizes) < MOST * usual else NEAR * usual
+        return FURTHER * max(sizes) if self.closed and max(sizes) < MOST * usual else NEAR * usual
 
     @property
     def closed(self) -> bool:

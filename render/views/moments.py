@@ -13,7 +13,7 @@ from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat
-from planes.words.names import POLE, mu_of
+from planes.words.names import POLE, at, mu_of
 from planes.words.read_off import fixed, measured
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
@@ -136,12 +136,19 @@ class Lever:
         plan = "motion" if self.position.plans.at_rest else "velocity"
         plotted = of_position(self.position)
         marks, lines = list[Mark](), list[Ends]()
+        false = {s.makes for s in plotted.drawing.program.steps if s.quantity == "false"}  # no part of what is loaded
         for s in plotted.drawn_segments(plan):
+            if {at(plan, s.start), at(plan, s.end)} & false:
+                continue
             ends = 1j * plotted.mark(plan, s.start), 1j * plotted.mark(plan, s.end)
             if abs(ends[1] - ends[0]) > ZERO_MM:
                 marks.append(Line(ends, "thick" if s.start == POLE else "thin", "plan"))
                 lines.append(ends)
-        letters = ((self.naming.mark(x, "velocity"), 1j * plotted.mark(plan, x)) for x in plotted.labels(plan))
+        letters = (
+            (self.naming.mark(x, "velocity"), 1j * plotted.mark(plan, x))
+            for x in plotted.labels(plan)
+            if at(plan, x) not in false
+        )
         places = gathered(letters)  # letters of marks that coincide share one
         named = [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
         marks += dot(0j, 0.8, "plan")

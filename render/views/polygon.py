@@ -10,7 +10,8 @@ from itertools import pairwise
 import shapely
 
 from planes.drafting.equations import Term
-from planes.drafting.steps import Image, Similar
+from planes.drafting.steps import Carry, Image, Similar
+from planes.drafting.steps.crossings import Cross
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
@@ -134,7 +135,12 @@ class Polygon:
     def traces(self) -> None:
         """The sides of the similar triangles by which points of links were found."""
         for step in self.plotted.drawing.program.steps:
-            if plan_of(step.makes) != self.plan or not isinstance(step, (Similar, Image)):
+            if plan_of(step.makes) != self.plan:
+                continue
+            if step.quantity == "false" and isinstance(step, (Carry, Cross)):
+                for mark in (step.start,) if isinstance(step, Carry) else (step.start, step.other):
+                    self.trace(self.mark(label_of(mark)), self.mark(label_of(step.makes)))
+            if not isinstance(step, (Similar, Image)):
                 continue
             base = (step.start, step.end) if isinstance(step, Similar) else step.image
             if step.start not in base:  # laid off from a mark of its own: there is no triangle on the base
@@ -146,7 +152,7 @@ class Polygon:
             sides = [(a, b)] * (tuple(corners[::2]) not in self.arrows) + [(a, x), (x, b)] * (not flat)
             for side in sides:
                 self.trace(*side)
-            if not flat:
+            if not flat and step.quantity != "false":
                 self.triangles.append((a, x, b))
 
     def hatching(self) -> list[Line]:

@@ -405,6 +405,27 @@ class Builder:
                 self.slide(*((basic, leads[-1]) if turned else (leads[-1], basic)), u)
         self.triads.append((basic, leads, dict(hinges)))
 
+    def contour(self) -> None:
+        """A group of class IV: two links on earlier bodies, and two rods between them; far from where it stops."""
+        rng, moving = self.rng, self.bodies[1:]
+        bases = [rng.choice([moving[-1], *moving]), rng.choice(self.bodies)]
+        if bases[0] is bases[1]:
+            bases[1] = self.frame
+        rng.shuffle(bases)
+        for _ in range(2000):
+            near, far, pivots = ([self.spot() for _ in range(2)] for _ in range(3))
+            if three_lines(["RR"] * 3, [*far, pivots[1]], [*near, pivots[0]], [0.0] * 3) > 0.35 * self.size:
+                break
+        else:
+            raise NoSolution("no well conditioned place for a group was drawn")
+        links, hinges = [], []
+        for base, pivot, ends in zip(bases, pivots, (near, far), strict=True):
+            outer = self.add(base, pivot), pivot
+            hinges.append([(next(self.names), z) for z in ends])
+            links.append(self.link([outer, *hinges[-1]]))
+        rods = [self.link(list(ends)) for ends in zip(*hinges, strict=True)]
+        self.triads.append((links[1], [links[0], *rods], dict(hinges[0] + hinges[1])))
+
     def assembly(self, way: str | None) -> dict[str, Any]:
         """The assembly by side words or by true places; call it once the bodies stand in file order."""
         out: dict[str, Any] = {}
@@ -563,7 +584,10 @@ def attempt(
     sliding = "s" in drive
     blunt = rng.randrange(len(kinds)) if ill < 1 else -1
     for k, kind in enumerate(kinds):
-        build.triad(kind) if "-" in kind else build.group(kind, k == blunt)
+        if kind == "IV":
+            build.contour()
+        else:
+            build.triad(kind) if "-" in kind else build.group(kind, k == blunt)
     for body in build.bodies[1:]:
         for _ in range(0 if body.bare else rng.randint(0, 2)):
             build.add(body, build.spot())

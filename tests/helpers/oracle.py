@@ -231,9 +231,10 @@ def order_of_groups(
                 solved |= {i, j}
                 break
         else:
-            triad = basic_and_leads([n for n in links if n not in solved], outer, points, slides, known)
-            groups.append(triad)
-            solved |= set(triad)
+            left = [n for n in links if n not in solved]
+            whole = basic_and_leads(left, outer, points, slides, known) or contour(left, outer, points, known)
+            groups.append(whole)
+            solved |= set(whole)
     return groups
 
 
@@ -277,7 +278,19 @@ def basic_and_leads(
         leads = [n for n, count in joined.items() if count == outer[n] == 1]
         if len(leads) == 3:
             return basic, *leads
-    raise NoSolution(f"no dyad and no triad among {left}")
+    return ()
+
+
+def contour(
+    left: list[str], outer: Mapping[str, int], points: Mapping[str, Mapping[str, complex]], known: set[str]
+) -> tuple[str, ...]:
+    """Two links that hang on solved ones by one hinge each, and two rods that have a hinge with both."""
+    for one, two in itertools.combinations([n for n in left if outer[n] == 1], 2):
+        near, far = ({k for k in points[n] if k not in known} for n in (one, two))
+        rods = [n for n in left if not outer[n] and points[n].keys() & near and points[n].keys() & far]
+        if len(rods) == 2:
+            return one, two, *rods
+    raise NoSolution(f"no dyad, no triad and no contour among {left}")
 
 
 def gap(m: Model, pair: Pair, q: Vector, w: Vector) -> tuple[complex, NDArray[np.complex128], complex]:

@@ -18,7 +18,7 @@ from tests.helpers.sheet_faults import unsightly
 from tests.helpers.sheets import sheet
 from tests.sample_oracle import numeric
 
-SAMPLES = tuple(f"class-three/{name}" for name in ("guide", "press", "rods", "slider", "stephenson"))
+SAMPLES = (*(f"class-three/{name}" for name in ("guide", "press", "rods", "slider", "stephenson")), "class-four")
 
 
 def path(sample: str) -> Path:

@@ -1,9 +1,11 @@
 """Where two lines, a line and an arc, or two arcs meet, and the tangent to a circle: the steps that can fail."""
 
 from dataclasses import dataclass
+from functools import reduce
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step, directions, marks, values
+from planes.drafting.steps.reckoning import Drop
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Real
@@ -39,8 +41,26 @@ class Cross(Step):
 FAIR = 0.4  # of the best crossing of two leads: a pair that crosses less sharply leaves the special point to another
 
 
+class ByLeads(Step):
+    """A step by some leads of a basic link, that others serve better where those lean."""
+
+    @property
+    def crossed(self) -> tuple[str, ...]:
+        """The directions that are to cross well."""
+        raise NotImplementedError
+
+    def crossings(self, env: Env) -> tuple[Real, ...]:
+        """How sharply they cross: as they are taken, then as after each turn of the leads."""
+        raise NotImplementedError
+
+    def choose(self, env: Env, tool: Tool) -> None:
+        """Hand over to other leads where these cross much less sharply."""
+        own, *others = self.crossings(env)
+        tool.prefer(own >= FAIR * reduce(tool.ar.maximum, others), self, LEAN)
+
+
 @dataclass(frozen=True)
-class CrossLeads(Cross):
+class CrossLeads(Cross, ByLeads):
     """Cross the lines of two leads in the special point, while they cross no much worse than with the ``third``."""
 
     third: str = ""
@@ -48,19 +68,58 @@ class CrossLeads(Cross):
     needs = marks("start", "other", "third") + directions("along", "across", "third_along")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        own, one, two = self.crossings(env)
-        tool.prefer(own >= FAIR * tool.ar.maximum(one, two), self, LEAN)
+        self.choose(env, tool)
         return super().draw(env, tool)
 
     @property
     def crossed(self) -> tuple[str, str, str]:
-        """The directions of the three leads."""
         return self.along, self.across, self.third_along
 
     def crossings(self, env: Env) -> tuple[Real, Real, Real]:
-        """How sharply the two cross, the second and the third, the third and the first."""
         one, two, three = (env[name] for name in self.crossed)
         return abs(plane.cross(one, two)), abs(plane.cross(two, three)), abs(plane.cross(three, one))
+
+
+@dataclass(frozen=True)
+class CrossFalse(Cross, ByLeads):
+    """The hinge of a rod on a false plan, while the other rod would not give it much more sharply (``instead``: the
+    directions that would be crossed then)."""
+
+    instead: tuple[str, str] = ("", "")
+    needs = marks("start", "other") + directions("along", "across", "instead")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        self.choose(env, tool)
+        return super().draw(env, tool)
+
+    @property
+    def crossed(self) -> tuple[str, ...]:
+        return self.along, self.across, *self.instead
+
+    def crossings(self, env: Env) -> tuple[Real, Real]:
+        one, two, three, four = (env[name] for name in self.crossed)
+        return abs(plane.cross(one, two)), abs(plane.cross(three, four))
+
+
+@dataclass(frozen=True)
+class DropFalse(Drop, ByLeads):
+    """The arm of a rod's line about the hinge of what it leads to, while the other rod's is not much better placed
+    (``crossed``: the line of the rod, of the hinges it leads to, and both of the other rod)."""
+
+    lines: tuple[str, str, str, str] = ("", "", "", "")
+    needs = marks("point", "about") + directions("along", "lines") + values("mu")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        self.choose(env, tool)
+        return super().draw(env, tool)
+
+    @property
+    def crossed(self) -> tuple[str, ...]:
+        return self.lines
+
+    def crossings(self, env: Env) -> tuple[Real, Real]:
+        one, two, three, four = (env[name] for name in self.lines)
+        return abs(plane.cross(one, two)), abs(plane.cross(three, four))
 
 
 @dataclass(frozen=True)
