@@ -8,7 +8,6 @@ from planes.drafting.steps.reckoning import Drop
 from planes.words import Lang, say
 from render import labels
 from render.paper.marks import Line, Mark, Text
-from render.paper.typeset import plain
 from render.views import remark
 
 NAME_MM = 3.5
@@ -58,7 +57,7 @@ def broken(start: complex, end: complex) -> list[Mark]:
 def with_unlettered(named: Iterable[labels.Label], marks: Sequence[Mark], lang: Lang) -> tuple[Mark, ...]:
     """A figure with the names of the arms beneath that it has no room for, which their equation tells."""
     there = {m.name for m in marks if isinstance(m, Text)}
-    missing = [plain(x.text) for x in named if x.name.startswith(ARM) and x.name not in there]
+    missing = [x.text for x in named if x.name.startswith(ARM) and x.name not in there]
     return (
         (*marks, *remark(f"({say('arms_unlettered', lang, names=', '.join(missing))})", marks))
         if missing
