@@ -97,7 +97,8 @@ def pairs_of(group: AnyGroup) -> tuple[Pair, ...]:
 def bodies_of(group: AnyGroup) -> tuple[tuple[str, ...], ...]:
     """What these pairs hold: its links, those that are one with the drive stopped together."""
     if not isinstance(group, Group):
-        return (group.basic,), *(lead.parts for lead in group.leads)
+        mates = {lead.link: lead.parts for lead in group.leads}
+        return tuple(mates.get(link, (link,)) for link in group.solved)
     if group.brace:
         return *((link,) for link in group.whole), group.brace.halves
     return tuple(group.parts(link) for link in group.links)

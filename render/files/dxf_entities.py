@@ -25,6 +25,7 @@ OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
 OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and brings this one of ГОСТ 2.304
 LINE_TYPES = {"axis": "DASHDOT2", "phantom": "DIVIDE2", "dash": "DASHED2"}  # LibreCAD knows line types by their names
 ARROW = "ARROW"
+UNKNOWN = frozenset("→←↔↑↓")  # signs that its font does not know
 _FEET = {"start": (7, 0.0), "middle": (8, 0.5), "end": (9, 1.0)}  # where on its base line an MTEXT is held
 
 
@@ -119,9 +120,9 @@ class Entities(Writer):
 
     def text(self, text: Text) -> None:
         """A text as a TEXT fitted between its ends, but for 1, l and other slim letters by themselves; as an MTEXT, if
-        it has indices; or the lettering itself."""
+        it has indices; or the lettering itself, with signs that LibreCAD would not show."""
         laid = layout(text)
-        if self.drawn_letters:
+        if self.drawn_letters or UNKNOWN & set(text.text):
             self.lettering(text)
         elif len(laid.runs) > 1:
             foot, part = _FEET[text.anchor]

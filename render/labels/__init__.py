@@ -11,6 +11,7 @@ from contextvars import ContextVar
 from render.labels.board import Board
 from render.labels.candidates import BETWEEN, CLEAR_MM, Label, Placed, liked
 from render.labels.footprints import Bounds, ink
+from render.labels.surroundings import Surroundings
 from render.paper.marks import Line, Mark, Text
 from render.paper.typeset import box_of
 
@@ -46,10 +47,12 @@ def place(
     marks = list(marks)
     standing = [m for m in marks if isinstance(m, Text)]
     ground = ink([*marks, *map(_beside, standing)])
-    board = Board(labels, ground, field, ink(yielding), ink(standing))
+    board = Board(labels, Surroundings(ground, ink(yielding), ink(standing), field))
     board.choose()
     board.repair()
     while board.widen():
+        board.repair()
+    if board.excuse():
         board.repair()
     return board.placed()
 

@@ -5,40 +5,31 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-import shapely
 
-from planes.geometry.arrays import Array, Booleans, Complexes, Indices
+from planes.geometry.arrays import Array, Booleans, Indices
 from render.labels.candidates import (
     APART_MM,
-    CLEAR_MM,
     FAR,
     NEAR,
-    Candidates,
     Label,
     Placed,
     beside,
     distances,
     far_off,
     met,
+    nowhere,
     own_distance,
     placed,
     union,
 )
-from render.labels.footprints import Bounds, InkedShapes, close
+from render.labels.footprints import close
+from render.labels.surroundings import HARD, Surroundings
 
-HARD = 200.0  # cost of one overlap, more than all that is merely disliked together
-OUTSIDE = 1000.0  # cost of leaving the field
-TIGHT = 1.5  # cost of standing closer than ROOM_MM to ink
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
-CROSSING = 8.0  # cost of a leader's crossing with a stroke
-THROUGH = 80.0  # cost of its going through a text
-BROKEN = 4.0  # cost of a thin line that is broken for a label
-ROOM_MM = 1.3
 CLOSE = 3.0  # cost of standing beside another label, farther off than it must
 PATIENCE = 1000  # how often labels of one board are asked to make room for others
-FAR_PLACES = 160  # of a label that needs a leader line: the nearest free ones
-ENOUGH = 8  # crossings, or lines broken: more are hardly worse
-AT_ONCE = 5000  # candidates looked at together: what lies near them is held for so many
+FAR_PLACES = 160, 1000  # of a label that needs a leader line: the nearest free ones; more where those are not enough
+AWAY = 150.0  # cost of leaving a label out that is told elsewhere, too: less than an overlap, more than all else
 _SWEEPS = 8
 
 
@@ -58,21 +49,13 @@ class Board:
     others is found out once, when it is first chosen; ``clashes`` and ``near`` count what all chosen ones do.
     """
 
-    def __init__(
-        self,
-        labels: Sequence[Label],
-        ground: InkedShapes,
-        field: Bounds | None,
-        yielding: InkedShapes,
-        standing: InkedShapes,
-    ) -> None:
-        self.labels, self.ground, self.field = labels, ground, field
-        self.yielding, self.standing = yielding, standing
+    def __init__(self, labels: Sequence[Label], around: Surroundings) -> None:
+        self.labels, self.around = labels, around
         self.options = [beside(label, NEAR) for label in labels]
-        self.costs = self._judged(self.options)
+        self.costs = self.around.judged(self.options)
         for k in range(len(labels)):
             self.costs[k] += AMBIGUOUS * self._strays(k)
-        self.chosen, self.wide, self.moves = dict[int, int](), set[int](), 0
+        self.chosen, self.wide, self.moves = dict[int, int](), dict[int, int](), 0
         self._list()
 
     def _list(self) -> None:
@@ -102,47 +85,6 @@ class Board:
         at = np.flatnonzero(reached)
         clashes, near = met(self.every.some(at), self.every.some(np.array([row])))
         return Effect(at, clashes[:, 0], near[:, 0])
-
-    def _judged(self, options: Sequence[Candidates]) -> list[Array]:
-        """What every candidate costs before the other labels are looked at."""
-        every = union(options)
-        cost = every.wish + self._on_ink(every.boxes)
-        if self.field is not None:
-            x0, y0, x1, y1 = self.field
-            boxes = every.boxes
-            inside = (boxes[:, 0] >= x0) & (boxes[:, 1] >= y0) & (boxes[:, 2] <= x1) & (boxes[:, 3] <= y1)
-            cost += OUTSIDE * ~inside
-        return np.split(cost, np.cumsum([len(option.wish) for option in options])[:-1])
-
-    def _on_ink(self, boxes: Array) -> Array:
-        """Cost of the strokes that each box touches or nearly touches."""
-        if len(boxes) > AT_ONCE:
-            parts = np.split(boxes, range(AT_ONCE, len(boxes), AT_ONCE))
-            return np.concatenate([self._on_ink(part) for part in parts])
-        cost = np.zeros(len(boxes))
-        if len(self.ground.shapes):
-            pairs, apart = self.ground.gaps(shapely.box(*boxes.T), ROOM_MM)
-            cost += TIGHT * (np.bincount(pairs[0, apart <= ROOM_MM], minlength=len(boxes)) > 0)
-            cost += HARD * np.bincount(pairs[0, apart <= CLEAR_MM], minlength=len(boxes))
-        if len(self.yielding.shapes):
-            broken = self.yielding.within(shapely.box(*boxes.T), CLEAR_MM)[0]
-            cost += BROKEN * _bounded(np.bincount(broken, minlength=len(boxes)))
-        return cost
-
-    def _crossing(self, leaders: Complexes) -> Array:
-        """What it costs that leaders cross strokes, thin ones that yield for less, and texts that stand already."""
-        strokes = self._crossings(leaders, (self.ground, 1.0), (self.yielding, 0.25))
-        return CROSSING * _bounded(strokes) + THROUGH * self._crossings(leaders, (self.standing, 1.0))
-
-    def _crossings(self, leaders: Complexes, *layers: tuple[InkedShapes, float]) -> Array:
-        """How many shapes each leader crosses, each counted by its weight."""
-        lines = shapely.linestrings(np.stack([leaders.real, leaders.imag], axis=-1))
-        counts = np.zeros(len(leaders))
-        for inked, weight in layers:
-            if len(inked.shapes) and len(leaders):
-                pairs = inked.tree.query(lines, predicate="intersects")
-                counts += weight * np.bincount(pairs[0], minlength=len(leaders))
-        return counts
 
     def _strays(self, k: int) -> Booleans:
         """Which candidates of label k stand nearer to the point of another label than to their own."""
@@ -225,25 +167,32 @@ class Board:
 
     def widen(self) -> bool:
         """Give labels that still overlap places farther off, with leader lines; False if none is left to be given."""
-        late = [k for k in self.unhappy() if k not in self.wide]
-        self.wide |= set(late)
+        late = [k for k in self.unhappy() if self.wide.get(k, 0) < len(FAR_PLACES)]
         if not late:
             return False
         far = [far_off(self.labels[k], FAR) for k in late]
-        for k, option, cost in zip(late, far, self._judged(far), strict=True):
-            best = np.argsort(cost, kind="stable")[:FAR_PLACES]
+        for k, option, cost in zip(late, far, self.around.judged(far), strict=True):
+            times = self.wide.get(k, 0)
+            best = np.argsort(cost, kind="stable")[FAR_PLACES[times - 1] if times else 0 : FAR_PLACES[times]]
             free = best[cost[best] < HARD]
             some = option.some(free)
             self.options[k] = union([self.options[k], some])
-            self.costs[k] = np.concatenate([self.costs[k], cost[free] + self._crossing(some.leaders)])
+            self.costs[k] = np.concatenate([self.costs[k], cost[free] + self.around.crossing(some.leaders)])
+            self.wide[k] = times + 1
+        self.moves = 0
         self._list()
         return True
+
+    def excuse(self) -> bool:
+        """Let labels that are told elsewhere, too, make room for others by being left out; False if none overlaps."""
+        late = [k for k, label in enumerate(self.labels) if label.told] if self.unhappy() else []
+        for k in late:
+            self.options[k] = union([self.options[k], nowhere(self.labels[k])])
+            self.costs[k] = np.append(self.costs[k], AWAY)
+        self.moves = 0
+        self._list()
+        return bool(late)
 
     def placed(self) -> Placed:
         """The labels in the places chosen for them."""
         return placed(self.labels, self.every.some(self.places()))
-
-
-def _bounded(counts: Array | Indices) -> Array:
-    """Numbers of what is disliked: beyond some it hardly gets worse."""
-    return np.minimum(counts, ENOUGH) + 0.02 * counts.astype(np.float64)

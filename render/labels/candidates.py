@@ -44,7 +44,8 @@ class Label:
     """A text and the point or segment it names.
 
     ``side`` is the direction from it that is liked best (0: no wish), ``clear`` the radius around a point
-    that is to be kept free (a hinge's) in mm; higher ``priority`` chooses earlier.
+    that is to be kept free (a hinge's) in mm; higher ``priority`` chooses earlier. What is ``told`` elsewhere, too,
+    is left out where there is no room for it.
     """
 
     text: str
@@ -56,6 +57,7 @@ class Label:
     layer: Layer = "text"
     name: str = ""
     underlined: bool = False
+    told: bool = False
 
     @property
     def extent(self) -> tuple[float, float, float, float]:
@@ -65,8 +67,8 @@ class Label:
 
 
 class Placed(NamedTuple):
-    """The labels as texts, in the order they were given, and the leader lines some of them need; dots at the ends of
-    leaders to lines, and lines under texts."""
+    """The labels that are not left out as texts, in the order they were given, and the leader lines some of them need;
+    dots at the ends of leaders to lines, and lines under texts."""
 
     texts: tuple[Text, ...]
     leaders: tuple[Line, ...]
@@ -133,6 +135,11 @@ def _led(at: complex, label: Label, gaps: Sequence[float], free: float) -> Candi
     toward = (near - at) / abs(near - at)
     led = _LED + _LONGER * abs(near - at)
     return _candidates(label, boxes, wish + led, np.stack([near - 0.6 * toward, at + free * toward], axis=1))
+
+
+def nowhere(label: Label) -> Candidates:
+    """The place of a label that is left out."""
+    return _candidates(label, np.full((1, 4), np.nan), np.zeros(1), np.full((1, 2), np.nan, dtype=complex))
 
 
 def union(parts: Sequence[Candidates]) -> Candidates:
@@ -222,7 +229,8 @@ def liked(labels: Sequence[Label]) -> Placed:
 def placed(labels: Sequence[Label], chosen: Candidates) -> Placed:
     """Labels in the places chosen for them."""
     texts, leaders, signs = list[Text](), list[Line](), list[Line | Arc]()
-    for label, (x0, y0, x1, _), led in zip(labels, chosen.boxes, chosen.leaders, strict=True):
+    there = zip(labels, chosen.boxes, chosen.leaders, strict=True)
+    for label, (x0, y0, x1, _), led in (one for one in there if not np.isnan(one[1][0])):
         left, low, *_ = label.extent
         base = complex(x0 - left, y0 - low)
         texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))

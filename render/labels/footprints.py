@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain
 
 import numpy as np
 import shapely
@@ -68,8 +67,8 @@ def _begun(line: Polyline) -> range:
 def bounds(marks: Iterable[Mark]) -> Bounds:
     """The box around all ink of the marks; of none a box of no size."""
     parts = list(map(_parts, marks))
-    edges = [(z, half) for half, lines, _ in parts for z in chain(*lines)]
-    return box_around([*edges, *((z, 0.0) for _, _, filled in parts for z in chain(*filled))])
+    edges = [(line, half) for half, lines, _ in parts for line in lines]
+    return box_around([*edges, *((area, 0.0) for _, _, filled in parts for area in filled)])
 
 
 def _parts(mark: Mark) -> tuple[float, list[Polyline], list[Polyline]]:

@@ -175,10 +175,13 @@ def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
         yield 0.0, tuple([run.at + complex(z.real + shear * z.imag, z.imag) for z in line])
 
 
-def box_around(edges: Iterable[tuple[complex, float]]) -> tuple[float, float, float, float]:
-    """The box around places, each with half the width of its pen; of none a box of no size."""
-    sides = [(z.real - half, z.imag - half, z.real + half, z.imag + half) for z, half in edges] or [(0.0,) * 4]
-    left, low, right, top = zip(*sides, strict=True)
+def box_around(lines: Iterable[tuple[Polyline, float]]) -> tuple[float, float, float, float]:
+    """The box around lines, each with half the width of its pen; of none a box of no size."""
+    sides = []
+    for line, half in lines:
+        x, y = [z.real for z in line], [z.imag for z in line]
+        sides.append((min(x) - half, min(y) - half, max(x) + half, max(y) + half))
+    left, low, right, top = zip(*sides or [(0.0,) * 4], strict=True)
     return min(left), min(low), max(right), max(top)
 
 
@@ -225,4 +228,4 @@ def _indices(part: Indexed, x: float, height: float, face: Face, runs: list[Run]
 
 def _bounds(inked: _Inked) -> tuple[float, float, float, float]:
     """Bounds of the ink with half of its pen."""
-    return box_around((z, pen / 2) for pen, line in inked for z in line)
+    return box_around((line, pen / 2) for pen, line in inked)

@@ -8,6 +8,7 @@ need not be.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -55,7 +56,7 @@ class Columns:
         now = list(order or range(len(self.items)))
         best = self.ordered(now)
         needed = sum((i.width + GAP_MM) * (i.height + GAP_MM) for i in self.items)
-        hopeful = needed < FULLEST * self.stacking.module.area
+        hopeful = needed < FULLEST * self.stacking.module.area and self._roomy
         for k in (k for k, item in enumerate(self.items) if k and item.loose and hopeful):
             rest = [i for i in now if i != k]
             for tried in ([*rest[:at], k, *rest[at:]] for at in range(1, len(now))):
@@ -74,7 +75,13 @@ class Columns:
     @cached_property
     def cost(self) -> float:
         """How far they are from being filled well; less than ``OVER`` where every view has room."""
-        return float(self._ended.min())
+        return float(self._ended.min()) if self._roomy else math.inf
+
+    @property
+    def _roomy(self) -> bool:
+        """Whether the field is not smaller than all views together, each with its gap and as wide as its units."""
+        module = self.stacking.module
+        return sum(module.span(i.width) * module.pitch * (i.height + GAP_MM) for i in self.items) <= module.area
 
     @cached_property
     def spots(self) -> list[Spot]:

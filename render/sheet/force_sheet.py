@@ -14,6 +14,7 @@ from planes.words import say
 from planes.words.names import POLE, at, kind_of, links_of, mu_of
 from render.sheet.composer import Composer
 from render.views import View, beside, view
+from render.views.arms import with_unlettered
 from render.views.loading import Loading
 from render.views.moments import Lever
 from render.views.plotted import Places, Plotted, of_position, with_links_apart
@@ -99,6 +100,7 @@ class ForceSheet:
                 loading.balancing(*links)
             loading.arms(position.plans.on(links))
             drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
+            drawn = with_unlettered(loading.named, drawn, c.lang)
             alone = "loaded_driver" if links == (position.plans.structure.driver,) else "loaded_link"
             key = "loaded_group" if len(links) > 1 else alone
             title = c.titled(position, key, links="–".join(map(c.naming.link, links)))

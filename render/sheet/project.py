@@ -82,7 +82,8 @@ class Project:
             strokes = many.strokes(c.lang)
             frame = frame_sizes(scheme.places, mu, bounds([*thin, *sizes_drawn(strokes)]), c.lang)
             crossed, letters = special_points(position, c.naming)
-            marks = [*thin, *angle, *sizes_drawn([*strokes, *frame]), *crossed]
+            sizes = sizes_drawn([*strokes, *frame], [*thin, *scheme.strokes])
+            marks = [*thin, *angle, *sizes, *crossed]
             drawn = scheme.drawn(True, marks, [*named, *many.labels(), *letters])
             for text in (unseen := many.unseen(c.lang)):
                 drawn = (*drawn, *remark(f"({text})", drawn))

@@ -1,15 +1,19 @@
 """Arms of forces on a scheme: perpendiculars on their lines of action."""
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Drop
+from planes.words import Lang, say
 from render import labels
-from render.paper.marks import Line, Mark
+from render.paper.marks import Line, Mark, Text
+from render.views import remark
 
 NAME_MM = 3.5
 LEAST_MM = 2.0  # of an arm
 SAME_MM = 0.1  # arms that differ by less are one
+ARM = "arm "  # how the name of its label begins
 BREAK_MM = 2.5  # half of a break along its line
 
 
@@ -31,7 +35,7 @@ class Arms:
                 self.named[k] = replace(other, text=f"{other.text} = {text}")
                 return
         self.marks.append(Line(ends, "thin", "dimension"))
-        self.named.append(labels.Label(text, ends, NAME_MM, name=f"arm {force}"))
+        self.named.append(labels.Label(text, ends, NAME_MM, name=f"{ARM}{force}", told=True))
 
 
 def drops_of(drawing: Drawing) -> dict[str, Drop]:
@@ -48,3 +52,14 @@ def broken(start: complex, end: complex) -> list[Mark]:
         Line((*zigzag, middle + BREAK_MM * along), "thin", "axis"),
         Line((middle + BREAK_MM * along, end), "axis", "axis"),
     ]
+
+
+def with_unlettered(named: Iterable[labels.Label], marks: Sequence[Mark], lang: Lang) -> tuple[Mark, ...]:
+    """A figure with the names of the arms beneath that it has no room for, which their equation tells."""
+    there = {m.name for m in marks if isinstance(m, Text)}
+    missing = [x.text for x in named if x.name.startswith(ARM) and x.name not in there]
+    return (
+        (*marks, *remark(f"({say('arms_unlettered', lang, names=', '.join(missing))})", marks))
+        if missing
+        else (*marks,)
+    )

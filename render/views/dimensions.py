@@ -3,6 +3,8 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+import shapely
+
 from planes.scene.mechanism import FRAME
 from planes.words import Lang
 from planes.words.lettering import Naming
@@ -20,7 +22,7 @@ LETTER_MM = 3.5
 APART_MM, BESIDE_MM = 7.0, 10.0  # of sizes from each other, and from what is drawn
 HEADS_MM = 8.0  # of the arrows beside the text
 ANGLE_MM, AXIS_MM = 16.0, 21.0  # the radius at which the driver's angle is shown, and the axis it is measured from
-PARTING = (0.5, 0.35, 0.65, 0.25, 0.75)  # of a size's length, where its text may stand
+PARTING = (0.5, 0.42, 0.58, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85)  # of a size's length, where its text may stand
 SQUARE = 1e-6
 
 
@@ -45,32 +47,36 @@ class Size:
         return [Line((z, end + PAST_MM * self.aside), "thin", "dimension") for z, end in pairs]
 
     def marks(self, others: Sequence[Line] = ()) -> list[Mark]:
-        """All of it; its arrows part, beneath the text, where no line that leads to others comes near."""
-        (a, b), turn = self.ends, degrees(self.ends[1] - self.ends[0])
-        turn -= 180 * round(turn / 180 - 1e-9)  # read from below or from the right
+        """All of it; its arrows part, beneath the text, where no other line comes near."""
+        a, b = self.ends
         free = (z for t in PARTING if self.clear(z := a + t * (b - a), others))
         parting = next(free, (a + b) / 2)
         arrows = [Arrow(parting, end, "thin", "dimension") for end in self.ends]
-        place = parting + OVER_MM * 1j * symbols.unit(turn)
+        place = parting + OVER_MM * 1j * symbols.unit(self.turn)
         return [
             *self.leading(),
             *arrows,
-            Text(self.text, place, LETTER_MM, anchor="middle", turn_deg=turn, layer="dimension", name=self.name),
+            Text(self.text, place, LETTER_MM, anchor="middle", turn_deg=self.turn, layer="dimension", name=self.name),
         ]
 
+    @property
+    def turn(self) -> float:
+        """The direction of its text, degrees: it is read from below or from the right."""
+        turn = degrees(self.ends[1] - self.ends[0])
+        return turn - 180 * round(turn / 180 - 1e-9)
+
     def clear(self, z: complex, others: Iterable[Line]) -> bool:
-        """Whether a text over a place is clear of the lines that lead to other sizes."""
-        way, half = self.ends[1] - self.ends[0], ink_width(self.text, LETTER_MM) / 2 + OVER_MM
-        beside = ([(w - z) * abs(way) / way for w in line.points] for line in others)
-        return not any(
-            abs(a.real) < half and abs(a.imag + b.imag) < abs(a.imag - b.imag) + 2 * LETTER_MM for a, b in beside
-        )
+        """Whether a text over a place is clear of other lines."""
+        half, way = ink_width(self.text, LETTER_MM) / 2 + OVER_MM, symbols.unit(self.turn)
+        box = shapely.box(-half, -LETTER_MM, half, LETTER_MM + 2 * OVER_MM)
+        turned = ([(w - z) / way for w in line.points] for line in others)
+        return not any(box.intersects(shapely.LineString([(w.real, w.imag) for w in line])) for line in turned)
 
 
-def sizes_drawn(sizes: Sequence[Size]) -> list[Mark]:
-    """Sizes whose texts no line that leads to another one crosses."""
-    leading = [line for one in sizes for line in one.leading()]
-    return [m for one in sizes for m in one.marks(leading)]
+def sizes_drawn(sizes: Sequence[Size], ground: Iterable[Mark] = ()) -> list[Mark]:
+    """Sizes whose texts no line of the ground crosses, and none that leads to another one."""
+    lines = [m for m in ground if isinstance(m, Line)] + [line for one in sizes for line in one.leading()]
+    return [m for one in sizes for m in one.marks(lines)]
 
 
 def stroke(one: complex, other: complex, off: complex, text: str) -> Size:

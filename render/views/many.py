@@ -80,6 +80,11 @@ class ManyPositions:
         """Whether a position is there and on the paper."""
         return result is not None and self.size(result) <= self.reach
 
+    @cached_property
+    def seen(self) -> list[tuple[PlacedMechanism | None, bool]]:
+        """The finer turn, with whether each of its positions is on the paper."""
+        return [(result, self.near(result)) for result in self.turn]
+
     def marks(self) -> list[Mark]:
         """Bars of all links in all positions, the extreme ones blacker, and the paths."""
         found: list[Mark] = []
@@ -139,8 +144,8 @@ class ManyPositions:
         straight = {p for x in m.links.values() if x.slides and m.owner(x.slides.guide) == FRAME for p in x.points}
         fixed = set(m.frame.points) | straight
         for point in dict.fromkeys(p for link in m.links.values() for p in link.points if p not in fixed):
-            for there, results in groupby(self.turn, key=self.near):
-                run = [self.place(result, point) for result in results if result and there]
+            for there, places in groupby(self.seen, key=lambda one: one[1]):
+                run = [self.place(result, point) for result, _ in places if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:
                     found.append(Line(tuple(run), "dash", "construction"))
         return found

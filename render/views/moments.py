@@ -18,7 +18,7 @@ from planes.words.read_off import fixed, measured
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import dot
-from render.views.arms import Arms, drops_of
+from render.views.arms import Arms, drops_of, with_unlettered
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
 from render.views.plotted import Ends, of_position
@@ -153,7 +153,8 @@ class Lever:
         named = [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
         marks += dot(0j, 0.8, "plan")
         forces, names = self.forces(lines)
-        return labelled([*named, *names], [*marks, *forces])
+        named += names
+        return with_unlettered(named, labelled(named, [*marks, *forces]), self.naming.lang)
 
     def forces(self, lines: list[Ends]) -> tuple[list[Mark], list[labels.Label]]:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""

@@ -31,6 +31,7 @@ SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
 ASIDE_MM = 2.0  # between vectors of one line
+TOUCH_MM = 0.5  # how near they may come where they slant but slightly
 HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # of hatched triangles: least radius, between strokes, to the sides
 ALONG_DEG = 12.0  # strokes nearer than this to the direction of a side seem to be along it
 MARK_MM = 5.0
@@ -181,7 +182,7 @@ class Polygon:
         """The arrows: results thick, what they are made of thinner; forces of one line side by side."""
         for (start, end), names in sorted(self.arrows.items(), key=lambda item: not self.is_result(*item)):
             ends, thick = (self.mark(start), self.mark(end)), self.is_result((start, end), names)
-            placed = ends if self.of_rates else set_apart(ends, self.places.values(), ASIDE_MM, ASIDE_MM / 2)
+            placed = ends if self.of_rates else set_apart(ends, self.places.values(), ASIDE_MM, ASIDE_MM / 2, TOUCH_MM)
             self.shifted |= placed != ends
             self.places[start, end] = placed
             layer: Layer = "result" if thick else "plan" if self.of_rates else "force"

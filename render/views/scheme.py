@@ -4,6 +4,7 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 
 from planes.scene.mechanism import FRAME, Link
@@ -54,18 +55,22 @@ class Scheme:
         self, arrows: bool = True, marks: Sequence[Mark] = (), named: Sequence[labels.Label] = ()
     ) -> tuple[Mark, ...]:
         """All marks: guides, sliders, bars, hinges, letters, the driver's arrows; and what is drawn on top."""
-        for link in self.links:
-            if all(map(self.places.has, link.points)):
-                self.link(link)
-        self.pairs()
-        self.letters()
-        ground: list[Mark] = [*self.axes, *self.rails, *self.guides, *self.blocks, *self.bars, *self.hinges]
-        ground += marks
+        ground = [*self.strokes, *marks]
         if arrows:
             turning, letters = driver_arrows(self.places, self.naming, ground)
             ground += turning
             self.named += letters
         return labelled([*self.named, *named], ground)
+
+    @cached_property
+    def strokes(self) -> list[Mark]:
+        """Guides, sliders, bars and hinges."""
+        for link in self.links:
+            if all(map(self.places.has, link.points)):
+                self.link(link)
+        self.pairs()
+        self.letters()
+        return [*self.axes, *self.rails, *self.guides, *self.blocks, *self.bars, *self.hinges]
 
     # links
 

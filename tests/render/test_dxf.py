@@ -91,6 +91,15 @@ def test_a_narrowed_name_is_as_narrow():
     assert found.dxf.align_point.x - found.dxf.insert.x == pytest.approx(layout(marks[0]).runs[0].width, abs=1e-4)
 
 
+@pytest.mark.parametrize("said", ["↓", "B→A", "a_{2}→b"])
+def test_signs_that_librecad_has_no_letter_for_are_drawn(said):
+    (*drawn, plain) = ezdxf.read(
+        io.StringIO(dxf.write([Text(said, 10 + 50j), Text("⊥BC", 50 + 50j)], (100, 100), "t").decode())
+    ).modelspace()
+    assert plain.dxf.text == "⊥BC" and len(drawn) == len(layout(Text(said, 0j)).strokes)
+    assert {e.dxftype() for e in drawn} == {"LWPOLYLINE"}
+
+
 def test_a_label_with_indices_is_one_text():
     found = sheet("kind-1-rrr")
     space = read(found).modelspace()

@@ -82,6 +82,19 @@ def test_a_label_boxed_in_gets_a_leader() -> None:
     assert conflicts(placed.texts, [*around, *placed.leaders], (0, 0, 100, 100)) == ()
 
 
+def test_what_is_told_elsewhere_makes_way_where_there_is_no_room_for_all() -> None:
+    field = (0.0, 0.0, 14.0, 14.0)
+    points = [Label(name, complex(7, 3 + 4 * k), clear=1.0) for k, name in enumerate("BCD")]
+    arms = [Label(f"h_{{{k}}}", 7 + 7j, 3.5, name=f"arm {k}") for k in range(6)]
+    every = place([*points, *arms], [], field)
+    assert len(every.texts) == 9 and conflicts(every.texts, [], field) != ()
+    some = place([*points, *(replace(arm, told=True) for arm in arms)], [], field)
+    assert conflicts(some.texts, some.leaders, field) == ()
+    assert {"B", "C", "D"} <= {t.text for t in some.texts} and 3 < len(some.texts) < 9
+    there = place([*points[:1], replace(arms[0], told=True)], [], (0, 0, 40, 40))
+    assert len(there.texts) == 2
+
+
 def test_labels_of_one_point_do_not_read_as_one() -> None:
     placed = place([Label("b", 50 + 50j), Label("c", 50 + 50j), Label("p", 50 + 50j)], [])
     assert conflicts(placed.texts) == ()

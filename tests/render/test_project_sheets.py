@@ -23,9 +23,11 @@ from render.paper.marks import Arrow, Line, Shape, Text
 from render.paper.style import BASE_MM
 from render.paper.typeset import plain
 from render.views.diagrams import runs
+from render.views.dimensions import Size, sizes_drawn
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.scheme import Scheme
 from tests.helpers import ROOT, sheets
+from tests.helpers.conflicts import conflicts
 from tests.helpers.glyphs import missing
 from tests.render.test_sheet import clashes
 
@@ -42,6 +44,15 @@ def sheet(name, number, value=None):
 
 def words(sheet):
     return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
+
+
+@pytest.mark.parametrize("turn", [1, 1j, -1])
+def test_the_text_of_a_size_keeps_clear_of_lines_that_slant_over_it(turn):
+    one = Size((0j, 100 * turn), (-20j * turn, (100 - 20j) * turn), -1j * turn, "1420,6")
+    line = Line(((40 - 50j) * turn, (60 + 10j) * turn))
+    for ground, free in (((), False), ((line,), True)):
+        (text,) = (m for m in sizes_drawn([one], ground) if isinstance(m, Text))
+        assert (conflicts([text], [line]) == ()) is free
 
 
 @pytest.mark.few(1, slow=8)

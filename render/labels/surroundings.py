@@ -1,0 +1,77 @@
+"""What stands on a board already, and what places among it cost; all in mm of the sheet."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from planes.geometry.arrays import Array, Complexes, Indices
+from render.labels.candidates import CLEAR_MM, Candidates, union
+from render.labels.footprints import Bounds, InkedShapes
+
+HARD = 200.0  # cost of one overlap, more than all that is merely disliked together
+OUTSIDE = 1000.0  # cost of leaving the field
+TIGHT = 1.5  # cost of standing closer than ROOM_MM to ink
+CROSSING = 8.0  # cost of a leader's crossing with a stroke
+THROUGH = 80.0  # cost of its going through a text
+BROKEN = 4.0  # cost of a thin line that is broken for a label
+ROOM_MM = 1.3
+ENOUGH = 8  # crossings, or lines broken: more are hardly worse
+AT_ONCE = 5000  # candidates looked at together: what lies near them is held for so many
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """The ink that no label may touch, thin lines that yield to one, the texts that stand already, and the field."""
+
+    ground: InkedShapes
+    yielding: InkedShapes
+    standing: InkedShapes
+    field: Bounds | None = None
+
+    def judged(self, options: Sequence[Candidates]) -> list[Array]:
+        """What every candidate costs before the other labels are looked at."""
+        every = union(options)
+        cost = every.wish + self._on_ink(every.boxes)
+        if self.field is not None:
+            x0, y0, x1, y1 = self.field
+            boxes = every.boxes
+            inside = (boxes[:, 0] >= x0) & (boxes[:, 1] >= y0) & (boxes[:, 2] <= x1) & (boxes[:, 3] <= y1)
+            cost += OUTSIDE * ~inside
+        return np.split(cost, np.cumsum([len(option.wish) for option in options])[:-1])
+
+    def _on_ink(self, boxes: Array) -> Array:
+        """Cost of the strokes that each box touches or nearly touches."""
+        if len(boxes) > AT_ONCE:
+            parts = np.split(boxes, range(AT_ONCE, len(boxes), AT_ONCE))
+            return np.concatenate([self._on_ink(part) for part in parts])
+        cost = np.zeros(len(boxes))
+        if len(self.ground.shapes):
+            pairs, apart = self.ground.gaps(shapely.box(*boxes.T), ROOM_MM)
+            cost += TIGHT * (np.bincount(pairs[0, apart <= ROOM_MM], minlength=len(boxes)) > 0)
+            cost += HARD * np.bincount(pairs[0, apart <= CLEAR_MM], minlength=len(boxes))
+        if len(self.yielding.shapes):
+            broken = self.yielding.within(shapely.box(*boxes.T), CLEAR_MM)[0]
+            cost += BROKEN * _bounded(np.bincount(broken, minlength=len(boxes)))
+        return cost
+
+    def crossing(self, leaders: Complexes) -> Array:
+        """What it costs that leaders cross strokes, thin ones that yield for less, and texts that stand already."""
+        strokes = self._crossings(leaders, (self.ground, 1.0), (self.yielding, 0.25))
+        return CROSSING * _bounded(strokes) + THROUGH * self._crossings(leaders, (self.standing, 1.0))
+
+    def _crossings(self, leaders: Complexes, *layers: tuple[InkedShapes, float]) -> Array:
+        """How many shapes each leader crosses, each counted by its weight."""
+        lines = shapely.linestrings(np.stack([leaders.real, leaders.imag], axis=-1))
+        counts = np.zeros(len(leaders))
+        for inked, weight in layers:
+            if len(inked.shapes) and len(leaders):
+                pairs = inked.tree.query(lines, predicate="intersects")
+                counts += weight * np.bincount(pairs[0], minlength=len(leaders))
+        return counts
+
+
+def _bounded(counts: Array | Indices) -> Array:
+    """Numbers of what is disliked: beyond some it hardly gets worse."""
+    return np.minimum(counts, ENOUGH) + 0.02 * counts.astype(np.float64)
