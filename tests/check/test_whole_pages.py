@@ -27,6 +27,7 @@ from tests import confusion  # noqa: E402
 from tests.helpers.drawings import Mistake  # noqa: E402
 from tests.physical import corpus  # noqa: E402
 from tests.physical.counting import Tally  # noqa: E402
+from tests.physical.factors import FACTORS  # noqa: E402
 from tests.physical.setting import Setting, varied  # noqa: E402
 from tests.picture_corpus import drawn  # noqa: E402
 
@@ -49,7 +50,7 @@ def work(mistake: Mistake | None, seed: int, scale: float = 1.0) -> corpus.Work:
 
 def shot(of: corpus.Work, factor: str, file: Path, **more: Any) -> corpus.Picture:
     """A picture of one factor."""
-    setting = replace(varied(Setting(), corpus.FACTORS[factor], random.Random(factor)), **more)
+    setting = replace(varied(Setting(), FACTORS[factor], random.Random(factor)), **more)
     found = corpus.picture(of, setting, factor, file)
     assert found is not None
     return found
