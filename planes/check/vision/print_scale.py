@@ -30,21 +30,22 @@ Rows = list[tuple[str, float, float]]  # by vector: how much longer it seems to 
 
 
 def printed_share(flat: Flat, grey: Greys, scale: float | None) -> float:
-    """The share of its size a blank was printed at, told by a scan that knows its pixels to a millimetre; 1 of others,
-    and where it is as large as no printer makes it."""
+    """The share of its size a blank was printed at, told by a scan that knows its pixels to a millimetre; 1 of others
+    (those that see it askew among them), and where no printer makes it so large."""
     if scale is None:
         return 1.0
     height, width = grey.shape
     far, middle = min(height, width) / 4, complex(width, height) / 2
-    seen = (abs(flat.place(middle + far * way) - flat.place(middle - far * way)) for way in (1, 1j))
-    share = sum(2 * far / scale / mm for mm in seen) / 2
-    return share if LEAST < share < MOST and abs(share - 1) > TRUE else 1.0
+    across, down = (2 * far / scale / abs(flat.place(middle + far * w) - flat.place(middle - far * w)) for w in (1, 1j))
+    share = (across + down) / 2
+    true = LEAST < share < MOST and abs(across - down) < TRUE < abs(share - 1)
+    return share if true else 1.0
 
 
 def likely_shares(flat: Flat, pairs: Iterable[tuple[str, complex, complex]]) -> list[float]:
     """What a sheet may have been printed at: its size, or what its file tells, then what may be vectors of the plan
     tell, the likeliest first; these by name, as seen and as they should be."""
-    rows, found = _rows(pairs) if flat.by == "marks" else [], [flat.printed]
+    rows, found = _rows(pairs) if flat.by == "marks" else [], [*dict.fromkeys((flat.printed, 1.0))]
     for _, share in sorted(((-len(_agreeing(rows, r)), 1 / r) for _, r, _ in rows)):
         agreeing = _agreeing(rows, 1 / share)
         share = 1 / _mean(agreeing)
