@@ -18,7 +18,8 @@ from planes.check.grading.paper import Known
 from planes.check.handed_in import read_paper
 from planes.words.errors import PlanesError
 from tests import confusion
-from tests.physical.corpus import PHONE, Picture, picture, works
+from tests.physical.corpus import Picture, picture, works
+from tests.physical.factors import PHONE
 from tests.physical.setting import Setting, varied
 
 PAGES = ("scan 200", "scan 300", "phone", "phone, 24 megapixels")

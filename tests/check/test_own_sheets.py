@@ -13,8 +13,10 @@ import pytest
 
 from planes.check import Outcome, check
 from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.paper import Known
 from planes.check.grading.perturbing import HAND
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare, variants_of
+from planes.check.handed_in import read_paper
 from planes.check.reading.arrowheads import settle
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.parts import joined, parts, without_letters
@@ -290,3 +292,17 @@ def test_the_polygon_of_a_law_is_right_in_its_own_position_alone(phi: str, tmp_p
     scene, plan, file = str(SAMPLES / "shaper.yaml"), ["--plan", "force:4-5"], str(tmp_path / "idle.svg")
     assert main(["sheet", scene, "--phi", phi, "-o", file]) == 0
     assert [main(["check", scene, file, *plan, "--phi", at]) for at in (phi, "60")] == [0, 1]
+
+
+@pytest.mark.few(1)
+def test_short_forces_that_are_not_seen_are_no_gap(tmp_path: Path) -> None:
+    """Five forces of 0.2 to 0.7 mm are hidden where vectors of one line are drawn side by side: what they make up is no
+    polygon that does not close; what is more than they can make up is."""
+    scene, file = str(SAMPLES / "class-three" / "press.yaml"), str(tmp_path / "own.svg")
+    assert main(["sheet", scene, "--phi", "0", "--view", "force-2-3-4-5", "-o", file]) == 0
+    asked = Asked(load(scene), "force:2-3-4-5", value=0.0)
+    paper = read_paper(file, asked, Known())
+    found = check(asked, paper)
+    assert found.verdict == "right" and found.grading is not None and abs(found.grading.gap) > 1.5
+    paper.spots = [replace(s, place=s.place + 8) if s.name == "F_40n" else s for s in paper.spots]
+    assert check(asked, paper).mistake == "not_closed"

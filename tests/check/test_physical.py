@@ -19,6 +19,7 @@ from tests.confusion import SAMPLES, easel
 from tests.helpers.drawings import Mistake
 from tests.physical import camera, corpus, folder
 from tests.physical.counting import Tally
+from tests.physical.factors import FACTORS
 from tests.physical.paper import Paper
 from tests.physical.setting import Setting, varied
 from tests.picture_corpus import drawn
@@ -34,7 +35,7 @@ def work(mistake: Mistake | None, seed: int) -> corpus.Work:
 
 def shot(of: corpus.Work, factor: str, file: Path) -> corpus.Picture:
     """A picture of one factor."""
-    setting = varied(Setting(), corpus.FACTORS[factor], random.Random(factor))
+    setting = varied(Setting(), FACTORS[factor], random.Random(factor))
     found = corpus.picture(of, setting, factor, file)
     assert found is not None
     return found
@@ -83,7 +84,7 @@ def test_lines_drawn_on_past_their_vectors_hide_no_plan(tmp_path: Path) -> None:
     """A missing normal part is named though a fainter construction line runs on past every vector."""
     *_, one = corpus.works(4, 11)
     taken = corpus.picture(
-        one, varied(Setting(), corpus.FACTORS[OVER], random.Random(f"11 {OVER} 3")), f"11 {OVER} 3", tmp_path / "p.jpg"
+        one, varied(Setting(), FACTORS[OVER], random.Random(f"11 {OVER} 3")), f"11 {OVER} 3", tmp_path / "p.jpg"
     )
     assert taken is not None and one.mistake and one.mistake.name == "normal_missing"
     assert corpus.counted(taken).named == 1

@@ -28,6 +28,7 @@ from planes.check.vision.picture import Flat, flatten  # noqa: E402
 from planes.check.vision.places import sheet_of  # noqa: E402
 from tests.helpers.class_pictures import scanned  # noqa: E402
 from tests.physical import corpus, page  # noqa: E402
+from tests.physical.factors import FACTORS  # noqa: E402
 from tests.physical.paper import PX_PER_MM  # noqa: E402
 from tests.physical.setting import Setting, varied  # noqa: E402
 
@@ -102,7 +103,7 @@ def test_the_code_is_read_from_a_scan_and_is_no_ink() -> None:
     assert mark_on(flat.grey) is None  # half a code is none
 
 
-FACTORS = [
+TAKEN = [
     "phone, 1280 px",
     "scan 150",
     "phone, tilt 17°",
@@ -114,7 +115,7 @@ FACTORS = [
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize("factor", [*FACTORS, "printed at 97 %", "together: phone", "together: scan"])
+@pytest.mark.parametrize("factor", [*TAKEN, "printed at 97 %", "together: phone", "together: scan"])
 def test_the_code_is_read_from_pictures_by_physics(
     factor: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -123,7 +124,7 @@ def test_the_code_is_read_from_pictures_by_physics(
     monkeypatch.setattr(page, "_blank", lambda *_: sheet)
     work = next(corpus.works(1, 1))
     for k in range(3):
-        setting = varied(Setting(), corpus.FACTORS[factor], random.Random(f"{factor} {k}"))
+        setting = varied(Setting(), FACTORS[factor], random.Random(f"{factor} {k}"))
         assert corpus.picture(work, setting, f"{factor} {k}", tmp_path / "p.jpg")
         mark = mark_on(picture_of(tmp_path / "p.jpg").grey)
         assert mark is not None and mark.text == LONG.text

@@ -17,18 +17,20 @@ from PIL import Image  # noqa: E402
 from planes.check import check  # noqa: E402
 from planes.check.grading.paper import Known  # noqa: E402
 from planes.check.handed_in import read_paper, sheets_of  # noqa: E402
+from planes.check.vision.decoding import load  # noqa: E402
 from planes.check.vision.ink_cover import hanging  # noqa: E402
 from planes.check.vision.line_fitting import Fitted  # noqa: E402
-from planes.check.vision.picture import Flat  # noqa: E402
-from planes.check.vision.print_scale import by_ruler, likely_shares  # noqa: E402
+from planes.check.vision.picture import Flat, flatten  # noqa: E402
+from planes.check.vision.print_scale import by_ruler, likely_shares, printed_share  # noqa: E402
 from planes.cli import main  # noqa: E402
 from planes.words.errors import PlanesError  # noqa: E402
 from tests import confusion  # noqa: E402
 from tests.helpers.drawings import Mistake  # noqa: E402
 from tests.physical import corpus  # noqa: E402
 from tests.physical.counting import Tally  # noqa: E402
+from tests.physical.factors import FACTORS  # noqa: E402
 from tests.physical.setting import Setting, varied  # noqa: E402
-from tests.picture_corpus import drawn  # noqa: E402
+from tests.picture_corpus import drawn, mark_errors  # noqa: E402
 
 SIX, PLAN = confusion.easel("six-link", "velocity"), confusion.bench("six-link", "velocity")
 WRONG = Mistake("omega1_reversed", "b")
@@ -49,7 +51,7 @@ def work(mistake: Mistake | None, seed: int, scale: float = 1.0) -> corpus.Work:
 
 def shot(of: corpus.Work, factor: str, file: Path, **more: Any) -> corpus.Picture:
     """A picture of one factor."""
-    setting = replace(varied(Setting(), corpus.FACTORS[factor], random.Random(factor)), **more)
+    setting = replace(varied(Setting(), FACTORS[factor], random.Random(factor)), **more)
     found = corpus.picture(of, setting, factor, file)
     assert found is not None
     return found
@@ -105,6 +107,20 @@ def test_a_blank_printed_to_fit_is_no_mistake(share: float, tmp_path: Path) -> N
     assert found.verdict == "right" and all(abs(one - share) < 0.015 for one in told)
     assert told or share > 0.98
     assert corpus.counted(shot(work(WRONG, 2), "base", tmp_path / "wrong.jpg", print_scale=share)).named == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("share", [0.985, 0.97])
+def test_a_scan_tells_the_share_its_blank_was_printed_at(share: float, tmp_path: Path) -> None:
+    """By its resolution, to a scanner's own error: marks are then read to a third of a millimetre."""
+    taken = shot(work(None, 1), "base", tmp_path / "right.jpg", print_scale=share)
+    picture = load(taken.file)
+    flat = flatten(picture.grey)
+    assert flat is not None and abs(printed_share(flat, picture.grey, picture.scale) - share) < 0.002
+    assert printed_share(flat, picture.grey, None) == printed_share(flat, picture.grey, 2 * (picture.scale or 0)) == 1
+    found = check(PLAN.asked, read_paper(str(taken.file), PLAN.asked, Known()))
+    assert found.verdict == "right" and sum(n.key == "check_printed_at" for n in found.notes) == 1
+    assert max(mark_errors(SIX, taken.work.one, found)) < 0.35
 
 
 @pytest.mark.slow

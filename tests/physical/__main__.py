@@ -1,42 +1,49 @@
-"""`python -m tests.physical [COUNT] [seed=K] [FACTOR … | held | FOLDER]`: shares of pictures, a row a factor.
+"""`python -m tests.physical [COUNT] [seed=K] [into=DIR] [FACTOR … | held | FOLDER]`: shares of pictures by factor.
 
 COUNT drawings of each factor (8), half of them with a mistake; a factor is chosen by words of its name; "held" are the
 factors kept for one count, "held next" those for the count after it. A FOLDER of photographs with their marks is
-counted as a row of its own.
+counted as a row of its own. ``into=DIR`` keeps pictures and what was found there: the same count begun again goes on.
 """
 
 from __future__ import annotations
 
 import sys
+import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from tests.physical.corpus import FACTORS, HELD, HELD_NEXT, of_factor, works
+from tests.physical.corpus import of_factor, works
 from tests.physical.counting import HEAD, Tally, line
+from tests.physical.factors import FACTORS, HELD, HELD_NEXT
 from tests.physical.folder import of_folder
+from tests.physical.kept import Kept
 from tests.physical.setting import Spread
 
 
 def main(words: list[str]) -> None:
     """Draw, check, count and print, row by row."""
     numbers = [int(w) for w in words if w.isdigit()]
-    seed = next((int(w[5:]) for w in words if w.startswith("seed=")), 1)
-    names = [w for w in words if not w.isdigit() and not w.startswith("seed=")]
+    told = dict(w.split("=", 1) for w in words if w.startswith(("seed=", "into=")))
+    names = [w for w in words if not w.isdigit() and not w.startswith(("seed=", "into="))]
     folders = [Path(w) for w in names if Path(w).is_dir()]
     print(line("", HEAD))
     for folder in folders:
         print(line(folder.name, of_folder(folder).row()), flush=True)
     if len(names) > len(folders) or not names:
-        print_factors(chosen_by([w for w in names if not Path(w).is_dir()]), numbers[0] if numbers else 8, seed)
+        chosen = chosen_by([w for w in names if not Path(w).is_dir()])
+        with tempfile.TemporaryDirectory() as folder_:
+            kept = Kept(Path(told.get("into", folder_)))
+            print_factors(chosen, numbers[0] if numbers else 8, int(told.get("seed", "1")), kept)
 
 
-def print_factors(chosen: Mapping[str, Spread], count: int, seed: int) -> None:
+def print_factors(chosen: Mapping[str, Spread], count: int, seed: int, kept: Kept) -> None:
     """A row for each factor, and one for all; stopped early (Ctrl+C), for those that were counted."""
-    made, whole = list(works(count, seed)), Tally()
+    whole, every = Tally(), [*FACTORS, *HELD, *HELD_NEXT]
     with suppress(KeyboardInterrupt):
         for name, spread in chosen.items():
-            found = of_factor(name, spread, made, seed)
+            made = list(works(count, f"{seed} {name}", count * every.index(name)))
+            found = of_factor(name, spread, made, seed, kept)
             print(line(name, found.row()), flush=True)
             whole.add(found)
     print(line("all", whole.row()))

@@ -153,4 +153,8 @@ def sensed(picture: Any, setting: Setting, rng: random.Random) -> Any:
 
 
 def save(picture: Any, file: Path, setting: Setting) -> None:
-    cv2.imwrite(str(file), picture, [cv2.IMWRITE_JPEG_QUALITY, int(setting.quality)])
+    """As a file; a scanner tells its resolution in it."""
+    data = bytearray(cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, int(setting.quality)])[1].tobytes())
+    if setting.camera == "scan":
+        data[13:18] = b"\x01" + 2 * round(setting.dpi).to_bytes(2, "big")
+    file.write_bytes(data)

@@ -1,16 +1,16 @@
-"""Factors as data, the drawings they are tried on, and what the checker makes of the pictures.
+"""The drawings factors are tried on, their pictures, and what the checker makes of them.
 
-Every factor is tried on the same drawings, right and with a mistake, so that rows of the table differ by it alone.
+Every factor has drawings of its own, right and with a mistake, so that no row tells of the same ones as another.
 """
 
 from __future__ import annotations
 
 import random
-import tempfile
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from planes.check import Outcome, check
 from planes.check.grading.paper import Known
@@ -23,121 +23,12 @@ from tests.helpers.drawings import NONE, Hand, Mistake
 from tests.helpers.same_ink import alike_on_paper
 from tests.physical import camera, page
 from tests.physical.counting import Tally, Truth
+from tests.physical.kept import Kept
 from tests.physical.setting import Setting, Spread, varied
 from tests.picture_corpus import Drawn
 
 MOVED_MM, READING_MM = 4.0, 0.3  # how far a mistake moves a mark at least; σ of reading one
 APART_MM = 6.0  # places of a drawing that stand apart
-
-PHONE: Spread = {"camera": "phone", "noise": 3.0, "quality": 80, "turn_deg": (-4.0, 4.0), "tilt_deg": (2.0, 8.0)}
-HARD: Spread = {
-    **PHONE,
-    "tilt_deg": (8.0, 18.0),
-    "lens": (-0.04, 0.04),
-    "lamp": (0.2, 0.5),
-    "shadow": [0.0, 0.35],
-    "motion_px": (0.0, 3.0),
-    "width_px": [1280, 2000],
-    "quality": 60,
-}
-PAPERS = [(244, 247, 248), (214, 234, 241), (222, 224, 222)]  # white, cream, grey
-FRAME: Spread = {"sheet": "frame", "pole_told": True}
-POINTS: Spread = {"sheet": "paper", "pole_told": True}
-PEOPLE: Spread = {
-    "tool": ["pencil", "pencil", "pencil", "pen"],
-    "press": (0.65, 1.1),
-    "wander": (0.05, 0.18),
-    "fade_mm": (2.0, 10.0),
-    "fade_to": (0.5, 0.9),
-    "tremor_mm": (0.03, 0.12),
-    "bow_mm": (0.0, 0.2),
-    "over_mm": (5.0, 25.0),
-    "over_share": [0.0, 0.4, 0.7, 1.0],
-    "twice": [0.0, 0.0, 0.3],
-    "heads": ["filled", "barbs", "barbs"],
-    "rubbed": [0, 1, 2],
-    "smudges": [0, 0, 2],
-    "letters": ["neat", "wild"],
-    "tint": PAPERS,
-    "turn_deg": (-1.5, 1.5),
-}
-EXTRAS: Spread = {"title_block": [False, True], "table": [False, True], "name": True, "second_plan": [False, True]}
-
-FACTORS: dict[str, Spread] = {
-    "base": {},
-    "pen": {"tool": "pen"},
-    "light .6": {"press": 0.6},
-    "light .45": {"press": 0.45},
-    "uneven pressure": {"wander": 0.22},
-    "fade 8 mm": {"fade_mm": 8.0, "fade_to": 0.5},
-    "fade 15 mm": {"fade_mm": 15.0, "fade_to": 0.35},
-    "rough paper": {"tooth": 1.4},
-    "tinted paper": {"tint": PAPERS[1:]},
-    "tremor": {"tremor_mm": 0.15},
-    "bow": {"bow_mm": 0.35},
-    "overshoot 12 mm": {"over_mm": 12.0, "over_share": 1.0},
-    "overshoot 25 mm": {"over_mm": 25.0, "over_share": 1.0},
-    "drawn twice": {"twice": 1.0},
-    "barbs": {"heads": "barbs"},
-    "no heads": {"heads": "none"},
-    "dots": {"dots": True},
-    "rubbed out": {"rubbed": 4},
-    "smudges": {"smudges": 6},
-    "wild letters": {"letters": "wild"},
-    "names with indices": {"letters": "indices"},
-    "printed at 98.5 %": {"print_scale": 0.985},
-    "printed at 97 %": {"print_scale": 0.97},
-    "table, names": {"table": True, "name": True},
-    "second plan": {"second_plan": True},
-    "stamp": {"stamp": True},
-    "scan 150": {"dpi": 150.0},
-    "scan 300": {"dpi": 300.0},
-    "scan askew 2°": {"turn_deg": 2.0},
-    "quarter turns": {"quarter": [1, 2, 3]},
-    "phone": PHONE,
-    "phone, tilt 17°": {**PHONE, "tilt_deg": 17.0},
-    "phone, lens": {**PHONE, "lens": [-0.06, 0.06]},
-    "phone, lamp": {**PHONE, "lamp": 0.5},
-    "phone, shadow": {**PHONE, "shadow": 0.4},
-    "phone, motion": {**PHONE, "motion_px": 4.0},
-    "phone, 1280 px": {**PHONE, "width_px": 1280},
-    "phone, JPEG 40": {**PHONE, "quality": 40},
-    "frame": FRAME,
-    "frame, pole guessed": {"sheet": "frame"},
-    "frame, title block": {**FRAME, "title_block": True},
-    "points": POINTS,
-    "points, askew 1°": {**POINTS, "turn_deg": 1.0},
-    "points, askew 2°": {**POINTS, "turn_deg": 2.0},
-    "points, squared": {**POINTS, "grid": "squared"},
-    "points, millimetre": {**POINTS, "grid": "millimetre"},
-    "points, ruled": {**POINTS, "grid": "ruled"},
-    "points, phone": {**POINTS, **PHONE},
-    "together: scan": {**PEOPLE, "dpi": [150.0, 200.0, 300.0], "name": [False, True]},
-    "together: phone": {**PEOPLE, **HARD, "name": [False, True]},
-    "together: frame": {**PEOPLE, **EXTRAS, **FRAME},
-    "together: paper": {**PEOPLE, **EXTRAS, **POINTS, "grid": ["", "squared", "millimetre", "ruled"]},
-}
-HELD: dict[str, Spread] = {  # nobody tunes to these: they are counted once, at the end, by the word "held"
-    "folded": {"crease": 0.25},
-    "curled, phone": {**PHONE, "curl_mm": 5.0},
-    "cup's ring": {"cup": True},
-    "photocopy": {"copied": True},
-    "pen that skips": {"tool": "pen", "skipping": 0.12},
-    "coloured pencil": {"ink": [(60, 60, 200), (190, 90, 50), (70, 140, 60)]},
-    "script letters": {"letters": "script"},
-    "hard pencil": {"width_mm": 0.25, "press": 0.75},
-    "green lamp, tinted": {**PHONE, "tint": (214, 240, 226), "lamp": 0.35},
-    "held together": {**PEOPLE, **HARD, "letters": "script", "crease": 0.15, "table": True, "print_scale": (0.96, 1.0)},
-}
-
-
-HELD_NEXT: dict[str, Spread] = {  # thought of after the last mending, counted once, by the words "held next"
-    "blunt pencil": {"width_mm": 0.8, "press": 0.8},
-    "dim light, phone": {**PHONE, "noise": 11.0, "blur_px": 1.3},
-    "thumb on a corner": {**PHONE, "thumb": True},
-    "teacher's ticks": {"ticked": True},
-    "flickering lamp": {**PHONE, "banding": 0.12},
-}
 
 
 @dataclass(frozen=True)
@@ -149,14 +40,14 @@ class Work:
     one: Drawn
 
 
-def works(count: int, seed: int = 1) -> Iterator[Work]:
-    """Drawings by turns right and with a mistake that shows; three in four of them of motion."""
+def works(count: int, seed: int | str = 1, before: int = 0) -> Iterator[Work]:
+    """Drawings by turns right and with a mistake that shows; three in four of them (and of those before) of motion."""
     every = list(confusion.easels())
     motion = [e for e in every if not e.plan.startswith("force")]
     force = [e for e in every if e.plan.startswith("force")]
     rng, made = random.Random(seed), 0
     while made < count:
-        easel = rng.choice(force if made // 2 % 4 == 3 else motion)
+        easel = rng.choice(force if (before + made) // 2 % 4 == 3 else motion)
         mistake = rng.choice(confusion.possible(easel) or [None]) if made % 2 else None
         if made % 2 and mistake is None:
             continue
@@ -228,21 +119,31 @@ def _clicked(setting: Setting, rng: random.Random) -> complex:
 
 def counted(taken: Picture) -> Tally:
     """One picture checked."""
+    return read(taken)[0]
+
+
+def read(taken: Picture) -> tuple[Tally, dict[str, Any]]:
+    """One picture checked; what was drawn, what was found, how far off each mark was read and how surely it was."""
     work, start = taken.work, time.perf_counter()
     bench = confusion.bench(work.easel.sample, work.easel.plan)
     format_ = "A4" if taken.setting.sheet == "frame" else None
+    made = [work.mistake.name, work.mistake.where] if work.mistake else None
+    what: dict[str, Any] = {"plan": f"{work.easel.sample} {work.easel.plan}", "made": made}
     try:
-        read = read_paper(str(taken.file), bench.asked, Known(taken.pole, dict(taken.marks), format_))
-        found: Outcome | None = check(bench.asked, read)
-    except PlanesError:
-        found = None
+        paper = read_paper(str(taken.file), bench.asked, Known(taken.pole, dict(taken.marks), format_))
+        found = check(bench.asked, paper)
+    except PlanesError as e:
+        seconds = time.perf_counter() - start
+        tally = Tally.of(Truth("wrong" if work.mistake else "right"), "unreadable", None, None, [], seconds)
+        return tally, {**what, "verdict": "unreadable", "said": str(e)}
     seconds = time.perf_counter() - start
-    if found is None:
-        return Tally.of(Truth("wrong" if work.mistake else "right"), "unreadable", None, None, [], seconds)
     errors = picture_corpus.errors_by_mark(work.easel, work.one, found)
-    inside = sum(errors[s.name] <= 2 * s.error_mm for s in found.paper.spots if s.name in errors)
+    sigmas = {s.name: s.error_mm for s in found.paper.spots if s.name in errors}
+    inside = sum(errors[n] <= 2 * sigma for n, sigma in sigmas.items())
     first, said = found.first_wrong, found.mistake
-    return Tally.of(truth(work, found), found.verdict, first, said, [*errors.values()], seconds, inside)
+    tally = Tally.of(truth(work, found), found.verdict, first, said, [*errors.values()], seconds, inside)
+    off = {n: [round(errors[n], 3), round(sigma, 3)] for n, sigma in sigmas.items()}
+    return tally, {**what, "verdict": found.verdict, "found": [said, first], "unseen": [*found.unseen], "marks": off}
 
 
 def truth(work: Work, found: Outcome) -> Truth:
@@ -255,14 +156,36 @@ def truth(work: Work, found: Outcome) -> Truth:
     return Truth("wrong", frozenset(causes))
 
 
-def of_factor(name: str, spread: Spread, made: list[Work], seed: int = 1) -> Tally:
-    """All works in pictures of one factor."""
+def of_factor(name: str, spread: Spread, made: list[Work], seed: int, kept: Kept) -> Tally:
+    """All works in pictures of one factor; those that were counted before are not looked at again."""
     whole = Tally()
-    with tempfile.TemporaryDirectory() as folder:
-        for k, work in enumerate(made):
-            drawn = f"{seed} {name} {k}"
-            setting = varied(Setting(), spread, random.Random(drawn))
-            taken = picture(work, setting, drawn, Path(folder) / "p.jpg")
-            if taken is not None:
-                whole.add(counted(taken))
+    for k, work in enumerate(made):
+        drawn = f"{seed} {name} {k}"
+        tally = kept.tally(drawn)
+        taken = None if tally else kept_picture(work, varied(Setting(), spread, random.Random(drawn)), drawn, kept)
+        if taken is not None:
+            tally, what = read(taken)
+            kept.add(drawn, tally, {"factor": name, **what})
+        whole.add(tally or Tally())
     return whole
+
+
+def kept_picture(work: Work, setting: Setting, drawn: str, kept: Kept) -> Picture | None:
+    """A work's picture, made now or before."""
+    told = kept.told(drawn)
+    if told is None:
+        made = picture(work, setting, drawn, kept.file(drawn))
+        kept.tell(drawn, _told(made))
+        return made
+    if not told:
+        return None
+    pole = complex(*told["pole"]) if told["pole"] else None
+    return Picture(work, kept.file(drawn), setting, pole, tuple((n, complex(*z)) for n, z in told["marks"]))
+
+
+def _told(made: Picture | None) -> dict[str, Any]:
+    """What a picture's maker tells of it, to be written down; nothing of one that was not made."""
+    if made is None:
+        return {}
+    pole = [made.pole.real, made.pole.imag] if made.pole is not None else None
+    return {"pole": pole, "marks": [[n, [z.real, z.imag]] for n, z in made.marks]}

@@ -19,7 +19,7 @@ from planes.words import Phrase, Written
 from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
-LONG_MM = 3.0  # a shorter vector shows no scale
+LONG_MM = 3.0  # a shorter vector shows no scale, and may not be seen at all
 NAMELESS = "?"  # begins the name of a line that has none
 FAR_MM = 3.0  # a mark this far off was not merely misread
 FITTING = 0.9  # the share of the other marks that must be seen, and right, before one of them is blamed
@@ -48,8 +48,14 @@ class Grading:
 
     @property
     def gap_wrong(self) -> float | None:
-        """How far that is, where it is more than a hand's error."""
-        return abs(self.gap) if self.gap_sigma and abs(self.gap) > self.judgement.limit * self.gap_sigma else None
+        """How far that is, where it is more than a hand's error and short forces that nobody saw make up."""
+        most = self.judgement.limit * self.gap_sigma + self._unseen_mm if self.gap_sigma else math.inf
+        return abs(self.gap) if abs(self.gap) > most else None
+
+    @property
+    def _unseen_mm(self) -> float:
+        absent = (m for m in self.marks if self.rebuilt and label_of(m) in self.rebuilt.absent)
+        return sum(mm for m in absent if (mm := _laid_mm(self, self.hand.program.makers[m])) <= LONG_MM)
 
     @property
     def gap_sigma(self) -> float | None:
@@ -88,7 +94,7 @@ class Grading:
         used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
         for mark in self.marks:
             step = self.hand.program.makers[mark]
-            if isinstance(step, LayOff) and _long(self, step):  # what is short may be there, unseen
+            if isinstance(step, LayOff) and _laid_mm(self, step) > LONG_MM:  # what is short may be there, unseen
                 miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
                 if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
                     return label_of(mark)
@@ -149,9 +155,8 @@ class Grading:
     @property
     def chance(self) -> float:
         """How likely marks put anywhere on the drawing would be as right."""
-        found = self.judgement
-        gap = found.limit * self.gap_sigma if self.gap_sigma else None
-        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, gap)
+        found, sigma = self.judgement, self.gap_sigma
+        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, found.limit * sigma if sigma else None)
 
     @property
     def sure_by_itself(self) -> bool:
@@ -203,13 +208,13 @@ def _rescaled(found: Grading) -> bool:
     """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
     if not found.judgement.wrong or kind_of(plan_of(found.marks[0])) != "force":
         return bool(found.judgement.wrong)
-    laid = [m for m in found.judgement.misses if _long(found, found.hand.program.makers[m])]
+    laid = [m for m in found.judgement.misses if _laid_mm(found, found.hand.program.makers[m]) > LONG_MM]
     return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
 
 
-def _long(found: Grading, step: Step) -> bool:
-    """Whether a vector is long enough to be told from none, or to show another scale."""
-    return isinstance(step, LayOff) and bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
+def _laid_mm(found: Grading, step: Step) -> float:
+    """How long a vector is that is laid off; 0 of what is drawn in another way."""
+    return float(abs(found.truth[step.makes] - found.truth[step.start])) if isinstance(step, LayOff) else 0.0
 
 
 def _earlier(bench: PreparedPlan) -> dict[str, ReadMark]:

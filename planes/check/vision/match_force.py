@@ -198,7 +198,7 @@ class LaidPolygon:
         chain = self.plain if plainly else self.best
         if chain is None or (plainly and chain.astray(self.right, self.polygon.pole.z) > HAND_MM):
             return math.inf
-        return chain.cost + UNLIKELY * (self.share != 1)
+        return chain.cost + UNLIKELY * (self.share != self.polygon.ink.seen.ink.flat.printed)
 
 
 def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], bool, float, tuple[str, ...]]:
@@ -212,7 +212,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=LaidPolygon.cost)
     for one in tried:
         one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
-        if one.best and one.best is one.plain and one.share == 1:
+        if one.best and one.best is one.plain and one.share == seen.ink.flat.printed:
             break  # it fits well
     one = min(tried, key=LaidPolygon.cost)
     if (best := one.best) is None:

@@ -98,7 +98,8 @@ class Search:
         chosen: Mapping[str, Place | None] = MappingProxyType({}),
     ) -> LaidPlan | None:
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
-        out = LaidPlan(cost + UNLIKELY * (self.share != 1 and not self.seen.ink.flat.told), {}, variant)
+        flat = self.seen.ink.flat
+        out = LaidPlan(cost + UNLIKELY * (self.share != flat.printed and not flat.told), {}, variant)
         places, lost = dict[str, complex](), list[complex]()
 
         def snap(step: Step, drawn: Any) -> Any:

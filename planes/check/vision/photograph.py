@@ -18,6 +18,7 @@ from planes.check.vision.page_parts import A2_MM2, parts_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, fits, flatten
 from planes.check.vision.places import Seen, pole_on, sheet_of
 from planes.check.vision.pole_guess import pole_found
+from planes.check.vision.print_scale import printed_share
 from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -93,6 +94,7 @@ def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterat
     if known.pole is not None and known.marks:
         yield _by_hand(bench, grey, known.pole, known.marks)
     elif flat := None if known.format else flatten(grey):
+        flat.printed = printed_share(flat, grey, scale)
         yield flat, None
     else:
         if scale is not None and known.format is None and fits(grey, scale):

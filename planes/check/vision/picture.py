@@ -31,6 +31,7 @@ class Flat:
     notes: list[Phrase] = field(default_factory=list)
     bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
     told: tuple[str, float] | None = None  # the mark its scale was taken from, and how far from the pole that was put
+    printed: float = 1.0  # the share of its size a blank was printed at, where the file tells how large it is
 
     @property
     def size_mm(self) -> tuple[float, float]:

@@ -68,12 +68,16 @@ class Seen:
         """The tip of the head a vector from start to end has about its end, looked for along it (remembered)."""
         key = rounded(start), rounded(end)
         if key not in self.looked:
-            long, sigma = abs(end - start) > HEADED_MM, TIP_MM
-            found = head_at(self.ink, start, end, CLOSER_MM, self.head_mm) if long else None
-            if long and found is None:
-                found, sigma = head_about(self.ink, self.lines, start, end, self.head_mm or USUAL_MM), DIM_TIP_MM
+            found, sigma = self._headed(start, end) if abs(end - start) > HEADED_MM else (None, TIP_MM)
             self.looked[key] = Place(found, sigma, frozenset(), True, self._short(start, found)) if found else None
         return self.looked[key]
+
+    def _headed(self, start: complex, end: complex) -> tuple[complex | None, float]:
+        """The tip of a vector's head, by the ink it explains about where its sides show it, or about the vector's end;
+        and its σ."""
+        shown = head_at(self.ink, start, end, CLOSER_MM, self.head_mm)
+        fit = head_about(self.ink, self.lines, start, shown or end, self.head_mm or USUAL_MM)
+        return fit or shown, TIP_MM if shown else DIM_TIP_MM
 
     def torn(self, place: Place) -> bool:
         """Whether a line that ends at a place runs under what is printed, or has ink beyond that is no line's (what is

@@ -14,10 +14,12 @@ from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, variants_of
 from planes.check.vision.picture import Flat
 from planes.check.vision.places import Seen
+from planes.geometry.arrays import Greys
 from planes.words import Phrase, Written
 
 LEAST, MOST = 0.9, 1.05  # of its size that a page may be printed at
 EXACT = 0.006  # nearer to its size than this is its size
+TRUE = 0.003  # so true is a scanner
 LONG_MM, ASIDE_MM, AGREE_MM = 12.0, 1.2, 0.7  # of a vector that tells it; how far off its end may be, across and along
 UNLIKELY = 3.0  # what it costs to believe that a page was printed at just another size
 TRIED = 2
@@ -27,14 +29,27 @@ EXPLAINED = 0.6  # of a sheet's ink by a plan that tells anything
 Rows = list[tuple[str, float, float]]  # by vector: how much longer it seems to be, and how long it is
 
 
+def printed_share(flat: Flat, grey: Greys, scale: float | None) -> float:
+    """The share of its size a blank was printed at, told by a scan that knows its pixels to a millimetre; 1 of others
+    (those that see it askew among them), and where no printer makes it so large."""
+    if scale is None:
+        return 1.0
+    height, width = grey.shape
+    far, middle = min(height, width) / 4, complex(width, height) / 2
+    across, down = (2 * far / scale / abs(flat.place(middle + far * w) - flat.place(middle - far * w)) for w in (1, 1j))
+    share = (across + down) / 2
+    true = LEAST < share < MOST and abs(across - down) < TRUE < abs(share - 1)
+    return share if true else 1.0
+
+
 def likely_shares(flat: Flat, pairs: Iterable[tuple[str, complex, complex]]) -> list[float]:
-    """What a sheet may have been printed at: its size, then what may be vectors of the plan tell, the likeliest first;
-    these by name, as seen and as they should be."""
-    rows, found = _rows(pairs) if flat.by == "marks" else [], [1.0]
+    """What a sheet may have been printed at: its size, or what its file tells, then what may be vectors of the plan
+    tell, the likeliest first; these by name, as seen and as they should be."""
+    rows, found = _rows(pairs) if flat.by == "marks" else [], [*dict.fromkeys((flat.printed, 1.0))]
     for _, share in sorted(((-len(_agreeing(rows, r)), 1 / r) for _, r, _ in rows)):
         agreeing = _agreeing(rows, 1 / share)
         share = 1 / _mean(agreeing)
-        shown = abs(1 / share - 1) * math.hypot(*(mm for _, mm in agreeing.values())) > AGREE_MM
+        shown = abs(flat.printed / share - 1) * math.hypot(*(mm for _, mm in agreeing.values())) > AGREE_MM
         if shown and all(abs(share / one - 1) > EXACT for one in found):
             found.append(share)
     return found[: 1 + TRIED]
@@ -96,8 +111,14 @@ def by_ruler(
         return spots
     if flat.told:
         return _resized(flat, about, share, spots)
+    if share == flat.printed:
+        return _printed_at(flat, about, share, spots)
     rows = _agreeing(_rows((s.name, s.place - about, true[s.name]) for s in spots if s.name in true), 1 / share)
-    share = 1 / _mean(rows) if rows else share
+    return _printed_at(flat, about, 1 / _mean(rows) if rows else share, spots)
+
+
+def _printed_at(flat: Flat, about: complex, share: float, spots: Iterable[ReadMark]) -> list[ReadMark]:
+    """The marks of a sheet printed at a share of its size, which is told."""
     flat.notes.append(Phrase("check_printed_at", share=Written(f"{100 * share:.1f}")))
     return _resized(flat, about, share, spots)
 
