@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 FITS_MM, FITS_SHARE, NUMBER_SHARE, RULER_MM, SCALE_SHARE = 1.0, 0.01, 0.03, 0.5, 0.01
 FRESH, SWING, DRAWS = 0.12, 40.0, 200
 """How a page judges answers, and chooses fresh numbers (``practice.js``)."""
-SUFFIX, HEAD, LARGEST = ".practice", "planes-practice", 200_000
+HEAD, LARGEST = "planes-practice", 200_000
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ def read_code(file: str) -> Json:
         head, letters, total = text.split(".")
         data = base64.urlsafe_b64decode(letters + "=" * (-len(letters) % 4))
         told: Json = json.loads(data)
-        whole = head == HEAD and total == f"{_sum(data):08x}" and isinstance(told["answers"], list)
+        whole = head == HEAD and total == f"{checksum(data):08x}" and isinstance(told["answers"], list)
         good = whole and all(isinstance(told[key], int) for key in ("seed", "right")) and isinstance(told["name"], str)
     except (OSError, ValueError, KeyError, TypeError):
         good = False
@@ -54,7 +54,7 @@ def read_code(file: str) -> Json:
     return told
 
 
-def _sum(data: bytes) -> int:
+def checksum(data: bytes) -> int:
     """By which a slip of copying is found (FNV-1a)."""
     total = 2166136261
     for byte in data:
