@@ -31,7 +31,9 @@ from planes.scene import load
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PAGES = HERE / "site"
-BLOCK = re.compile(r"^```(figure|run|keys|gallery|include|tables|essay)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(
+    r"^```(figure|run|keys|gallery|include|tables|essay)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
+)
 OUTSIDE = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)]*)\)")
 SAID = {"en": ("key", "what it is"), "ru": ("ключ", "что это")}
 
