@@ -6,7 +6,8 @@ In a page stand, each as a fenced block:
 - ``run`` with a command: the command and what it prints;
 - ``keys`` with names of tables of the scene's schema: their keys and what each means;
 - ``gallery`` with a folder of scenes: a picture of each; ``include`` with a file of the repository; ``tables`` with
-  a file and, a line each, ``its words = ours``: its tables alone, so that numbers stand in one place.
+  a file and, a line each, ``its words = ours``: its tables alone, so that numbers stand in one place;
+- ``essay`` with a command that writes live pages into a folder: a list of them.
 
 Figures are drawn before the pages are read, into ``figures/`` beside them; they are never kept in the repository.
 """
@@ -30,7 +31,9 @@ from planes.scene import load
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PAGES = HERE / "site"
-BLOCK = re.compile(r"^```(figure|run|keys|gallery|include|tables)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(
+    r"^```(figure|run|keys|gallery|include|tables|essay)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
+)
 OUTSIDE = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)]*)\)")
 SAID = {"en": ("key", "what it is"), "ru": ("ключ", "что это")}
 
@@ -143,6 +146,21 @@ def tables(_: str, body: str, lang: str) -> str:
     return found
 
 
+def essay(_: str, body: str, lang: str) -> str:
+    """A list of the pages of the essay, each by its title."""
+    files = sorted(write(body.strip(), lang).glob("*.html"), key=lambda file: int(file.stem))
+    titles = (re.findall(r"<title>(.*?)</title>", file.read_text("utf-8"))[0] for file in files)
+    return "\n".join(f"1. [{title}](essay/{file.name})" for title, file in zip(titles, files, strict=True))
+
+
+def write(command: str, lang: str) -> Path:
+    """The folder of the essay, written if it is not there yet."""
+    folder = PAGES / lang / "essay"
+    if not folder.exists():
+        run(command, lang, "-o", str(folder))
+    return folder
+
+
 MAKERS: dict[str, Callable[[str, str, str], str]] = {
     "figure": figure,
     "run": shown,
@@ -150,6 +168,7 @@ MAKERS: dict[str, Callable[[str, str, str], str]] = {
     "gallery": pictures,
     "include": include,
     "tables": tables,
+    "essay": essay,
 }
 
 
@@ -165,6 +184,8 @@ def on_pre_build(config: Any) -> None:
         for kind, _, body in BLOCK.findall(page.read_text("utf-8")):
             if kind == "figure":
                 draw(body.strip(), language(page))
+            elif kind == "essay":
+                write(body.strip(), language(page))
             elif kind == "gallery":
                 for command, _ in gallery(body.strip()):
                     draw(command, language(page))

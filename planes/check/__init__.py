@@ -17,7 +17,7 @@ from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, label_of, mu_of
 from planes.words.records import Described
 
-STATUS = {"right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
+STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
 
 
 @dataclass

@@ -24,22 +24,9 @@ PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
 MOST_PAGES = 300
-NO_DRAWINGS = (
-    ".html",
-    ".htm",
-    ".yaml",
-    ".yml",
-    ".md",
-    ".py",
-    ".db",
-    ".ini",
-    ".lnk",
-    ".tmp",
-    ".part",
-    ".url",
-    ".practice",
-)
-"""What lies beside drawings."""
+NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
+"""What lies beside what was handed in."""
+PRACTICE = ".practice"
 OTHERS = {  # what cameras and telephones save that is not read: the suffixes, how such a file begins
     "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
     "check_gif": ((".gif",), rb"GIF8"),
@@ -65,6 +52,11 @@ class HandedSheet:
         """The file's name; any bytes at all may be that."""
         plain = self.file.name.encode("utf-8", "replace").decode()
         return plain if self.page is None else f"{Path(plain).stem}-{self.page}{self.file.suffix}"
+
+    @property
+    def practised(self) -> bool:
+        """Whether it is a practice, not a drawing."""
+        return self.file.suffix.lower() == PRACTICE
 
     @property
     def marks(self) -> Path:
@@ -104,7 +96,7 @@ def _pages(file: Path, suffix: str) -> int:
 
 
 def drawings_in(folder: Path) -> list[Path]:
-    """The files of a folder that may be drawings."""
+    """The files of a folder that may be drawings, or practices."""
     files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
     return [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
 
@@ -117,7 +109,7 @@ def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:
     whole = place.is_dir()
     files = [f for f in drawings_in(place) if f.name != but] if whole else [place]
     sheets = [s for f in files for s in ([HandedSheet(f)] if told else sheets_of(f))]
-    beside = {s.marks for s in sheets if s.file.suffix.lower() not in TABLES} if whole else set()
+    beside = {s.marks for s in sheets if s.file.suffix.lower() not in (*TABLES, PRACTICE)} if whole else set()
     sheets = [s for s in sheets if s.file not in beside]
     if not sheets:
         raise PlanesError(Phrase("check_empty_folder", file=str(place)))

@@ -15,11 +15,10 @@ from planes.check import check as judge
 from planes.check.grading.paper import Known
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.handed_in import LINES, PICTURES, HandedSheet, drawings_in, marks_of, read_paper, sheets_in
+from planes.check.handed_in import LINES, PICTURES, PRACTICE, HandedSheet, marks_of, read_paper, sheets_in
 from planes.check.report import Checked, as_json, chance_told, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
-from planes.cli.practice import check_practices, practices
 from planes.course.handed_out import HandedOut, handed_out, is_course
 from planes.course.ledger import MANIFEST
 from planes.scene import Scene
@@ -30,6 +29,7 @@ from planes.words.names import kind_of
 from planes.words.units import read_mu
 
 if TYPE_CHECKING:
+    from planes.documents.class_practices import PracticeSorter
     from planes.documents.class_work import ClassWork, Sorter
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
@@ -39,18 +39,14 @@ def check(args: Namespace) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable, 3 right as far as seen."""
     if is_course(Path(args.scene)) and not args.trace:
         return check_class(args, handed_out(Path(args.scene)), _sheets(args))
-    if (handed := practices(args.drawing)) and not args.trace:
-        status = check_practices(args, handed)
-        if not Path(args.drawing).is_dir() or args.json or not drawings_in(Path(args.drawing)):
-            return status
-    if args.plan is None and (args.trace or not _told_by_marks(args.drawing)):
+    if args.plan is None and (args.trace or not _told_by_itself(args.drawing)):
         args.refuse(say("usage_missing", args.lang) % "--plan")
     scene = scene_of(args)
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
     if args.drawing and not args.trace:
         sheets = _sheets(args)
-        if args.plan is None or Path(args.drawing).is_dir():
+        if args.plan is None or Path(args.drawing).is_dir() or sheets[0].practised:
             return check_class(args, handed_out(Path(args.scene)), sheets)
     asked = ask(args, scene, args.plan, value, _mu(args, args.plan))
     if args.trace:
@@ -177,13 +173,14 @@ def blank(args: Namespace) -> int:
     return 0
 
 
-def _told_by_marks(drawing: str | None) -> bool:
-    """Whether marks of sheets may tell the plan."""
-    return bool(drawing) and (Path(str(drawing)).is_dir() or str(drawing).lower().endswith(PICTURES))
+def _told_by_itself(drawing: str | None) -> bool:
+    """Whether what was handed in may tell the plan: by the marks of sheets, or a practice by its code."""
+    return bool(drawing) and (Path(str(drawing)).is_dir() or str(drawing).lower().endswith((*PICTURES, PRACTICE)))
 
 
 def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet]) -> int:
-    """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
+    """Every drawing and practice of a folder: a row for each, on the terminal and in the file of ``-o``."""
+    from planes.documents.class_practices import PracticeSorter
     from planes.documents.class_work import ClassWork, Sorter
     from planes.words.waiting import bar
 
@@ -193,9 +190,10 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet]) -
 
     work = ClassWork(Path(args.drawing).name, args.lang, args.output or "")
     sorter = Sorter(handed, asking, args.variant, args.plan)
+    practices = PracticeSorter(handed, args.lang, args.variant)
     with bar() as step:
         for number, sheet in enumerate(sheets, 1):
-            _look(args, work, sorter, sheet)
+            _look(args, work, sorter, practices, sheet)
             if step:
                 step(number, len(sheets))
     work.close()
@@ -203,12 +201,16 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet]) -
     return work.status
 
 
-def _look(args: Namespace, work: ClassWork, sorter: Sorter, sheet: HandedSheet) -> None:
+def _look(args: Namespace, work: ClassWork, sorter: Sorter, practices: PracticeSorter, sheet: HandedSheet) -> None:
     """One sheet of a class; whatever is wrong with it never stops the others."""
     from planes.documents.class_work import glance, source_of
 
     seen, source, task = None, source_of(sheet, _options(args)), None
     if work.taken_up(sheet.name, source, sorter.handed.tasks):
+        return
+    if sheet.practised:
+        row, task = practices.row(sheet)
+        work.add_row(row, source, task)
         return
     one = Checked(sheet.name, report=work.link(sheet))
     try:

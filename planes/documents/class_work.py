@@ -65,12 +65,15 @@ class ClassWork:
             page = check_pages.report_page(shown, self.lang)
             self._keep(f"{kept_as(one.file)}.html", source, page.encode())
             one = replace(one, report=quote(f"{kept_as(one.file)}.html"))
-        row = ClassRow.of(one, self.lang)
+        self.add_row(ClassRow.of(one, self.lang), source, task)
+
+    def add_row(self, row: ClassRow, source: str = "", task: Task | None = None) -> None:
+        """A row; into a folder goes what the next run takes up."""
         self.rows.append(row)
         if self.ledger and task:
             kept = {"scene": str(task.file), "sha256": digest(task.file.read_bytes()), "row": asdict(row)}
             data = json.dumps(kept, ensure_ascii=False, allow_nan=False).encode()
-            self._keep(f"rows/{kept_as(one.file)}.json", source, data)
+            self._keep(f"rows/{kept_as(row.file)}.json", source, data)
 
     def _keep(self, name: str, source: str, data: bytes) -> None:
         assert self.ledger
@@ -137,7 +140,7 @@ class ClassWork:
             if row.mistake:
                 common.setdefault(row.mistake, []).append((Path(row.file).stem, row.link))
         often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
-        shown = [v for v in reversed(STATUS) if counts[v] or v != "right_as_seen"]
+        shown = [v for v in reversed(STATUS) if counts[v] or v not in ("confirmed", "right_as_seen")]
         told = [(say(f"verdict_{v}", self.lang), counts[v]) for v in shown]
         told.insert(1, (say("check_unsure_count", self.lang), sum(row.rank == UNSURE for row in self.rows)))
         keys, head = columns(self.rows, self.lang)

@@ -6,9 +6,13 @@ a point, tolerances are what a pupil's pencil may be off by; every picture is in
 
 import base64
 import html
+import itertools
 import re
 from collections.abc import Iterable, Sequence
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+from numpy import uint32
+from numpy.random import RandomState
 
 from planes.course.quiz import Quiz, QuizItem, by_assignment, task_text, varied
 from planes.words import Lang, decimal, say
@@ -179,20 +183,37 @@ def _stack(quiz: Element, name: str, group: Sequence[Quiz], lang: Lang) -> None:
         _input(question, k)
     for k in range(1, len(first.questions) + 1):
         _tree(question, k, 1.0 / len(first.questions), lang)
-    for seed in range(1, len(group) + 1):
+    for seed in seeds(len(group)):
         SubElement(question, "deployedseed").text = str(seed)
+
+
+def seeds(count: int) -> list[int]:
+    """For each student the least seed with which STACK's ``rand`` draws that student's number.
+
+    It is Maxima's ``random``, the first number of a Mersenne twister of that seed, modulo the count.
+    """
+    found: dict[int, int] = {}
+    for seed in itertools.count(1):
+        found.setdefault(int(RandomState(seed).randint(0, 2**32, dtype=uint32)) % count, seed)
+        if len(found) == count:
+            return [found[k] for k in range(count)]
+    raise AssertionError
 
 
 def _variables(group: Sequence[Quiz]) -> str:
     """Maxima: which student's numbers they are, those numbers, answers and tolerances."""
     lines = [f"k: rand({len(group)}) + 1;"]
     for k, name in enumerate(group[0].given):
-        lines.append(f"d_{k}: [{', '.join(f'{q.given[name]:.6g}' for q in group)}][k];")
+        lines += _one_of(f"d_{k}", [f"{q.given[name]:.6g}" for q in group])
     for k in range(len(group[0].questions)):
         for letter, part in (("ta", "value"), ("tol", "tolerance")):
-            numbers = ", ".join(f"{getattr(q.questions[k], part):.10g}" for q in group)
-            lines.append(f"{letter}{k + 1}: [{numbers}][k];")
+            lines += _one_of(f"{letter}{k + 1}", [f"{getattr(q.questions[k], part):.10g}" for q in group])
     return "\n".join(lines)
+
+
+def _one_of(name: str, numbers: Sequence[str]) -> list[str]:
+    """A variable that is a student's number among those of all."""
+    return [f"{name}_all: [{', '.join(numbers)}];", f"{name}: {name}_all[k];"]
 
 
 def _input(question: Element, k: int) -> None:

@@ -22,7 +22,7 @@ from planes.words.records import Json
 if TYPE_CHECKING:
     from planes.lesson.data import Told
 
-SUFFIX, HEAD, LARGEST = ".practice", "planes-practice", 200_000
+HEAD, LARGEST = "planes-practice", 200_000
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ def read_code(file: str) -> Json:
         head, letters, total = text.split(".")
         data = base64.urlsafe_b64decode(letters + "=" * (-len(letters) % 4))
         told: Json = json.loads(data)
-        whole = head == HEAD and total == f"{_sum(data):08x}" and isinstance(told["answers"], list)
+        whole = head == HEAD and total == f"{checksum(data):08x}" and isinstance(told["answers"], list)
         good = whole and all(isinstance(told[key], int) for key in ("seed", "right")) and isinstance(told["name"], str)
     except (OSError, ValueError, KeyError, TypeError):
         good = False
@@ -51,7 +51,7 @@ def read_code(file: str) -> Json:
     return told
 
 
-def _sum(data: bytes) -> int:
+def checksum(data: bytes) -> int:
     """By which a slip of copying is found (FNV-1a)."""
     total = 2166136261
     for byte in data:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 from itertools import combinations
 
-from planes.scene.mechanism import RATES, Link, Mechanism
+from planes.scene.mechanism import FRAME, RATES, Link, Mechanism
 from planes.scene.reader import Keys, line_of, texts
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
@@ -14,6 +14,8 @@ from planes.words.errors import Doubt
 
 LONG_M = 10.0  # a link this long is more likely given in millimetres
 MOST_HOPS = 20  # from parameter to parameter
+HEAVY = 30.0  # m/s²: no planet weighs so much
+GYRATION = 10.0  # a radius of gyration of so many lengths of its link: an inertia that is not in kg·m²
 STEEP = 1.0  # a coefficient of friction this large is more likely a misprint
 RADIANS = 5e-4  # how near a number is to a multiple of π/12 when it is one, as people write it
 STEP = math.pi / 12
@@ -21,6 +23,7 @@ LARGEST = 6.29  # radians of a turn
 _OF_LINK = {f.name for f in fields(Link)} - {"name"}
 _ANGLES = ("phi", "angle", "direction", "perpendicular_to", "near")
 _RATIO = re.compile(r"\s*-?\s*(sin|cos|tan)\s*\(")
+_IN_LAW = re.compile(r"\b(?:sin|cos|tan)\s*\([^()]*(?<![/\w])pi\b")
 _WHOLE = re.compile(r"-?\d+(\.0*)?")
 _NAMED_FREELY = ("parameters", "variants", "vectors")  # where an empty value means what it should
 
@@ -31,7 +34,9 @@ def read_doubts(
     """Every doubt of a scene in the order of the file."""
     found = [*_empty(table), *_angles(table, parameters)]
     if mechanism:
-        found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism)]
+        found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
+        if (mechanism.gravity or 0) > HEAVY:
+            found.append((Phrase("doubt_gravity", value=f"{mechanism.gravity:g}"), ("gravity",)))
         found += [
             (Phrase("doubt_friction", guide=guide, value=value), ("friction", guide))
             for guide, value in {
@@ -53,6 +58,8 @@ def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
 def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
     """Angles that look like radians: by π in them, or by their number; or like the ratio of a triangle's sides."""
     for path, node in texts(table):
+        if path[0] == "loads" and path[-1] in ("force", "moment") and _IN_LAW.search(node.text):
+            yield Phrase("doubt_radians", key=path[-1], text=node.text[:60]), path
         named = path[0] in ("parameters", "variants") or path[-2:-1] in (("points",), ("parameters",))
         if path[-1] in _ANGLES and not named:  # no point or parameter that happens to be called as an angle is
             text = _written(node.text, parameters)
@@ -98,8 +105,24 @@ def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Key
         )
         if apart and link.mass and link.centre is None and not incomplete:
             yield Phrase("doubt_centre", link=link.name, point=link.first_point), (*path, "mass")
-        if (size := _size(link)) >= LONG_M:
+        size = _size(link)
+        flywheel = link.name == mechanism.drive.link
+        if size and link.mass and not flywheel and (link.inertia or 0) > link.mass * (GYRATION * size) ** 2:
+            told = {"radius": f"{math.sqrt((link.inertia or 0) / link.mass):.3g}", "size": f"{size:g}"}
+            yield Phrase("doubt_inertia", link=link.name, **told), (*path, "inertia")
+        if size >= LONG_M:
             yield Phrase("doubt_long", link=link.name, size=f"{size:g}", less=f"{size / 1000:g}"), (*path, "points")
+
+
+def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
+    """Points under ``assembly`` that have but one place: of the driver, or of one link alone that slides on nothing."""
+    drive, links = mechanism.drive, mechanism.links
+    driven = links[drive.link].points if (drive.kind, drive.on) == ("phi", FRAME) else ()
+    for name, said in mechanism.assembly.items():
+        own = [link for link in links.values() if name in link.points]
+        alone = len(own) == 1 and not (own[0].slides or own[0].slides_round) and said.near is None
+        if own and name not in mechanism.frame.guides and (name in driven or alone):
+            yield Phrase("doubt_assembly", point=name), ("assembly", name)
 
 
 def _size(link: Link) -> float:

@@ -69,7 +69,7 @@ def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iter
         if len(meanings) > 1:
             one, two = (m.phrase for m in meanings[:2])
             raise ExpressionError(Phrase("law_ambiguous", name=name, one=one, two=two))
-        if not meanings and letter_of(name) in FORCES:
+        if not meanings and letter_of(name) in FORCES and name != letter_of(name):  # a letter alone may be a unit
             raise ExpressionError(Phrase("law_later", name=name, valid=choices("", known)))
     LawParser(text, dict.fromkeys(known, 1.0), Arithmetic(), [*known, *parameters]).value()
 

@@ -8,6 +8,8 @@ import io
 import json
 import math
 import re
+import shutil
+import subprocess
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -22,8 +24,9 @@ import pytest
 from PIL import Image
 
 from planes.cli import main
-from planes.course.quiz import HAND, LEAST, SIGMAS, Quiz
+from planes.course.quiz import HAND, LEAST, SIGMAS, Quiz, varied
 from planes.documents.packages import SCORM, manifest
+from planes.documents.platforms import seeds
 from planes.scene import load
 from planes.solving import solve
 from tests.helpers import ROOT
@@ -141,7 +144,47 @@ def test_a_stack_question_is_whole(out: Path) -> None:
     assert math.isclose(sum(float(said(t, "value")) for t in question.findall("prt")), 1.0, abs_tol=1e-5)
     for line in made.splitlines():
         assert len(re.findall(r"[-\d.e]+(?=[,\]])", line)) in (0, 3) and line.endswith(";")
-    assert len(question.findall("deployedseed")) == 3
+    assert len({said(seed, ".") for seed in question.findall("deployedseed")}) == 3
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("maxima") is None, reason="maxima is not installed")
+def test_maxima_draws_every_student_and_grades_by_the_tolerance(out: Path) -> None:
+    """Each deployed seed gives one student's numbers, in their order; an answer passes just within its tolerance."""
+    (question,) = questions(out, "stack")
+    made, trees = said(question, "questionvariables/text"), question.findall("prt")
+    shown, told = re.findall(r"\{@(d_\d+)@\}", said(question, "questiontext/text")), []
+    for seed in question.findall("deployedseed"):
+        lines = [f"set_random_state(make_random_state({said(seed, '.')}))$ rand(n) := random(n)$", made]
+        lines += [f"print(told, {name})$" for name in shown]
+        for k, tree in enumerate(trees, 1):
+            node = tree.find("node")
+            assert node is not None and said(node, "answertest") == "AlgEquiv" and said(node, "tans") == "true"
+            lines.append(f"print(told, ta{k})$")
+            for off in (0.0, 0.99, -0.99, 1.01, -1.01):
+                lines += [f"ans{k}: ta{k} + ({off})*tol{k}$", said(tree, "feedbackvariables/text")]
+                lines.append(f"print(told, {said(node, 'sans')})$")
+        done = subprocess.run(
+            ["maxima", "--very-quiet", "--batch-string", "display2d: false$ fpprintprec: 12$ " + " ".join(lines)],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        told.append(re.findall(r"^told (\S+)\s*$", done.stdout, re.M))
+    for quiz, words in zip(quizzes(out), told, strict=True):
+        given, answers = words[: len(shown)], words[len(shown) :]
+        own = [f"{v:.6g}" for n, v in quiz.given.items() if n in varied(quizzes(out))]
+        assert [float(word) for word in given] == [float(word) for word in own]
+        assert len(answers) == 6 * len(quiz.questions)
+        for k, item in enumerate(quiz.questions):
+            value, *passed = answers[6 * k : 6 * k + 6]
+            assert float(value) == pytest.approx(item.value, rel=1e-9)
+            assert passed == ["true", "true", "true", "false", "false"]
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 31])
+def test_no_student_is_left_without_a_seed(count: int) -> None:
+    assert len(set(seeds(count))) == count
 
 
 def test_the_manifest_of_a_lesson_says_what_scorm_asks(out: Path) -> None:

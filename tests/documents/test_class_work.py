@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import shutil
 from collections.abc import Callable
@@ -18,6 +19,8 @@ from planes.cli import check as command
 from planes.cli import main
 from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
 from planes.documents.class_work import Sorter
+from planes.lesson.data import Told
+from planes.lesson.handed_practice import checksum
 from planes.scene import load
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
@@ -331,3 +334,42 @@ def test_a_vector_astray_is_the_one_it_is_nearest_to(tmp_path: Path) -> None:
     cv2.imwrite(str(tmp_path / "astray.jpg"), scanned(sheet))
     out = check(asked, read_paper(str(tmp_path / "astray.jpg"), asked, Known()))
     assert out.first_wrong in ("e", "s5")
+
+
+def practice(scene: Path, name: str, right: int = 0) -> str:
+    """The code of a practice that was given up at once."""
+    told = Told.of(load(scene)).practice
+    data = {"id": told.id, "seed": 0, "right": right, "name": name, "answers": [None] * len(told.items())}
+    letters = json.dumps(data, ensure_ascii=False).encode()
+    return f"planes-practice.{base64.urlsafe_b64encode(letters).decode()}.{checksum(letters):08x}"
+
+
+@pytest.mark.slow
+def test_practices_and_drawings_are_one_table(course: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A practice is found by the name in its code, a drawing by that of its file; one table, the worst status."""
+    folder, out = tmp_path / "back", tmp_path / "report"
+    folder.mkdir()
+    own = course / "out" / "teacher" / ANNA / "scene.yaml"
+    assert main(["sheet", str(own), "--view", "velocity-plan", "-o", str(folder / "Петрова скорости.svg")]) == 0
+    (folder / "1.practice").write_text(practice(own, "Петрова Анна"), "utf-8")
+    assert main(["check", str(course), str(folder), "-o", str(out), "--lang", "en"]) == 0
+    told = capsys.readouterr().out
+    assert told.count("file  ") == 1 and "confirmed" in told and "0 of " in told and "right" in told
+    for _ in range(2):  # the second run takes up what the first has kept
+        found = rows(capsys, str(course), str(folder), "-o", str(out))
+        assert {name: one["verdict"] for name, one in found.items()} == {
+            "1.practice": "confirmed",
+            "Петрова скорости.svg": "right",
+        }
+    assert found["1.practice"]["right"] == 0 and found["1.practice"]["name"] == "Петрова Анна"
+    assert "1.practice" in (out / "index.html").read_text("utf-8")
+    (folder / "2.practice").write_text(practice(own, "Петрова Анна", 5), "utf-8")
+    (folder / "3.practice").write_text(practice(own, "Сидоров"), "utf-8")
+    (folder / "4.practice").write_text("planes-practice.x.0", "utf-8")
+    (folder / "Иванов скорости.svg").write_bytes((folder / "Петрова скорости.svg").read_bytes())
+    assert main(["check", str(course), str(folder), "--lang", "en"]) == 2
+    said = {line.split()[0]: line for line in capsys.readouterr().out.splitlines() if ".practice" in line}
+    assert "altered" in said["2.practice"] and "whose is it" in said["3.practice"] and "damaged" in said["4.practice"]
+    for name in ("2.practice", "3.practice", "4.practice"):
+        (folder / name).unlink()
+    assert main(["check", str(course), str(folder)]) == 1  # the drawing of another's numbers is wrong

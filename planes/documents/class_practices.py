@@ -1,0 +1,80 @@
+"""Practices among what a class has handed in: whose each is, and a row for it in the one table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+
+from planes.check.handed_in import HandedSheet
+from planes.check.report.class_rows import RIGHT, UNREADABLE, ClassRow
+from planes.course.handed_out import HandedOut, Task, variant_named
+from planes.lesson.handed_practice import HandedPractice, PracticeJudge, read_code
+from planes.words import Lang, Phrase, langs
+from planes.words.errors import PlanesError, guarded
+from planes.words.records import Json
+
+
+@dataclass
+class PracticeSorter:
+    """Judges practices by the scenes that were handed out: by the one the name of the file or of the pupil means, else
+    by the only one whose numbers the answers agree with."""
+
+    handed: HandedOut
+    lang: Lang
+    variant: str | None = None
+    known: dict[tuple[Task, str | None], PracticeJudge] = field(default_factory=dict)
+
+    def row(self, sheet: HandedSheet) -> tuple[ClassRow, Task | None]:
+        """The row of a practice; one that is damaged, altered or of another scene says so."""
+        try:
+            with guarded("check_broken", sheet.name):
+                task, found = self._judged(sheet)
+        except PlanesError as error:
+            return practice_row(sheet, "unreadable", error, self.lang), None
+        told = Phrase("practice_told", **{name: str(value) for name, value in asdict(found).items()})
+        return practice_row(sheet, "confirmed", told, self.lang, asdict(found)), task
+
+    def _judged(self, sheet: HandedSheet) -> tuple[Task, HandedPractice]:
+        tasks = [*self._tasks(sheet)]
+        if len(tasks) == 1:
+            return tasks[0], self._judge(sheet, tasks[0]).judged(str(sheet.file))
+        fits = []
+        for task in tasks:
+            try:
+                fits.append((task, self._judge(sheet, task).judged(str(sheet.file))))
+            except PlanesError:
+                continue
+        if len(fits) != 1:
+            raise PlanesError(Phrase("check_whose_is_it", file=sheet.name))
+        return fits[0]
+
+    def _tasks(self, sheet: HandedSheet) -> Iterator[Task]:
+        """The scenes it may be of."""
+        name = str(read_code(str(sheet.file))["name"])
+        named = self.handed.named(sheet.file.stem) or self.handed.named(name)
+        yield from (named,) if named else self.handed.tasks
+
+    def _judge(self, sheet: HandedSheet, task: Task) -> PracticeJudge:
+        from planes.lesson.data import Told
+
+        variant = variant_named(sheet.file.stem, task.variant(None).variants) or self.variant
+        if (task, variant) not in self.known:
+            self.known[task, variant] = PracticeJudge(Told.of(task.variant(variant)))
+        return self.known[task, variant]
+
+
+def practice_row(
+    sheet: HandedSheet, verdict: str, told: Phrase | PlanesError, lang: Lang, more: Json | None = None
+) -> ClassRow:
+    """The row of a practice: whose it is as the pupil says, how much was right at once or why it is refused."""
+    place, more = f"{sheet.file}: ", more or {}
+    said = {one: told.told(one).removeprefix(place) for one in {*langs("check"), lang}}
+    whose = str(more.get("name", ""))
+    return ClassRow(
+        file=sheet.name,
+        verdict=verdict,
+        rank=RIGHT if verdict == "confirmed" else UNREADABLE,
+        said=said[lang],
+        whose=whose,
+        object={"file": sheet.name, "verdict": verdict, **more, "sentence": {one: said[one] for one in langs("check")}},
+    )
