@@ -169,7 +169,11 @@ def window(name: str) -> Iterator[Any]:
 
 def scenes() -> list[Path]:
     """All samples, and twenty assignments."""
-    samples = [*(ROOT / "samples").glob("*.yaml"), *(ROOT / "samples" / "class-three").glob("*.yaml")]
+    samples = [
+        *(ROOT / "samples").glob("*.yaml"),
+        *(ROOT / "samples" / "class-three").glob("*.yaml"),
+        *(ROOT / "samples" / "class-four").glob("*.yaml"),
+    ]
     samples += [*(ROOT / "samples" / "vectors").glob("*.yaml")]
     return [*sorted(samples), *(ROOT / "samples" / "assignments" / f"{n:02}.yaml" for n in ASSIGNMENTS)]
 

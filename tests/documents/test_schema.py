@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,19 @@ TEMPLATES = sorted(f for f in (ROOT / "planes" / "templates").glob("*.yaml") if 
 UNKNOWN = "no_key"  # the refusal of a key that is none
 
 
+BOOL = "tag:yaml.org,2002:bool"
+
+
+class EditorLoader(yaml.SafeLoader):
+    """YAML 1.2, as editors read it: ``on`` is a word."""
+
+
+EditorLoader.yaml_implicit_resolvers = {
+    first: [one for one in some if one[0] != BOOL] for first, some in yaml.SafeLoader.yaml_implicit_resolvers.items()
+}
+EditorLoader.add_implicit_resolver(BOOL, re.compile("true|false"), list("tf"))
+
+
 def plain(thing: Any) -> Any:
     """What YAML reads, all keys texts, as an editor sees it."""
     if isinstance(thing, dict):
@@ -34,7 +48,7 @@ def plain(thing: Any) -> Any:
 
 
 def faults(kind: str, text: str) -> list[str]:
-    found = Draft202012Validator(schema(kind, "en")).iter_errors(plain(yaml.safe_load(text)))
+    found = Draft202012Validator(schema(kind, "en")).iter_errors(plain(yaml.load(text, EditorLoader)))
     return [error.message for error in found]
 
 

@@ -12,7 +12,7 @@ import json
 import math
 import random
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -574,7 +574,7 @@ def attempt(
 ) -> Case:
     """One try of `make`; raises NoSolution where the draw is of no use."""
     build = Builder(rng, size, ill, swapped, every)
-    inside = {
+    inside: dict[str | bool, Callable[[], dict[str, Any]]] = {
         "brace": build.brace,
         "lead": build.lead,
         "motor": lambda: build.cylinder(True),

@@ -18,7 +18,7 @@ from tests.helpers.sheet_faults import unsightly
 from tests.helpers.sheets import sheet
 from tests.sample_oracle import numeric
 
-SAMPLES = (*(f"class-three/{name}" for name in ("guide", "press", "rods", "slider", "stephenson")), "class-four")
+SAMPLES = (*(f"class-three/{name}" for name in ("guide", "press", "rods", "slider", "stephenson")), "class-four/tray")
 
 
 def path(sample: str) -> Path:

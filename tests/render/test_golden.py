@@ -15,6 +15,7 @@ import pytest
 from pypdfium2 import raw
 
 from render.files import dxf, pdf, svg
+from render.files.dxf_entities import UNKNOWN
 from render.paper.ink import arrow_parts, is_circle, uncovered
 from render.paper.marks import Arc, Arrow, Line, Shape, Text, moved
 from render.paper.typeset import layout
@@ -196,7 +197,7 @@ def test_dxf_has_everything_where_the_marks_are(name):
     assert farthest(corners(cut), points) < NEAR_MM
     for arc in (m for m in cut if isinstance(m, Arc) and is_circle(m)):
         assert any(abs(c - arc.centre) < NEAR_MM and abs(r - arc.radius) < NEAR_MM for c, r in circles)
-    for mark in (m for m in found.marks if isinstance(m, Text)):
+    for mark in (m for m in found.marks if isinstance(m, Text) and not UNKNOWN & set(m.text)):
         laid, turn = layout(mark), np.exp(1j * np.radians(mark.turn_deg))
         foot = laid.origin + {"start": 0.0, "middle": 0.5, "end": 1.0}[mark.anchor] * laid.width * turn
         for first in laid.runs[:1]:

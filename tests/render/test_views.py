@@ -60,7 +60,7 @@ def test_every_view_is_cut_to_its_ink(name):
 def test_the_views_of_a_six_link_mechanism():
     found = names(load(SAMPLES["six-link"]))
     assert {"position", "velocity-plan", "acceleration-plan", "force-2-3", "group-4-5", "lever"} <= set(found)
-    assert names(load(SAMPLES["vectors"])) == ["velocity-plan", "equations", "given", "measured", "values"]
+    assert names(load(SAMPLES["vectors"])) == ["velocity-plan", "equations", "asked", "given", "measured", "values"]
 
 
 @pytest.mark.parametrize("suffix", ["svg", "pdf", "png", "dxf"])
