@@ -7,6 +7,7 @@ from dataclasses import fields
 from itertools import combinations
 
 from planes.scene.mechanism import FRAME, RATES, Link, Mechanism
+from planes.scene.parameters import names_of, reached
 from planes.scene.reader import Keys, line_of, texts
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
@@ -25,6 +26,7 @@ _ANGLES = ("phi", "angle", "direction", "perpendicular_to", "near")
 _RATIO = re.compile(r"\s*-?\s*(sin|cos|tan)\s*\(")
 _IN_LAW = re.compile(r"\b(?:sin|cos|tan)\s*\([^()]*(?<![/\w])pi\b")
 _WHOLE = re.compile(r"-?\d+(\.0*)?")
+_WORD = re.compile(r"\w+")
 _NAMED_FREELY = ("parameters", "variants", "vectors")  # where an empty value means what it should
 
 
@@ -32,7 +34,7 @@ def read_doubts(
     file: str, table: SourceTable, parameters: Mapping[str, Node], mechanism: Mechanism | None
 ) -> list[Doubt]:
     """Every doubt of a scene in the order of the file."""
-    found = [*_empty(table), *_angles(table, parameters)]
+    found = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters)]
     if mechanism:
         found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
         if (mechanism.gravity or 0) > HEAVY:
@@ -53,6 +55,14 @@ def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
     for path, node in texts(table):
         if node.plain and not node.text and path[0] not in _NAMED_FREELY:
             yield Phrase("doubt_empty", key=".".join(path)), path
+
+
+def _unused(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
+    """Parameters that nothing is made of: a length misspelt or left behind; one that the note speaks of is known."""
+    besides = (node.text for path, node in texts(table) if path[0] not in ("parameters", "variants"))
+    words = {word for text in besides for word in _WORD.findall(text)}
+    used = reached(words, {name: names_of(node) for name, node in parameters.items()})
+    yield from ((Phrase("doubt_unused", name=name), ("parameters", name)) for name in parameters if name not in used)
 
 
 def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
