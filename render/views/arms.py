@@ -32,7 +32,8 @@ class Arms:
         self.marks.append(Line((point, ends[1]), "construction", "construction"))
         for k, other in enumerate(self.named):
             if isinstance(other.at, tuple) and all(abs(a - b) < SAME_MM for a, b in zip(other.at, ends, strict=True)):
-                self.named[k] = replace(other, text=f"{other.text} = {text}")
+                if text not in other.text.split(" = "):
+                    self.named[k] = replace(other, text=f"{other.text} = {text}")
                 return
         self.marks.append(Line(ends, "thin", "dimension"))
         self.named.append(labels.Label(text, ends, NAME_MM, name=f"{ARM}{force}", told=True))
