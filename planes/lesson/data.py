@@ -161,7 +161,8 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     )
     holds = [{"at": places["holds"][str(k)], "said": said} for k, (_, said) in enumerate(fails)]
     blunt = {n: in_both(partial(_blunt, n)) for n in sharp}
-    helpers = [*(n for n in marks if n in plans.helpers), *own]
+    lettered = {n for n, m in plans.means.items() if m.quantity == "false"}
+    helpers = [*(n for n in marks if n in plans.helpers - lettered), *own]
     places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(slips)]
     asked: Json = {
         "judging": JUDGING,

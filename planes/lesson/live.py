@@ -146,10 +146,12 @@ class Knobs:
         return {f"{n}.{axis}": power for n, power in own.items() for axis in "xy" if f"{n}.{axis}" in self.home()}
 
     def shaken(self, count: int) -> dict[str, Array | Complexes]:
-        """Given numbers by many others near them, but those that are nothing: an array for each."""
+        """Given numbers by many others near them, but those that are nothing: an array for each, every second as it is,
+        since what hangs together by many links may have no place with others."""
+        moved = numpy.arange(count) % 2
         draw, flat = numpy.random.default_rng(1), {n: numpy.full(count, v) for n, v in self.home().items()}
         for knob in self.all():
-            times = 1 + SHAKEN * draw.uniform(-1, 1, count)
+            times = 1 + SHAKEN * moved * draw.uniform(-1, 1, count)
             flat[knob["given"]] = flat[knob["given"]] + (times - 1) * knob.get("reach", 0.0)
             for name, power in {knob["given"]: 1, **knob["tied"]}.items():
                 flat[name] = flat[name] * times**power

@@ -9,6 +9,7 @@ import pytest
 
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.lesson import Teller
+from planes.lesson.data import Told
 from planes.lesson.formulas import SLOT
 from planes.lesson.note import Note
 from planes.plans.loads import load_names
@@ -85,3 +86,11 @@ def test_the_polygon_of_a_single_link_is_lit_on_the_plan_of_its_group_and_closes
         vectors = [place[ends[n][1]] - place[ends[n][0]] for n in frame.terms]
         signs = product((1, -1), repeat=len(vectors))  # a reaction is drawn as it acts on one of two links
         assert min(abs(sum(s * v for s, v in zip(way, vectors, strict=True))) for way in signs) < 1e-9
+
+
+@pytest.mark.parametrize("name", ["six-link", "class-three/rods", "class-four/tray"])
+def test_no_balancing_moment_is_told_to_be_nothing_that_is_not(name):
+    told = Told.of(load(ROOT / "samples" / f"{name}.yaml"))
+    found = {f.terms[-1] for f in told.frames if f.key.startswith("moments_zero")}
+    assert not {n for n in found if abs(complex(told.drawing[n])) > 1e-6}
+    assert not found or told.plans.balancing not in found
