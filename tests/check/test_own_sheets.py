@@ -286,7 +286,7 @@ def test_a_detail_is_as_much_enlarged_as_its_sign_says() -> None:
     assert enlarged(signs, part) == 20.0 and enlarged(signs[1:], part) == enlarged([], part) == 1.0
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("phi", ["240", "280"])
 def test_the_polygon_of_a_law_is_right_in_its_own_position_alone(phi: str, tmp_path: Path) -> None:
     scene, plan, file = str(SAMPLES / "shaper.yaml"), ["--plan", "force:4-5"], str(tmp_path / "idle.svg")

@@ -304,6 +304,7 @@ def test_every_name_that_may_be_asked_gives_something() -> None:
         assert set(results) - {"phi_deg", "warnings"}, name
 
 
+@pytest.mark.slow
 def test_a_pencil_draws_whatever_can_be_drawn_with_friction() -> None:
     for seed in range(25):
         rng = random.Random(seed)
