@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cached_property, partial
 from types import MappingProxyType
 
 import numpy
@@ -13,7 +13,7 @@ from planes.batch.tape import Tape, read
 from planes.batch.tracing import TracingTool, given_on, given_values
 from planes.drafting.drawing import Drawing, draw_steps
 from planes.drafting.program import Program
-from planes.drafting.steps import LayOff, Put, Step
+from planes.drafting.steps import LayOff, Put, Similar, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.tools import Env, Thing, names_of
 from planes.geometry.arrays import Array, Complexes, Floats
@@ -21,7 +21,7 @@ from planes.lesson.formulas import slot, unit
 from planes.lesson.frame import in_both
 from planes.plans import Plans
 from planes.words import Lang, Phrase, say
-from planes.words.names import aimed, mu_of, parts_of, plan_of
+from planes.words.names import aimed, mu_of, parts_of, plan_of, point_of
 from planes.words.records import Json
 
 CARRIED = ("velocity", "motion", "lever")
@@ -142,8 +142,16 @@ class Knobs:
         mine = [m for n, m in self.plans.means.items() if m.quantity == "length" and m.link == means.link]
         laid = {f"ratio_{p}_{m.link}": p for m in mine for p in (m.of, m.about)}
         ratios = {n: p for n, p in laid.items() if n in self.given}
-        own = {n: 1 for n, p in ratios.items() if p in (means.of, means.about)} or dict.fromkeys(ratios, -1)
+        ends, bases = {means.of, means.about}, self.bases
+        own = {n: 1 for n, p in ratios.items() if p in ends} | {n: -1 for n in ratios if bases.get(n) == ends}
+        own = own or dict.fromkeys(ratios, -1)
         return {f"{n}.{axis}": power for n, power in own.items() for axis in "xy" if f"{n}.{axis}" in self.home()}
+
+    @cached_property
+    def bases(self) -> dict[str, set[str]]:
+        """The two points of a link that each ratio is of, on its scheme or drawn aside."""
+        similar = [s for s in self.plans.program.steps if isinstance(s, Similar) and plan_of(s.makes) == "position"]
+        return {s.ratio: {point_of(n) for n in (s.start, s.end)} for s in reversed(similar)}
 
     def shaken(self, count: int) -> dict[str, Array | Complexes]:
         """Given numbers by many others near them, but those that are nothing: an array for each, every second as it is,
@@ -166,6 +174,11 @@ class Knobs:
         means, letter = self.plans.means.get(given), parts_of(given)[0]
         if means and means.quantity in ("load", "couple"):
             return means.of
+        ends = (
+            {f"at_{p}_{means.link}" for p in (means.of, means.about)} if means and means.quantity == "length" else set()
+        )
+        if ends & self.given.keys():
+            return ""  # the places of its points on the link are given, and it is reckoned from them
         if means and means.quantity == "place":
             return f"{axis}_{parts_of(given)[1]}" if "°" not in given else ""
         return given if letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") else aimed(given)

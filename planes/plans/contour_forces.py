@@ -20,7 +20,7 @@ from planes.plans.reactions import Statics, chain_of
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE, Meaning, at, force_plan, mu_of
+from planes.words.names import POLE, Meaning, at, force_plan, label_of, mu_of, parts_of
 
 
 class _Rod:
@@ -109,7 +109,7 @@ class ContourForces:
 
     def arm(self, rod: _Rod, about: str, choice: tuple[_Rod, _Rod] | None = None) -> str:
         """The arm of a rod's line about an outer hinge."""
-        d, name = self.draft, f"h_{rod.key}^n_{about.partition(':')[2]}"
+        d, name = self.draft, f"h_{rod.key}^n_{label_of(about)}"
         own = name, rod.point, rod.line, about, mu_of(SCHEME)
         means = Meaning("arm", rod.key, about, self.group.basic)
         if choice is None:
@@ -124,12 +124,12 @@ class ContourForces:
         """What an equation of moments about a hinge gives."""
         products, shown = self.statics.moment_terms(about, forces, couples, sign, arm)
         found = self.draft.total(name, products)
-        self.draft.moments.append(Moments(about.partition(":")[2], tuple(links), shown, found, arm))
+        self.draft.moments.append(Moments(label_of(about), tuple(links), shown, found, arm))
         return found
 
     def handed(self, force: Force, rod: _Rod) -> Force:
         """A force on a rod as the base feels it, reversed."""
-        part = force.name.partition("^")[2]
+        part = parts_of(force.name)[2]
         return replace(force, name=f"{rod.back}^{part}", link=self.group.base, along=self.draft.reversed(force.along))
 
     def react(self, pair: Pair, link: str, ends: tuple[str, str]) -> None:

@@ -26,6 +26,7 @@ _ANGLES = ("phi", "angle", "direction", "perpendicular_to", "near")
 _RATIO = re.compile(r"\s*-?\s*(sin|cos|tan)\s*\(")
 _IN_LAW = re.compile(r"\b(?:sin|cos|tan)\s*\([^()]*(?<![/\w])pi\b")
 _WHOLE = re.compile(r"-?\d+(\.0*)?")
+_SIZES = ("force", "moment")  # of loads
 _WORD = re.compile(r"\w+")
 _NAMED_FREELY = ("parameters", "variants", "vectors")  # where an empty value means what it should
 
@@ -68,7 +69,7 @@ def _unused(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tupl
 def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
     """Angles that look like radians: by π in them, or by their number; or like the ratio of a triangle's sides."""
     for path, node in texts(table):
-        if path[0] == "loads" and path[-1] in ("force", "moment") and _IN_LAW.search(node.text):
+        if path[0] == "loads" and path[-1] in _SIZES and _IN_LAW.search(node.text):
             yield Phrase("doubt_radians", key=path[-1], text=node.text[:60]), path
         named = path[0] in ("parameters", "variants") or path[-2:-1] in (("points",), ("parameters",))
         if path[-1] in _ANGLES and not named:  # no point or parameter that happens to be called as an angle is

@@ -20,8 +20,7 @@ Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]
 
-HELPERS = ("guide", "foot", "trial", "special", "false")
-"""Marks that are drawn and never asked of anybody."""
+HELPERS = ("guide", "foot", "trial", "special", "false")  # drawn and never asked of anybody
 _ALIKE = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
 _PRIMES = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
 _POLES = {"π", "p", "p'", "π'", "полюс", "pole", "P"}
@@ -76,6 +75,11 @@ def at(plan: str, label: str) -> str:
 def label_of(mark: str) -> str:
     """The label of a mark without its plan."""
     return mark.rpartition(":")[2]
+
+
+def point_of(mark: str) -> str:
+    """The point of a mark of the scheme, in its place or aside: B of position:B°O."""
+    return label_of(mark).partition("°")[0]
 
 
 def lettered(name: str) -> str:

@@ -222,7 +222,7 @@ def test_a_failure_is_told_by_the_step_that_fails() -> None:
 
 def built(names: list[str], plan: str, drawing) -> complex:
     """The place of a mark drawn by nothing but the names its sentence tells, in their order."""
-    mark = {n: drawing[at(plan, n)] for n in names if not n[0].isupper()}
+    mark = {n: drawing[at(plan, n)] for n in names if plan == "position" or not n[0].isupper()}
     spot = {n: drawing[at("position", n)] for n in names if n[0].isupper()}
     if len(names) == 7:  # first, second; one, two, own; own, end
         first, second, one, two, own = names[:5]

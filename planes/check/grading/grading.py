@@ -2,14 +2,14 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.check.grading.evidence import SURE, all_drawn, breadth, by_chance, chance_wrong, own_scales
 from planes.check.grading.handwork import Hand, Miss
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadMark, ReadPaper
-from planes.check.grading.polygons import Rebuilt, align
+from planes.check.grading.polygons import Rebuilt, align, earlier
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.steps import LayOff, Same, Step
@@ -20,6 +20,7 @@ from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale, and may not be seen at all
+ZERO_MM = 0.05  # and one shorter than this is nothing on paper
 NAMELESS = "?"  # begins the name of a line that has none
 FAR_MM = 3.0  # a mark this far off was not merely misread
 FITTING = 0.9  # the share of the other marks that must be seen, and right, before one of them is blamed
@@ -128,9 +129,13 @@ class Grading:
     @property
     def shown_by(self) -> dict[str, list[str]]:
         """By mark what shows where it is: it and the marks drawn from it. What stands on another one needs no look."""
-        there = [m for m in self.marks if not isinstance(self.hand.program.makers[m], Same)]
+        there = [m for m in self.marks if not self._upon_another(self.hand.program.makers[m])]
         absent = self.rebuilt.absent if self.rebuilt else ()
         return {m: [k for k in self.marks if m in self._roots[k]] for m in there if label_of(m) not in absent}
+
+    def _upon_another(self, step: Step) -> bool:
+        """Whether a mark is another's, or so near to where it is laid off from that no pencil sets them apart."""
+        return isinstance(step, Same) or (isinstance(step, LayOff) and _laid_mm(self, step) < ZERO_MM)
 
     @cached_property
     def _roots(self) -> dict[str, set[str]]:
@@ -187,7 +192,7 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     taken = {at(plan, n): s for n, s in spots.items()}
     if not taken:
         return None
-    taken |= _earlier(bench)
+    taken |= earlier(bench)
     best, most = None, -math.inf
     for mu, share in own_scales(bench, taken):
         found = _grade_at(bench, mu, share, taken, rebuilt)
@@ -217,12 +222,6 @@ def _laid_mm(found: Grading, step: Step) -> float:
     return float(abs(found.truth[step.makes] - found.truth[step.start])) if isinstance(step, LayOff) else 0.0
 
 
-def _earlier(bench: PreparedPlan) -> dict[str, ReadMark]:
-    """Marks of earlier plans that were handed in too."""
-    aligned = ((plan, align(bench, plan, paper)[0]) for plan, paper in bench.asked.others.items())
-    return {at(plan, n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}
-
-
 def _grade_at(
     bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, ReadMark], rebuilt: Rebuilt | None = None
 ) -> Grading:
@@ -247,4 +246,4 @@ def _grade_at(
 
 def empty(bench: PreparedPlan) -> Grading:
     """The grading of a drawing of which no mark is read yet, at the stated scale."""
-    return _grade_at(bench, bench.said_mu, 0.0, _earlier(bench))
+    return _grade_at(bench, bench.said_mu, 0.0, earlier(bench))

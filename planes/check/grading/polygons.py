@@ -14,7 +14,7 @@ from planes.drafting.steps import LayOff
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, Names, end_of, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, Names, at, end_of, kind_of, label_of, mu_of, plan_of
 
 Vectors = dict[str, ReadMark]  # a person's
 IN_LINE, AS_LONG = 0.05, 0.9  # between vectors of one line, the tangent of the angle; how long one is to hide another
@@ -157,3 +157,9 @@ def _origin(bench: PreparedPlan, plan: str, found: Mapping[str, ReadMark]) -> co
         if name in found:
             return complex(found[name].place - place * bench.given[mu_of(plan)])
     raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))
+
+
+def earlier(bench: PreparedPlan) -> dict[str, ReadMark]:
+    """Marks of earlier plans that were handed in too."""
+    aligned = ((plan, align(bench, plan, paper)[0]) for plan, paper in bench.asked.others.items())
+    return {at(plan, n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}
