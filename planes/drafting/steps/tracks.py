@@ -16,7 +16,7 @@ from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, newton
 
-BEFORE = 3  # steps from the guess until it is no worse than what rounding makes of it
+BEFORE = 5  # steps from the guess, a tenth off where lengths were changed, until it is no worse than rounding makes it
 SETTLED = 1e-9  # of the link's size: the last step moves it by less
 
 
