@@ -29,7 +29,7 @@ const kit = {
   move() {
     const acts = this.acts(), past = performance.now() - this.from, k = Math.floor(past / ACT_MS), ease = s => s * s * (3 - 2 * s);
     if (k >= acts.length) { this.rest(); return; }
-    this.panels.classList.add("moving");
+    this.panels.classList.toggle("moving", this.frame.makes.length > 0); // what was there before a measure stays
     this.over.textContent = "";
     acts.slice(0, k).forEach(a => this.pose(a, 1, 1, false));
     const t = past - k * ACT_MS;

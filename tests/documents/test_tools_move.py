@@ -58,6 +58,21 @@ def test_a_step_of_a_tool_takes_six_tenths_of_a_second_and_none_where_motion_is_
 
 
 @pytest.mark.slow
+def test_what_is_measured_is_seen_while_it_is_measured(page: Any) -> None:
+    """A vector that is just being drawn is not there yet; one that dividers are laid to is."""
+    seen = """k => { go(k - 1); go(k); return new Promise(done => setTimeout(() => done(
+        [...document.querySelectorAll('.arrow.lit')].map(a => getComputedStyle(a).visibility)), 300)); }"""
+    measured, drawn = (
+        page.evaluate(
+            f"({seen})(data.frames.findIndex((f, k) => f.key === 'measured' && data.frames[k - 1].makes[0]) + {back})"
+        )
+        for back in (0, -1)
+    )
+    assert measured and set(measured) == {"visible"}
+    assert set(drawn) <= {"hidden"}
+
+
+@pytest.mark.slow
 def test_a_tool_leaves_while_the_crank_spins_and_while_practising(page: Any) -> None:
     page.evaluate("go(8); kit.rest(); spin(true); draw()")
     assert page.evaluate("kit.over.childElementCount") == 0
