@@ -28,7 +28,8 @@ _IN_LAW = re.compile(r"\b(?:sin|cos|tan)\s*\([^()]*(?<![/\w])pi\b")
 _WHOLE = re.compile(r"-?\d+(\.0*)?")
 _SIZES = ("force", "moment")  # of loads
 _WORD = re.compile(r"\w+")
-_NAMED_FREELY = ("parameters", "variants", "vectors")  # where an empty value means what it should
+_STATED = ("parameters", "variants")
+_NAMED_FREELY = (*_STATED, "vectors")  # where an empty value means what it should
 
 
 def read_doubts(
@@ -60,7 +61,7 @@ def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
 
 def _unused(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
     """Parameters that nothing is made of: a length misspelt or left behind; one that the note speaks of is known."""
-    besides = (node.text for path, node in texts(table) if path[0] not in ("parameters", "variants"))
+    besides = (node.text for path, node in texts(table) if path[0] not in _STATED)
     words = {word for text in besides for word in _WORD.findall(text)}
     used = reached(words, {name: names_of(node) for name, node in parameters.items()})
     yield from ((Phrase("doubt_unused", name=name), ("parameters", name)) for name in parameters if name not in used)
@@ -71,7 +72,7 @@ def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tupl
     for path, node in texts(table):
         if path[0] == "loads" and path[-1] in _SIZES and _IN_LAW.search(node.text):
             yield Phrase("doubt_radians", key=path[-1], text=node.text[:60]), path
-        named = path[0] in ("parameters", "variants") or path[-2:-1] in (("points",), ("parameters",))
+        named = path[0] in _STATED or path[-2:-1] in (("points",), ("parameters",))
         if path[-1] in _ANGLES and not named:  # no point or parameter that happens to be called as an angle is
             text = _written(node.text, parameters)
             if (re.search(r"\bpi\b", text) and "180" not in text) or _radians(text):

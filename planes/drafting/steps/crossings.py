@@ -50,26 +50,24 @@ class ByLeads(Step):
         raise NotImplementedError
 
     def crossings(self, env: Env) -> tuple[Real, ...]:
-        """How sharply they cross: as they are taken, then as after each turn of the leads."""
-        raise NotImplementedError
+        """How sharply they cross: as they are taken, the first two, then as after each turn of the leads."""
+        one, two, three, four = (env[name] for name in self.crossed)
+        return abs(plane.cross(one, two)), abs(plane.cross(three, four))
 
-    def choose(self, env: Env, tool: Tool) -> None:
-        """Hand over to other leads where these cross much less sharply."""
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        """As ever; other leads are preferred where these cross much less sharply."""
         own, *others = self.crossings(env)
         tool.prefer(own >= FAIR * reduce(tool.ar.maximum, others), self, LEAN)
+        return super().draw(env, tool)
 
 
 @dataclass(frozen=True)
-class CrossLeads(Cross, ByLeads):
+class CrossLeads(ByLeads, Cross):
     """Cross the lines of two leads in the special point, while they cross no much worse than with the ``third``."""
 
     third: str = ""
     third_along: str = ""
     needs = marks("start", "other", "third") + directions("along", "across", "third_along")
-
-    def draw(self, env: Env, tool: Tool) -> Thing:
-        self.choose(env, tool)
-        return super().draw(env, tool)
 
     @property
     def crossed(self) -> tuple[str, str, str]:
@@ -81,45 +79,29 @@ class CrossLeads(Cross, ByLeads):
 
 
 @dataclass(frozen=True)
-class CrossFalse(Cross, ByLeads):
+class CrossFalse(ByLeads, Cross):
     """The hinge of a rod on a false plan, while the other rod would not give it much more sharply (``instead``: the
     directions that would be crossed then)."""
 
     instead: tuple[str, str] = ("", "")
     needs = marks("start", "other") + directions("along", "across", "instead")
 
-    def draw(self, env: Env, tool: Tool) -> Thing:
-        self.choose(env, tool)
-        return super().draw(env, tool)
-
     @property
     def crossed(self) -> tuple[str, ...]:
         return self.along, self.across, *self.instead
 
-    def crossings(self, env: Env) -> tuple[Real, Real]:
-        one, two, three, four = (env[name] for name in self.crossed)
-        return abs(plane.cross(one, two)), abs(plane.cross(three, four))
-
 
 @dataclass(frozen=True)
-class DropFalse(Drop, ByLeads):
+class DropFalse(ByLeads, Drop):
     """The arm of a rod's line about the hinge of what it leads to, while the other rod's is not much better placed
     (``crossed``: the line of the rod, of the hinges it leads to, and both of the other rod)."""
 
     lines: tuple[str, str, str, str] = ("", "", "", "")
     needs = marks("point", "about") + directions("along", "lines") + values("mu")
 
-    def draw(self, env: Env, tool: Tool) -> Thing:
-        self.choose(env, tool)
-        return super().draw(env, tool)
-
     @property
     def crossed(self) -> tuple[str, ...]:
         return self.lines
-
-    def crossings(self, env: Env) -> tuple[Real, Real]:
-        one, two, three, four = (env[name] for name in self.lines)
-        return abs(plane.cross(one, two)), abs(plane.cross(three, four))
 
 
 @dataclass(frozen=True)
