@@ -19,6 +19,7 @@ FIT_MM |= {"contour": 100.0, "vectors": 100.0}
 SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 """How large plans are on a format that a scene names, against the usual: as its sides are."""
 USUAL_GROUPS = 2  # the plans of more need a larger format
+ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn at its μ
 
 

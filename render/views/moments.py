@@ -10,6 +10,7 @@ from functools import cached_property
 
 from planes.drafting.draft import Moments
 from planes.drafting.steps.reckoning import Calculate, Drop, Product
+from planes.plans.scales import ZERO_MM
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat
@@ -22,7 +23,7 @@ from render.views.arms import Arms, drops_of, with_unlettered
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
 from render.views.plotted import Ends, of_position
-from render.views.polygon import ZERO_MM, gathered
+from render.views.polygon import gathered
 from render.views.senses import labelled
 
 NOISE = 1e-9  # of the largest moment of the equation: nothing

@@ -12,6 +12,7 @@ import shapely
 from planes.drafting.equations import Term
 from planes.drafting.steps import Carry, Image, Similar
 from planes.drafting.steps.crossings import Cross
+from planes.plans.scales import ZERO_MM
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
@@ -25,8 +26,7 @@ from render.views import detail, remark
 from render.views.plotted import Ends, Plotted, set_apart
 from render.views.senses import parted
 
-ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
-NOTHING_MM = 1e-10  # and one shorter than this is none
+NOTHING_MM = 1e-10  # a vector shorter than this is none
 SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished

@@ -14,13 +14,12 @@ from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.steps import LayOff, Same, Step
 from planes.plans import Plans
-from planes.plans.scales import extent
+from planes.plans.scales import ZERO_MM, extent
 from planes.words import Phrase, Written
 from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale, and may not be seen at all
-ZERO_MM = 0.05  # and one shorter than this is nothing on paper
 NAMELESS = "?"  # begins the name of a line that has none
 FAR_MM = 3.0  # a mark this far off was not merely misread
 FITTING = 0.9  # the share of the other marks that must be seen, and right, before one of them is blamed
