@@ -117,42 +117,104 @@ def test_readers_of_the_screen_hear_it_at_rest_alone(page: Any) -> None:
     assert page.locator("[aria-live], [role=status]").count() == 1
 
 
+STROKES = """() => { const t = practice.item, [x, y] = live.at(t.what), trace = data.traces[t.what] || {};
+    const at = n => live.at(desk.marks().includes(n) ? n : desk.from), degrees = a => (a * 180 / Math.PI).toFixed(3);
+    const from = p => desk.marks().find(m => { const [u, v] = live.at(m); return Math.hypot(u - p[0], v - p[1]) < 0.05; });
+    const stroke = (tool, n) => { const [u, v] = live.at(n), start = from([u, v]), r = Math.hypot(x - u, y - v);
+        return { tool, start, r: r.toFixed(2), angle: degrees(Math.atan2(y - v, x - u)) }; };
+    const lines = (trace.lines || []).map(n => stroke("line", n)), arcs = (trace.arcs || []).map(n => stroke("arc", n));
+    const all = [...lines, ...arcs].filter(s => s.start && +s.r > 0.5);
+    return all.length > 1 ? all.slice(0, 2) : [stroke("vector", desk.from)]; }"""
+
+
+class Keys:
+    """Hands that have a keyboard alone."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+
+    def to(self, selector: str) -> None:
+        """Tab until there."""
+        for _ in range(80):
+            if self.page.evaluate(f"document.activeElement.matches({selector!r})"):
+                return
+            self.page.keyboard.press("Tab")
+        pytest.fail(f"the keys do not come to {selector}")
+
+    def press(self, selector: str) -> None:
+        self.to(selector)
+        self.page.keyboard.press("Enter")
+
+    def choose(self, selector: str, value: str) -> None:
+        """A choice of a list by its arrows."""
+        self.to(selector)
+        if value == self.page.input_value(selector):
+            return
+        self.page.keyboard.press("Home")
+        for _ in range(80):
+            if value == self.page.input_value(selector):
+                return
+            self.page.keyboard.press("ArrowDown")
+        pytest.fail(f"the keys do not choose {value} of {selector}")
+
+    def fill(self, selector: str, text: str) -> None:
+        self.to(selector)
+        self.page.keyboard.press("Control+A")
+        self.page.keyboard.type(text)
+
+    def draw(self, stroke: dict[str, str]) -> None:
+        """One line, arc or vector."""
+        self.press(f"#tool-{stroke['tool']}")
+        self.choose("#from", stroke["start"])
+        if stroke["tool"] != "arc":
+            self.choose("#along", "angle")
+            self.fill("#angle", stroke["angle"])
+        if stroke["tool"] != "line":
+            self.fill("#mm", stroke["r"])
+        self.press("#do-draw")
+
+    def mark(self) -> None:
+        """The mark asked for: a vector, or two strokes and their crossing."""
+        what, strokes = self.page.evaluate("practice.item.what"), self.page.evaluate(STROKES)
+        for stroke in strokes:
+            self.draw(stroke)
+        if len(strokes) == 2 and self.page.evaluate("practice.item.what") == what:
+            self.press("#tool-point")
+            near = "desk.crossings().findIndex(p => practice.right(practice.item, p))"
+            if self.page.locator("#spot").count():
+                self.choose("#spot", str(self.page.evaluate(near)))
+            self.press("#do-draw")
+
+    def answer(self) -> None:
+        """The question in hand."""
+        kind = self.page.evaluate("practice.item.kind")
+        if kind == "known":
+            for name, times in self.page.evaluate("practice.goal(practice.equation).map(t => [t.name, t.known])"):
+                self.to(f'[data-term="{name}"]')
+                for _ in range(times):
+                    self.page.keyboard.press("Enter")
+            self.press("#do-check")
+        elif kind in ("number", "mu"):
+            self.to("#figure")
+            self.page.keyboard.type(str(self.page.evaluate("practice.truth(practice.item)")))
+            self.page.keyboard.press("Enter")
+        elif kind == "sense":
+            self.press("#do-ccw" if self.page.evaluate("practice.truth(practice.item)") > 0 else "#do-cw")
+        else:
+            self.mark()
+
+
 @pytest.mark.slow
 def test_practice_by_keys_alone_from_its_beginning_to_its_end(page: Any) -> None:
-    """Every question is answered with Tab, letters, arrows and Enter; the focus never leaves the task."""
+    """Every question is answered and every mark drawn with Tab, letters, arrows and Enter; the focus never leaves the
+    task, and the whole is right."""
     page.focus("#practise")
     page.keyboard.press("Enter")
-    count = page.evaluate("data.practice.length")
-
-    def press(selector: str) -> None:
-        for _ in range(60):
-            if page.evaluate(f"document.activeElement.matches({selector!r})"):
-                break
-            page.keyboard.press("Tab")
-        else:
-            pytest.fail(f"the keys do not come to {selector}")
-
-    for k in range(count):
-        kind = page.evaluate("practice.item.kind")
-        if kind == "known" and k < 20:
-            for name, times in page.evaluate("practice.goal(practice.equation).map(t => [t.name, t.known])"):
-                press(f'[data-term="{name}"]')
-                for _ in range(times):
-                    page.keyboard.press("Enter")
-            press("#do-check")
-            page.keyboard.press("Enter")
-            assert page.evaluate("practice.said[0]") == "yes"
-        elif kind in ("number", "mu"):
-            press("#figure")
-            page.keyboard.type(str(page.evaluate("practice.truth(practice.item)")))
-            page.keyboard.press("Enter")
-            assert page.evaluate("practice.said[0]") == "yes"
-        elif kind == "sense":
-            press("#do-ccw" if page.evaluate("practice.truth(practice.item)") > 0 else "#do-cw")
-            page.keyboard.press("Enter")
-            assert page.evaluate("practice.said[0]") == "yes"
-        else:
-            press("#do-show")
-            page.keyboard.press("Enter")
-        assert page.evaluate("practice.over || document.getElementById('task').contains(document.activeElement)")
-    assert page.evaluate("practice.over") and page.input_value("#code").startswith("planes-practice.")
+    keys = Keys(page)
+    for _ in range(page.evaluate("practice.items.length")):
+        now = page.evaluate("[practice.item.kind, practice.item.what]")
+        keys.answer()
+        assert page.evaluate("practice.said[0]") == "yes", now
+        assert page.evaluate("practice.over || document.getElementById('task').contains(document.activeElement)"), now
+    assert page.evaluate("[practice.over, practice.good]") == [True, page.evaluate("practice.items.length")]
+    assert page.input_value("#code").startswith("planes-practice.")
