@@ -118,8 +118,9 @@ def test_readers_of_the_screen_hear_it_at_rest_alone(page: Any) -> None:
 
 
 STROKES = """() => { const t = practice.item, [x, y] = live.at(t.what), trace = data.traces[t.what] || {};
-    const at = n => live.at(desk.marks().includes(n) ? n : desk.from), degrees = a => (a * 180 / Math.PI).toFixed(3);
-    const from = p => desk.marks().find(m => { const [u, v] = live.at(m); return Math.hypot(u - p[0], v - p[1]) < 0.05; });
+    const degrees = a => (a * 180 / Math.PI).toFixed(3);
+    const apart = (p, m) => Math.hypot(live.at(m)[0] - p[0], live.at(m)[1] - p[1]);
+    const from = p => desk.marks().find(m => apart(p, m) < 0.05);
     const stroke = (tool, n) => { const [u, v] = live.at(n), start = from([u, v]), r = Math.hypot(x - u, y - v);
         return { tool, start, r: r.toFixed(2), angle: degrees(Math.atan2(y - v, x - u)) }; };
     const lines = (trace.lines || []).map(n => stroke("line", n)), arcs = (trace.arcs || []).map(n => stroke("arc", n));
