@@ -2,9 +2,11 @@
 
 A slot ⟦how¦name¦mu⟧ stands for a number of the drawing: ``v`` its value, ``b`` the value in brackets where it is
 negative, ``mm`` its length on paper, ``s`` its sense of rotation, ``k`` and ``i`` a scale, in mm for a unit and the
-inverse. Names of marks, vectors and values stand in ⟨…⟩.
+inverse; ``a`` its value without a sign; ``join`` and ``lead`` the sign of a product of values (names by ``*``, after a
+minus of their own), between terms and before the first. Names of marks, vectors and values stand in ⟨…⟩.
 """
 
+import math
 import re
 from collections.abc import Callable
 
@@ -14,6 +16,7 @@ from planes.words.names import kind_of, mu_of, parts_of
 from planes.words.units import Convention, mu_number, mu_text, number
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
+SIGNS = ("s", "join", "lead")  # slots that give no number
 NOISE = 1e-12  # what is smaller is nothing: an arm that is zero, a force that is not there
 SCALES: dict[str, Convention] = {"k": "mm_per_unit", "i": "unit_per_mm"}
 _LETTERS = {
@@ -47,15 +50,19 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
 
     def one(match: re.Match[str]) -> str:
         how, name, mu = match.groups()
-        size = read(name)
+        size = math.prod(map(read, own(name)), start=-1.0 if name.startswith("-") else 1.0)
         size = 0.0 if abs(size) < NOISE else size
         if how == "mm":
             return decimal(f"{abs(size * read(mu)):.1f}".removesuffix(".0"), lang)
         if how == "s":
             return say("lesson_ccw" if size > 0 else "lesson_cw" if size < 0 else "lesson_still", lang)
+        if how == "join":
+            return " − " if size < 0 else " + "
+        if how == "lead":
+            return "−" if size < 0 else ""
         if how in SCALES:
             return decimal(mu_number(size, SCALES[how]), lang)
-        shown = number(size, lang)
+        shown = number(abs(size) if how == "a" else size, lang)
         return f"({shown})" if how == "b" and shown.startswith("−") else shown
 
     return SLOT.sub(one, text)
@@ -63,24 +70,37 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
 
 def slots(text: str) -> list[str]:
     """Names of the values a sentence needs, each time it does."""
-    return [name for _, name, _ in SLOT.findall(text)]
+    return [part for _, name, _ in SLOT.findall(text) for part in own(name)]
+
+
+def own(name: str) -> list[str]:
+    """The values a slot is of: one, or those of a product."""
+    return name.removeprefix("-").split("*")
 
 
 def formula(step: Calculate, lang: Lang, called: str = "", key: str = "") -> str:
     """``name = symbols = numbers = value unit``; by the name of the step, or the one it is ``called`` by; ``key`` is
     that of its unit, if its name does not tell."""
-    symbols, numbers = sides(step, lambda name: name)
+    symbols = _sum([_product(t, lambda n: f"⟨{n}⟩") for t in step.terms])
+    numbers = _sum([_product(t, lambda n: slot(n, "b")) for t in step.terms])
     name = called or step.makes
     return f"⟨{name}⟩ = {symbols} = {numbers} = {slot(step.makes)} {say(key, lang) if key else unit(name, lang)}"
 
 
-def sides(
-    step: Calculate, shown: Callable[[str], str], without: str = "", drop: frozenset[int] = frozenset()
+def by_sense(
+    step: Calculate, force: Callable[[str], str], without: str, arm: str, drop: frozenset[int]
 ) -> tuple[str, str]:
-    """The right side in letters (``shown`` names a value) and in numbers, multiplied by the value ``without``."""
-    terms = [_clear(t, without) for i, t in enumerate(step.terms) if i not in drop]
-    letters = _sum([_product(t, lambda n: f"⟨{shown(n)}⟩") for t in terms])
-    return letters, _sum([_product(t, lambda n: slot(n, "b")) for t in terms])
+    """Both sides of an equation of moments: each term with the sign it has, its arm and sizes without; what is sought
+    has an ``arm`` too."""
+    letters = numbers = ""
+    for i, term in enumerate(step.terms):
+        if i not in drop:
+            product = _clear(term, without)
+            names = [n for n, power in product.factors if power % 2] + [arm] * bool(arm and arm == without)
+            sense = slot(("-" if term.coefficient < 0 else "") + "*".join(names), "join" if letters else "lead")
+            letters += sense + _product(product, lambda n: f"⟨{force(n)}⟩")[1]
+            numbers += sense + _product(product, lambda n: slot(n, "a"))[1]
+    return letters, numbers
 
 
 def _clear(term: Product, without: str) -> Product:

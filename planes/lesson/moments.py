@@ -6,7 +6,7 @@ from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import sides, slot, unit
+from planes.lesson.formulas import by_sense, slot, unit
 from planes.lesson.steps import Names
 from planes.words import Lang, say
 from planes.words.names import lettered
@@ -27,7 +27,7 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     # every term is divided by the arm of what is sought; a size that stands for a force has its name on this link
     over = next((name for name, power in step.terms[0].factors if power == -1), "")
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
-    letters, numbers = sides(step, lambda name: forces.get(name, name), over, dropped)
+    letters, numbers = by_sense(step, lambda name: forces.get(name, name), over, m.arm, dropped)
     found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
     more: Names = {
         "head": f"{found} · ⟨{over}⟩" if over else found,

@@ -89,7 +89,7 @@ class Practice:
             yield "sense", f.turns["rate"]
         for how, name, _ in SLOT.findall(f.said["en"]):
             given = {name, f"{name}_given"} & {*self.plans.given}
-            if how == "v" and not given and abs(self.values.get(name, 0.0)) > NOTHING:
+            if how in ("v", "a") and not given and abs(self.values.get(name, 0.0)) > NOTHING:
                 yield "number", name
         if f.moments is not None and (sense := f"{SENSE}{self.plans.moments[f.moments].unknown}") in self.turning:
             yield "sense", sense

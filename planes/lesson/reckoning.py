@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.drafting.steps.settling import Fed, Settle
-from planes.lesson.formulas import SLOT, formula, slot, unit
+from planes.lesson.formulas import SIGNS, SLOT, formula, slot, unit
 from planes.plans import Plans
 from planes.plans.loads import load_names
 from planes.words import Lang, say
@@ -55,7 +55,8 @@ class Reckoning:
             return self.rubbing(step, lang)
         assert isinstance(step, Drop | Measure)
         name = plain(step.makes)
-        names = {"mm": slot(step.makes, "mm", step.mu), "by": self.divided(step.mu), "value": slot(step.makes)}
+        names = {"mm": slot(step.makes, "mm", step.mu), "by": self.divided(step.mu)}
+        names["value"] = slot(step.makes, "a" if isinstance(step, Drop) else "v")  # an arm has no sign
         return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
 
     def rubbing(self, step: Fed | Settle, lang: Lang) -> str:
@@ -71,7 +72,7 @@ class Reckoning:
 
 def used(text: str) -> list[str]:
     """The values a sentence gives as numbers, not by their sense alone."""
-    return [name for how, name, _ in SLOT.findall(text) if how != "s"]
+    return [name for how, name, _ in SLOT.findall(text) if how not in SIGNS]
 
 
 def factors(step: Calculate) -> Iterator[str]:

@@ -48,7 +48,8 @@ def arms(plans: Plans) -> list[Json]:
     for m in plans.moments:
         plan = "lever" if m.links == ("lever",) else "position"
         forces = [*_forces(m, steps), *_unknown(plans, m, steps)]
-        found.append({"about": at(plan, m.about), "plan": plan, "links": list(m.links), "forces": forces})
+        own = {"about": at(plan, m.about), "plan": plan, "links": list(m.links)}
+        found.append({**own, "forces": forces, "couples": list(_couples(plans, m))})
     return found
 
 
@@ -58,8 +59,17 @@ def _forces(m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
     for (name, arm), term in zip(m.terms, terms, strict=False):
         drop = steps.get(arm)
         if isinstance(drop, Drop):
-            own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0]}
+            own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0], "arm": arm}
             yield {**own, "foot": _foot(arm, drop)}
+
+
+def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
+    """The couples of an equation of links, each about the middle of its own."""
+    named = {name for name, arm in m.terms if not arm}
+    for link in m.links:
+        for c in plans.acting.couples.get(link, ()):
+            if c.name in named:
+                yield {"name": c.name, "link": link, "size": c.value, "sign": c.sign}
 
 
 def _foot(arm: str, drop: Drop) -> str:

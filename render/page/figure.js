@@ -118,21 +118,24 @@ class Figure { // millimetres y up -> pixels y down
       if (n === undefined || n >= all.length || (k >= 0 && n === kept)) continue;
       const own = all[n][2] - (k < 0 ? 0.6 : 0);
       if (best && own >= best[0]) continue;
-      const cost = this.price(label, all[n], own);
+      const cost = this.price(label, all[n], own, best ? best[0] : Infinity);
       if (!best || cost < best[0]) best = [cost, n];
       if (k < 0 && cost <= 0) break;
     }
     this.kept.set(key, best[1]);
     return all[best[1]];
   }
-  price({ half, size }, [x, y], own) { // what a place costs: strokes, other labels, the edge of the figure
-    const tall = size * 0.5;
+  price({ half, size }, [x, y], own, most) { // what a place costs: strokes, other labels, the edge of the figure; no more than matters
+    const tall = size * 0.5, parts = Math.max(2, Math.ceil(1.6 * half / size)); // nothing crosses it between two places
     let cost = own;
-    for (const s of this.strokes) for (const o of [-0.8, 0, 0.8]) {
-      const d = gap([x + o * half, y], s);
-      if (d < tall + 3) cost += (tall + 3 - d) / tall;
-    }
     for (const t of this.taken) if (crowds([x, y, half], t, size)) cost += UPON;
+    for (const s of this.strokes) {
+      if (cost >= most) return cost;
+      for (let k = 0; k <= parts; k++) {
+        const d = gap([x + (1.6 * k / parts - 0.8) * half, y], s);
+        if (d < tall + 3) cost += (tall + 3 - d) / tall;
+      }
+    }
     return x - half < 2 || x + half > this.w - 2 || y - tall < 2 || y + tall > this.h - 2 ? cost + 6 : cost;
   }
   settle() { // labels upon one another are placed again, now that all are there

@@ -1,6 +1,7 @@
 "use strict";
 // The lesson on paper: a page a plan, at the position shown, in its own millimetres where it fits; its steps beneath.
-const PAPER = 96 / 25.4, WIDEST = [690, 400], BODY = [250, 215], ARMS = [300, 200];
+const PAPER = 96 / 25.4, WIDE = 690, TALL = 269 * PAPER, BODY = [250, 215], ARMS = [300, 200];
+const FITS = [[400, 1], [400, 0.93], [330, 1], [330, 0.9], [270, 0.9], [230, 0.85], [200, 0.8]]; // how tall a figure, how large the type
 
 function parts() { // the frames of each plan; moments belong to the plan that needs them
   const found = [];
@@ -26,16 +27,27 @@ function drawn(key, k, most, parent, shown = {}) { // a figure no larger than th
 function handout() {
   const own = live.altered.map(n => data.knobs.find(k => k.given === n)).map(k => `; ${k.plan ? "μ" : html(k.name)} = ${number(live.given[k.given])} ${k.plan ? "" : k.unit[state.lang]}`);
   $("handout").innerHTML = "";
-  for (const { key, frames } of parts()) {
-    const page = $("handout").appendChild(document.createElement("article")), p = data.plans.find(p => p.key === key), last = frames[frames.length - 1], f = data.frames[last];
-    page.innerHTML = `<h2>${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])} <small>${$("value").textContent}${own.join("")}</small></h2><div class="figures"></div>`;
-    const figures = page.querySelector(".figures"), group = key.startsWith("force") && p.links.length;
-    const exact = drawn(key, last, group ? [WIDEST[0] - BODY[0] - 10, WIDEST[1]] : WIDEST, figures, { full: true });
-    if (exact) page.querySelector("small").insertAdjacentText("beforeend", "; 1 : 1");
-    if (group) drawn("position", last, BODY, figures, { frame: data.frames[frames.filter(k => data.frames[k].plan === key).pop()] });
-    page.insertAdjacentHTML("beforeend", "<ol></ol>");
-    frames.forEach(k => step(k, page.lastChild));
+  $("handout").className = "laid";
+  for (const part of parts()) {
+    const page = $("handout").appendChild(document.createElement("article"));
+    const fits = ([tall, type]) => {
+      page.style.setProperty("--type", type);
+      sheet(page, part, tall, own.join(""));
+      return page.offsetHeight < TALL;
+    };
+    FITS.some(fits) || fits(FITS[0]); // what no page holds takes two
   }
+  $("handout").className = "";
+}
+function sheet(page, { key, frames }, tall, own) { // a plan, the group it is of, its steps
+  const p = data.plans.find(p => p.key === key), last = frames[frames.length - 1];
+  page.innerHTML = `<h2>${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])} <small>${$("value").textContent}${own}</small></h2><div class="figures"></div>`;
+  const figures = page.querySelector(".figures"), group = key.startsWith("force") && p.links.length;
+  const exact = drawn(key, last, group ? [WIDE - BODY[0] - 10, tall] : [WIDE, tall], figures, { full: true });
+  if (exact) page.querySelector("small").insertAdjacentText("beforeend", "; 1 : 1");
+  if (group) drawn("position", last, BODY, figures, { frame: data.frames[frames.filter(k => data.frames[k].plan === key).pop()] });
+  page.insertAdjacentHTML("beforeend", "<ol></ol>");
+  frames.forEach(k => step(k, page.lastChild));
 }
 function step(k, list) { // what is said of a frame; the equation it begins; the arms of a moment equation
   const f = data.frames[k], item = document.createElement("li"), onScheme = f.plan === "position";

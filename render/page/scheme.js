@@ -10,7 +10,9 @@ class Scheme extends Figure {
   }
   draw(seen, frame) {
     const { scheme } = this.data, common = live.usual, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
-    const now = this.box(this.names.filter(n => seen.has(n)));
+    const told = frame && frame.moments !== null && frame.plan === "position" ? this.data.moments[frame.moments] : null;
+    const feet = told ? told.forces.filter(f => f.foot && frame.terms.includes(f.name)).map(f => f.foot) : [];
+    const now = this.box([...this.names.filter(n => seen.has(n)), ...feet]);
     this.start(now ? union(common, now) : common);
     const there = n => seen.has(n) && this.at(n) && this.px(this.at(n));
     for (const g of scheme.guides) this.guide(g, there(g.mark), live.angle("∥" + g.name), there);
@@ -20,7 +22,7 @@ class Scheme extends Figure {
     for (const l of scheme.links) if (l.round) this.rounded(l, there(l.points[0]), there(l.round.centre));
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
     this.hinges(there, lit);
-    if (frame && frame.moments !== null && frame.plan === "position") this.forces(this.data.moments[frame.moments], frame.terms);
+    if (told) this.forces(told, frame.terms);
     for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
     if (frame && frame.turns) this.carried(frame);
     if (own.length) this.loaded(frame);
@@ -57,10 +59,23 @@ class Scheme extends Figure {
     this.arrow(p, q, "force", vector);
     this.along(p, q, [vector], frame.plan);
     const from = Math.atan2(p[1] - o[1], p[0] - o[0]), r = Math.min(0.55 * Math.hypot(p[0] - o[0], p[1] - o[1]), 70), way = live.value(rate) > 0 ? -1 : 1;
-    const at = t => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)], [c, d] = [at(-0.1), at(0.75)];
-    svg("path", { class: "about turning", d: `M${c[0].toFixed(1)} ${c[1].toFixed(1)}A${r.toFixed(1)} ${r.toFixed(1)} 0 0 ${way > 0 ? 1 : 0} ${d[0].toFixed(1)} ${d[1].toFixed(1)}` }, this.node);
-    this.arrow(at(0.62), d, "force", rate);
+    const at = this.turned(o, r, from, way, [-0.1, 0.75], "about turning", rate);
     this.put([rate], (half, tall) => [0.33, 0.05, 0.6, 0.9, -0.3, 1.3].flatMap((t, k) => [6, 16, -2 * half - 6].map((far, j) => { const m = at(t), u = Math.hypot(m[0] - o[0], m[1] - o[1]) || 1; return [m[0] + (m[0] - o[0]) / u * (half + far), m[1] + (m[1] - o[1]) / u * (tall + far), 0.2 * (k + j)]; })), frame.plan);
+  }
+  turned(o, r, from, way, [first, last], cls, name) { // an arrow about a centre, from an angle onwards, radians
+    const at = t => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)], [c, d] = [at(first), at(last)];
+    svg("path", { class: cls, d: `M${c[0].toFixed(1)} ${c[1].toFixed(1)}A${r.toFixed(1)} ${r.toFixed(1)} 0 ${last - first > Math.PI ? 1 : 0} ${way > 0 ? 1 : 0} ${d[0].toFixed(1)} ${d[1].toFixed(1)}` }, this.node);
+    this.arrow(at(last - Math.min(0.4, 9 / r)), d, "force", name);
+    return at;
+  }
+  couple(c, nth) { // about the middle of its link, each further one of it wider
+    const l = this.data.scheme.links.find(l => l.name === c.link), pts = l ? l.points.map(n => this.at(n) && this.px(this.at(n))).filter(Boolean) : [];
+    const size = c.sign * live.value(c.size), r = (this.size ? 13 : 19) + 7 * nth;
+    if (!pts.length || !(Math.abs(size) > 1e-9)) return;
+    const o = [0, 1].map(i => pts.reduce((z, p) => z + p[i], 0) / pts.length), from = pts.length > 1 ? Math.atan2(pts[1][1] - o[1], pts[1][0] - o[0]) : 0;
+    const at = this.turned(o, r, from, size > 0 ? -1 : 1, [0.5, 4.2], "about couple", c.name);
+    for (const t of [0.5, 1.4, 2.3, 3.2, 4.2]) this.strokes.push([at(t), at(t + 0.4)]);
+    this.beside(o, [c.name], "force", r + 3);
   }
   guide(g, p, angle, there) {
     if (!p || angle == null) return;
@@ -125,7 +140,7 @@ class Scheme extends Figure {
     this.strokes.push([[x, y], [x - 11 * u, y + 19 * u]], [[x, y], [x + 11 * u, y + 19 * u]], [[x - 11 * u, y + 19 * u], [x + 11 * u, y + 19 * u]]);
   }
   forces(m, terms) { // each force where it acts, its arm to the point of the moments; not to scale
-    const about = this.at(m.about) && this.px(this.at(m.about)), beside = {};
+    const about = this.at(m.about) && this.px(this.at(m.about)), beside = {}, dropped = [];
     for (const f of m.forces) {
       const p = this.at(f.mark) && this.px(this.at(f.mark)), angle = live.angle(f.along);
       if (!p || angle == null || !terms.includes(f.name)) continue;
@@ -138,10 +153,14 @@ class Scheme extends Figure {
       if (foot && about) {
         this.line(a, foot, "trace", "", false);
         this.line(about, foot, "arm", f.name);
+        const same = dropped.find(d => Math.hypot(d.foot[0] - foot[0], d.foot[1] - foot[1]) < 2);
+        if (same) same.names.push(f.arm); else dropped.push({ foot, names: [f.arm] });
       }
       this.arrow(a, b, "force", f.name);
       this.along(a, b, [f.name], "force");
     }
+    m.couples.filter(c => terms.includes(c.name)).forEach((c, k, all) => this.couple(c, all.slice(0, k).filter(o => o.link === c.link).length));
+    for (const d of dropped) if (Math.hypot(d.foot[0] - about[0], d.foot[1] - about[1]) > 8) this.along(about, d.foot, d.names, "force");
     if (about) svg("circle", { cx: about[0], cy: about[1], r: 8, class: "about" }, this.node);
   }
 }

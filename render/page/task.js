@@ -47,7 +47,7 @@ const task = {
   },
   told() { // numbers the question needs that are not asked themselves
     const asked = new Set(practice.items.filter((t, k) => t.kind === "number" && !practice.done.has(k)).map(t => t.what.replace(/[‖|]/g, "")));
-    const given = practice.frame.values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g, "")}⟩ = ⟦v¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; ");
+    const given = practice.frame.values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g, "")}⟩ = ⟦${/^h_/i.test(n) ? "a" : "v"}¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; ");
     const p = data.plans.find(p => p.key === practice.frame.plan), mu = practice.item.kind === "number" && p ? `μ = ${filled(p.mu[state.lang])}` : "";
     return sentence([given, mu].filter(Boolean).join("; "), practice.frame.plan);
   },

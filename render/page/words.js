@@ -36,12 +36,13 @@ function scaled(mu, inverse) { // a scale as the engine writes it: exact, its in
 function filled(text) { // the numbers of a sentence, for what is shown
   return text.replace(/⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧/g, (_, how, name, mu) => {
     if (how === "d") return number(Math.asin(live.zone ? live.zone.least : live.sharpness(name)) * 180 / Math.PI);
-    const found = live.value(name), v = Math.abs(found) < 1e-12 ? 0 : found; // noise is nothing
+    const found = name.replace(/^-/, "").split("*").reduce((z, n) => live.value(n) === null ? null : z && z * live.value(n), name[0] === "-" ? -1 : 1), v = Math.abs(found) < 1e-12 ? 0 : found; // noise is nothing
     if (found === null) return "—";
     if (how === "mm") return local(fixed(Math.abs(v * live.given[mu]), 1).replace(/\.0$/, ""));
     if (how === "s") return say(v > 0 ? "ccw" : v < 0 ? "cw" : "still");
     if (how === "k" || how === "i") return scaled(v, how === "i").replace("-", "−");
-    const shown = number(v);
+    if (how === "join" || how === "lead") return how === "join" ? (v < 0 ? " − " : " + ") : v < 0 ? "−" : "";
+    const shown = number(how === "a" ? Math.abs(v) : v);
     return how === "b" && shown.startsWith("−") ? `(${shown})` : shown;
   });
 }
@@ -60,7 +61,7 @@ function described(figure, seen, key) { // what is on a figure, for those who he
 }
 function found(name) { // the frame in which a value is first told
   found.at ||= {};
-  return found.at[name] ??= data.frames.findIndex(f => f.said.en.includes(`⟦v¦${name}⟧`));
+  return found.at[name] ??= data.frames.findIndex(f => ["v", "a"].some(how => f.said.en.includes(`⟦${how}¦${name}⟧`)));
 }
 function born(name, key) { // the frame of its plan in which a vector is first in hand
   if (!born.of) {

@@ -62,13 +62,14 @@ class MomentLines:
         # what every product is divided by: the unknown's arm, or on the lever the driver's rate
         factor = next((name for name, power in made.terms[0].factors if power < 0), "")
         by = float(self.position.drawing[factor]) if factor else 1.0
+        by = abs(by) if factor == equation.arm else by  # an arm has no sign, a rate has
         found = float(self.position.drawing[equation.unknown])
         head = self.unknown(equation) + self.by(equation.unknown, factor)
         lang = self.naming.lang
         unit = say(self.unit(factor != equation.arm), lang)
         armed = {lever: self.length(lever) for _, lever, _ in shown if lever in self.arms}
         if factor and factor == equation.arm:
-            armed[factor] = abs(by) * self.position.scales[mu_of("position")]
+            armed[factor] = by * self.position.scales[mu_of("position")]
         mm = {name: fixed(length, 1, lang) for name, length in armed.items()}
         height = "H" if equation.links == ("lever",) else "h"
         arms = f"{height}, {say('mm', lang)}" if mm else ""

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from itertools import product
+from math import prod
 
 import pytest
 
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.lesson import Teller
 from planes.lesson.data import Told
-from planes.lesson.formulas import SLOT
+from planes.lesson.formulas import SLOT, fill
 from planes.lesson.note import Note
 from planes.plans.loads import load_names
 from planes.scene import load
@@ -68,7 +69,7 @@ def test_relations_by_segments_the_self_aligning_variant_and_the_remark_are_told
 def test_inertia_arms_and_single_links_are_told():
     told = sentences("six-link")
     assert "⟨MI_2⟩ = −⟨J_2⟩ · ⟨epsilon_2⟩ = −2 · 125.1 = −250.3 N·m" in told
-    assert "⟨h_G_2_C⟩ = 20.5 mm / 250 = −0.08218 m" in told
+    assert "⟨h_G_2_C⟩ = 20.5 mm / 250 = 0.08218 m" in told
     assert "Link 3 apart: ⟨F_30⟩ + ⟨G_3⟩ + ⟨F_32⟩ = 0" in told
     assert "Link 4 apart: ⟨F_42⟩ + ⟨F_45⟩ = 0" in told
     assert "its arm is zero and it gives no moment" in told
@@ -94,3 +95,27 @@ def test_no_balancing_moment_is_told_to_be_nothing_that_is_not(name):
     found = {f.terms[-1] for f in told.frames if f.key.startswith("moments_zero")}
     assert not {n for n in found if abs(complex(told.drawing[n])) > 1e-6}
     assert not found or told.plans.balancing not in found
+
+
+MOMENTS = [ROOT / "samples" / f"{name}.yaml" for name in ("six-link", "kind-2-rrp", "kind-4-prp", "folding-boom")]
+MOMENTS += [*(ROOT / "samples" / "class-three").glob("*.yaml"), ROOT / "samples" / "class-four" / "tray.yaml"]
+
+
+@pytest.mark.parametrize("path", sorted(MOMENTS), ids=lambda p: p.stem)
+def test_terms_of_moments_have_the_signs_they_are_told_with(path):
+    """Signs and sizes as the sentence has them add up to what is found."""
+    here = solve(load(path)).positions[0]
+    value = lambda name: float(here.drawing[name])  # noqa: E731
+    told = [f for f in Teller(here.plans, here.drawing).frames() if f.key == "moments"]
+    assert told
+    for frame in told:
+        head, _, numbers = (part.strip() for part in frame.said["en"].partition(": ")[2].split(";")[0].split(" = ")[:3])
+        unknown, *over = re.findall("⟨([^⟩]+)⟩", head)
+        assert " / " not in numbers
+        total = 0.0
+        terms = re.findall(r"⟦(?:join|lead)¦[^⟧]+⟧|(?:(?!⟦(?:join|lead)).)+", numbers)
+        for join, term in zip(terms[::2], terms[1::2], strict=True):
+            sign = -1.0 if "−" in fill(join, value, "en") else 1.0
+            total += sign * prod(abs(value(name)) for how, name, _ in SLOT.findall(term) if how == "a")
+        by = prod(abs(value(n)) if n.startswith("h_") else value(n) for n in over)
+        assert value(unknown) * by == pytest.approx(total, rel=1e-9, abs=1e-9), frame.said["en"]

@@ -1,0 +1,34 @@
+"""The moment equations a sheet has: the products beneath add up, with the signs between them, to what is found."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from planes.plans.measuring import lettering
+from planes.scene import load
+from planes.solving import solve
+from planes.words.lettering import Naming
+from render.views.moments import MomentLines
+from tests.helpers import ROOT
+
+SCENES = [*(ROOT / "samples" / "class-three").glob("*.yaml"), ROOT / "samples" / "class-four" / "tray.yaml"]
+SCENES += [ROOT / "samples" / f"{name}.yaml" for name in ("six-link", "folding-boom")]
+
+
+@pytest.mark.parametrize("path", sorted(SCENES), ids=lambda p: p.stem)
+def test_what_is_told_beneath_adds_up(path):
+    scene = load(path)
+    here = solve(scene).positions[0]
+    lines = MomentLines(here, Naming("en", **lettering(scene, here.plans)))
+    for equation in here.plans.moments:
+        words = lines.words(equation)
+        if not words:
+            continue
+        number = lambda w: float(w.value.replace("−", "-").replace("·10", "e"))  # noqa: E731
+        signs = [-1 if a.text == "−" or b.text.startswith("−") else 1 for a, b in pairwise(words[1:]) if b.value]
+        terms = [sign * number(w) for sign, w in zip(signs, [w for w in words[2:] if w.value], strict=True)]
+        assert number(words[1]) == pytest.approx(sum(terms), abs=0.01 * max(map(abs, terms)))
+        if equation.arm:  # which has no sign: the moment has that of what is found
+            assert number(words[1]) * float(here.drawing[equation.unknown]) >= 0
