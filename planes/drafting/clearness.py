@@ -10,6 +10,7 @@ from functools import reduce
 from planes.drafting.program import Program
 from planes.drafting.steps import Through
 from planes.drafting.steps.crossings import Touch
+from planes.drafting.steps.tracks import CutTrack
 from planes.drafting.tools import Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words.names import Meaning, kind_of, plan_of
@@ -26,19 +27,27 @@ def clear(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iter
     """Whether a drawing is clear: of one position, of many, or on a tape; and no force of ``sides`` (start, end) is
     nothing beside the largest of its plan."""
     ar, scheme, forces = tool.ar, 1.0, 1.0
-    for name, sharpness in tool.sharpness.items():
+    for name, sharpness in _apart(program, tool).items():
         plan = kind_of(plan_of(name))
         if plan == "force" and name not in program.trials:
             forces = ar.minimum(forces, sharpness)
         elif plan not in (*_AGAIN, "force"):
             scheme = scheme * ar.minimum(1.0, sharpness / BLUNT)
     ok: Truth = (scheme >= CLEAR) & (forces >= BLUNT * CLEAR)
-    for step in program.steps:
-        if isinstance(step, Touch | Through) and plan_of(step.start) == "position":
+    rays = (s for s in program.steps if isinstance(s, Touch | Through) and s.makes not in program.vanishing)
+    for step in rays:
+        if plan_of(step.start) == "position":
             one, two = things[step.start], things[step.end]
             apart, size = _size(two - one, ar), ar.maximum(_size(one, ar), _size(two, ar))
             ok = ok & ((apart >= BLUNT * CLEAR * size) | (apart == 0))
     return ok & _none_faint(program, things, tool, sides)
+
+
+def _apart(program: Program, tool: Tool) -> dict[str, Real]:
+    """The sharpness of every mark, once of those that are cut by the same settled link."""
+    cut = {s.makes: s.holds for s in program.steps if isinstance(s, CutTrack)}
+    first = {holds: name for name, holds in reversed(cut.items())}
+    return {n: sharp for n, sharp in tool.sharpness.items() if n not in cut or first[cut[n]] == n}
 
 
 def _none_faint(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iterable[tuple[str, str]]) -> Truth:

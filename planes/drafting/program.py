@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.drafting.proofs import Proof, Twofold
-from planes.drafting.steps import Kind, Step
+from planes.drafting.steps import Kind, LayOff, Step, Through, Turn
 from planes.drafting.steps.crossings import Cross
+from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.words import Phrase
 from planes.words.errors import ProgramError, choices
 from planes.words.names import plan_of
@@ -67,6 +68,36 @@ class Program:
     def trials(self) -> frozenset[str]:
         """Marks that are only suppositions (friction): nothing is read off them but which came true."""
         return frozenset(s.makes for s in self.steps if isinstance(s, Cross) and s.supposed)
+
+    @cached_property
+    def readers(self) -> dict[str, list[Step]]:
+        """The steps that need each thing."""
+        found: dict[str, list[Step]] = {}
+        for step in self.steps:
+            for name in dict.fromkeys(name for name, _ in step.reads()):
+                found.setdefault(name, []).append(step)
+        return found
+
+    @cached_property
+    def vanishing(self) -> frozenset[str]:
+        """Directions between two marks, along which only what grows with their distance is laid off: where the marks
+        coincide there is nothing to lay off, and any direction will do."""
+        return frozenset(s.makes for s in self.steps if isinstance(s, Through) and self._vanishes(s))
+
+    def _vanishes(self, ray: Through) -> bool:
+        """Whether a direction is only turned, to lay off what grows with the distance of its marks."""
+        turns = self.readers.get(ray.makes, [])
+        laid = [s for turn in turns for s in self.readers.get(turn.makes, [])]
+        ends = {ray.start, ray.end}
+        grow = all(isinstance(s, LayOff) and self._grows(s.length, ends) for s in laid)
+        return bool(laid) and grow and all(isinstance(s, Turn) for s in turns)
+
+    def _grows(self, value: str, ends: set[str]) -> bool:
+        """Whether every part of a value has the distance of two marks as a factor."""
+        made = self.makers.get(value)
+        terms = made.terms if isinstance(made, Calculate) else ()
+        factors = ([self.makers.get(name) for name, power in t.factors if power > 0] for t in terms)
+        return bool(terms) and all(any(isinstance(f, Measure) and {f.start, f.end} == ends for f in x) for x in factors)
 
     def touched(
         self, changed: Iterable[str], instead: Container[str] = (), fixed: Container[str] = ()

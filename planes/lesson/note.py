@@ -22,7 +22,7 @@ from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.given import GivenTable
-from planes.solving.structure_text import alignment_report
+from planes.solving.structure_text import alignment_report, ways_told
 from planes.solving.tables import difference
 from planes.words import Lang, decimal, say
 from planes.words.errors import PlanesError
@@ -111,6 +111,8 @@ class Note:
         for g in s.groups:
             yield Paragraph(self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang)))
         yield Paragraph(self.say("note_formula", formula=formula_of(s, self.scene.frame_number, True)))
+        for way in ways_told(s, self.lang, self.naming.frame, True):
+            yield Paragraph(way[0].upper() + way[1:] + ".")
         if s.passive:
             yield Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")
         yield from self.self_aligning() if self.scene.find is None else ()

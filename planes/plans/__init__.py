@@ -6,6 +6,7 @@ from planes.drafting.draft import Draft
 from planes.drafting.drawing import proved
 from planes.drafting.program import Program
 from planes.drafting.steps.reckoning import Protractor
+from planes.plans.analysis import analyse
 from planes.plans.assembly import resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.following import LawValues
@@ -21,7 +22,7 @@ from planes.plans.reactions import Statics
 from planes.plans.record import STILL, Plans, PointMarks, sliced, with_passive
 from planes.plans.scheme import place_all
 from planes.plans.statics import draw_forces
-from planes.plans.structure import Structure, analyse
+from planes.plans.structure import Structure
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError, StructureError

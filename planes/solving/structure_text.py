@@ -14,8 +14,17 @@ def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) ->
     lines = [f"W = {found.W}, q = {found.q}", f"  {numbers}", formula_of(found, frame)]
     for g in found.groups:
         lines.append(f"{say('group', lang)} {', '.join(g.whole)}: {g.said.told(lang)}")
+    lines += [way[0].upper() + way[1:] for way in ways_told(found, lang, frame)]
     lines += [say("passive", lang, links=", ".join(found.passive))] if found.passive else []
     return "\n".join(lines)
+
+
+def ways_told(found: Structure, lang: Lang, frame: str, kinds: bool = False) -> list[str]:
+    """The drivers with which a mechanism of a higher class is of a lower one, or that none is; of class II nothing."""
+    if not found.heaviness:
+        return []
+    ways = ({"link": w.driver, "level": w.level, "formula": formula_of(w, frame, kinds)} for w in found.ways)
+    return [say("second_way", lang, **way) for way in ways] or [say("no_second_way", lang, level=found.level)]
 
 
 def alignment_report(found: Aligned, lang: Lang = "en", frame: str = FRAME) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from planes.plans.alignment import aligned
 from planes.plans.measuring import counted, formula_of
 from planes.solving import Position
+from planes.solving.structure_text import ways_told
 from planes.words import say
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, mu_of
@@ -107,6 +108,7 @@ class Project:
                 text = say("group_named", c.lang, links="–".join(map(c.naming.link, g.whole)), said=g.brief)
                 parts.append(self.part(position, g.whole, text, False, letter))
             lines = [";  ".join(counted(structure)), formula_of(structure, c.naming.frame, True)]
+            lines += ways_told(structure, c.lang, c.naming.frame, True)
             passive = ", ".join(map(c.naming.link, structure.passive))
             lines += [say("passive_link", c.lang, links=passive)] if passive else []
             high = LARGER[letter]

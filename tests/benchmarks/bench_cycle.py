@@ -27,8 +27,8 @@ def timed(benchmark, group: str, what: str, positions: int, work) -> None:
     benchmark(work)
 
 
-def through(cycle: Cycle, values, fast: bool) -> None:
-    for _ in cycle.blocks(values, fast=fast):
+def through(cycle: Cycle, values, fast: bool, bare: bool = False) -> None:
+    for _ in cycle.blocks(values, fast=fast, bare=bare):
         pass
 
 
@@ -51,14 +51,22 @@ def bench_side_by_side(benchmark, name: str, count: int, who: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["kind-1-rrr", *(f"class-three/{n}" for n in ("guide", "press", "rods", "stephenson"))]
+    "name",
+    [
+        "kind-1-rrr",
+        *(f"class-three/{n}" for n in ("guide", "press", "rods", "slider", "stephenson")),
+        "class-four/tray",
+    ],
 )
-def bench_class_three(benchmark, name: str) -> None:
-    """Places, velocities and accelerations of one assembly over the whole turn, beside a group of class II."""
+@pytest.mark.parametrize("bare", [True, False], ids=["bare", "looked at"])
+def bench_higher_classes(benchmark, name: str, bare: bool) -> None:
+    """Places, velocities and accelerations of one assembly over the whole turn, beside a group of class II; ``bare``,
+    or with what rounding leaves no digits looked for."""
     stated, count = plans_of(load(str(SAMPLES / f"{name}.yaml")))[0], 100_000
     motion = [n for n, q in catalogue(stated).items() if q.group in MOTION]
     cycle, values = Cycle(stated, motion), Span(0.0, 360.0 / count, count)[0:count]
-    timed(benchmark, "class III", name, count, lambda: list(map(len, cycle.blocks(values, fast=True, bare=True))))
+    group = f"classes III and IV, {'bare' if bare else 'looked at'}"
+    timed(benchmark, group, name, count, lambda: through(cycle, values, True, bare))
 
 
 @pytest.mark.parametrize("way", ["fused", "arrays", "one by one"])
