@@ -1,4 +1,4 @@
-"""What README and the tour tell a reader to type, typed by a stranger on a machine that has only Python; by hand, for it
+"""What README and the tour tell a reader to type, typed by a stranger on a machine with only Python; by hand, for it
 asks a package index:
 
     python -m tests.clean_machine FOLDER [--lang ru]
