@@ -25,7 +25,7 @@ from tests.helpers import ROOT
 
 LANGS = {"en": ("README.md", "en_GB.UTF-8"), "ru": ("README.ru.md", "ru_RU.UTF-8")}
 PLACEHOLDER = re.compile(r"\b[A-Z]{4,}\b")  # FOLDER, SCENE: a word for a reader to fill in
-DRAWN = "x.svg"  # where a command goes of which a page shows the picture alone
+DRAWN = "drawing.svg"  # as the site names what a figure's command draws
 EXTRAS = ".venv/bin/pip install -q -e '.[all]'"  # the tour begins with it; so do README's later commands
 
 
