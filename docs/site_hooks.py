@@ -2,7 +2,7 @@
 
 In a page stand, each as a fenced block:
 
-- ``figure CAPTION`` with a command that draws: its picture, lettered in the language of the page;
+- ``figure CAPTION`` with a command that draws: its picture, lettered in the language of the page, and the command;
 - ``run`` with a command: the command and what it prints;
 - ``keys`` with names of tables of the scene's schema: their keys and what each means;
 - ``gallery`` with a folder of scenes: a picture of each; ``include`` with a file of the repository; ``tables`` with
@@ -35,6 +35,7 @@ BLOCK = re.compile(
     r"^```(figure|run|keys|gallery|include|tables|essay)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
 )
 OUTSIDE = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)]*)\)")
+DRAWN = "drawing.svg"  # what a reader would name a figure
 SAID = {"en": ("key", "what it is"), "ru": ("ключ", "что это")}
 
 
@@ -81,8 +82,9 @@ def gallery(folder: str) -> list[tuple[str, Path]]:
 
 
 def figure(caption: str, body: str, lang: str) -> str:
-    """A picture with its caption."""
-    return f"<figure markdown>\n![{caption}]({draw(body.strip(), lang)})\n<figcaption>{caption}</figcaption>\n</figure>"
+    """A picture with its caption and the command that draws it."""
+    below = f"<figcaption>{caption}<br><code>planes {body.strip()} -o {DRAWN}</code></figcaption>"
+    return f"<figure markdown>\n![{caption}]({draw(body.strip(), lang)})\n{below}\n</figure>"
 
 
 def shown(_: str, body: str, lang: str) -> str:

@@ -73,6 +73,13 @@ SVGS = {
     '.c{display:none}</style><polyline class="a" points="20 90 50 50 80 90"/>'
     '<line class="b" x1="20" y1="90" x2="80" y2="90"/>'
     '<line class="c a" x1="0" y1="0" x2="99" y2="99"/></svg>',
+    "rules of groups, names and attributes": HEAD + 'viewBox="0 0 200 100" width="200mm" height="100mm"><style>'
+    "/* pens */ g.pen > path, #last {stroke: #000; fill: none} .pen [class~=b] {display: none}"
+    '</style><g class="pen"><path d="M20 90 50 50 80 90"/><path class="a b" stroke="#000" d="M0 0 9 9"/></g>'
+    '<path id="last" d="M20 90H80"/></svg>',
+    "lengths in units, a turn in radians": PAGE + '<g stroke="#000" style="transform: translate(20px, 90px)">'
+    '<line x2="7.9375mm" y2="-10.5833333mm"/><g style="transform:rotate(3.14159265rad)"><line x2="-45pt"/></g>'
+    '<line x1=".3125in" y1="-40" x2="60" y2="0"/></g></svg>',
     "a picture in a picture": PAGE + '<svg x="10" y="10" width="190" '
     'height="90" viewBox="0 0 380 180" stroke="#000"><path d="M20 160 80 80 140 160"/><path d="M20 160H140"/></svg>'
     "</svg>",

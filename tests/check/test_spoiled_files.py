@@ -55,6 +55,8 @@ def refusal(capfd: pytest.CaptureFixture[str], file: Path, plan: str = "velocity
         '<g transform="matrix(1 2"><line x1="a" x2="9"/></g>',
         "<style>" + "a" * 100_000 + "</style>",
         '<g transform="' + "(" * 300_000 + '"/>',
+        "<style>" + "g " * 20_000 + "x{fill:none}</style>",
+        "<style>" + ":not(" * 20_000 + "a{fill:none} [ b{stroke:" + "(" * 20_000 + "</style>",
     ],
 )
 def test_words_where_numbers_are_due_are_no_numbers(text: str, tmp_path: Path) -> None:
@@ -80,6 +82,7 @@ def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.Ca
         "strokes": f'<path stroke="black" d="M0 0{path}"/>',
         "elements": "<g/>" * (svg.MOST + 1),
         "levels of nesting": "<g>" * 300 + "</g>" * 300,
+        "rules for elements": "<style>" + "g * {fill:none}" * 100 + "</style>" + "<g/>" * 50_000,
         "elements ": f'<defs><path id="a" d="M0 0{"C1 1 2 3 4 5 " * 20_000}"/></defs>' + '<use href="#a"/>' * 20_000,
     }
     for what, text in texts.items():

@@ -1,7 +1,5 @@
 """Strokes and words of an SVG file as drawing programs write it: nested transforms, paths, polylines, symbols."""
 
-import math
-import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree
@@ -13,15 +11,17 @@ from planes.check.reading.opened import LARGEST as LARGEST_PICTURE
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, without_letters
 from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
-from planes.check.reading.svg_shapes import MOST, NUMBER, Looks, looks_of, number, numbers, outlines, style_rules, tree
+from planes.check.reading.svg_css import MM, OWN, Looks, length, looks_of, number, numbers, ruled, transform_of
+from planes.check.reading.svg_shapes import MOST, outlines, tree
 from planes.scene.carried import carried
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 LARGEST = 12 * MB
 LETTERS = 50  # of a shape's own description that take as long to read as one element
-_MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
+LETTERS_OF_CSS = 10  # the same, where they were not read before
 DEEPEST = 60  # groups within groups
+DRAWN = ("text", "circle", "line", "polyline", "polygon", "path")
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
 _HREF = "http://www.w3.org/1999/xlink}href"
 
@@ -43,18 +43,13 @@ def read_carried(path: str | Path) -> ReadDrawing | None:
 def sketch_of(root: ElementTree.Element, file: str) -> ReadDrawing:
     """What a picture's tree holds, in mm, y up."""
     named = {e.get("id", ""): e for e in root.iter() if e.get("id")}
-    fitted = _fitted(root, [_length(root.get(k)) for k in ("width", "height")])
-    page = Transform(1, 0, 0, -1).transform(Transform().scale(_MM["px"]) if fitted is None else fitted)
-    reader = _Reader(ReadDrawing(file, mm=lambda z: _at(page, z)), named, style_rules(root))
+    fitted = _fitted(root, [length(root.get(k)) for k in ("width", "height")])
+    page = Transform(1, 0, 0, -1).transform(Transform().scale(MM) if fitted is None else fitted)
+    reader = _Reader(ReadDrawing(file, mm=lambda z: _at(page, z)), named, ruled(root, file))
     reader.walk(root, page, 0, {})
     without_letters(reader.sketch)
     settle(reader.sketch)
     return reader.sketch
-
-
-def _length(text: str | None) -> float:
-    match = re.fullmatch(rf"\s*({NUMBER})\s*(mm|cm|in|pt|pc|px|)\s*", text or "")
-    return float(match[1]) * _MM[match[2]] if match else 0.0
 
 
 def _fitted(e: ElementTree.Element, sides: Sequence[float]) -> Transform | None:
@@ -70,51 +65,36 @@ def _at(m: Transform, z: complex) -> complex:
     return complex(*m.transformPoint((z.real, z.imag)))
 
 
-def _transform(text: str | None) -> Transform:
-    """The ``transform`` attribute."""
-    found = Transform()
-    for part in (text or "").split(")"):
-        name, _, inside = part.strip(" \t\r\n,").partition("(")
-        match name.strip(), numbers(inside):
-            case "matrix", [_, _, _, _, _, _] as v:
-                found = found.transform(v)
-            case "translate", [_, *_] as v:
-                found = found.translate(*v[:2])
-            case "scale", [_, *_] as v:
-                found = found.scale(*v[:2])
-            case "rotate", [turn, *about]:
-                x, y = about[:2] if len(about) > 1 else (0.0, 0.0)
-                found = found.translate(x, y).rotate(math.radians(turn)).translate(-x, -y)
-            case "skewX", [turn, *_]:
-                found = found.skew(math.radians(turn))
-            case "skewY", [turn, *_]:
-                found = found.skew(0.0, math.radians(turn))
-    return found
-
-
 class _Reader:
     """Walks the tree; what a group sets holds for all in it."""
 
-    def __init__(self, sketch: ReadDrawing, named: dict[str, ElementTree.Element], rules: Mapping[str, Looks]) -> None:
-        self.sketch, self.named, self.rules, self.count = sketch, named, rules, 0
+    def __init__(
+        self, sketch: ReadDrawing, named: dict[str, ElementTree.Element], rules: Mapping[ElementTree.Element, Looks]
+    ) -> None:
+        self.sketch, self.named, self.rules, self.count, self.said = sketch, named, rules, 0, set[str]()
 
     def walk(self, e: ElementTree.Element, m: Transform, depth: int, looks: Looks, used: bool = False) -> None:
-        self.count += 1 + sum(len(e.get(k, "")) for k in ("d", "points", "transform", "style")) // LETTERS
+        new = {e.get(k, "") for k in ("style", "transform")} - self.said
+        self.said |= new
+        self.count += 1 + sum(map(len, new)) // LETTERS_OF_CSS
+        self.count += sum(len(e.get(k, "")) for k in ("d", "points")) // LETTERS
         if self.count > MOST:
             raise too_many(self.sketch.file, "elements", MOST)
         if depth > DEEPEST:
             return
-        looks = {**looks, **looks_of(e, self.rules)}
-        if looks.get("display") == "none" or looks.get("visibility") in ("hidden", "collapse"):
+        own = looks_of(e, self.rules)
+        m, looks = m.transform(transform_of(own.pop(OWN, ""))), {**looks, **own}
+        if looks.get("display") == "none":
             return
-        m = m.transform(_transform(e.get("transform")))
         match e.tag:
+            case tag if tag in DRAWN and looks.get("visibility") in ("hidden", "collapse"):
+                pass  # what stands in a hidden group may be seen all the same
             case "use":
                 target = self.named.get((e.get("href") or e.get(_HREF) or "").removeprefix("#"))
                 if target is not None and depth < 20:
                     self.walk(target, m.translate(number(e, "x"), number(e, "y")), depth + 1, looks, True)
             case "text":
-                self._text(e, m)
+                self._text(e, m, looks)
             case "circle":
                 self._round(m, complex(number(e, "cx"), number(e, "cy")), number(e, "r"))
             case "line" | "polyline" | "polygon" | "path":
@@ -159,25 +139,25 @@ class _Reader:
             if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
                 self.sketch.heads.append(Arrowhead(tip, (tip - before) / abs(tip - before)))
 
-    def _text(self, e: ElementTree.Element, m: Transform) -> None:
+    def _text(self, e: ElementTree.Element, m: Transform, looks: Looks) -> None:
         text = "".join(e.itertext()).strip()
         first = next((c for c in e.iter() if c.get("x")), e)
-        m = m.transform(_transform(first.get("transform"))) if first is not e else m
+        m = m.transform(transform_of(first.get("transform") or "")) if first is not e else m
         pieces = [c for c in e.iter() if c.get("x") and (c.text or "").strip()] or [first]
         if pieces != [first] and "".join(c.text or "" for c in pieces).replace(" ", "") == text.replace(" ", ""):
-            boxes = [_box(c, c.text or "", _size(c, e)) for c in pieces]
+            boxes = [_box(c, c.text or "", _size(looks_of(c, self.rules), looks)) for c in pieces]
         else:
-            boxes = [_box(first, text, _size(first, e))]
+            boxes = [_box(first, text, _size(looks_of(first, self.rules), looks))]
         right, down = complex(m.xx, m.xy), complex(m.yx, m.yy)
         height, along = boxes[0][2] * abs(down), right / abs(right) if abs(right) else 1 + 0j
         width = max(z.real + w - boxes[0][0].real for z, w, _ in boxes) * abs(right)
-        back = {"middle": 0.5, "end": 1.0}.get(looks_of(e, {}).get("text-anchor", ""), 0.0) * width
+        back = {"middle": 0.5, "end": 1.0}.get(looks.get("text-anchor", ""), 0.0) * width
         self.sketch.write(Words(text, _at(m, boxes[0][0]) - along * back, height, width, along))
 
 
-def _size(*said: ElementTree.Element) -> float:
+def _size(*said: Looks) -> float:
     """The size of letters, said by the first that says it."""
-    return next((n[0] for c in said if (n := numbers(looks_of(c, {}).get("font-size")))), 12.0)
+    return next((n[0] for looks in said if (n := numbers(looks.get("font-size")))), 12.0)
 
 
 def _box(e: ElementTree.Element, text: str, size: float) -> tuple[complex, float, float]:

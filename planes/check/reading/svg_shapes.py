@@ -1,7 +1,6 @@
-"""Elements of an SVG file: read within bounds, their shapes as straight pieces, and how they are to look."""
+"""Elements of an SVG file: read within bounds, and their shapes as straight pieces."""
 
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from xml.etree import ElementTree
@@ -11,16 +10,14 @@ from fontTools.pens.recordingPen import RecordingPen
 from fontTools.svgLib.path.parser import parse_path
 
 from planes.check.reading.opened import too_many
+from planes.check.reading.svg_css import number
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
 
 MOST = 60_000  # elements
 DEEPEST = 200
-NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 ROUND = 0.05  # how unequal the radii of a circle may be, and how far its ends apart, for its size
 STRAIGHT = 0.01  # a curve that leaves its chord by less is a line
-Looks = dict[str, str]
-LOOKS = ("stroke", "fill", "display", "visibility", "marker", "marker-start", "marker-end", "font-size", "text-anchor")
 
 
 def tree(data: bytes, file: str) -> ElementTree.Element:
@@ -49,41 +46,6 @@ def tree(data: bytes, file: str) -> ElementTree.Element:
     with guarded("check_svg", file):
         parser.Parse(data, True)
         return builder.close()
-
-
-def style_rules(root: ElementTree.Element) -> dict[str, Looks]:
-    """Rules of the file's style sheets by their selectors: a class, an element or a name."""
-    found: dict[str, Looks] = {}
-    for e in root.iter("style"):
-        text = re.sub(r"/\*.*?\*/", "", "".join(e.itertext())[:200_000], flags=re.DOTALL)
-        for rule in text.split("}"):
-            selectors, _, body = rule.rpartition("{")
-            for selector in selectors.split(","):
-                found.setdefault(selector.strip(), {}).update(_declared(body))
-    return found
-
-
-def _declared(text: str) -> Looks:
-    pairs = ((*part.split(":", 1), "")[:2] for part in text.split(";"))
-    return {k.strip(): v.strip() for k, v in pairs if k.strip() in LOOKS}
-
-
-def looks_of(e: ElementTree.Element, rules: Mapping[str, Looks]) -> Looks:
-    """How an element is to look, as far as it says itself."""
-    found = {k: v for k in LOOKS if (v := e.get(k))}
-    for selector in (e.tag, *(f".{c}" for c in (e.get("class") or "").split()), f"#{e.get('id')}"):
-        found |= rules.get(selector, {})
-    return found | _declared(e.get("style") or "")
-
-
-def numbers(text: str | None) -> list[float]:
-    """All numbers of a text."""
-    return [float(n) for n in re.findall(NUMBER, text or "")]
-
-
-def number(e: ElementTree.Element, key: str) -> float:
-    """A coordinate, whatever unit it names; none is zero."""
-    return next(iter(numbers(e.get(key))), 0.0)
 
 
 @dataclass(frozen=True)
