@@ -80,7 +80,8 @@ def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
             if len(inner) == 1 and len(leads) == 2 and not any(lead.name == "PP" for lead in leads):
                 driven = Lead(held, inner[0], f.outer[held][0], drive)
                 names = tuple(x for x in f.links if x in (basic, held, *(lead.link for lead in leads)))
-                yield Triad(names, basic, (driven, leads[0], leads[1]))
+                whole = tuple(x for x in f.links if x in (*names, moved))
+                yield Triad(names, basic, (driven, leads[0], leads[1]), whole)
 
 
 def _hinges(f: Reached, half: str, drive: Pair) -> list[Pair]:
@@ -105,4 +106,5 @@ def _with_third(
         if len(f.outer[held]) == len(outer) == len(inner) == 1 and hung.kind == "R" and not f.between(link, held):
             one, two = sorted((held, link), key=f.links.index)
             kind = 1 if outer[0].kind == "R" else 2
-            yield Group((one, two), kind, held, link, inner[0], hung, outer[0], drive, brace)
+            whole = tuple(x for x in f.links if x in (*taken, link))
+            yield Group((one, two), kind, held, link, inner[0], hung, outer[0], drive, brace, whole)

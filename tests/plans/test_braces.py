@@ -55,7 +55,7 @@ def test_a_weightless_cylinder_pushes_along_itself_alone() -> None:
 
 def test_its_structure() -> None:
     structure = structure_of(loads(KNEE).mechanism)  # type: ignore[arg-type]
-    assert structure.formula == "I(1;2) -> II(3-4-1-2;5)" and structure.q == 6
+    assert structure.formula == "I(1;2) -> II(1-2-3-4;5)" and structure.q == 6
     assert structure.json()["groups"][0]["drive"] == ["1", "2"] and structure.json()["groups"][0]["across"] == "A"
     found = aligned(plans_of(loads(KNEE).mechanism))  # type: ignore[arg-type]
     assert found.q == 0 and len(found.pairs) == 7 == len({p for p, _ in found.pairs})
