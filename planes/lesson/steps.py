@@ -75,7 +75,7 @@ class StepWords:
         drawn = (x for x in self.made.values() if isinstance(x, CutTrack) and x.holds == step.holds)
         key = "track" if next(drawn).makes == step.makes else "track_too"
         hold = next((h for h in step.holds if h.local == step.local), step.holds[-1])
-        kept = {"start": lettered(hold.place)}
+        kept: Names = {"start": lettered(hold.place)}
         if hold.kind == "arc":
             kept = {**kept, "mm": slot(hold.reach, "mm", step.mu)}
         elif hold.kind == "line":
