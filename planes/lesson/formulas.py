@@ -3,8 +3,8 @@
 A slot ⟦how¦name¦mu⟧ stands for a number of the drawing: ``v`` its value, ``b`` the value in brackets where it is
 negative, ``mm`` its length on paper, ``s`` its sense of rotation, ``k`` and ``i`` a scale, in mm for a unit and the
 inverse; ``a`` its value without a sign; ``join`` and ``lead`` the sign of a product of values (names by ``*``, after a
-minus of their own), between terms and before the first; ``n`` a number that is its own name. Names of marks, vectors and
-values stand in ⟨…⟩.
+minus of their own), between terms and before the first; ``n`` a number that is its own name. Names of marks, vectors
+and values stand in ⟨…⟩.
 """
 
 import math

@@ -96,7 +96,7 @@ class Chains:
 
     def chain(self, side: Side, start: str, target: str) -> Chain:
         """The terms of a side, known ones first, from a mark to the target, or where a vector drawn before ends."""
-        terms, mark = [], start
+        terms, mark = list[Term](), start
         ordered = sorted(side, key=self.open)
         for i, stated in enumerate(ordered):
             if self.vectors.given(stated.name).like:  # it is drawn from where the others end
