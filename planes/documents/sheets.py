@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -20,19 +19,19 @@ from planes.documents.cycle import check_names, known, over_cycle
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.quantities import results_of
-from planes.plans.scales import extent, fits_on, fitting
+from planes.plans.scales import fits_on
 from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.names import kind_of, mu_of
+from planes.words.names import kind_of
 from render.paper.hues import coloured
 from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
-from render.sheet.force_sheet import Figures, ForceSheet, figures, sizes_of
+from render.sheet.force_sheet import ForceSheet
 from render.sheet.frame import form_of
 from render.sheet.project import Project
 from render.sheet.sizes import Sizes
@@ -70,14 +69,13 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
 
     def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         if number == 2:
-            return forces.views(drawn.at(sizes), drawn.grown(sizes), letter), []
+            return forces.views(drawn.at(sizes), letter), []
         return project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), []
 
     def extents(sizes: Sizes) -> dict[str, float]:
-        """What may grow: the diagrams; the scheme with loads, the groups apart, the lever."""
-        if number == 1:
-            return {"diagrams": section_mm(sizes.of("diagrams")) * SECTIONS} if project.turn else {}
-        return drawn.extents(sizes)
+        """What may grow: the diagrams."""
+        grows = number == 1 and project.turn
+        return {"diagrams": section_mm(sizes.of("diagrams")) * SECTIONS} if grows else {}
 
     return compose(scene, Contents(views, extents, free=drawn.free), composer.lang, number)
 
@@ -108,56 +106,23 @@ class DrawnPosition:
         """Whether the scene leaves the μ of any plan open."""
         return any(self.scene.mu.get(kind_of(p)) is None for p in self.stated[0].drawn if p != "lever")
 
-    def at(self, sizes: Sizes, larger: Mapping[str, float] = MappingProxyType({})) -> Position:
-        """The position at the scene's scales, or smaller where no paper holds its plans so, each drawn once; some kinds
-        of its plans so much ``larger``. :class:`PlanesError` where it cannot be drawn."""
-        fits = {
-            kind: sizes.factor * larger.get(kind, 1.0) * mm
-            for kind, mm in fits_on(self.scene.sheet, self.stated[0]).items()
-        }
-        key = sizes.factor, *(self.mu(kind, fits[kind]) for kind in self.growing)
-        if key not in self.kept:
-            self.kept[key] = self.first if key == self.usual else self._drawn(fits)
-        return self.kept[key]
-
-    def grown(self, sizes: Sizes) -> Figures:
-        """The position as every figure of forces draws it that grows by itself."""
-        kinds = figures(self.stated[0])
-        return Figures(**{f: self.at(sizes, {kind: sizes.of(f) / sizes.factor}) for f, kind in kinds.items()})
-
-    def extents(self, sizes: Sizes) -> dict[str, float]:
-        """How large each of these is, mm, if the scene leaves its μ open."""
-        usual, fits = sizes_of(self.first), fits_on(self.scene.sheet, self.stated[0])
-        return {
-            figure: usual[figure] * self.mu(kind, sizes.of(figure) * fits[kind]) / self.first.scales[mu_of(kind)]
-            for figure, kind in figures(self.stated[0]).items()
-            if kind in self.growing and not self.scene.mu.get(kind)
-        }
-
-    def mu(self, kind: str, fit: float) -> float:
-        """μ of a kind of plans that may be so large, mm."""
-        return self.scene.mu.get(kind) or fitting(kind, self.growing[kind], fit)
+    def at(self, sizes: Sizes) -> Position:
+        """The position at the scene's scales, or smaller where no paper holds its plans so, each drawn once.
+        :class:`PlanesError` where it cannot be drawn."""
+        if sizes.factor not in self.kept:
+            fits = fits_on(self.scene.sheet, self.stated[0])
+            self.kept[sizes.factor] = self._drawn({kind: sizes.factor * mm for kind, mm in fits.items()})
+        return self.kept[sizes.factor]
 
     @cached_property
-    def growing(self) -> dict[str, float]:
-        """How large the plans are, in SI, by which figures of forces are drawn."""
-        scales, kinds = self.first.scales, dict.fromkeys(figures(self.stated[0]).values())
-        return {k: extent(self.first.drawing, k) / scales[mu_of(k)] for k in kinds if mu_of(k) in scales}
-
-    @cached_property
-    def usual(self) -> tuple[float, ...]:
-        """The factor of all plans and μ of those, of the position as the scene has it."""
-        return 1.0, *(self.first.scales[mu_of(kind)] for kind in self.growing)
-
-    @cached_property
-    def kept(self) -> dict[tuple[float, ...], Position]:
-        """The position by the factor of its plans and μ of those by which figures are drawn."""
+    def kept(self) -> dict[float, Position]:
+        """The position by the factor of its plans."""
         return {}
 
     @cached_property
     def first(self) -> Position:
         """The position at the scene's scales."""
-        return self._drawn(fits_on(self.scene.sheet, self.stated[0]))
+        return self.at(Sizes())
 
     def _drawn(self, fits: Mapping[str, float]) -> Position:
         plans, wanted = self.stated

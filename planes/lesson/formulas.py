@@ -3,7 +3,8 @@
 A slot ⟦how¦name¦mu⟧ stands for a number of the drawing: ``v`` its value, ``b`` the value in brackets where it is
 negative, ``mm`` its length on paper, ``s`` its sense of rotation, ``k`` and ``i`` a scale, in mm for a unit and the
 inverse; ``a`` its value without a sign; ``join`` and ``lead`` the sign of a product of values (names by ``*``, after a
-minus of their own), between terms and before the first. Names of marks, vectors and values stand in ⟨…⟩.
+minus of their own), between terms and before the first; ``n`` a number that is its own name. Names of marks, vectors
+and values stand in ⟨…⟩.
 """
 
 import math
@@ -50,6 +51,8 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
 
     def one(match: re.Match[str]) -> str:
         how, name, mu = match.groups()
+        if how == "n":
+            return decimal(name, lang)
         size = math.prod(map(read, own(name)), start=-1.0 if name.startswith("-") else 1.0)
         size = 0.0 if abs(size) < NOISE else size
         if how == "mm":
@@ -70,7 +73,7 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
 
 def slots(text: str) -> list[str]:
     """Names of the values a sentence needs, each time it does."""
-    return [part for _, name, _ in SLOT.findall(text) for part in own(name)]
+    return [part for how, name, _ in SLOT.findall(text) if how != "n" for part in own(name)]
 
 
 def own(name: str) -> list[str]:
@@ -110,7 +113,7 @@ def _clear(term: Product, without: str) -> Product:
 def _product(term: Product, say: Callable[[str], str]) -> tuple[bool, str]:
     """Whether the product is subtracted, and its text: factors over factors."""
     size = abs(term.coefficient)
-    above = ([f"{size:g}"] if size != 1 else []) + [_power(say(n), p) for n, p in term.factors if p > 0]
+    above = ([slot(f"{size:g}", "n")] if size != 1 else []) + [_power(say(n), p) for n, p in term.factors if p > 0]
     below = [_power(say(n), -p) for n, p in term.factors if p < 0]
     text = " · ".join(above) or "1"
     if below:

@@ -8,7 +8,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.formulas import formula
-from planes.lesson.steps import Names, StepWords, Words
+from planes.lesson.steps import Names, Said, StepWords, Words
 from planes.plans import Plans
 from planes.words import Lang, say, table
 from planes.words.names import POLE, at, lettered
@@ -27,13 +27,13 @@ class StatedWords(StepWords):
                 return ("arcs_stated" if key == "arcs" else key), f"{key}_stated", names
         return super().of(step)
 
-    def action(self, direction: str) -> str:
+    def action(self, direction: str) -> Said:
         """A line of action: of a given angle the angle."""
         found = super().action(direction)
         if found:
             return found
-        angle = math.degrees(phase(complex(self.drawing[direction])))
-        return f"∠{number(round(angle, 1) + 0.0, 'en')}°"
+        angle = round(math.degrees(phase(complex(self.drawing[direction]))), 1) + 0.0
+        return lambda lang: f"∠{number(angle, lang)}°"
 
     def similar(self, step: s.Similar) -> Words:
         ratio = complex(self.drawing[step.ratio])

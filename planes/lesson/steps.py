@@ -75,14 +75,14 @@ class StepWords:
         drawn = (x for x in self.made.values() if isinstance(x, CutTrack) and x.holds == step.holds)
         key = "track" if next(drawn).makes == step.makes else "track_too"
         hold = next((h for h in step.holds if h.local == step.local), step.holds[-1])
-        kept = {"start": lettered(hold.place)}
+        kept: Names = {"start": lettered(hold.place)}
         if hold.kind == "arc":
             kept = {**kept, "mm": slot(hold.reach, "mm", step.mu)}
         elif hold.kind == "line":
             kept = {**kept, "action": self.action(hold.turn)}
         return key, key, {"kept": lambda lang: say(f"lesson_kept_{hold.kind}", lang, **kept)}
 
-    def action(self, direction: str) -> str:
+    def action(self, direction: str) -> Said:
         """A line of action as it is written."""
         return self.plans.means[direction].action
 
@@ -119,11 +119,17 @@ class StepWords:
         """Why the lines that cross at a mark have their directions."""
         plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
-        there = [(t, whole(e, t.name)) for e in self.plans.equations if e.plan == plan for t in e.terms]
-        terms = [t for t, _ in there if t.end == label and t.direction and not t.length and not t.drawn]
+        equations = (e for e in self.plans.equations if e.plan == plan)
+        for e in equations:  # that which is drawn first finds the mark
+            sought = [t for t in e.terms if t.direction and not t.length and not t.drawn]
+            terms = [t for t in sought if label in (t.start, t.end)]
+            if any(t.end == label for t in terms):
+                break
+        else:
+            terms = []
         if kind == "position" or not terms:
             return "cross_position"
-        named = {t.name: name for t, name in there}
+        named = {t.name: whole(e, t.name) for t in e.terms}
         return lambda lang: "; ".join(dict.fromkeys(self.reason(t, named[t.name], kind, lang) for t in terms)) + "."
 
     def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:

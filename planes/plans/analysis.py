@@ -153,7 +153,8 @@ class _Finder:
         solved: tuple[str, ...] = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
-            found.append(driven := driven_from_inside(self, drive))
+            still, driven = driven_from_inside(self, drive)
+            found += [*still, driven]
             solved = driven.reached(drive)
         while True:
             for link in solved:

@@ -10,9 +10,8 @@ from planes.drafting.steps.reckoning import Drop
 from planes.plans.bodies import SCHEME
 from planes.plans.groups import Brace, Pair
 from planes.plans.loads import Force, force_name
-from planes.plans.reactions import Statics, chain_of
-from planes.words import Phrase
-from planes.words.errors import SceneError
+from planes.plans.reactions import Reaction, Statics, chain_of
+from planes.plans.rubbing import Rubs, settled
 from planes.words.names import POLE, Meaning, at, end_of, force_plan, mu_of
 
 
@@ -22,20 +21,45 @@ class BraceForces:
     def __init__(self, statics: Statics, hinge: Pair, brace: Brace) -> None:
         self.statics, self.hinge, self.brace = statics, hinge, brace
         self.bodies, self.draft = statics.bodies, statics.bodies.draft
-        for pair in (hinge, brace.near, brace.far):
-            self.smooth(pair)
-
-    def smooth(self, pair: Pair) -> None:
-        """Refuse friction in a hinge of the brace."""
-        m = self.bodies.mechanism
-        if rubbing := m.rubs(pair.point, pair.link, pair.other):
-            line = m.where.get(("friction", rubbing), m.where.get(("friction",)))
-            told = {"pair": rubbing, "one": self.hinge.other, "two": self.hinge.link}
-            raise SceneError(Phrase("brace_friction", **told), self.bodies.file, line)
+        links = self.bodies.mechanism.links
+        self.plans = force_plan(*(x for x in links if x in brace.halves)), force_plan(hinge.link)
+        self.couples = {x: list(statics.acting.couples[x]) for x in (*brace.halves, hinge.link)}
 
     def draw(self) -> None:
-        self.cylinder(*self.held())
-        self.far_link()
+        for plan in self.plans:
+            self.draft.pole(plan)
+        s, pairs, driver = self.statics, (self.brace.far, self.brace.near, self.hinge), self.bodies.mechanism.drive.link
+        rubs = settled(self, lambda s: BraceForces(s, self.hinge, self.brace), pairs)
+        ends = self.polygon()
+        for pair, plan in zip(pairs, (self.plans[0], *self.plans), strict=True):
+            found = s.react(pair, plan, *ends[pair], rubs.grips.get(pair))
+            if pair == self.hinge:
+                continue
+            s.hand_over(found, pair.other)
+            if pair.joins(driver):
+                s.hand_over(found, driver)
+
+    def rub(self, rubs: Rubs) -> None:
+        """Let the cylinder and the far link feel the couples of hinges."""
+        for link, couples in self.couples.items():
+            couples += rubs.couples(link)
+
+    def polygon(self) -> dict[Pair, tuple[str, str]]:
+        """Draw both polygons: the cylinder's, which is closed by the reaction of its near hinge, and that of the far
+        link, by that of the hinge that is braced."""
+        s, (near, far), (plan, last) = self.statics, self.brace.halves, self.plans
+        along, across = self.held()
+        chain = chain_of([along, across, *s.acting.forces[far], *s.acting.forces[near]], POLE)
+        self.close(plan, chain, force_name(near, self.brace.near.other))
+        held = at(plan, POLE), at(plan, end_of(across.name))
+        found = Reaction(force_name(far, self.brace.far.other), plan, *held, self.brace.far)
+        own = chain_of([*s.acting.forces[self.hinge.link], s.as_force(found, self.hinge.link)], POLE)
+        self.close(last, own, force_name(self.hinge.link, self.hinge.other))
+        return {
+            self.brace.far: held,
+            self.brace.near: (at(plan, chain[-1].end), at(plan, POLE)),
+            self.hinge: (at(last, own[-1].end), at(last, POLE)),
+        }
 
     def held(self) -> tuple[Force, Force]:
         """The reaction of the far hinge on the cylinder: across it and along it."""
@@ -43,7 +67,7 @@ class BraceForces:
         half, other = self.brace.far.link, self.brace.far.other
         line, length = d.ray(SCHEME, near, far), d.measure(f"l_{near}{far}", at(SCHEME, near), at(SCHEME, far))
         forces = [f for x in self.brace.halves for f in s.acting.forces[x]]
-        couples = [c for x in self.brace.halves for c in s.acting.couples[x]]
+        couples = [c for x in self.brace.halves for c in self.couples[x]]
         products, shown = s.moment_terms(at(SCHEME, near), forces, couples, -1.0, length)
         name, pin = force_name(half, other), at(SCHEME, far)
         d.total(f"{name}^t", products)
@@ -54,35 +78,10 @@ class BraceForces:
         about, means = at(SCHEME, self.hinge.point), Meaning("arm", f"{name}^n", at(SCHEME, self.hinge.point), half)
         arm = d.step(Drop(f"h_{name}^n_{self.hinge.point}", pin, line, about, mu_of(SCHEME), means=means))
         forces = [*s.acting.forces[other], pushed]
-        products, shown = s.moment_terms(about, forces, s.acting.couples[other], 1.0, arm)
+        products, shown = s.moment_terms(about, forces, self.couples[other], 1.0, arm)
         d.total(f"{name}^n", products)
         d.moments.append(Moments(self.hinge.point, (other,), shown, f"{name}^n", arm))
         return Force(f"{name}^n", half, f"{name}^n", line, pin, "tangential"), across
-
-    def cylinder(self, along: Force, across: Force) -> None:
-        """The polygon of the cylinder, closed by the reaction of its near hinge; both are handed on."""
-        s, (near, far) = self.statics, self.brace.halves
-        plan = force_plan(*(x for x in self.bodies.mechanism.links if x in self.brace.halves))
-        loads = [*s.acting.forces[far], *s.acting.forces[near]]
-        self.draft.pole(plan)
-        chain = chain_of([along, across, *loads], POLE)
-        name = force_name(near, self.brace.near.other)
-        self.close(plan, chain, name)
-        middle, last = at(plan, end_of(across.name)), at(plan, chain[-1].end)
-        for pair, start, end in ((self.brace.far, at(plan, POLE), middle), (self.brace.near, last, at(plan, POLE))):
-            found = s.react(pair, plan, start, end)
-            s.hand_over(found, pair.other)
-            if pair.joins(self.bodies.mechanism.drive.link):
-                s.hand_over(found, self.bodies.mechanism.drive.link)
-
-    def far_link(self) -> None:
-        """The polygon of the far link, closed by the reaction of the hinge that is braced."""
-        s, pair = self.statics, self.hinge
-        plan = force_plan(pair.link)
-        self.draft.pole(plan)
-        chain = chain_of(s.acting.forces[pair.link], POLE)
-        self.close(plan, chain, force_name(pair.link, pair.other))
-        s.react(pair, plan, at(plan, chain[-1].end), at(plan, POLE))
 
     def close(self, plan: str, chain: tuple[Term, ...], name: str) -> None:
         """Lay the known vectors off; the one of that name closes them."""

@@ -70,6 +70,7 @@ class Group:
     last_outer: Pair
     drive: Pair | None = None
     brace: Brace | None = None
+    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
     level: ClassVar[str] = "II"
 
     @property
@@ -80,7 +81,7 @@ class Group:
     @property
     def balanced(self) -> tuple[str, ...]:
         """The links whose forces its plan has, by which that is called."""
-        return tuple(part for link in self.links for part in self.loaded(link))
+        return self.order or self.links
 
     def parts(self, link: str) -> tuple[str, ...]:
         """The links that one of the two is made of: itself and, with a drive inside, the other of that."""
@@ -88,7 +89,8 @@ class Group:
 
     def loaded(self, link: str) -> tuple[str, ...]:
         """The links whose loads one of the two has: its parts, and the cylinder that braces them."""
-        return (*self.parts(link), *(self.brace.halves if self.brace and link == self.first else ()))
+        held = (*self.parts(link), *(self.brace.halves if self.brace and link == self.first else ()))
+        return tuple(x for x in self.order if x in held) or held
 
     def holder(self, link: str, pair: Pair) -> str:
         """Which of its parts has a pair."""
@@ -179,13 +181,13 @@ class Triad:
     links: tuple[str, ...]
     basic: str
     leads: tuple[Lead, Lead, Lead]
+    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
     level: ClassVar[str] = "III"
 
     @property
     def whole(self) -> tuple[str, ...]:
         """All its links, both of a drive inside among them."""
-        mates = {lead.link: lead.parts for lead in self.leads}
-        return tuple(part for link in self.links for part in mates.get(link, (link,)))
+        return self.order or self.links
 
     @property
     def balanced(self) -> tuple[str, ...]:
@@ -196,7 +198,7 @@ class Triad:
     def members(self) -> str:
         """Its links as a formula of structure has them."""
         mates = {lead.link: lead.parts for lead in self.leads}
-        return ";".join("-".join(mates.get(link, (link,))) for link in self.links)
+        return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
 
     @property
     def ends(self) -> tuple[str, ...]:

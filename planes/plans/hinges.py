@@ -1,15 +1,16 @@
-"""Friction in hinges: the reaction is tangent to the friction circle, that is, it has a couple against the turning.
+"""Friction in pairs. In hinges the reaction is tangent to the friction circle: it has a couple against the turning.
 
 The radius of the friction circle is that of the pin times the coefficient of friction (on a guide along a circle, the
 circle's times the sine of the angle of friction). The couple of a group's hinge is the reaction times that radius, and
-the reaction is known once the plan is drawn with the couple: plans are drawn one after another until they settle.
+the reaction is known once the plan is drawn with the couple: plans are drawn one after another until they settle. So
+is, in groups of class III, the force of friction on a guide, by the normal force.
 """
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from planes.drafting.draft import Draft
-from planes.drafting.steps.reckoning import Product, SenseBetween
+from planes.drafting.steps import Step
+from planes.drafting.steps.reckoning import Product, Sense, SenseBetween
 from planes.drafting.steps.settling import Fed, Settle
 from planes.plans.bodies import Bodies
 from planes.plans.groups import Pair
@@ -52,17 +53,42 @@ def grip_of(acting: Acting, pair: Pair) -> Grip | None:
     return Grip(pair, f"MT_{key}", factor, speed)
 
 
-def settle(acting: Acting, grips: Sequence[Grip], sizes: Mapping[str, str], trial: Draft) -> None:
-    """The couples with which the plan drawn in ``trial`` gives them again, by the ``sizes`` of its reactions."""
+@dataclass(frozen=True)
+class Slip:
+    """What rubs on a guide: the names of the force along it, on the link that slides, and of what that is to the normal
+    force."""
+
+    pair: Pair
+    force: str
+    factor: str
+
+
+def slip_of(acting: Acting, pair: Pair) -> Slip | None:
+    """How a guide rubs; None where it does not."""
+    if pair.kind != "P" or pair.guide not in acting.bodies.mechanism.friction:
+        return None
+    key, factor = force_name(pair.link, pair.other), dict.fromkeys(sliding(acting, pair), 1)
+    return Slip(pair, f"T_{key}", acting.bodies.draft.product(f"f_{pair.link}", -1.0, **factor))
+
+
+def sliding(acting: Acting, pair: Pair) -> tuple[str, str]:
+    """The coefficient of friction of a guide, and which way along it the link slides."""
+    d, m, reading = acting.bodies.draft, acting.bodies.mechanism, acting.motion.slides[pair.link]
+    coefficient = d.give(f"f_{pair.guide}", m.friction[pair.guide])
+    d.law(coefficient, m.laws.get(("friction", pair.guide)))
+    return coefficient, d.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(acting.motion.driven)))
+
+
+def settle(acting: Acting, fed: tuple[Fed, ...], trial: Draft) -> None:
+    """What is ``fed`` to a plan, so that the one drawn in ``trial`` gives it again by the sizes of its reactions."""
     d = acting.bodies.draft
-    fed = tuple(Fed(g.couple, g.factor, sizes[g.couple]) for g in grips)
-    needed, steps = {f.size for f in fed}, []
+    needed, steps = {f.size for f in fed}, list[Step]()
     for step in reversed([s for name, s in trial.steps.items() if name not in d.steps]):
         if step.makes in needed:
             needed.update(name for name, _ in step.reads())
             steps.append(step)
-    for g in grips:
-        d.step(Settle(g.couple, tuple(reversed(steps)), fed))
+    for f in fed:
+        d.step(Settle(f.makes, tuple(reversed(steps)), fed))
 
 
 def _rubbing(b: Bodies, pair: Pair) -> str | None:

@@ -2,7 +2,7 @@
 
 Of a cylinder or a motor one link hangs on the frame and the other has a hinge with a third; or a cylinder is the brace
 of two links, across their hinge: it holds that as a motor in it would. Or the two links of the drive are one of three
-leads of a basic link.
+leads of a basic link. What groups hold still on the frame (a boom on a cylinder that is shut) is as good as the frame.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -26,14 +26,23 @@ class Reached(Protocol):
     @property
     def outer(self) -> Mapping[str, list[Pair]]: ...
     def between(self, link: str, other: str) -> list[Pair]: ...
+    def meeting(self) -> Iterator[tuple[str, str]]: ...
+    def dyad(self, links: tuple[str, str]) -> Group | None: ...
+    def solve(self, link: str) -> None: ...
     def error(self, phrase: Phrase, *path: str) -> StructureError: ...
 
 
-def driven_from_inside(f: Reached, drive: Pair) -> Group | Triad:
-    """The group on the frame that the drive moves; :class:`StructureError` if it is none that is drawn."""
+def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], Group | Triad]:
+    """The group that the drive moves, after the dyads that stand still and that it hangs on; :class:`StructureError` if
+    it is none that is drawn."""
+    still = list[Group]()
+    while found := next((g for two in f.meeting() if not any(map(drive.joins, two)) and (g := f.dyad(two))), None):
+        still.append(found)
+        for link in found.solved:
+            f.solve(link)
     for ways in (_direct, _braced, _leading):
         for group in ways(f, drive):
-            return group
+            return still, group
     raise f.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
 
 
@@ -71,7 +80,8 @@ def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
             if len(inner) == 1 and len(leads) == 2 and not any(lead.name == "PP" for lead in leads):
                 driven = Lead(held, inner[0], f.outer[held][0], drive)
                 names = tuple(x for x in f.links if x in (basic, held, *(lead.link for lead in leads)))
-                yield Triad(names, basic, (driven, leads[0], leads[1]))
+                whole = tuple(x for x in f.links if x in (*names, moved))
+                yield Triad(names, basic, (driven, leads[0], leads[1]), whole)
 
 
 def _hinges(f: Reached, half: str, drive: Pair) -> list[Pair]:
@@ -96,4 +106,5 @@ def _with_third(
         if len(f.outer[held]) == len(outer) == len(inner) == 1 and hung.kind == "R" and not f.between(link, held):
             one, two = sorted((held, link), key=f.links.index)
             kind = 1 if outer[0].kind == "R" else 2
-            yield Group((one, two), kind, held, link, inner[0], hung, outer[0], drive, brace)
+            whole = tuple(x for x in f.links if x in (*taken, link))
+            yield Group((one, two), kind, held, link, inner[0], hung, outer[0], drive, brace, whole)

@@ -48,7 +48,9 @@ def rubbing(s: Statics) -> list[tuple[str, str]]:
     for key, reaction in list(s.reactions.items()):
         guide, force, speed = reaction.pair.guide, reaction.friction, s.acting.motion.spin(key)
         if guide in s.bodies.mechanism.friction:
-            force = s.bodies.draft.measure(f"T_{key}", reaction.start, reaction.end, f"∥{guide}")
+            force = f"T_{key}"
+            if force not in s.bodies.draft.steps:  # no plan was drawn with it
+                force = s.bodies.draft.measure(force, reaction.start, reaction.end, f"∥{guide}")
             speed = s.acting.motion.slides[reaction.pair.link].value
         if force:
             power = s.bodies.draft.product(f"PT_{key}", **{force: 1, speed: 1})

@@ -21,9 +21,9 @@ from planes.words.names import Meaning, at, parts_of
 
 def draw_rates(r: Rates) -> None:
     """The plan: the driver, then every group, then every point of every link."""
-    first = r.bodies.structure.groups[0] if r.bodies.structure.inner_drive else None
-    if isinstance(first, Triad):  # its special point is found on the scheme before the plan is begun
-        _Triad(r, first).meet()
+    for group in r.bodies.structure.groups:
+        if isinstance(group, Triad) and any(lead.drive for lead in group.leads):
+            _Triad(r, group).meet()  # its special point is found on the scheme before the plan is begun
     r.start()
     for group in r.bodies.structure.groups:
         if isinstance(group, Group):

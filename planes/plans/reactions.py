@@ -13,10 +13,10 @@ from itertools import product
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Term
 from planes.drafting.steps.crossings import Cross
-from planes.drafting.steps.reckoning import Choose, Drop, Lean, Product, Sense, Trial
+from planes.drafting.steps.reckoning import Choose, Drop, Lean, Product, Trial
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.groups import Pair
-from planes.plans.hinges import Grip
+from planes.plans.hinges import Grip, sliding
 from planes.plans.loads import Acting, Couple, Force, force_name
 from planes.words.names import Meaning, at, end_of, label_of, mu_of
 
@@ -105,7 +105,7 @@ class Statics:
         normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"∥{pair.guide}"))
         arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
         d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
-        self.reactions[r.key] = seated = Reaction(r.key, r.plan, r.start, r.end, pair, normal, arm, moment)
+        self.reactions[r.key] = seated = replace(r, normal=normal, arm=arm, moment=moment)
         return seated
 
     def hand_over(self, r: Reaction, to: str) -> None:
@@ -156,12 +156,9 @@ def _leant(acting: Acting, plan: str, term: Term, pair: Pair, x: str) -> Term:
 
 def _lean(acting: Acting, pair: Pair, sign: int) -> str:
     d, guide = acting.bodies.draft, f"∥{pair.guide}"
-    coefficient = d.give(f"f_{pair.guide}", acting.bodies.mechanism.friction[pair.guide])
-    d.law(coefficient, acting.bodies.mechanism.laws.get(("friction", pair.guide)))
-    reading = acting.motion.slides[pair.link]
-    sense = Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(acting.motion.driven))
+    coefficient, sense = sliding(acting, pair)
     name, means = f"lean_{pair.link}{'+' if sign > 0 else '-'}", Meaning("leaning", pair.guide)
-    return d.step(Lean(name, d.square(guide), guide, coefficient, d.step(sense), sign, means=means))
+    return d.step(Lean(name, d.square(guide), guide, coefficient, sense, sign, means=means))
 
 
 def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:

@@ -96,9 +96,12 @@ class Chains:
 
     def chain(self, side: Side, start: str, target: str) -> Chain:
         """The terms of a side, known ones first, from a mark to the target, or where a vector drawn before ends."""
-        terms, mark = [], start
+        terms, mark = list[Term](), start
         ordered = sorted(side, key=self.open)
         for i, stated in enumerate(ordered):
+            if self.vectors.given(stated.name).like:  # it is drawn from where the others end
+                for before in terms:
+                    self.draft.lay(self.plan, before)
             terms.append(self.term(stated, mark, target if i == len(ordered) - 1 else ""))
             mark = terms[-1].end
             self.stated[terms[-1].name] = stated

@@ -11,8 +11,8 @@ from planes.words.errors import SceneError
 from planes.words.names import force_plan, kind_of
 
 _LETTERS = {"contour": r"[rl]_", "velocity": "v_", "acceleration": "a_", "force": r"[FRGINTPQΦФ][_\d]"}
-_ACTS = re.compile(r"(?:[FR]_(\d)\d|[GIΦФP]_(\d+))(?:\^[tn])?(?:_\d+)?")
-_ON = re.compile(r"[FR]_(\d+)_\d+(?:\^[tn])?")
+_LOAD = re.compile(r"[GIΦФP]_(\d+)(?:_\d+)?")
+_REACTION = re.compile(r"[FR]_(?:(\d)(\d)|(\d+)_(\d+))(?:\^[tn])?")
 QUANTITIES = {"contour": "position"}
 """The plans of a scene of vectors that have the unit of another."""
 
@@ -49,6 +49,12 @@ def _kind(scene: Scene, e: VectorEquation) -> str:
 
 
 def _links(names: Iterable[str]) -> list[str]:
-    """The links these forces act on, as their names tell."""
-    found = {next(filter(None, match.groups())) for n in names if (match := _ACTS.fullmatch(n) or _ON.fullmatch(n))}
+    """The links these forces act on, as their names tell: those of loads, and of each reaction that is of none of them
+    the first, or the second where the other reactions are written so (R_12 on link 2 from 1)."""
+    found = {match[1] for n in names if (match := _LOAD.fullmatch(n))}
+    pairs = [(m[1] or m[3], m[2] or m[4]) for n in names if (m := _REACTION.fullmatch(n))]
+    second = sum(b in found and a not in found for a, b in pairs) > sum(a in found and b not in found for a, b in pairs)
+    for pair in pairs:
+        if not found.intersection(pair):
+            found.add(pair[second])
     return sorted(found, key=lambda link: (len(link), link))

@@ -6,6 +6,7 @@ five kinds exactly two of these three lines are known, and the third closes. Tab
 kinds with an unloaded link; here any load may act on any link.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from planes.drafting.draft import Moments
@@ -15,9 +16,10 @@ from planes.plans.brace_forces import BraceForces
 from planes.plans.contour_forces import ContourForces
 from planes.plans.driver_forces import DriverForces
 from planes.plans.groups import Group, Pair, Triad
-from planes.plans.hinges import Grip, grip_of, settle
+from planes.plans.hinges import Grip
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.reactions import Reaction, Statics, chain_of, meet_with_friction
+from planes.plans.rubbing import Rubs, settled
 from planes.plans.triad_forces import TriadForces
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, end_of, force_plan
@@ -49,30 +51,20 @@ class _GroupForces:
         acting = statics.acting
         self.loads = {x: [f for part in group.loaded(x) for f in acting.forces[part]] for x in group.links}
         self.couples = {x: [c for part in group.loaded(x) for c in acting.couples[part]] for x in group.links}
-        self.grips: dict[Pair, Grip] = {}
+        self.grips: Mapping[Pair, Grip] = {}
 
     def draw(self) -> None:
         """The plan, with the friction in hinges if there is any; its reactions are handed on."""
         self.draft.pole(self.plan)
-        found = ((p, grip_of(self.statics.acting, p)) for p in self.group.pairs)
-        if grips := {p: grip for p, grip in found if grip}:
-            self.rub(grips)
-            trial = _GroupForces(self.statics.apart(), self.group)
-            trial.rub(grips)
-            ends = dict(zip(self.group.pairs, trial.polygon().values(), strict=True))
-            names = {p: f"|{force_name(p.link, p.other)}|" for p in grips}
-            sizes = {g.couple: trial.draft.measure(names[p], *ends[p]) for p, g in grips.items()}
-            settle(self.statics.acting, list(grips.values()), sizes, trial.draft)
+        self.grips = settled(self, lambda s: _GroupForces(s, self.group), self.group.pairs).grips
         self.read(self.polygon())
 
-    def rub(self, grips: dict[Pair, Grip]) -> None:
+    def rub(self, rubs: Rubs) -> None:
         """Let the links feel the couples of hinges."""
-        self.grips = grips
-        for grip in grips.values():
-            for link in self.group.links:
-                self.couples[link] += [grip.on(x) for x in self.group.parts(link) if grip.pair.joins(x)]
+        for link in self.group.links:
+            self.couples[link] += [c for x in self.group.parts(link) for c in rubs.couples(x)]
 
-    def polygon(self) -> dict[str, tuple[str, str]]:
+    def polygon(self) -> dict[Pair, tuple[str, str]]:
         """Draw the polygon; the marks between which the reaction of each pair stands, on the pair's own first link."""
         g, plan = self.group, self.plan
         head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
@@ -93,9 +85,9 @@ class _GroupForces:
         self.meet(rays, first, last, x)
         starts = end_of(head[0].name) if head else POLE, last[-1].start if tail else e_b
         return {
-            "first": self.on(g.first_outer, g.first, at(plan, x), at(plan, starts[0])),
-            "inner": self.on(g.inner, g.first, at(plan, e_a), at(plan, x)),
-            "last": self.on(g.last_outer, g.last, at(plan, starts[1]), at(plan, x)),
+            g.first_outer: self.on(g.first_outer, g.first, at(plan, x), at(plan, starts[0])),
+            g.inner: self.on(g.inner, g.first, at(plan, e_a), at(plan, x)),
+            g.last_outer: self.on(g.last_outer, g.last, at(plan, starts[1]), at(plan, x)),
         }
 
     def meet(self, rays: dict[str, Term], first: tuple[Term, ...], last: tuple[Term, ...], x: str) -> None:
@@ -170,36 +162,33 @@ class _GroupForces:
         holder = self.group.holder(link, pair)
         return force_name(holder, pair.mate(holder))
 
-    def read(self, ends: dict[str, tuple[str, str]]) -> None:
+    def read(self, ends: dict[Pair, tuple[str, str]]) -> None:
         """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
         g = self.group
-        found = {}
-        for (which, (start, end)), pair in zip(ends.items(), g.pairs, strict=True):
-            found[which] = self.statics.react(pair, self.plan, start, end, self.grips.get(pair))
+        found = {p: self.statics.react(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
         self.seat_all(found)
-        for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
+        for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
             if pair.mate(link) != FRAME:
-                self.statics.hand_over(self.statics.reactions[found[which].key], pair.mate(link))
+                self.statics.hand_over(self.statics.reactions[found[pair].key], pair.mate(link))
         if g.drive:
-            which = "inner" if g.inner.joins(g.drive.link) else "first"
-            self.statics.hand_over(found[which], g.drive.link)
+            self.statics.hand_over(found[g.inner if g.inner.joins(g.drive.link) else g.first_outer], g.drive.link)
 
     def on(self, pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
         """The ends of the reaction on ``link`` from start to end, turned for the pair's own first link."""
         return (start, end) if pair.link in self.group.parts(link) else (end, start)
 
-    def seat_all(self, found: dict[str, Reaction]) -> None:
+    def seat_all(self, found: dict[Pair, Reaction]) -> None:
         """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
         g, s = self.group, self.statics
         about = at(SCHEME, g.inner.point if g.inner.kind == "R" else g.first_outer.point)
         if g.inner.kind == "P":
-            seated = s.seat(found["inner"], g.first, about, self.loads[g.first], self.couples[g.first])
+            seated = s.seat(found[g.inner], g.first, about, self.loads[g.first], self.couples[g.first])
             pushed = s.as_force(seated, g.last)
             sign = 1 if seated.pair.link == g.last else -1
             if g.last_outer.kind == "P":
                 couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign, True)]
-                s.seat(found["last"], g.last, about, [*self.loads[g.last], pushed], couples)
+                s.seat(found[g.last_outer], g.last, about, [*self.loads[g.last], pushed], couples)
             return
-        for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
+        for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
             if pair.kind == "P":
-                s.seat(found[which], link, about, self.loads[link], self.couples[link])
+                s.seat(found[pair], link, about, self.loads[link], self.couples[link])

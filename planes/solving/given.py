@@ -154,7 +154,7 @@ class GivenTable:
         for guide in link.guides.values():
             yield GivenRow(f"∠{dashed(guide.name)}", guide.angle_deg, "°")
             if guide.through_point is None:
-                yield from self.place(dashed(guide.name), guide.through)
+                yield from self.place(first + dashed(guide.name), guide.through - link.points[first])
         if link.slides:
             yield GivenRow(f"e_{{{self.naming.link(link.name)}}}", link.slides.offset or 0.0, "m")
             yield GivenRow(f"∠{self.naming.link(link.name)}", link.slides.angle_deg or 0.0, "°")

@@ -159,7 +159,7 @@ def end_of(name: str) -> str:
 
 def parted(label: str) -> str:
     """A mark of a force plan as the part of a vector that ends there: F_21t, F_21^t."""
-    return re.sub(r"^(F_[^^]*)([tn])$", r"\1^\2", label)
+    return re.sub(r"^([FR]_[^^]*)([tn])$", r"\1^\2", label)
 
 
 def is_scale(name: str) -> bool:

@@ -12,7 +12,7 @@ from typing import Literal
 
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError
-from planes.words.names import letter_of
+from planes.words.names import letter_of, parts_of
 
 Convention = Literal["mm_per_unit", "unit_per_mm"]
 
@@ -218,6 +218,9 @@ _OF_LETTERS |= dict.fromkeys("lxyrRabcdehHsLDzS", "m")
 
 def unit_of_parameter(name: str) -> str:
     """The key of the unit in which a parameter of that name is given, "" where the name does not tell."""
+    letter, index, _ = parts_of(name)
+    if letter == "a" and index[:1].isupper():
+        return "m/s²"  # of a point; a_1 is a size
     return _OF_LETTERS.get(letter_of(name), "")
 
 

@@ -6,9 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from planes.plans import Plans
 from planes.plans.apart import LinkApart
-from planes.plans.scales import extent
 from planes.solving import Position
 from planes.words import say
 from planes.words.names import POLE, at, kind_of, links_of, mu_of
@@ -17,37 +15,8 @@ from render.views import View, beside, view
 from render.views.arms import with_unlettered
 from render.views.loading import Loading
 from render.views.moments import Lever
-from render.views.plotted import Places, Plotted, of_position, with_links_apart
+from render.views.plotted import Plotted, of_position, with_links_apart
 from render.views.scheme import Scheme
-
-WANTED = {"loads": 1.6, "groups": 1.0, "lever": 1.2}
-"""How large the figures that grow by themselves should be beside each other."""
-
-
-@dataclass(frozen=True)
-class Figures:
-    """The position as each of these is drawn by: the scheme with all loads, the groups apart, the lever."""
-
-    loads: Position
-    groups: Position
-    lever: Position
-
-
-def figures(plans: Plans) -> dict[str, str]:
-    """The kind of plans by whose μ each of them is drawn."""
-    return {"loads": "position", "groups": "position", "lever": "motion" if plans.at_rest else "velocity"}
-
-
-def sizes_of(position: Position) -> dict[str, float]:
-    """The larger side of each of them in mm, the largest of the groups, beside what it should be."""
-    places, forces = Places(position), (p for p in position.plans.drawn if kind_of(p) == "force")
-    kind = figures(position.plans)["lever"]
-    sizes = {
-        "loads": places.size(tuple(position.plans.mechanism.links)),
-        "groups": max((places.size(links_of(plan)) for plan in forces), default=0.0),
-        "lever": extent(position.drawing, kind),
-    }
-    return {figure: size / WANTED[figure] for figure, size in sizes.items()}
 
 
 @dataclass
@@ -56,23 +25,24 @@ class ForceSheet:
 
     composer: Composer
 
-    def views(self, position: Position, larger: Figures, letter: float) -> list[View]:
-        """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables."""
+    def views(self, position: Position, letter: float) -> list[View]:
+        """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables; all at one
+        choice of μ, at which its arms are told everywhere."""
         c, (plotted, links_apart) = self.composer, with_links_apart(position)
-        found: list[View | None] = [self.loaded(larger.loads)]
+        found: list[View | None] = [self.loaded(position)]
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)
-            moments = c.moments(larger.groups, letter, links)
+            moments = c.moments(position, letter, links)
             step = [
-                c.stack("group", self.group(larger.groups, plan, links), moments, gap=5.0),
+                c.stack("group", self.group(position, plan, links), moments, gap=5.0),
                 c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
-                self.apart(larger.groups, links, self.closed(plotted, links_apart[plan], letter, False))
+                self.apart(position, links, self.closed(plotted, links_apart[plan], letter, False))
                 if links_apart[plan]
                 else None,
                 *self.closed(plotted, links_apart[plan], letter, True),
             ]
             found += [replace(v, step=plan) for v in step if v]
-        found.append(self.lever(larger.lever, letter))
+        found.append(self.lever(position, letter))
         tables = c.tables(position, letter)
         return [v for v in (*found, tables.given(), tables.reactions(), tables.check(), c.note(letter)) if v]
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from planes.check.grading.prepared_plan import Asked, prepare
@@ -19,7 +21,7 @@ from planes.solving.given import GivenTable
 from planes.words import decimal
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, mu_of
-from planes.words.units import mu_text
+from planes.words.units import Convention, mu_text
 from render.paper.marks import Text
 from render.sheet import Sheet
 from tests.helpers import ROOT
@@ -28,6 +30,9 @@ SCENES = {p.stem: scene for p in sorted((ROOT / "samples").glob("*.yaml")) if (s
 SCENES.pop("crank-slider")
 SCENES["format A1"] = Scene(**{**vars(SCENES["kind-3-rpr"]), "sheet": {"format": "A1"}})
 SCHEMES = {"position": "scheme"}
+OF_PLAN = dict.fromkeys(("scheme", "loaded", "group", "apart"), "position") | {"lever": "velocity"}
+"""By whose μ a figure of a sheet is drawn that is no plan."""
+PER_UNIT = re.compile(r"\d мм(/[А-Яа-я°(]|·с)")
 
 
 def told_mu(mu: float, plan: str) -> str:
@@ -78,6 +83,27 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
                 assert rows == [] or any(f" {mm} " in row or f" {mm.removesuffix(',0')} " in row for row in rows)
     assert formula_of(drawn.plans.structure, naming.frame, True) in texts(sheets[1])
     assert formula_of(drawn.plans.structure, naming.frame, True) in told(Note(scene, drawn, "ru").blocks())
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("convention", ["mm_per_unit", "unit_per_mm"])
+def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: Convention) -> None:
+    """Schemes with loads, groups and links apart and the lever too; diagrams have their own, written alike."""
+    scene = Scene(**{**vars(SCENES[name]), "sheet": {**SCENES[name].sheet, "mu_convention": convention}})
+    drawn = placed(scene, None, "ru")
+    still = drawn.plans.at_rest
+    for number in (None, 1, 2):
+        sheet = sheet_of(scene, None, "ru", number)
+        for key, title in ((v.key, v.title) for v, *_ in sheet.views if " = " in v.title):
+            plan = OF_PLAN.get(key, key)
+            if (mu := drawn.scales.get(mu_of(plan))) and not (key == "lever" and still):
+                assert title.endswith(decimal(mu_text(mu, kind_of(plan), "ru", convention), "ru")), (key, title, mu)
+        written = [text for text in texts(sheet) if "μ" in text]
+        assert written and all(bool(PER_UNIT.search(t)) is (convention == "mm_per_unit") for t in written), written
+    if convention == "unit_per_mm":
+        papers = told(Note(scene, drawn, "ru").blocks()), told(list(answers(scene, drawn, ("",), (), "ru")))
+        assert not any(found := [PER_UNIT.search(paper) for paper in papers]), found
 
 
 @pytest.mark.few(1)

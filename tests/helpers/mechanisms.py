@@ -84,6 +84,7 @@ class Builder:
         self.bodies = [self.frame]
         self.dyads: list[Dyad] = []
         self.triads: list[tuple[Body, list[Body], dict[str, complex]]] = []  # basic link, leads, its hinges
+        self.contours: list[Body] = []  # links of groups of class IV
         self.names = iter(rng.sample(NAMES[:20], 20) + NAMES[20:])
 
     def spot(self) -> complex:
@@ -211,18 +212,35 @@ class Builder:
         first = next(iter(driver.points.values()))
         return float(((first - through) * cmath.rect(1.0, -u)).real)
 
-    def cylinder(self, motor: bool) -> dict[str, Any]:
-        """A cylinder hinged to the frame (or two links with a ``motor`` between them), that moves a link on the frame;
-        its part of the scene."""
+    def on_boom(self) -> dict[str, Any]:
+        """A cylinder that hangs on links which stand still, or moves a link that does; its part of the scene."""
+        size = self.size
+        while True:
+            a, b, c = (self.spot() for _ in range(3))
+            if abs(self.leaning(a, b, c)) > 0.35 and min(abs(b - a), abs(c - b)) > 0.3 * size:
+                break
+        name = next(self.names)
+        hinges = [(self.add(self.frame, z), z) for z in (a, c)]
+        still = [self.link([hinge, (name, b)]) for hinge in hinges]
+        self.dyads.append(Dyad("RRR", *still, (hinges[0][0], hinges[1][0]), name, name))
+        grounds = self.rng.choice(((still[0], still[1]), (still[0], still[0]), (self.frame, still[0])))
+        drive = self.cylinder(self.rng.random() < 0.3, self.rng.sample(grounds, 2))
+        self.bodies = [self.frame, *self.bodies[3:], *still]
+        return drive
+
+    def cylinder(self, motor: bool, grounds: Sequence[Body] = ()) -> dict[str, Any]:
+        """A cylinder hinged to the frame (or two links with a ``motor`` between them), that moves a link on the frame,
+        or both on other ``grounds``; its part of the scene."""
         rng, kind = self.rng, self.rng.choice(("RRR", "RRP"))
+        base, ground = grounds or (self.frame, self.frame)
         for _ in range(1000):
             d, a, o = self.spot(), self.spot(), self.spot()
-            u, u2 = cmath.phase(a - d), self.direction(self.frame)
+            u, u2 = cmath.phase(a - d), self.direction(ground)
             lean = math.sin(u - cmath.phase(a - o)) if kind == "RRR" else math.cos(u2 - u)
             if min(abs(a - d), abs(a - o)) > 0.3 * self.size and abs(lean) > 0.35:
                 break
         u += rng.choice((0.0, 0.0, rng.uniform(-1, 1), math.pi))
-        hinge, pivot = next(self.names), self.add(self.frame, d)
+        hinge, pivot = next(self.names), self.add(base, d)
         if motor:
             drive, barrel = self.motor(hinge, a, pivot, d)
         elif rng.random() < 0.5:
@@ -232,11 +250,11 @@ class Builder:
             barrel, rod = self.link([(pivot, d)], u), self.link([(hinge, a)], u)
             drive = {"s": self.slid(barrel, rod, u)}
         if kind == "RRR":
-            other = self.add(self.frame, o)
+            other = self.add(ground, o)
             self.dyads.append(Dyad(kind, barrel, self.link([(hinge, a), (other, o)]), (pivot, other), hinge, hinge))
         else:
             moved = self.link([(hinge, a)], u2)
-            self.slide(moved, self.frame, u2)
+            self.slide(moved, ground, u2)
             self.dyads.append(Dyad(kind, barrel, moved, (pivot,), hinge, hinge, lean > 0))
         return drive
 
@@ -425,6 +443,7 @@ class Builder:
             links.append(self.link([outer, *hinges[-1]]))
         rods = [self.link(list(ends)) for ends in zip(*hinges, strict=True)]
         self.triads.append((links[1], [links[0], *rods], dict(hinges[0] + hinges[1])))
+        self.contours += [*links, *rods]
 
     def assembly(self, way: str | None) -> dict[str, Any]:
         """The assembly by side words or by true places; call it once the bodies stand in file order."""
@@ -541,7 +560,7 @@ def make(
     link's guide; `assembly`: "near", "side" or None for either; `rest`: the driver at rest, `epsilon`
     alone; `limit`: the largest condition number kept; `every`: whatever the format allows, links and drivers of one
     point, several sliders on one guide, coincident points, letters of guides; `arcs`: hinges become
-    guides along a circle. In a group of class III nothing rubs.
+    guides along a circle. In a group of class IV nothing rubs.
     """
     for _ in range(200):
         try:
@@ -577,6 +596,7 @@ def attempt(
     inside: dict[str | bool, Callable[[], dict[str, Any]]] = {
         "brace": build.brace,
         "lead": build.lead,
+        "boom": build.on_boom,
         "motor": lambda: build.cylinder(True),
         True: lambda: build.cylinder(False),
     }
@@ -641,9 +661,9 @@ def attempt(
 
 
 def smooth_pairs(build: Builder, sol: Solution, driver: str) -> set[Any]:
-    """The pairs of groups of class III, which do not rub: (i, j) of hinges, the links that slide."""
+    """The pairs of groups of class IV, which do not rub: (i, j) of hinges, the links that slide."""
     order = ["0", driver, *(n for g in sol.groups for n in g)]
-    inside = {b.name for basic, leads, _ in build.triads for b in (basic, *leads)}
+    inside = {b.name for b in build.contours}
     pairs: dict[Any, tuple[str, str]] = {key: key for key in sol.hinges}
     pairs |= {i: (i, guide[1]) for i, guide in sol.guides.items()}
     return {key for key, pair in pairs.items() if max(pair, key=order.index) in inside}
@@ -660,8 +680,14 @@ def rub_hinges(rng: random.Random, scene: dict[str, Any], sol: Solution, size: f
         )
         pin = {"coefficient": rng.uniform(0.02, 0.2), "radius": rng.uniform(0.02, 0.1) * size}
         drawn.setdefault(name, pin if common else 10 ** rng.uniform(-2.5, -1.0))
-        apart |= {name} if (i, j) in smooth else set()
+        apart |= {name} if (i, j) in smooth or unmoved(sol, i, j) else set()
     scene.setdefault("friction", {}).update({k: v for k, v in drawn.items() if k not in apart})
+
+
+def unmoved(sol: Solution, *links: str) -> bool:
+    """Whether all these links stand still."""
+    most = max(abs(omega) for _, omega in sol.motion.values())
+    return all(abs(sol.motion[x][1]) <= 1e-12 * most for x in links if x in sol.motion)
 
 
 def build_points(scene: Mapping[str, Any], *links: str) -> list[str]:

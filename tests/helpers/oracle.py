@@ -175,8 +175,11 @@ def read(scene: Scene) -> Model:
     on = str(drive.get("on", FRAME))
     inner = [s.j for s in slides if s.i == driver and not revolving] if not revolving else [on]
     groups = order_of_groups(list(links), points, slides, driver, [n for n in inner if n != FRAME])
-    chain = list(itertools.chain.from_iterable(groups))
-    order = [FRAME, *chain] if driver in chain else [FRAME, driver, *chain]
+    order = [FRAME, *itertools.chain.from_iterable(groups)]
+    if driver not in order:
+        on_what = [n for n in inner if n != FRAME]
+        still = [n for other in on_what for two in standing(list(links), points, slides, (driver, other)) for n in two]
+        order.insert(1 + len(still), driver)
     hinges = []
     for name in dict.fromkeys(k for n in order for k in points[n]):
         base, *others = [n for n in order if name in points[n]]
@@ -204,13 +207,16 @@ def order_of_groups(
     solved: set[str] = {FRAME, driver}
     groups: list[tuple[str, ...]] = []
     for carrier in carriers:
-        held = {s.i for s in slides if s.j == FRAME} | {n for n in links if points[n].keys() & points[FRAME].keys()}
+        groups += standing(links, points, slides, (driver, carrier))
+        still = [FRAME, *itertools.chain.from_iterable(groups)]
+        moving = [n for n in links if n not in still]
+        held = {n for n in moving if any(joined(n, m, points, slides) for m in still)}
         if not held & {driver, carrier}:  # a cylinder across a hinge of two links, and the third one they move
-            groups.append(braced(links, points, held, driver, carrier))
-            solved = {FRAME, *groups[-1]}
+            groups.append(braced(moving, points, held, driver, carrier))
+            solved = {*still, *groups[-1]}
             continue
         free = next(n for n in (driver, carrier) if n not in held)
-        near = [n for n in links if n not in (driver, carrier) and points[n].keys() & points[free].keys()]
+        near = [n for n in moving if n not in (driver, carrier) and points[n].keys() & points[free].keys()]
         moved = next((n for n in near if n in held), "")
         if not moved:  # the two are a lead of a link that has two more on the frame
             moved = near[0]
@@ -218,7 +224,7 @@ def order_of_groups(
             groups.append((carrier, moved, *leads))
         else:
             groups.append((carrier, moved))
-        solved |= set(groups[-1])
+        solved |= {*still, *groups[-1]}
     while len(solved) <= len(links):
         known = {k for n in solved for k in points[n]}
         ends = [n for s in slides for n, other in ((s.i, s.j), (s.j, s.i)) if other in solved]
@@ -236,6 +242,35 @@ def order_of_groups(
             groups.append(whole)
             solved |= set(whole)
     return groups
+
+
+def standing(
+    links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair], drive: tuple[str, str]
+) -> list[tuple[str, str]]:
+    """Pairs of links, none of the drive's, that what stands still holds by a hinge each and that have one in common."""
+    still, found = [FRAME], list[tuple[str, str]]()
+
+    def outer(n: str) -> int:
+        known = {k for m in still for k in points[m]}
+        return sum(k in known for k in points[n]) + sum({s.i, s.j} == {n, m} for s in slides for m in still)
+
+    def meet(i: str, j: str) -> int:
+        known = {k for m in still for k in points[m]}
+        return sum(k not in known for k in points[i].keys() & points[j].keys()) + sum(
+            {s.i, s.j} == {i, j} for s in slides
+        )
+
+    while pair := next(
+        (
+            two
+            for two in itertools.combinations([n for n in links if n not in (*still, *drive)], 2)
+            if outer(two[0]) == outer(two[1]) == meet(*two) == 1
+        ),
+        None,
+    ):
+        found.append(pair)
+        still += pair
+    return found
 
 
 def joined(n: str, m: str, points: Mapping[str, Mapping[str, complex]], slides: list[Pair]) -> bool:

@@ -13,7 +13,7 @@ from planes import cycle, solve
 from planes.plans import plans_of, structure_of
 from planes.scene import loads
 from planes.words.errors import PlanesError, StructureError
-from tests.helpers.comparing import against, balanced, standing
+from tests.helpers.comparing import against, balanced, draw, standing, turned_about
 from tests.helpers.mechanisms import KINDS, make
 
 LIFT = """\
@@ -175,3 +175,61 @@ def test_random_mechanisms_driven_from_inside() -> None:
 def test_more_random_mechanisms_driven_from_inside(fifth: int) -> None:
     found = [e for seed in range(1000 + 80 * fifth, 1080 + 80 * fifth) if (e := examined(seed)) is not None]
     assert len(found) > 60 and max(found) <= 1e-9
+
+
+BOOM = """\
+planes: 1
+frame: {points: {O: [0, 0], K: [0.6, -0.3]}}
+links:
+  1: {points: {O: 0, L: 1.2, Q: [1.0, 0.4], D: 2.6, S1: 1.3}, centre: S1, mass: 400, inertia: 200}
+  2: {points: {K: 0, L: 1.1}}
+  3: {points: {Q: 0}, guides: {cyl: {through: Q, angle: 0}}}
+  4: {points: {P: 0}, slides: cyl}
+  5: {points: {D: 0, P: [-0.5, 0.2], T: 1.6, S5: 0.7}, centre: S5, mass: 150, inertia: 60}
+assembly: {L: left, P: left}
+drive: {link: 4, s: 1.3, velocity: 0.1, acceleration: 0.2}
+loads: [{link: 5, point: T, force: 5000, direction: 60}]
+gravity: 9.81
+"""
+
+
+def test_a_stick_on_a_boom_that_its_cylinder_holds() -> None:
+    """The boom stands; the cylinder works alone, and the rod that holds the boom bears what moments about O give."""
+    found = solve(loads(BOOM))
+    structure = structure_of(loads(BOOM).mechanism)  # type: ignore[arg-type]
+    assert structure.formula == "I(3;4) -> II(1;2) -> II(3-4;5)"
+    assert found.v["D"] == 0 == found.a["Q"] and abs(found.r["P"] - found.r["Q"]) == pytest.approx(1.3, rel=1e-13)
+    push = 5000 * cmath.exp(1j * math.radians(60))
+    power = (push * found.v["T"].conjugate()).real + (-150j * 9.81 * found.v["S5"].conjugate()).real
+    power -= 150 * (found.a["S5"] * found.v["S5"].conjugate()).real + 60 * found.epsilon["5"] * found.omega["5"]
+    assert found.value("Fb_4") * 0.1 == pytest.approx(-power, rel=1e-12)
+    of_all = [(push, "T"), (-150j * 9.81, "S5"), (-150 * found.a["S5"], "S5"), (-400j * 9.81, "S1")]
+    moment = sum((found.r[at].conjugate() * force).imag for force, at in of_all) - 60 * found.epsilon["5"]
+    held = found.value("F_20")
+    along = found.r["L"] - found.r["K"]
+    assert abs((held * along.conjugate()).imag) <= 1e-12 * abs(held * along)
+    assert (found.r["K"].conjugate() * held).imag == pytest.approx(-moment, rel=1e-11)
+
+
+def on_boom(seed: int) -> float | None:
+    """The worst number of one random mechanism driven on links that stand still."""
+    rng = random.Random(f"boom {seed}")
+    rubs = {"pins": seed % 4 < 2, "friction": seed % 5 == 0}
+    case = make(rng, rng.choices(KINDS, k=seed % 3), inner="boom", rest=seed % 7 == 0, **rubs)
+    if standing(case):
+        return None
+    drawn = draw(case.scene)
+    balanced(drawn, seed)
+    return max(turned_about(drawn, case).values()) * drawn.sharpest
+
+
+def test_random_mechanisms_on_what_stands_still() -> None:
+    found = [e for seed in range(8) if (e := on_boom(seed)) is not None]
+    assert len(found) > 5 and max(found) <= 1e-11
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("half", range(2))
+def test_more_random_mechanisms_on_what_stands_still(half: int) -> None:
+    found = [e for seed in range(1000 + 60 * half, 1060 + 60 * half) if (e := on_boom(seed)) is not None]
+    assert len(found) > 40 and max(found) <= 1e-9

@@ -7,6 +7,8 @@ from itertools import combinations_with_replacement
 
 import pytest
 
+from planes.words.errors import PlanesError
+from tests.helpers.comparing import against, balanced, draw, standing
 from tests.helpers.mechanisms import KINDS, make
 from tests.plans.test_against_oracle import examine
 
@@ -19,6 +21,37 @@ def test_every_mixture_of_leads_with_loads_on_every_link(leads: str) -> None:
     for seed in range(4):
         rng = random.Random(f"{leads} {seed}")
         examine(make(rng, ["-".join(rng.sample(leads.split("-"), 3))]))
+
+
+def rubbing(seed: int) -> float | None:
+    """The worst number of a mechanism in which hinges and guides rub; None where something stands still."""
+    rng = random.Random(f"rubbing {seed}")
+    kinds = ["-".join(rng.choice(LEADS) for _ in LEADS), *rng.choices(KINDS, k=seed % 2)]
+    case = make(rng, kinds[:: rng.choice((1, -1))], friction=seed % 3 > 0, pins=seed % 3 < 2, rest=seed % 7 == 0)
+    if standing(case):
+        return None
+    drawn, wrong = against(case)
+    balanced(drawn, seed)
+    return max(wrong.values()) * drawn.sharpest
+
+
+def test_with_friction_in_hinges_and_guides() -> None:
+    found = [e for seed in range(9) if (e := rubbing(seed)) is not None]
+    assert len(found) > 6 and max(found) <= 1e-11
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("half", range(2))
+def test_more_with_friction_in_hinges_and_guides(half: int) -> None:
+    found = [e for seed in range(1000 + 75 * half, 1075 + 75 * half) if (e := rubbing(seed)) is not None]
+    assert len(found) > 50 and max(found) <= 1e-9
+
+
+def test_friction_that_locks_a_group_is_one_sentence() -> None:
+    case = make(random.Random("locks"), ["RR-PR-RR"], friction=True, sliding=False)
+    locked = {**case.scene, "friction": dict.fromkeys(case.scene["friction"], 50.0)}
+    with pytest.raises(PlanesError, match=r"friction T_.* does not settle"):
+        draw(locked)
 
 
 def test_after_and_before_dyads() -> None:
