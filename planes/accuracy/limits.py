@@ -128,6 +128,8 @@ def find(bench: Comparison) -> Limit | None:
     if along:
         return along
     held = bluntest(bench)
+    if len(bench.plans.structure.dyads) < len(bench.plans.structure.groups):
+        return None  # an assembly is followed along the drive: what ends with an altered length, turning curves tell
     names = alterable(bench.plans, bench.cycle.program.givens)
     found = [next(_limits(MovedGiven(bench, name, held)), None) for name in names]
     return min((x for x in found if x), key=lambda x: x.way.away(x.value), default=None)

@@ -173,7 +173,7 @@ def chart(args: Namespace) -> int:
     """Speed, accuracy and stability of the methods."""
     from planes.documents.charts import draw_chart
 
-    draw_chart(scene_of(args), args.output, args.table, args.lang)
+    draw_chart(scene_of(args), args.output, args.table, args.lang, length=args.length)
     return 0
 
 

@@ -67,7 +67,11 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--errors", "cycle_errors", FLAG),
         ("--plain", "slow", FLAG),
     ),
-    "chart": (("-o --output", "chart_output", OUTPUT), ("--table", "table", FILE)),
+    "chart": (
+        ("-o --output", "chart_output", OUTPUT),
+        ("--table", "table", FILE),
+        ("--length", "chart_length", {"metavar": "NAME"}),
+    ),
     "crank-slider": (
         ("-o --output", "report", FILE),
         ("--json", "object", FLAG),

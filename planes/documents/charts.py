@@ -9,27 +9,38 @@ from planes.accuracy.comparison import OtherProgram
 from planes.accuracy.limits import Limit
 from planes.accuracy.methods import Method, front, machine, measure, method_name
 from planes.accuracy.stability import Approach, approach
-from planes.plans import plans_of
+from planes.accuracy.turning import Turning, turned, turning
+from planes.accuracy.variation import alterable
+from planes.plans import Plans, plans_of
 from planes.scene import Scene
 from planes.scene.files import keep, sayable
 from planes.scene.mechanism import Mechanism
 from planes.solving import told
 from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, choices
 from render.charts import METADATA
 from render.charts.method_charts import draw
 
 DIGITS = "30"  # of the numbers on the way to a limit
 
 
-def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang, others: Sequence[OtherProgram] = ()) -> None:
-    """Draw speed against accuracy, and stability, into a file, programs by ``others`` beside ours."""
+def draw_chart(
+    scene: Scene,
+    output: str,
+    table: str | None,
+    lang: Lang,
+    others: Sequence[OtherProgram] = (),
+    length: str | None = None,
+) -> None:
+    """Draw speed against accuracy, stability, and turning curves as a ``length`` varies (None: that which is altered
+    the least until something turns) into a file, programs by ``others`` beside ours."""
     path = Path(output)
     if path.suffix.lower() not in METADATA:
         raise PlanesError(Phrase("chart_suffix", file=output, suffixes=", ".join(METADATA)))
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     plans = plans_of(moving(scene.mechanism), scene.file)
+    turn = turning_of(plans, length)
     methods, way = measure(plans, others), approach(plans, others)
     beneath, names = (
         (axis(way.limit, lang), {key: method_name(key, DIGITS, lang) for key in way.errors}) if way else ("", {})
@@ -37,9 +48,30 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang, others:
     name, cores = machine()
     seconds = f"{say('chart_seconds', lang)}\n{say('chart_machine', lang, name=name, cores=cores)}"
     with sayable(output):
-        draw(path, scene.title.get(lang, ""), methods, seconds, way, beneath, names, lang)
+        beside = (turn, say(f"chart_drive_{plans.mechanism.drive.kind}", lang)) if turn else None
+        draw(path, scene.title.get(lang, ""), methods, seconds, way, beneath, names, lang, beside)
     if table:
-        keep(text(methods, way, lang).encode(), table)
+        keep((text(methods, way, lang) + turning_text(turn, plans.mechanism.drive.kind, lang)).encode(), table)
+
+
+def turning_of(plans: Plans, length: str | None) -> Turning | None:
+    """The turning curves of a length, or of the one nearest to turning something."""
+    names = alterable(plans, [n for n in plans.program.givens if n in plans.lengths])
+    if length is None:
+        return turned(plans, names)
+    if length not in names:
+        raise PlanesError(Phrase("chart_no_length", name=length, valid=choices(length, names)))
+    return turning(plans, length)
+
+
+def turning_text(turn: Turning | None, kind: str, lang: Lang) -> str:
+    """The turning curves as CSV: a number for each curve, the drive's value and the length."""
+    if turn is None:
+        return ""
+    lines = ["", f'"{say("chart_curve", lang)}","{say(f"chart_drive_{kind}", lang)}","{turn.name}, m"']
+    for k, curve in enumerate(turn.curves, 1):
+        lines += [f"{k},{x:.10g},{y:.10g}" for x, y in zip(curve.values, curve.lengths, strict=True)]
+    return "\n".join(lines) + "\n"
 
 
 def moving(mechanism: Mechanism) -> Mechanism:

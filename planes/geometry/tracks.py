@@ -59,3 +59,31 @@ def newton(ties: Sequence[Tie], origin: Point, axis: Point) -> tuple[Point, Poin
     half = 0.5 * turn
     turned = (1 + 1j * half) * (1 + 1j * half) / (1 + half * half)
     return origin + shift, axis * turned, abs(shift) + abs(turn), det
+
+
+def closure(ties: Sequence[Tie], axis: Point) -> Real:
+    """What is left of three ties when the link lies along ``axis``, its place eliminated: nothing where it can lie so.
+
+    It is a trigonometric polynomial of the link's angle, of a degree below ``DEGREE``; not scaled.
+    """
+    base = next((t for t in ties if t.kind == "arc"), ties[0])
+    (a, p), (b, q) = (_row(t, base, axis) for t in ties if t is not base)
+    place, divisor = 1j * (p * b - q * a), plane.cross(a, b)
+    if base.kind == "arc":
+        return place.real * place.real + place.imag * place.imag - (base.reach * divisor) ** 2
+    c, r = _row(base, base, axis)
+    return plane.dot(c, place) - r * divisor
+
+
+DEGREE = 5
+
+
+def _row(tie: Tie, base: Tie, axis: Point) -> tuple[Point, Real]:
+    """A tie as dot(a, Y) = p, where Y is how the base's point lies to the base's place."""
+    off = (tie.local - base.local) * axis - (tie.place - base.place)
+    if tie.kind == "guide":
+        way = tie.turn * axis
+        return 1j * way, -plane.cross(way, off) - tie.reach
+    if tie.kind == "line":
+        return 1j * tie.turn, tie.reach - plane.cross(tie.turn, off)
+    return off, (tie.reach * tie.reach - base.reach * base.reach - plane.dot(off, off)) / 2

@@ -1,4 +1,4 @@
-"""Two charts of methods: speed against accuracy with its front, and errors on the way to a limit of assembly."""
+"""Charts of methods: speed against accuracy with its front, errors on the way to a limit, and turning curves."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import cycle
@@ -11,8 +11,10 @@ from matplotlib.figure import Figure
 
 from planes.accuracy.methods import Method, front
 from planes.accuracy.stability import Approach
+from planes.accuracy.turning import Turning
 from planes.words import Lang, say
 from render.charts import OF_FILES, beside, save
+from render.charts.turning_chart import draw_turning
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
 Look = tuple[int, str, Any]
@@ -41,18 +43,23 @@ def draw(
     axis: str,
     names: Mapping[str, str],
     lang: Lang,
+    turn: tuple[Turning, str] | None = None,
 ) -> None:
-    """Both charts side by side, in a file by its suffix; ``seconds`` says what was timed, and on which machine,
-    ``axis`` what the distances to a limit are, ``names`` what its methods are called."""
+    """The charts side by side, in a file by its suffix; ``seconds`` says what was timed, and on which machine,
+    ``axis`` what the distances to a limit are, ``names`` what its methods are called; ``turn`` the turning curves and
+    what their drive is called."""
+    count = 1 + (way is not None) + (turn is not None)
     with rc_context(OF_FILES):
-        figure = Figure(figsize=(12.6 if way else 8.0, 5.6), dpi=150, layout="constrained")
+        figure = Figure(figsize=(8.0 if count == 1 else 6.3 * count, 5.6), dpi=150, layout="constrained")
         figure.suptitle(title, fontsize=10.5)
-        plots = figure.subplots(1, 1 if way is None else 2, squeeze=False)[0]
+        plots = figure.subplots(1, count, squeeze=False)[0]
         _speed(plots[0], spots, seconds, lang)
         if way is None:
-            plots[0].set_title(say("chart_no_limit", lang), fontsize=10)
+            plots[0].set_title(say("chart_no_limit" if turn is None else "chart_speed", lang), fontsize=10)
         else:
             _stability(plots[1], way, axis, names, lang)
+        if turn:
+            draw_turning(plots[-1], *turn, lang)
         save(figure, path)
 
 

@@ -104,8 +104,16 @@ class DropFalse(ByLeads, Drop):
         return self.lines
 
 
+class TwoPlaces(Step):
+    """A step with two places, of which a side is meant: they meet, and part, where it can only just be drawn."""
+
+    def opening(self, env: Env) -> Real:
+        """Positive where it can be drawn, negative where it cannot, and smooth between them: mm² or mm⁴."""
+        raise NotImplementedError
+
+
 @dataclass(frozen=True)
-class CrossArc(Step):
+class CrossArc(TwoPlaces):
     """Cross a line with an arc of a given radius (SI) about a mark; ``side`` +1 is ahead along the line.
 
     ``arm`` names the mark, direction and length the centre was laid off by, for instruments without errors.
@@ -139,9 +147,14 @@ class CrossArc(Step):
         tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
         return tool.mark(place)
 
+    def opening(self, env: Env) -> Real:
+        radius = env[self.radius] * env[self.mu]
+        height = plane.cross(env[self.along], env[self.centre] - env[self.start])
+        return (radius - height) * (radius + height)
+
 
 @dataclass(frozen=True)
-class CrossArcs(Step):
+class CrossArcs(TwoPlaces):
     """Cross two arcs (засечки); ``side`` +1 is to the left of the way from ``centre`` to ``other``."""
 
     centre: str
@@ -164,9 +177,15 @@ class CrossArcs(Step):
         tool.require(abs(other - centre) > slack, self, "arcs_coincide")
         return tool.mark(place)
 
+    def opening(self, env: Env) -> Real:
+        r, s = env[self.radius] * env[self.mu], env[self.other_radius] * env[self.mu]
+        apart = env[self.other] - env[self.centre]
+        square = plane.dot(apart, apart)
+        return ((r + s) ** 2 - square) * (square - (r - s) ** 2)
+
 
 @dataclass(frozen=True)
-class Touch(Step):
+class Touch(TwoPlaces):
     """The direction of the line through ``start`` that passes ``end`` at a given offset (SI) to its left: the
     tangent to a circle, or simply the line through both when ``offset`` is None."""
 
@@ -187,3 +206,8 @@ class Touch(Step):
         tool.require(miss <= slack, self, "circle_large", miss_mm=miss)
         tool.require(abs(end - start) > slack, self, "points_meet", miss_mm=miss)
         return u
+
+    def opening(self, env: Env) -> Real:
+        offset = env[self.offset] * env[self.mu] if self.offset else 0.0
+        apart = env[self.end] - env[self.start]
+        return plane.dot(apart, apart) - offset * offset

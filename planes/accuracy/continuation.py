@@ -1,0 +1,124 @@
+"""A curve followed: where n equations of n + 1 numbers hold, by Newton's steps across the way the curve leads on."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from planes.geometry.arrays import Array
+
+Equations = Callable[[Array], Array]
+"""Of many points, a column each: what is left of every equation, a row each; NaN where nothing can be said."""
+TINY = 1e-6  # between the points slopes are taken of
+SETTLED = 1e-11  # the last of Newton's steps is no longer
+NEWTON = 12  # steps, at most
+PLAIN = 1e-7  # slopes that tell less than this apart lead no way: equations may hold there, but no curve is told
+STRAIGHT = 0.97  # cosine of how far a step may turn
+SHORTEST = 2.0**-12  # of the step: a curve that asks for shorter ones is at its end
+LONGEST = 4000  # steps to one side
+ON = 0.12  # of the step: a place this near to a curve is on it
+
+
+@dataclass(frozen=True)
+class Room:
+    """Where curves are followed: between ``low`` and ``high``, round about in what has a period (else 0)."""
+
+    low: Array
+    high: Array
+    periods: Array
+    step: float
+
+    def holds(self, place: Array) -> bool:
+        """Whether a place is within."""
+        ends = self.periods == 0
+        return bool(np.all((place >= self.low)[ends]) and np.all((place <= self.high)[ends]))
+
+    def apart(self, one: Array, two: Array) -> Array:
+        """From one place to another, or to many, the shorter way round."""
+        gap = two - one
+        round_about = np.where(self.periods > 0, self.periods, 1.0)
+        return np.where(self.periods > 0, gap - round_about * np.round(gap / round_about), gap)
+
+
+@dataclass
+class Curves:
+    """The curves found so far, each a row for each place along it."""
+
+    equations: Equations
+    room: Room
+    found: list[Array] = field(default_factory=list)
+
+    def add(self, near: Array, reach: float) -> None:
+        """Follow the curve near a place, no farther than ``reach`` from it, if it is none of those."""
+        start = self.settled(near)
+        if start is None or np.linalg.norm(self.room.apart(near, start)) > reach or not self.room.holds(start):
+            return
+        if any(self._on(curve, start) for curve in self.found):
+            return
+        way = self.way(start)
+        ahead = [start, *self._side(start, way)]
+        closed = len(ahead) > 3 and np.linalg.norm(self.room.apart(start, ahead[-1])) < 1e-9
+        behind = [] if closed else list(self._side(start, -way))
+        self.found.append(np.array([*behind[::-1], *ahead]))
+
+    def settled(self, near: Array) -> Array | None:
+        """The place on a curve by Newton's steps, each the shortest that serves."""
+        place = near
+        for _ in range(NEWTON):
+            left, slopes = self._slopes(place)
+            if not (np.isfinite(left).all() and np.isfinite(slopes).all()):
+                return None
+            step = np.linalg.lstsq(slopes, left, rcond=None)[0]
+            place = place - step
+            if np.linalg.norm(step) < SETTLED:
+                sizes = np.linalg.svd(slopes, compute_uv=False)
+                return place if sizes[-1] > PLAIN * sizes[0] else None
+        return None
+
+    def way(self, place: Array) -> Array:
+        """The direction in which none of the equations changes."""
+        return np.asarray(np.linalg.svd(self._slopes(place)[1])[2][-1])
+
+    def _slopes(self, place: Array) -> tuple[Array, Array]:
+        """What is left at a place, and the slopes of that."""
+        by = TINY * np.eye(len(place))
+        left = self.equations(place[:, None] + np.hstack([np.zeros((len(place), 1)), by, -by]))
+        ahead, behind = left[:, 1 : len(place) + 1], left[:, len(place) + 1 :]
+        return left[:, 0], (ahead - behind) / (2 * TINY)
+
+    def _side(self, start: Array, way: Array) -> Iterator[Array]:
+        """Places to one side: as far as the room goes, or the curve, or back to the start."""
+        place, step = start, self.room.step / 4
+        for gone in range(LONGEST):
+            while step > self.room.step * SHORTEST:
+                found = self._next(place, way, step)
+                if found:
+                    break
+                step /= 2
+            else:
+                return
+            back = self.room.apart(place, start)
+            if gone > 2 and np.linalg.norm(back) < 1.5 * step and back @ way > 0:
+                yield place + back  # the start again
+                return
+            place, way = found
+            yield place
+            if not self.room.holds(place):
+                return
+            step = min(2 * step, self.room.step)
+
+    def _next(self, place: Array, way: Array, step: float) -> tuple[Array, Array] | None:
+        """The next place and the way on, if the curve turns little till there."""
+        ahead = self.settled(place + step * way)
+        if ahead is None or abs(np.linalg.norm(ahead - place) / step - 1) > 0.1:
+            return None
+        on = self.way(ahead)
+        on = on if on @ way > 0 else -on
+        return (ahead, on) if on @ way > STRAIGHT else None
+
+    def _on(self, curve: Array, place: Array) -> bool:
+        """Whether a place is on a curve."""
+        one = self.room.apart(place, curve[:-1])
+        along = self.room.apart(curve[:-1], curve[1:])
+        part = np.clip(-(one * along).sum(axis=1) / np.maximum((along * along).sum(axis=1), 1e-300), 0.0, 1.0)
+        return bool((np.linalg.norm(one + part[:, None] * along, axis=1) < ON * self.room.step).any())

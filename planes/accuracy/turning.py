@@ -1,0 +1,56 @@
+"""Turning curves: where motion ends, or two assemblies meet, as one length varies; whole curves, not one path."""
+
+import math
+from dataclasses import dataclass
+
+from planes.accuracy.length_field import LengthField
+from planes.geometry.arrays import Array, Indices
+from planes.plans import Plans
+
+TIMES, WIDEST = 2.0, 6.0  # how many times longer or shorter the length is made, and where that turns nothing
+
+
+@dataclass(frozen=True)
+class TurningCurve:
+    """One curve: the drive's ``values`` (degrees or m) and the ``lengths`` (m) at which what makes ``mark`` turns."""
+
+    mark: str
+    values: Array
+    lengths: Array
+
+
+@dataclass(frozen=True)
+class Turning:
+    """All of a length: the curves, and how many assemblies there are on a grid of ``lengths`` (rows) and ``values``.
+
+    Groups that hang on a group of class III or IV have no part in it where they are not ``whole``.
+    """
+
+    name: str
+    here: tuple[float, float]
+    curves: tuple[TurningCurve, ...]
+    values: Array
+    lengths: Array
+    count: Indices
+    whole: bool
+
+
+def turning(plans: Plans, name: str, times: float = TIMES) -> Turning:
+    """The turning curves of a mechanism as the length ``name`` varies."""
+    field = LengthField(plans, name, times)
+    places = [(step.makes, found) for step in field.steps for found in field.curves(step)]
+    curves = [TurningCurve(mark, field.value(at[:, 0]), field.length(at[:, 1])) for mark, at in places]
+    here = plans.mechanism.drive.position, plans.lengths[name]
+    values, lengths = field.value(field.across), field.length(field.up)
+    return Turning(name, here, tuple(curves), values, lengths, field.count, field.whole)
+
+
+def turned(plans: Plans, names: list[str]) -> Turning | None:
+    """The same of the length that has to be altered the least until a position comes to be, or goes; None where none of
+    them does that within ``WIDEST``."""
+    for times in (TIMES, WIDEST):
+        fields = [LengthField(plans, name, times) for name in names]
+        gone = {f.name: f.gone for f in fields}
+        if gone and min(gone.values()) < math.inf:
+            return turning(plans, min(names, key=lambda name: gone[name]), times)
+    return None
