@@ -72,7 +72,7 @@ def _names(thing: object, key: str = "") -> Iterator[str]:
             yield from _names(inside, one)
     elif isinstance(thing, str):
         yield from NAME.findall(thing)
-        if key in ("name", "names", "terms", "action", "fixed", "of"):
+        if key in ("name", "names", "terms", "action", "fixed", "of", "arm"):
             yield thing.lstrip("+-" if key == "action" else "")
     elif isinstance(thing, (list, tuple)) and key not in ("marks", "turned", "values"):
         for inside in thing:
