@@ -34,7 +34,8 @@ def test_a_chart_and_its_table(tmp_path: Path, quick: None) -> None:
     scene = str(SAMPLES / "kind-2-rrp.yaml")
     assert main(["chart", scene, "-o", str(out), "--table", str(table), "--lang", "en"]) == 0
     assert out.read_text(encoding="utf-8").startswith("<?xml")
-    speed, ways = (list(csv.reader(part.splitlines())) for part in table.read_text(encoding="utf-8").split("\n\n"))
+    parts = table.read_text(encoding="utf-8").split("\n\n")
+    speed, ways, turning = (list(csv.reader(part.splitlines())) for part in parts)
     assert speed[0] == ["method", "s", "error", "Pareto front"]
     names = [row[0] for row in speed[1:]]
     assert {"exact, one by one", "exact, by arrays", "50 digits", "Newton's iteration"} <= set(names)
@@ -46,6 +47,14 @@ def test_a_chart_and_its_table(tmp_path: Path, quick: None) -> None:
         "claimed error",
     ]
     assert [float(row[0]) for row in ways[1:]] == pytest.approx([1e-1, 1e-4, 1e-7, 1e-10, 1e-13], rel=0.02)
+    assert turning[0] == ["curve", "angle of the driver, °", "l_BC, m"] and len(turning) > 50
+    assert max(float(row[2]) for row in turning[1:]) == pytest.approx(0.075, abs=1e-4)
+
+
+def test_a_length_that_is_none_is_told_with_those_there_are(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    out = str(tmp_path / "c.png")
+    assert main(["chart", str(SAMPLES / "six-link.yaml"), "--length", "l_XY", "-o", out, "--lang", "en"]) == 2
+    assert "no length l_XY that can be altered alone; valid: l_AB, l_BC, l_DC" in capsys.readouterr().err
 
 
 @pytest.mark.slow
