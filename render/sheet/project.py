@@ -127,7 +127,7 @@ class Project:
                 found = aligned(position.plans, c.scene.file)
             except PlanesError:
                 return None
-            return replace(alignment_told(found, c.naming, say("self_aligning", c.lang), letter), extra=True)
+            return alignment_told(found, c.naming, say("self_aligning", c.lang), letter)
 
         return c.once(("self-aligning", letter), make)
 
