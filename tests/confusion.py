@@ -73,7 +73,8 @@ class Easel:
         return {n: drawn.marks[n.lower() + "'"] for n in m.sol.points if n.lower() + "'" in drawn.marks}
 
 
-UNDRAWN = ("lift", "hinge-motor", "folding-boom", "friction-circles")  # driven from inside; friction in hinges
+# driven from inside; friction in hinges
+UNDRAWN = ("lift", "hinge-motor", "folding-boom", "excavator", "friction-circles")
 
 
 @cache

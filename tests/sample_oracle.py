@@ -57,11 +57,19 @@ SKETCHES: dict[str, dict[str, Pose]] = {
         "4": (0, 0.5, 12),
         "5": (1, 0.1, 111),
     },
+    "excavator": {
+        "1": (0, 0, 38),
+        "2": (0.6, -0.3, 72),
+        "3": (0.53, 0.94, 40),
+        "4": (1.52, 1.78, 40),
+        "5": (2.04, 1.62, 4),
+    },
     "friction-circles": {"1": (0, 0, 65), "2": (0.04, 0.09, -13), "3": (0.43, 0, 0)},
     "sliding-driver": {"1": (0.15, 0, 0), "2": (0.15, 0, 65), "3": (0.45, 0.12, 128)},
 }
 KINDS = ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp")
-UNPUBLISHED = (*KINDS, "shaper", "sliding-driver", "lift", "hinge-motor", "folding-boom", "friction-circles")
+INSIDE = ("lift", "hinge-motor", "folding-boom", "excavator")
+UNPUBLISHED = (*KINDS, "shaper", "sliding-driver", *INSIDE, "friction-circles")
 WORDS = ("title", "note", "plans", "assembly", "parameters", "variants", "planes", "find", "sheet")
 
 

@@ -5,6 +5,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count, groupby
+from pathlib import Path
 from typing import ClassVar
 
 from planes.lesson import Teller, value_of
@@ -82,7 +83,8 @@ class Note:
         where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
         asked = tuple(f"⟨{name}⟩" for name in self.sought())
-        yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", title=title, drive=where, names=asked))
+        named = {"title": title or Path(self.scene.file).stem, "drive": where, "names": asked}
+        yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", **named))
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
         rows = GivenTable(self.position, self.naming, self.scene.parameters).rows()
         yield from self.table(self.given_table, head, [*rows, *self.laws()])

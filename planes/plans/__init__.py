@@ -82,7 +82,8 @@ def _stated(bodies: Bodies) -> Plans:
     statics = Statics(bodies, acting)
     draw_forces(statics)
     zhukovsky = draw_lever(statics)
-    links = {name: _link_values(draft, body, velocity, acceleration) for name, body in bodies.known.items()}
+    placed = ((name, bodies.known[name]) for name in (FRAME, *mechanism.links))
+    links = {name: _link_values(draft, body, velocity, acceleration) for name, body in placed}
     proofs = proofs_of(statics, velocity, acceleration, zhukovsky)
     points = {p: PointMarks(at(SCHEME, p), velocity.mark(p), acceleration.mark(p)) for p in mechanism.names}
     program = Program(tuple(draft.steps.values()), proofs)

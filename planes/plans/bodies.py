@@ -89,6 +89,7 @@ class Bodies:
     labels: dict[str, str] = field(default_factory=dict)
     reach: BraceReach | None = None
     specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
+    standing: set[str] = field(default_factory=lambda: {FRAME})  # links that never move
     coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
 
     def apart(self) -> "Bodies":

@@ -85,8 +85,9 @@ class Rates:
 
     def dyad(self, group: Group) -> None:
         """The new point of a group of class II by its two legs, then every point of its links."""
-        legs = legs_of(self.bodies, group)
-        self.solve(legs[0].new.name, self.chain(legs[0]), self.chain(legs[1]), legs)
+        if group.first not in self.bodies.standing:
+            legs = legs_of(self.bodies, group)
+            self.solve(legs[0].new.name, self.chain(legs[0]), self.chain(legs[1]), legs)
         for link in group.whole:
             self.show_points(link)
 

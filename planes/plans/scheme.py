@@ -26,10 +26,21 @@ def place_all(b: Bodies) -> None:
         if isinstance(group, Group):
             braced = place_braced if group.brace else place_driven
             (braced if group.drive else PLACERS[group.kind])(b, group)
+            if stands(b, group):
+                b.standing |= {*group.links}
+                for link in group.links:
+                    b.known[link].root = FRAME
         elif isinstance(group, Triad):
             place_triad(b, group)
         else:
             place_contour(b, group)
+
+
+def stands(b: Bodies, g: Group) -> bool:
+    """Whether both links of a dyad hang by hinges on what stands still, as they then do."""
+    if g.drive or any(pair.kind == "P" for pair in g.pairs):
+        return False
+    return {g.first_outer.mate(g.first), g.last_outer.mate(g.last)} <= b.standing
 
 
 def _place_driver(b: Bodies) -> None:

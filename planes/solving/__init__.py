@@ -93,7 +93,8 @@ class Position(Pictured):
             found = self.results["plans"][plan]["segments"].get(s.start + s.end)
             if found and found["name"] == s.name:
                 whole = points and s.start == POLE and at(plan, s.end) not in self.drawing.program.corners
-                point = points.get(s.end) or s.end.rstrip("'").upper()
+                letter, _, false = s.end.rstrip("'").partition("_")
+                point = points.get(s.end) or letter.upper() + (f"^{false}" if false else "")
                 yield (f"{plan[0]}_{point}" if whole else s.name), s, found
 
     def value(self, name: str) -> float | complex:

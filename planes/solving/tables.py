@@ -88,7 +88,8 @@ def _links(links: dict[str, Row], lang: Lang, e: Json | None, driver: str) -> li
 
 def _slides(p: Position, lang: Lang, e: Json | None) -> list[str]:
     slides, rows = p.rows("slides"), []
-    fast, quick = _largest(slides.values(), "v"), _largest(slides.values(), "a")
+    moving = (*slides.values(), *p.rows("points").values())
+    fast, quick = _largest(moving, "v"), _largest(moving, "a")
     for n, v in slides.items():
         numbers: list[str] = []
         for k, most in (("v", fast), ("a", quick)):

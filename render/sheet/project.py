@@ -119,7 +119,8 @@ class Project:
         return c.once(("groups", position.scales[mu_of("position")], letter), make)
 
     def self_aligning(self, position: Position, letter: float) -> View | None:
-        """The variant without redundant constraints: its count, and the signs of its pairs."""
+        """The variant without redundant constraints: its count, and the signs of its pairs. Only where a scene names a
+        format that has no room for it, is it left out."""
         c = self.composer
 
         def make() -> View | None:
@@ -127,7 +128,8 @@ class Project:
                 found = aligned(position.plans, c.scene.file)
             except PlanesError:
                 return None
-            return replace(alignment_told(found, c.naming, say("self_aligning", c.lang), letter), extra=True)
+            told = alignment_told(found, c.naming, say("self_aligning", c.lang), letter)
+            return replace(told, extra=c.scene.sheet.get("format", "auto") != "auto")
 
         return c.once(("self-aligning", letter), make)
 

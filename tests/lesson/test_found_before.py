@@ -18,6 +18,7 @@ from planes.scene import load
 from planes.solving import solve
 from planes.solving.document import DocumentTable, Paragraph
 from planes.words.names import at
+from planes.words.units import number
 from tests.helpers import ROOT
 
 SCENES = sorted(p for f in ("", "assignments") for p in (ROOT / "samples" / f).glob("*.yaml") if p.stem != "vectors")
@@ -75,7 +76,7 @@ def test_inertia_arms_and_single_links_are_told():
     assert "its arm is zero and it gives no moment" in told
 
 
-@pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-3-rpr", "folding-boom"])
+@pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-3-rpr", "folding-boom", "hinge-motor", "excavator"])
 def test_the_polygon_of_a_single_link_is_lit_on_the_plan_of_its_group_and_closes(name):
     scene = load(ROOT / "samples" / f"{name}.yaml")
     here = solve(scene).positions[0]
@@ -97,7 +98,8 @@ def test_no_balancing_moment_is_told_to_be_nothing_that_is_not(name):
     assert not found or told.plans.balancing not in found
 
 
-MOMENTS = [ROOT / "samples" / f"{name}.yaml" for name in ("six-link", "kind-2-rrp", "kind-4-prp", "folding-boom")]
+DYADS = ("six-link", "kind-2-rrp", "kind-4-prp", "folding-boom", "hinge-motor", "excavator")
+MOMENTS = [ROOT / "samples" / f"{name}.yaml" for name in DYADS]
 MOMENTS += [*(ROOT / "samples" / "class-three").glob("*.yaml"), ROOT / "samples" / "class-four" / "tray.yaml"]
 
 
@@ -119,3 +121,15 @@ def test_terms_of_moments_have_the_signs_they_are_told_with(path):
             total += sign * prod(abs(value(name)) for how, name, _ in SLOT.findall(term) if how == "a")
         by = prod(abs(value(n)) if n.startswith("h_") else value(n) for n in over)
         assert value(unknown) * by == pytest.approx(total, rel=1e-9, abs=1e-9), frame.said["en"]
+
+
+def test_a_motor_in_a_hinge_is_told_by_how_one_link_turns_on_the_other():
+    """The given turning is of link 2 on link 1: across its arm, with Coriolis by link 1; and ω₂ is their sum."""
+    told, here = sentences("hinge-motor"), solve(load(ROOT / "samples/hinge-motor.yaml")).positions[0]
+    first, second = (number(here.omega[x], "en") for x in "12")
+    assert "⟨v_BB1⟩ = ⟨omega_2_1⟩ · ⟨l_AB⟩ = (−0.6) · 0.45 = −0.27 m/s" in told
+    assert f"⟨omega_2⟩ = ⟨omega_1⟩ + ⟨omega_2_1⟩ = {first} + (−0.6) = {second} rad/s" in told
+    coriolis = number(2 * here.omega["1"] * -0.27, "en")
+    assert f"⟨a_BB1^k⟩ = 2 · ⟨omega_1⟩ · ⟨v_BB1⟩ = 2 · {first} · (−0.27) = {coriolis} m/s²" in told
+    assert "⟨a_BB1^n⟩ = ⟨omega_2_1⟩² · ⟨l_AB⟩ = (−0.6)² · 0.45 = 0.162 m/s²" in told
+    assert f"= {number(here.value('M_2'), 'en')} N·m" in told and "⟨MZ_2⟩ · ⟨omega_2_1⟩ = " in told
