@@ -15,7 +15,10 @@ from planes.scene.mechanism import Drive, Mechanism
 from planes.words.errors import StructureError
 from tests.helpers import ROOT
 
-SAMPLES = (*(f"class-three/{n}" for n in ("guide", "press", "rods", "slider", "stephenson")), "class-four/tray")
+SAMPLES = (
+    *(f"class-three/{n}" for n in ("guide", "press", "rods", "slider", "stephenson", "truss")),
+    "class-four/tray",
+)
 CHAIN = """\
 planes: 1
 frame: {points: {O: [0, 0], E: [0.5, 0.3], F: [0.9, -0.3], G: [1.3, 0.2]}}

@@ -5,6 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 import random
+import re
+from collections.abc import Mapping
 from itertools import combinations_with_replacement
 
 import numpy as np
@@ -12,12 +14,15 @@ import pytest
 from flint import fmpq, fmpq_poly
 
 from planes.batch import Cycle, compiled
+from planes.drafting.tools import Thing
 from planes.geometry import plane
 from planes.geometry.sextic import assemblies
 from planes.geometry.tracks import Tie
 from planes.plans import plans_of
+from planes.plans.scales import drawn_in_si
 from planes.scene import loads
 from planes.words.errors import SceneError
+from tests.helpers import ROOT
 
 KINDS = ("arc", "line", "guide")
 OVER = fmpq_poly([1, 0, 1])
@@ -45,6 +50,29 @@ def test_published_six() -> None:
     found = turns(held([0, 15.91, 10j], [0, a, complex(x, math.sqrt(b * b - x * x))], [14.98, 15.38, 12.0]))
     wanted = [-56.5494583167, -2.7118877033, 14.0552008002, 33.5565786564, 57.4125792459, 122.206418227]
     assert found == pytest.approx(wanted, abs=1e-9)
+
+
+PUBLISHED = [-56.5494583167, -2.7118877033, 14.0552008002, 33.5565786564, 57.4125792459, 122.206418227]
+
+
+def test_the_truss_of_the_samples_has_the_six_published_assemblies() -> None:
+    """A scene that does not say which is meant is told six; each is chosen by its place, and leans as published."""
+    text = (ROOT / "samples" / "class-three" / "truss.yaml").read_text(encoding="utf-8")
+    text = re.sub(r"(?m)^assembly:.*\n", "", text)
+    with pytest.raises(SceneError, match="assembles in 6 places") as caught:
+        drawn(text)
+    leaning = []
+    for near in re.findall(r"near: (\[[^]]*\])", str(caught.value)):
+        things = drawn(text + f"assembly: {{D: {{near: {near}}}}}\n")
+        leaning.append(math.degrees(cmath.phase(things["position:C"] - things["position:B"])))
+    assert leaning == pytest.approx(PUBLISHED, abs=1e-9)
+
+
+def drawn(text: str) -> Mapping[str, Thing]:
+    """The scheme where the drive stands in the file."""
+    mechanism = loads(text).mechanism
+    assert mechanism
+    return drawn_in_si(plans_of(mechanism), mechanism.drive.position).things
 
 
 def planted(kinds: tuple[str, ...], rng: random.Random) -> tuple[list[Tie], complex, complex]:
