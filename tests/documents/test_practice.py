@@ -14,7 +14,8 @@ from tests.helpers.lessons import lesson_opened, lesson_written
 
 WIDE = {"width": 1280, "height": 900}
 HERE = ROOT / "samples"
-SCENES = [*sorted(HERE.glob("*.yaml")), *sorted(HERE.glob("vectors/*.yaml")), *sorted(HERE.glob("class-three/*.yaml"))]
+KINDS = ("*.yaml", "vectors/*.yaml", "class-three/*.yaml", "class-four/*.yaml")
+SCENES = [file for kind in KINDS for file in sorted(HERE.glob(kind))]
 TAKE = "n => { practice.said = null; practice.take(data.practice.findIndex(t => t.what === n)); }"
 UPTO = """n => { for (let k = 0; k < 300 && practice.item.what !== n; k++) give(); }"""
 SOLVE = """() => {
