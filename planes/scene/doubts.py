@@ -36,7 +36,7 @@ def read_doubts(
     file: str, table: SourceTable, parameters: Mapping[str, Node], mechanism: Mechanism | None
 ) -> list[Doubt]:
     """Every doubt of a scene in the order of the file."""
-    found = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters)]
+    found = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters), *_backwards(table, parameters)]
     if mechanism:
         found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
         if (mechanism.gravity or 0) > HEAVY:
@@ -81,6 +81,25 @@ def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tupl
                 yield Phrase("doubt_ratio", key=path[-1], text=text[:60]), path
 
 
+def _backwards(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
+    """Loads along or against a motion, and vectors, whose size turns them round."""
+    every = [(path, _written(node.text, parameters)) for path, node in texts(table)]
+    sensed = {path[:2] for path, _ in every if path[0] == "loads" and path[-1] in ("along", "against")}
+    for path, text in every:
+        if path[:2] in sensed and len(path) == 3 and path[-1] in _SIZES and _value(text) < 0:
+            yield Phrase("doubt_backwards", key=path[-1], text=text[:60]), path
+        elif path[0] == "vectors" and path[2:] == ("value",) and _value(text) < 0:
+            yield Phrase("doubt_vector_size", name=path[1], text=text[:60]), path
+
+
+def _value(text: str) -> float:
+    """A number that is written out; of anything else nothing is known."""
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
 def _written(text: str, parameters: Mapping[str, Node]) -> str:
     """The expression, or that of the parameter it consists of."""
     for _ in range(MOST_HOPS):
@@ -92,9 +111,8 @@ def _written(text: str, parameters: Mapping[str, Node]) -> str:
 
 
 def _radians(text: str) -> bool:
-    try:
-        value = abs(float(text))
-    except ValueError:
+    value = abs(_value(text))
+    if not math.isfinite(value):
         return False
     twelfths = value / STEP
     near = abs(twelfths - round(twelfths)) * STEP < RADIANS

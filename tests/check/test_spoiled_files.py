@@ -99,6 +99,18 @@ def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.Ca
             read_table(file)
 
 
+@pytest.mark.parametrize(
+    ("row", "said"),
+    [("b,10,5,0", "t.csv:3: the row has 4 cells under 3 columns"), ("a,1,2", 't.csv:3: "a" stands in an earlier row')],
+)
+def test_rows_that_would_be_read_otherwise_than_meant_are_refused(row: str, said: str, tmp_path: Path) -> None:
+    file = tmp_path / "t.csv"
+    file.write_text(f"mark,x_mm,y_mm\na,1,1\n{row}\n", encoding="utf-8")
+    with pytest.raises(PlanesError) as refused:
+        read_table(file)
+    assert said in refused.value.told("en")
+
+
 @pytest.mark.slow
 def test_blocks_within_blocks_are_counted(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     import ezdxf

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from planes.check.reading.opened import MB, contents, too_many
 from planes.words import Phrase
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, shown
 
 TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
 """The columns each table must have."""
@@ -116,6 +116,8 @@ def _read_rows(paper: ReadPaper, rows: Sequence[tuple[int, list[str]]]) -> None:
     for line, row in rows:
         if head := _header(row):
             columns = head
+        elif any(row[len(columns) :]):
+            raise paper.refuse("check_row_long", line=line, count=len(row), most=len(columns))
         else:
             _add(paper, dict(zip(columns, row, strict=False)), line)
 
@@ -146,6 +148,10 @@ def _add(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
         paper.results.append((str(row["result"]), _number(paper, row["value"], line), str(row.get("unit") or "")))
     else:
         raise paper.refuse("check_row", line=line)
+    names = [[s.name for s in paper.spots], [n for n, _ in paper.segments], [n for n, *_ in paper.results]]
+    for own in names:
+        if own and own[-1] in own[:-1]:
+            raise paper.refuse("check_row_twice", line=line, name=shown(own[-1]))
 
 
 def _number(paper: ReadPaper, cell: object, line: int) -> float:
