@@ -199,6 +199,9 @@ class Vec:
         size = x * x + y * y
         return Vec((a * x + b * y) / size, (b * x - a * y) / size)
 
+    def __rtruediv__(self, other: Point) -> Vec:
+        return Vec(*_parts(other)) / self
+
     def __abs__(self) -> Real:
         for one, other in ((self.real, self.imag), (self.imag, self.real)):
             if isinstance(one, float | int):

@@ -138,9 +138,10 @@ class Lever:
         plan = "motion" if self.position.plans.at_rest else "velocity"
         plotted = of_position(self.position)
         marks, lines = list[Mark](), list[Ends]()
-        false = {s.makes for s in plotted.drawing.program.steps if s.quantity == "false"}  # no part of what is loaded
+        helping = ("false", "relative")  # no part of what is loaded
+        aside = {s.makes for s in plotted.drawing.program.steps if s.quantity in helping}
         for s in plotted.drawn_segments(plan):
-            if {at(plan, s.start), at(plan, s.end)} & false:
+            if {at(plan, s.start), at(plan, s.end)} & aside:
                 continue
             ends = 1j * plotted.mark(plan, s.start), 1j * plotted.mark(plan, s.end)
             if abs(ends[1] - ends[0]) > ZERO_MM:
@@ -149,7 +150,7 @@ class Lever:
         letters = (
             (self.naming.mark(x, "velocity"), 1j * plotted.mark(plan, x))
             for x in plotted.labels(plan)
-            if at(plan, x) not in false
+            if at(plan, x) not in aside
         )
         places = gathered(letters)  # letters of marks that coincide share one
         named = [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
