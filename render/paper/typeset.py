@@ -7,13 +7,12 @@ else is markup: a bare ``_`` or ``^`` is drawn as it stands.
 import cmath
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-import numpy
-
 from render.paper import lettering, outlines
+from render.paper.boxes import Box, box_around, box_of_letters
 from render.paper.letters import split
 from render.paper.marks import Face, Text, current
 from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LEAST_MM, LETTER_GAP, WORD_GAP
@@ -181,19 +180,7 @@ def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
         yield 0.0, tuple([run.at + complex(z.real + shear * z.imag, z.imag) for z in line])
 
 
-def box_around(lines: Iterable[tuple[Polyline, float]]) -> tuple[float, float, float, float]:
-    """The box around lines, each with half the width of its pen; of none a box of no size."""
-    held = list(lines)
-    if not held:
-        return (0.0,) * 4
-    z = numpy.array([z for line, _ in held for z in line])
-    half = numpy.repeat([half for _, half in held], [len(line) for line, _ in held])
-    x, y = z.real, z.imag
-    return float((x - half).min()), float((y - half).min()), float((x + half).max()), float((y + half).max())
-
-
 _Inked = tuple[tuple[float, Polyline], ...]
-_Bounds = tuple[float, float, float, float]
 
 
 @lru_cache(maxsize=8192)
@@ -231,26 +218,15 @@ def _inked(runs: tuple[Run, ...], face: Face, narrow: float) -> _Inked:
 
 
 @lru_cache(maxsize=16384)
-def _bounds(text: str, height: float, face: Face, narrow: float = 1.0) -> _Bounds:
+def _bounds(text: str, height: float, face: Face, narrow: float = 1.0) -> Box:
     """Bounds of the ink with half of its pen."""
     runs = _runs(text, height, face)
     if face.font:
         return box_around((line, pen / 2) for pen, line in _inked(runs, face, narrow))
-    sides = [_bounds_of(run, face.slanted, narrow) for run in runs]
+    boxes = ((lettering.boxes(run.text, run.height, face.slanted), run.at) for run in runs)
+    sides = [box_of_letters(letters, at, narrow) for letters, at in boxes]
     left, low, right, top = zip(*sides or [(0.0,) * 4], strict=True)
     return min(left), min(low), max(right), max(top)
-
-
-def _bounds_of(run: Run, slanted: bool, narrow: float) -> _Bounds:
-    """Bounds of the ink of a run in the standard's lettering."""
-    boxes = lettering.boxes(run.text, run.height, slanted)
-    x, y = run.at.real, run.at.imag
-    return (
-        min(narrow * (left + x) - half for left, _, _, _, half in boxes),
-        min(low + y - half for _, low, _, _, half in boxes),
-        max(narrow * (right + x) + half for _, _, right, _, half in boxes),
-        max(top + y + half for _, _, _, top, half in boxes),
-    )
 
 
 def _indices(part: Indexed, x: float, height: float, face: Face, runs: list[Run]) -> float:
