@@ -9,10 +9,11 @@ import shapely
 from numpy.typing import NDArray
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
+from render.paper.boxes import box_around
 from render.paper.ink import Polyline, arrow_parts, flattened, is_circle
 from render.paper.marks import Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.style import pen
-from render.paper.typeset import box_around, box_of, layout
+from render.paper.typeset import box_of, layout
 
 Bounds = tuple[float, float, float, float]
 """x0, y0, x1, y1 in mm."""

@@ -46,13 +46,13 @@ class Surroundings:
         if len(boxes) > AT_ONCE:
             parts = np.split(boxes, range(AT_ONCE, len(boxes), AT_ONCE))
             return np.concatenate([self._on_ink(part) for part in parts])
-        cost = np.zeros(len(boxes))
+        cost, areas = np.zeros(len(boxes)), np.asarray(shapely.box(*boxes.T))
         if len(self.ground.shapes):
-            pairs, apart = self.ground.gaps(shapely.box(*boxes.T), ROOM_MM)
+            pairs, apart = self.ground.gaps(areas, ROOM_MM)
             cost += TIGHT * (np.bincount(pairs[0, apart <= ROOM_MM], minlength=len(boxes)) > 0)
             cost += HARD * np.bincount(pairs[0, apart <= CLEAR_MM], minlength=len(boxes))
         if len(self.yielding.shapes):
-            broken = self.yielding.within(shapely.box(*boxes.T), CLEAR_MM)[0]
+            broken = self.yielding.within(areas, CLEAR_MM)[0]
             cost += BROKEN * _bounded(np.bincount(broken, minlength=len(boxes)))
         return cost
 

@@ -208,6 +208,24 @@ def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Line, ...
     return tuple(tuple([(z + x) * d for z in line]) for x, line in paths)
 
 
+Extent = tuple[float, float, float, float, float]
+
+
+@lru_cache(maxsize=4096)
+def _box(char: str, fineness: int, slant: bool) -> Extent:
+    """Left, low, right and top of the pen's path of a character in d, and half of its pen."""
+    z = [z for line in _glyph(char, fineness, slant)[1] for z in line]
+    x, y = [one.real for one in z], [one.imag for one in z]
+    return min(x), min(y), max(x), max(y), 0.5 * _size(char)
+
+
+def boxes(text: str, height_mm: float, slant: bool = False) -> list[Extent]:
+    """Left, low, right and top of the pen's path of every character of one line of text, and half of its pen, in mm."""
+    d, fineness = height_mm * PEN, max(2, math.ceil(height_mm))
+    every = ((x, _box(char, fineness, slant)) for char, x in _layout(text)[1])
+    return [((x + left) * d, low * d, (x + right) * d, top * d, half * d) for x, (left, low, right, top, half) in every]
+
+
 @lru_cache(maxsize=2048)
 def pens(text: str, height_mm: float) -> tuple[float, ...]:
     """Width in mm of the pen of each of the strokes: thinner in raised and lowered characters."""

@@ -7,11 +7,12 @@ else is markup: a bare ``_`` or ``^`` is drawn as it stands.
 import cmath
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from render.paper import lettering, outlines
+from render.paper.boxes import Box, box_around, box_of_letters
 from render.paper.letters import split
 from render.paper.marks import Face, Text, current
 from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LEAST_MM, LETTER_GAP, WORD_GAP
@@ -77,7 +78,7 @@ def box_of(text: Text) -> Polyline:
 
 def _turned(text: Text) -> tuple[complex, complex, Polyline]:
     """Where the base line of a text mark begins, its direction, and the corners of its ink."""
-    x0, y0, x1, y1 = _set(text.text, text.height, text.face, text.narrow)[2]
+    x0, y0, x1, y1 = _bounds(text.text, text.height, text.face, text.narrow)
     shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
     turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
     origin = text.place + shift * turn
@@ -87,7 +88,10 @@ def _turned(text: Text) -> tuple[complex, complex, Polyline]:
 
 def layout(text: Text) -> LaidText:
     """Strokes, box and runs of a text mark after its anchor and its turn."""
-    runs, inked, (x0, _, x1, _) = _set(text.text, text.height, text.face, text.narrow)
+    x0, _, x1, _ = _bounds(text.text, text.height, text.face, text.narrow)
+    runs = _runs(text.text, text.height, text.face)
+    inked = _inked(runs, text.face, text.narrow)
+    runs = tuple(_narrowed(run, text.narrow) for run in runs)
     origin, turn, corners = _turned(text)
     return LaidText(
         strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
@@ -103,7 +107,7 @@ def layout(text: Text) -> LaidText:
 
 def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:
     """Bounds (x0, y0, x1, y1) in mm of the ink of a marked-up text from the left end of its base line."""
-    return _set(text, height_mm, current())[2]
+    return _bounds(text, height_mm, current())
 
 
 def ink_width(text: str, height_mm: float) -> float:
@@ -138,12 +142,13 @@ def plain(text: str) -> str:
 
 def indexed(text: str) -> list[Indexed]:
     """Bases, each with the indices that follow it."""
-    found: list[Indexed] = []
+    parts: list[dict[str, str]] = []
     for piece in split(text):
         side = {"sub": "lower", "sup": "upper"}.get(piece.shift, "base")
-        if side == "base" or not found or getattr(found[-1], side):
-            found.append(Indexed(""))
-        found[-1] = replace(found[-1], **{side: piece.text})
+        if side == "base" or not parts or parts[-1].get(side):
+            parts.append({"base": ""})
+        parts[-1][side] = piece.text
+    found = [Indexed(**part) for part in parts]
     for part in found:
         if _OPENED.search(part.base):
             raise ValueError(f"in the text {text!r} an index opened with '_{{' or '^{{' is not closed")
@@ -175,25 +180,12 @@ def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
         yield 0.0, tuple([run.at + complex(z.real + shear * z.imag, z.imag) for z in line])
 
 
-def box_around(lines: Iterable[tuple[Polyline, float]]) -> tuple[float, float, float, float]:
-    """The box around lines, each with half the width of its pen; of none a box of no size."""
-    sides = []
-    for line, half in lines:
-        x, y = [z.real for z in line], [z.imag for z in line]
-        sides.append((min(x) - half, min(y) - half, max(x) + half, max(y) + half))
-    left, low, right, top = zip(*sides or [(0.0,) * 4], strict=True)
-    return min(left), min(low), max(right), max(top)
-
-
 _Inked = tuple[tuple[float, Polyline], ...]
 
 
-@lru_cache(maxsize=4096)
-def _set(
-    text: str, height: float, face: Face, narrow: float = 1.0
-) -> tuple[tuple[Run, ...], _Inked, tuple[float, float, float, float]]:
-    """Runs, pens with their strokes and bounds of the ink, from the left end of the base line, unturned; all of it so
-    many times as wide."""
+@lru_cache(maxsize=8192)
+def _runs(text: str, height: float, face: Face) -> tuple[Run, ...]:
+    """The runs of a text from the left end of its base line, unturned."""
     if not 0 < height < math.inf:
         raise ValueError(f"the text {text!r} needs a letter height above 0 mm, not {height}")
     runs: list[Run] = []
@@ -208,11 +200,33 @@ def _set(
         if part.lower or part.upper:
             x = _indices(part, x + (after or (INDEX_GAP * height if runs else 0.0)), height, face, runs)
             gap = LETTER_GAP * height
-    inked = tuple(stroke for run in runs for stroke in _strokes(run, face))
-    if narrow != 1.0:
-        runs = [replace(r, at=complex(narrow * r.at.real, r.at.imag), width=narrow * r.width) for r in runs]
-        inked = tuple((pen, tuple([complex(narrow * z.real, z.imag) for z in line])) for pen, line in inked)
-    return tuple(runs), inked, _bounds(inked)
+    return tuple(runs)
+
+
+def _narrowed(run: Run, narrow: float) -> Run:
+    """A run so many times as wide."""
+    return replace(run, at=complex(narrow * run.at.real, run.at.imag), width=narrow * run.width)
+
+
+@lru_cache(maxsize=2048)
+def _inked(runs: tuple[Run, ...], face: Face, narrow: float) -> _Inked:
+    """Pens with their strokes, all so many times as wide."""
+    inked = (stroke for run in runs for stroke in _strokes(run, face))
+    if narrow == 1.0:
+        return tuple(inked)
+    return tuple((pen, tuple([complex(narrow * z.real, z.imag) for z in line])) for pen, line in inked)
+
+
+@lru_cache(maxsize=16384)
+def _bounds(text: str, height: float, face: Face, narrow: float = 1.0) -> Box:
+    """Bounds of the ink with half of its pen."""
+    runs = _runs(text, height, face)
+    if face.font:
+        return box_around((line, pen / 2) for pen, line in _inked(runs, face, narrow))
+    boxes = ((lettering.boxes(run.text, run.height, face.slanted), run.at) for run in runs)
+    sides = [box_of_letters(letters, at, narrow) for letters, at in boxes]
+    left, low, right, top = zip(*sides or [(0.0,) * 4], strict=True)
+    return min(left), min(low), max(right), max(top)
 
 
 def _indices(part: Indexed, x: float, height: float, face: Face, runs: list[Run]) -> float:
@@ -224,8 +238,3 @@ def _indices(part: Indexed, x: float, height: float, face: Face, runs: list[Run]
             runs.append(Run(index, complex(x + lean, level * height), size, _width(index, size, face)))
             ends.append(x + runs[-1].width)
     return max(ends)
-
-
-def _bounds(inked: _Inked) -> tuple[float, float, float, float]:
-    """Bounds of the ink with half of its pen."""
-    return box_around((line, pen / 2) for pen, line in inked)

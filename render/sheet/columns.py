@@ -11,8 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from itertools import combinations, pairwise, takewhile
+from functools import cached_property, reduce
+from itertools import combinations, pairwise
 
 import numpy
 
@@ -106,7 +106,7 @@ class Columns:
         """The columns, over all units."""
         (last, end), found = (len(self.items), int(self._ended.argmin())), list[Column]()
         while last:
-            ways = self._ways(last)[:, end]
+            ways = numpy.stack([way[end] for way in self._ways(last)])
             back, span = map(int, numpy.unravel_index(ways.argmin(), ways.shape))
             found.insert(0, (self.piece[last - 1 - back : last], end - span, end))
             last, end = last - 1 - back, end - span
@@ -129,19 +129,23 @@ class Columns:
 
     def _costs(self, last: int) -> Array:
         """The cheapest ways to have the first views in the first units."""
+        if not last:
+            return self.stacking.module.begun
         known, key = self.stacking.broken, (self.piece[:last], self.torn[:last])
         if key not in known:
-            known[key] = self._ways(last).min(axis=(0, 2)) if last else self.stacking.module.begun
+            known[key] = reduce(numpy.minimum, self._ways(last)).min(axis=1)
         return known[key]
 
-    def _ways(self, last: int) -> Array:
-        """What the first views cost, by how many there are in their last column before its last one, by the unit where
+    def _ways(self, last: int) -> list[Array]:
+        """What the first views cost, by how many there are in their last column before its last one: by the unit where
         it ends, and by how many it spans."""
-        high, most = self.stacking.high, (1 + OVERFULL) * self.stacking.module.height
-        firsts = range(last - 1, -1, -1)
-        fair = list(takewhile(lambda k: k == last - 1 or high(self.piece[k:last])[-1] <= most, firsts))
-        before = numpy.stack([self._costs(k) + self.torn[k] for k in fair])[:, self.stacking.module.starts]
-        found: Array = before + numpy.stack([self.price(self.piece[k:last]) for k in fair])
+        stacking, starts = self.stacking, self.stacking.module.starts
+        most, found = (1 + OVERFULL) * stacking.module.height, list[Array]()
+        for k in range(last - 1, -1, -1):
+            part = self.piece[k:last]
+            if found and stacking.high(part)[-1] > most:
+                break
+            found.append((self._costs(k) + self.torn[k])[starts] + self.price(part))
         return found
 
     def price(self, piece: Piece) -> Array:
@@ -150,9 +154,10 @@ class Columns:
         if piece not in prices:
             module = self.stacking.module
             white = module.heights - self.stacking.high(piece) / module.height
-            tried = white > -OVERFULL
-            fair = module.spans / UNITS * numpy.where(tried, white, 0.0) ** 2 + OVER * (white < -1e-9)
-            prices[piece] = numpy.where(tried, fair, numpy.inf)
+            fair = module.shares * white**2
+            fair[white < -1e-9] += OVER
+            fair[white <= -OVERFULL] = numpy.inf
+            prices[piece] = fair
         return prices[piece]
 
     def _placed(self, piece: Piece, unit: int, end: int) -> Iterator[Spot]:

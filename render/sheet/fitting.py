@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
 from itertools import accumulate, product
 
-from render.labels import roughly
+from render.labels import rough, roughly
 from render.sheet.columns import OVER, Columns, Item
 from render.sheet.composer import LARGER
 from render.sheet.frame import Paper
@@ -38,6 +38,7 @@ class Contents:
     extents: Extents = lambda sizes: {}
     extras: tuple[str, ...] = ()  # those of the views that wait for room that have found some
     free: bool = False
+    known: dict[tuple[object, ...], tuple[list[View], list[View]]] = field(default_factory=dict, repr=False)
 
     @property
     def factors(self) -> tuple[float, ...]:
@@ -46,7 +47,24 @@ class Contents:
 
     def lettered(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> tuple[list[View], list[View]]:
         """The views with titles as high as their equations, in blocks if those stand ``upright``."""
-        wanted, spare = self.views(sizes, letter, together)
+        key = self.extras, sizes, letter, together, upright
+        return self.once(key, lambda: self._lettered(sizes, letter, together, upright))
+
+    def once(
+        self, key: tuple[object, ...], made: Callable[[], tuple[list[View], list[View]]]
+    ) -> tuple[list[View], list[View]]:
+        """Views as they were made for this key before; those but roughly made are forgotten once others are made
+        wholly."""
+        key = (rough(), *key)
+        if key not in self.known:
+            if not rough():
+                for other in [k for k in self.known if k[0]]:
+                    del self.known[other]
+            self.known[key] = made()
+        return self.known[key]
+
+    def _lettered(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> tuple[list[View], list[View]]:
+        wanted, spare = self.every(sizes, letter, together)
         wanted = [v for v in wanted if v.key in self.extras or not v.extra]
 
         def shown(v: View) -> View:
@@ -56,7 +74,11 @@ class Contents:
 
     def extra(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> list[View]:
         """The views that wait for room."""
-        return [v for v in self.views(sizes, letter, together)[0] if v.extra and v.key not in self.extras]
+        return [v for v in self.every(sizes, letter, together)[0] if v.extra and v.key not in self.extras]
+
+    def every(self, sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
+        """All views, whatever room there is."""
+        return self.once((sizes, letter, together), lambda: self.views(sizes, letter, together))
 
 
 Way = tuple[Sizes, float, bool, Upright]

@@ -87,6 +87,11 @@ class Module:
         return numpy.arange(self.widest + 1)
 
     @cached_property
+    def shares(self) -> Array:
+        """The spans as shares of the module; 1 for none, where no column is."""
+        return numpy.where(self.spans > 0, self.spans, UNITS) / UNITS
+
+    @cached_property
     def heights(self) -> Array:
         """How high a column is, by its end and by how many units it spans, as a share of the field's height; less than
         nothing where it would begin outside."""

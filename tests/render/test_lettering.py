@@ -9,8 +9,8 @@ from itertools import pairwise
 import pytest
 
 from render.paper import lettering
+from render.paper.boxes import box_around
 from render.paper.lettering import SAME, SHIFTED
-from render.paper.typeset import _bounds
 from tests.helpers.glyphs import missing
 
 RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
@@ -34,7 +34,7 @@ HEIGHTS = [1.8, 2.5, 3.5, 5.0, 7.0, 10.0, 40.0]
 def box(text: str, height: float, slant: bool = False) -> tuple[float, float, float, float]:
     """Bounds of the ink in mm, half the pen width included."""
     drawn = zip(lettering.pens(text, height), lettering.strokes(text, height, slant), strict=True)
-    return _bounds(tuple(drawn))
+    return box_around((line, pen / 2) for pen, line in drawn)
 
 
 @pytest.mark.parametrize("alphabet", [RUSSIAN, BELARUSIAN, UKRAINIAN, LATIN])
