@@ -13,9 +13,9 @@ from itertools import combinations
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.vision.ink_cover import ANYWHERE, COVERED, NO_MARK, InkCover, slip
-from planes.check.vision.match_motion import LaidPlan, Search
 from planes.check.vision.match_symbols import signs
 from planes.check.vision.places import SAME_MM, Place, Seen, pole_on
+from planes.check.vision.plan_search import LaidPlan, Search
 from planes.check.vision.print_scale import by_ruler, likely_shares, seen_from
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of
@@ -44,6 +44,10 @@ class SoughtScheme(Search):
         """Whether a line leads to a place from a point of the same link."""
         near = [places[m] for m in self.mates.get(step.makes, ()) if m in places]
         return not near or any(self._covered(mate, z) >= COVERED for mate in near)
+
+    def _before(self, step: Step) -> list[str]:
+        """The points of the same links."""
+        return self.mates.get(step.makes, [])
 
     def _missing(self, mark: str) -> float:
         """What it costs that a point is nowhere."""

@@ -9,12 +9,13 @@ from functools import cached_property
 import numpy
 
 from planes.check.fiducials import within
-from planes.check.vision.arrow_tips import USUAL_MM, head_about
-from planes.check.vision.drawn_lines import lines_of, on, patches
+from planes.check.vision.arrow_tips import ABOUT_MM, USUAL_MM, head_about, line_on_to
+from planes.check.vision.drawn_lines import lines_of, on
 from planes.check.vision.heads import head_at
 from planes.check.vision.ink import Ink, ink_of
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import Flat
+from planes.check.vision.residual_ink import patches
 from planes.check.vision.rubbed_out import remaining
 from planes.geometry.arrays import Complexes
 
@@ -57,6 +58,7 @@ class Seen:
     patches: list[complex] = field(default_factory=list)  # places of ink that is on no line
     spots: Complexes | None = None  # the places as an array
     looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
+    fits: dict[tuple[int, float, int], complex | None] = field(default_factory=dict)  # heads on lines
 
     def within(self, z: complex, reach: float) -> list[Place]:
         """Places no farther than ``reach``."""
@@ -76,8 +78,19 @@ class Seen:
         """The tip of a vector's head, by the ink it explains about where its sides show it, or about the vector's end;
         and its σ."""
         shown = head_at(self.ink, start, end, CLOSER_MM, self.head_mm)
-        fit = head_about(self.ink, self.lines, start, shown or end, self.head_mm or USUAL_MM)
+        fit = self._fitted(start, shown or end)
         return fit or shown, TIP_MM if shown else DIM_TIP_MM
+
+    def _fitted(self, start: complex, end: complex) -> complex | None:
+        """The tip of a vector's head on a longer line, by the ink it explains there (remembered)."""
+        on_line = line_on_to(self.lines, start, end)
+        if on_line is None:
+            return None
+        key = id(on_line[0]), *on_line[1:]
+        if key not in self.fits:
+            self.fits[key] = head_about(self.ink, self.lines, *on_line, self.head_mm or USUAL_MM)
+        tip = self.fits[key]
+        return tip if tip is not None and abs(tip - end) < ABOUT_MM else None
 
     def torn(self, place: Place) -> bool:
         """Whether a line that ends at a place runs under what is printed, or has ink beyond that is no line's (what is
