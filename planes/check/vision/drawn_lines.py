@@ -216,3 +216,17 @@ def held(line: Fitted, places: Complexes, reach: float = 0.5) -> Booleans:
         (abs(p.imag - line.bow(p.real)) < reach) & (line.low - reach < p.real) & (p.real < line.high + reach)
     )
     return upon
+
+
+def crossing(one: Fitted, two: Fitted) -> complex | None:
+    """Where two lines cross; None where they are nearly parallel."""
+    s, r = (one.low + one.high) / 2, (two.low + two.high) / 2
+    for _ in range(3):
+        a, u, b, w = one.at(s), one.direction(s), two.at(r), two.direction(r)
+        turn = (u.conjugate() * w).imag
+        if abs(turn) < 0.06:
+            return None
+        z = complex(a + u * ((b - a).conjugate() * w).imag / turn)
+        s = min(max(one.local(z)[0], one.low - 3), one.high + 3)
+        r = min(max(two.local(z)[0], two.low - 3), two.high + 3)
+    return z

@@ -16,7 +16,7 @@ from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.vision.ink_cover import ANYWHERE, InkCover, slip
 from planes.check.vision.places import Seen, pole_on
 from planes.check.vision.plan_search import LaidPlan, Search
-from planes.check.vision.print_scale import by_ruler, shares_of
+from planes.check.vision.print_scale import by_ruler, measured_by, shares_of
 from planes.words import Phrase
 from planes.words.names import POLE, label_of
 
@@ -59,4 +59,5 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     explained, strange = ink.explained(routes), ink.strangers(routes)
     if strange and len(way.found) == len(bench.marks):
         seen.ink.flat.notes.append(Phrase("check_strangers", count=len(strange)))
+    spots = measured_by(seen.ink.flat, near, spots, search.own)
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained

@@ -16,7 +16,7 @@ from planes.check.vision.ink_cover import ANYWHERE, COVERED, NO_MARK, InkCover, 
 from planes.check.vision.match_symbols import signs
 from planes.check.vision.places import SAME_MM, Place, Seen, pole_on
 from planes.check.vision.plan_search import LaidPlan, Search
-from planes.check.vision.print_scale import by_ruler, likely_shares, seen_from
+from planes.check.vision.print_scale import by_ruler, likely_shares, measured_by, seen_from
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of
 
@@ -191,6 +191,7 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items() if not search.lost(m, way)]
     explained = 1.0 if search.at_signs(way) else ink.explained(search.routes(way))
+    spots = measured_by(seen.ink.flat, near, spots, search.own)
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained
 
 
