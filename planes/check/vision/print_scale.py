@@ -27,6 +27,7 @@ UNLIKELY = 3.0  # what it costs to believe that a page was printed at just anoth
 TRIED = 2
 WILDEST, SAME = 4.0, 0.005  # how much larger or smaller a picture may seem by a mark drawn wrongly; shares that are one
 ASLANT = 0.015  # by which share of its length a vector seems longer or shorter than another to a camera held by hand
+LYING = 0.01  # how much a sheet lies turned that nothing tells of, radians
 EXPLAINED = 0.6  # of a sheet's ink by a plan that tells anything
 
 Rows = list[tuple[str, float, float]]  # by vector: how much longer it seems to be, and how long it is
@@ -128,7 +129,8 @@ def measured_by(flat: Flat, about: complex, spots: list[ReadMark], own: Mapping[
     name, length = flat.told
     hand = next((miss.mean for mark, miss in own.items() if label_of(mark) == name), 0.0)
     drawn = math.hypot(hand, TOLD_MM) / max(length, LONG_MM)
-    share = math.hypot(drawn / math.sqrt(2) if flat.by_file else drawn, ASLANT if flat.aslant else 0.0)
+    turned = drawn / math.sqrt(2) if length > LONG_MM else LYING
+    share = math.hypot(turned if flat.by_file else drawn, ASLANT if flat.aslant else 0.0)
     return [replace(s, error_mm=math.hypot(s.error_mm, share * abs(s.place - about))) for s in spots]
 
 
