@@ -11,10 +11,11 @@ pytest.importorskip("cv2")
 import cv2
 import numpy as np
 
-from planes.check.vision.drawn_lines import lines_of, patches
+from planes.check.vision.drawn_lines import lines_of
 from planes.check.vision.ink import ink_of
 from planes.check.vision.line_fitting import Fitted, Tip
 from planes.check.vision.picture import PX_PER_MM, Flat
+from planes.check.vision.residual_ink import patches
 from planes.check.vision.rubbed_out import remaining
 from tests.physical.paper import PX_PER_MM as FINE
 from tests.physical.paper import Paper

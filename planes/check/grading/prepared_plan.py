@@ -152,6 +152,10 @@ def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float) -
     return list(catalogue(PlanSteps(there, bench.program, bench.asked.plan), taken, mu))
 
 
+class GivenUp(Exception):
+    """It is not worth drawing on."""
+
+
 @dataclass
 class _Snapping(Tool):
     """Draws exactly, but goes on from where things are on the picture."""
@@ -165,11 +169,11 @@ class _Snapping(Tool):
 
 
 def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Point], Point]) -> Env | None:
-    """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
+    """The program drawn exactly, each thing passed through ``snap``; None where that cannot be done, or is given up."""
     things = {**bench.given, **(variant.givens if variant else {})}
     try:
         draw_steps(bench.program.steps, things, _Snapping(Arithmetic(), snap=snap), variant.swaps if variant else {})
-    except PlanesError:
+    except (PlanesError, GivenUp):
         return None
     return things
 

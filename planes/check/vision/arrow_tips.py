@@ -29,6 +29,7 @@ ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a pictur
 HAND = 0.08  # by how much a hand's heads differ in length, whatever those few that are seen well say
 HALF, UNLIKE = 0.2, 0.15  # of a head's length, half of its width; how much one may differ from the others
 BESIDE_MM, ABOUT_MM = 0.9, 2.0  # how far beside a line its vector may run, and a tip from where it should be
+GOAL_MM = 0.2  # how nearly it is told where a head is to be looked for
 SHORT_MM, BROAD_MM, MORE = 6.0, (1.2, 3.6), 0.12  # of a barb; where a head is broad, and how much ink must be there
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM = 0.1  # no tip is surer
@@ -102,16 +103,24 @@ def _beside(line: Fitted, tip: complex, lines: Sequence[Fitted]) -> list[Fitted]
     return [x for x in others if x.length > SHORT_MM or min(abs(z - tip) for z in x.ends) > ABOUT_MM]
 
 
-def head_about(ink: Ink, lines: Sequence[Fitted], start: complex, end: complex, length: float) -> complex | None:
-    """The tip of the head that a vector from ``start`` has about its ``end``, on a line that goes on there: told by how
-    much of the ink no line explains such a head does, where heads are about so long."""
+def line_on_to(lines: Sequence[Fitted], start: complex, end: complex) -> tuple[Fitted, float, int] | None:
+    """The line along which a vector from ``start`` leads that goes on at its ``end``; where on it that is (to a fifth
+    of a millimetre, towards the vector's tip), and whether the vector runs along it or against it."""
     way = (end - start) / abs(end - start)
     near = [x for x in lines if abs((x.along * way.conjugate()).imag) < ASKEW / 2 and abs(x.local(end)[1]) < BESIDE_MM]
     line = min(near, key=lambda x: abs(x.local(end)[1]), default=None)
     if line is None or not line.low + AT_END_MM < line.local(end)[0] < line.high - AT_END_MM:
         return None
     sign = 1 if (line.along * way.conjugate()).real > 0 else -1
-    goal, usual = sign * line.local(end)[0], numpy.array([length, HALF * length])
+    return line, round(sign * line.local(end)[0] / GOAL_MM) * GOAL_MM, sign
+
+
+def head_about(
+    ink: Ink, lines: Sequence[Fitted], line: Fitted, goal: float, sign: int, length: float
+) -> complex | None:
+    """The tip of the head that a vector has about a place of a line that goes on there: told by how much of the ink no
+    line explains such a head does, where heads are about so long."""
+    usual = numpy.array([length, HALF * length])
     x, y = numpy.meshgrid(numpy.arange(goal - length - 3, goal + 2.5, STEP_MM), numpy.arange(-1.5, 1.51, CELL_MM))
     z = line.at(sign * x) + 1j * line.along * y
     thin = replace(line, width=min(line.width, statistics.median(one.width for one in lines)))
@@ -119,7 +128,7 @@ def head_about(ink: Ink, lines: Sequence[Fitted], start: complex, end: complex, 
     sight = Sight(line, thin.width, sign, x, y, ink.at(z), known, numpy.array([goal, 0.0, 0.0, *usual]))
     sight.fit(None)
     sight.fit((usual, UNLIKE * usual))
-    return sight.tip.z if sight.good and abs(sight.tip.z - end) < ABOUT_MM else None
+    return sight.tip.z if sight.good else None
 
 
 def _known(z: Complexes, lines: Sequence[Fitted]) -> Array:

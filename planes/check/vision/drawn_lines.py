@@ -7,9 +7,10 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy
 
 from planes.check.vision.arrow_tips import find_heads
-from planes.check.vision.ink import DARK, LETTER_MM, Ink
+from planes.check.vision.ink import DARK, Ink
 from planes.check.vision.line_fitting import Fitted, fitted
 from planes.check.vision.picture import Flat, cv
+from planes.check.vision.residual_ink import MOST_MM, STRAIGHT_MM, Edge, left_over, straight_through
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 SHORT_MM = 7.0  # of strokes that do not tell how wide lines are
@@ -21,12 +22,6 @@ PENCIL_MM = 0.55  # the most that lines usually are wide
 TWICE = 1.5  # a line so much wider than usual may be two
 OVER_MM = 1.5  # how far a stroke may go on within another's ink
 BARE = 0.25  # how much a line counts whose edges are not seen
-RIM_MM = 0.35  # of an arrowhead beside its line
-LEAST_MM, MOST_MM = 1.2, 12.0  # of what is left: less is nothing, more is letters that touch
-THICK_MM = 0.2  # on the average
-STRAIGHT_MM = 0.3  # how far a stroke's ink is from its middle line
-LARGE_MM, CELL_MM = 2.5, 0.5
-Edge = tuple[complex, complex]  # the ink is to the right
 WIDEST_MM = 1.4  # of a stroke
 SHORTEST_MM = 1.5
 USUAL, COARSE, LARGE_PX = 0.8, 0.5, 10_000_000  # how small edges are sought: it takes 40 bytes a place; beyond A3
@@ -199,8 +194,10 @@ def own(lines: Iterable[Fitted], edges: Sequence[Edge]) -> list[Fitted]:
     kept: list[Fitted] = []
     for line in sorted(lines, key=worth, reverse=True):
         steps = max(4, int(line.length / 0.4))
-        places = (line.at(line.low + line.length * (k + 0.5) / steps) for k in range(steps))
-        alone = sum(not any(on(other, z) for other in kept) for z in places)
+        places, met = line.at(line.low + line.length * (numpy.arange(steps) + 0.5) / steps), numpy.zeros(steps, bool)
+        for other in kept:
+            met |= held(other, places)
+        alone = steps - int(met.sum())
         if alone > OWN * steps and alone * line.length / steps > 1.0:
             kept.append(line)
     return kept
@@ -212,35 +209,24 @@ def on(line: Fitted, z: complex, reach: float = 0.5, beyond: float = 0.5) -> boo
     return abs(off) < reach and line.low - beyond < s < line.high + beyond
 
 
-def left_over(ink: Ink, lines: Sequence[Fitted]) -> Iterator[Complexes]:
-    """Separate pieces of ink on no line: the places of each, mm."""
-    cv2, flat, mask = cv(), ink.flat, ink.mask
-    for line in lines:
-        s = numpy.linspace(line.low - 0.5, line.high + 0.5, 9)
-        path = numpy.array([flat.px(line.at(float(x))) for x in s]).round().astype(numpy.int32)
-        cv2.polylines(mask, [path], False, 0, max(1, round((line.width + 2 * RIM_MM) * flat.scale)))
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
-    least, most = LEAST_MM * flat.scale, MOST_MM * flat.scale
-    for k, (x, y, w, h, area) in enumerate(stats.tolist()):
-        if k and least < max(w, h) < most and area > THICK_MM * LEAST_MM * flat.scale**2:
-            down, across = numpy.nonzero(labels[y : y + h, x : x + w] == k)
-            yield numpy.asarray(flat.mm(x, y) + (across - 1j * down) / flat.scale, complex)
+def held(line: Fitted, places: Complexes, reach: float = 0.5) -> Booleans:
+    """Which of some places are on a line, or so near it."""
+    p = (places - line.origin) * line.along.conjugate()
+    upon: Booleans = (
+        (abs(p.imag - line.bow(p.real)) < reach) & (line.low - reach < p.real) & (p.real < line.high + reach)
+    )
+    return upon
 
 
-def straight_through(part: Complexes) -> tuple[Edge, float]:
-    """The ends of the straight line that runs best through places, and how far they usually are off it."""
-    middle = complex(part.mean())
-    u = numpy.exp(0.5j * numpy.angle(((part - middle) ** 2).sum()))
-    local = (part - middle) * u.conjugate()
-    return (complex(middle + u * local.real.min()), complex(middle + u * local.real.max())), float(local.imag.std())
-
-
-def patches(ink: Ink, lines: Sequence[Fitted]) -> list[complex]:
-    """Places half a millimetre apart in larger pieces of ink that are on no line, and no letters."""
-    found: list[complex] = []
-    for part in left_over(ink, lines):
-        size = max(numpy.ptp(part.real), numpy.ptp(part.imag))
-        if size > LARGE_MM and (size > LETTER_MM or straight_through(part)[1] < STRAIGHT_MM):
-            cells = numpy.unique(numpy.round(part.real / CELL_MM) + 1j * numpy.round(part.imag / CELL_MM))
-            found += (cells * CELL_MM).tolist()
-    return found
+def crossing(one: Fitted, two: Fitted) -> complex | None:
+    """Where two lines cross; None where they are nearly parallel."""
+    s, r = (one.low + one.high) / 2, (two.low + two.high) / 2
+    for _ in range(3):
+        a, u, b, w = one.at(s), one.direction(s), two.at(r), two.direction(r)
+        turn = (u.conjugate() * w).imag
+        if abs(turn) < 0.06:
+            return None
+        z = complex(a + u * ((b - a).conjugate() * w).imag / turn)
+        s = min(max(one.local(z)[0], one.low - 3), one.high + 3)
+        r = min(max(two.local(z)[0], two.low - 3), two.high + 3)
+    return z

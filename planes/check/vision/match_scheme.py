@@ -13,10 +13,10 @@ from itertools import combinations
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.vision.ink_cover import ANYWHERE, COVERED, NO_MARK, InkCover, slip
-from planes.check.vision.match_motion import LaidPlan, Search
 from planes.check.vision.match_symbols import signs
 from planes.check.vision.places import SAME_MM, Place, Seen, pole_on
-from planes.check.vision.print_scale import by_ruler, likely_shares, seen_from
+from planes.check.vision.plan_search import LaidPlan, Search
+from planes.check.vision.print_scale import by_ruler, likely_shares, measured_by, seen_from
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of
 
@@ -44,6 +44,10 @@ class SoughtScheme(Search):
         """Whether a line leads to a place from a point of the same link."""
         near = [places[m] for m in self.mates.get(step.makes, ()) if m in places]
         return not near or any(self._covered(mate, z) >= COVERED for mate in near)
+
+    def _before(self, step: Step) -> list[str]:
+        """The points of the same links."""
+        return self.mates.get(step.makes, [])
 
     def _missing(self, mark: str) -> float:
         """What it costs that a point is nowhere."""
@@ -187,6 +191,7 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items() if not search.lost(m, way)]
     explained = 1.0 if search.at_signs(way) else ink.explained(search.routes(way))
+    spots = measured_by(seen.ink.flat, near, spots, search.own)
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained
 
 

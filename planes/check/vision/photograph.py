@@ -19,7 +19,6 @@ from planes.check.vision.picture import Flat, by_points, by_scale, cv, fits, fla
 from planes.check.vision.places import Seen, pole_on, sheet_of
 from planes.check.vision.pole_guess import pole_found
 from planes.check.vision.print_scale import printed_share
-from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, Names, kind_of, label_of
@@ -62,7 +61,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     for flat, named in _flats(bench, picture, known):
         look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
         if best is None or look.explained > best.explained:
-            best, paper.scale_mark = look, named
+            best, paper.scale_mark = look, None if flat.by_file else named
         if best.flat.by in ("scale", "part") and best.explained >= EXPLAINED:
             break
     told = best and (best.flat.by not in ("scale", "part") or pole is not None)
@@ -92,7 +91,7 @@ def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterat
     """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
     grey, scale = picture.grey, picture.scale
     if known.pole is not None and known.marks:
-        yield _by_hand(bench, grey, known.pole, known.marks)
+        yield _by_hand(bench, picture, known.pole, known.marks)
     elif flat := None if known.format else flatten(grey):
         flat.printed = printed_share(flat, grey, scale)
         yield flat, None
@@ -166,13 +165,15 @@ def shown(flat: Flat) -> bytes:
     return bytes(cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, 75])[1])
 
 
-def _by_hand(bench: PreparedPlan, grey: Greys, pole: complex, marks: Mapping[str, complex]) -> tuple[Flat, str]:
+def _by_hand(
+    bench: PreparedPlan, picture: DecodedPicture, pole: complex, marks: Mapping[str, complex]
+) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
     names = Names([label_of(m) for m in bench.marks])
     name, where = next(((n, z) for k, z in marks.items() if (n := names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
-    return by_points(grey, pole, where, bench.true_marks[name], name), name
+    return by_points(picture.grey, pole, where, bench.true_marks[name], name, picture.scale), name
 
 
 def blank_pole(bench: PreparedPlan) -> complex:

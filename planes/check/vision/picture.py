@@ -16,6 +16,8 @@ from planes.words.errors import PlanesError
 PX_PER_MM = 8.0
 LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
 LEAST_ASKEW_DEG, MOST_ASKEW_DEG = 0.5, 4.0  # less is a hand's own error, more is no sheet's that was laid straight
+SHORT_MM = 3.0  # a vector that tells neither scale nor direction
+DRAWN_MM = 1.5  # no more is a vector longer or shorter for a hand's error
 MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
 
 
@@ -31,6 +33,8 @@ class Flat:
     notes: list[Phrase] = field(default_factory=list)
     bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
     told: tuple[str, float] | None = None  # the mark its scale was taken from, and how far from the pole that was put
+    aslant: bool = False  # whether it may be a photograph, taken from aside
+    by_file: bool = False  # whether two points but turn it straight, and its scale is what its file tells
     printed: float = 1.0  # the share of its size a blank was printed at, where the file tells how large it is
 
     @property
@@ -158,16 +162,22 @@ def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, 
     return flat
 
 
-def by_points(grey: Greys, pole: complex, mark: complex, vector: complex, name: str = "") -> Flat:
+def by_points(
+    grey: Greys, pole: complex, mark: complex, vector: complex, name: str = "", told: float | None = None
+) -> Flat:
     """The picture by the two ends of a true vector, of the pole and a named mark, in pixels (x right, y down): to its
-    scale, and turned straight if it is as little askew as a sheet lies; the pole becomes the origin."""
-    if abs(mark - pole) < 10 or not vector:
+    scale, or to the one ``told`` by its file, if a hand's error is all they differ by, or the vector is too short to
+    tell any; and turned straight if it is as little askew as a sheet lies. The pole becomes the origin."""
+    short = abs(vector) < SHORT_MM
+    if not (short and told) and (abs(mark - pole) < 10 or not vector):
         raise PlanesError(Phrase("check_points"))
-    askew = math.degrees(cmath.phase((mark - pole).conjugate() / vector))
+    seen = told if short and told else abs(mark - pole) / abs(vector)
+    by_file = told is not None and abs(seen / told - 1) * abs(vector) < DRAWN_MM
+    askew = 0.0 if short else math.degrees(cmath.phase((mark - pole).conjugate() / vector))
     turned = LEAST_ASKEW_DEG < abs(askew) < MOST_ASKEW_DEG
-    flat = by_scale(grey, abs(mark - pole) / abs(vector), pole, askew if turned else 0.0)
+    flat = by_scale(grey, told if told and by_file else seen, pole, askew if turned else 0.0)
     flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if turned else []
-    flat.told = (name, abs(vector))
+    flat.told, flat.aslant, flat.by_file = (name, abs(vector)), told is None, by_file
     return flat
 
 

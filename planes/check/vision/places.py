@@ -9,12 +9,14 @@ from functools import cached_property
 import numpy
 
 from planes.check.fiducials import within
-from planes.check.vision.arrow_tips import USUAL_MM, head_about
-from planes.check.vision.drawn_lines import lines_of, on, patches
+from planes.check.vision.arrow_tips import ABOUT_MM, USUAL_MM, head_about, line_on_to
+from planes.check.vision.drawn_lines import crossing, lines_of, on
 from planes.check.vision.heads import head_at
 from planes.check.vision.ink import Ink, ink_of
 from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.lone_heads import LoneHeads
 from planes.check.vision.picture import Flat
+from planes.check.vision.residual_ink import patches
 from planes.check.vision.rubbed_out import remaining
 from planes.geometry.arrays import Complexes
 
@@ -57,6 +59,7 @@ class Seen:
     patches: list[complex] = field(default_factory=list)  # places of ink that is on no line
     spots: Complexes | None = None  # the places as an array
     looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
+    fits: dict[tuple[int, float, int], complex | None] = field(default_factory=dict)  # heads on lines
 
     def within(self, z: complex, reach: float) -> list[Place]:
         """Places no farther than ``reach``."""
@@ -76,8 +79,20 @@ class Seen:
         """The tip of a vector's head, by the ink it explains about where its sides show it, or about the vector's end;
         and its σ."""
         shown = head_at(self.ink, start, end, CLOSER_MM, self.head_mm)
-        fit = head_about(self.ink, self.lines, start, shown or end, self.head_mm or USUAL_MM)
-        return fit or shown, TIP_MM if shown else DIM_TIP_MM
+        fit = self._fitted(start, shown or end)
+        lone = None if fit or shown else self.lone_heads.tip(start, end)
+        return fit or shown or lone, TIP_MM if shown else DIM_TIP_MM
+
+    def _fitted(self, start: complex, end: complex) -> complex | None:
+        """The tip of a vector's head on a longer line, by the ink it explains there (remembered)."""
+        on_line = line_on_to(self.lines, start, end)
+        if on_line is None:
+            return None
+        key = id(on_line[0]), *on_line[1:]
+        if key not in self.fits:
+            self.fits[key] = head_about(self.ink, self.lines, *on_line, self.head_mm or USUAL_MM)
+        tip = self.fits[key]
+        return tip if tip is not None and abs(tip - end) < ABOUT_MM else None
 
     def torn(self, place: Place) -> bool:
         """Whether a line that ends at a place runs under what is printed, or has ink beyond that is no line's (what is
@@ -94,6 +109,11 @@ class Seen:
     def all_ink(self) -> Ink:
         """The sheet's ink with its letters."""
         return replace(self.ink, even=self.ink.whole, letters=None)
+
+    @cached_property
+    def lone_heads(self) -> LoneHeads:
+        """Heads that stand by themselves, among its letters."""
+        return LoneHeads(self.all_ink, self.head_mm or USUAL_MM)
 
     @cached_property
     def head_mm(self) -> float | None:
@@ -139,20 +159,6 @@ def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
     lines = lines_of(ink)
     drawn = remaining(flat, lines or [])
     return None if lines is None else Seen(ink, drawn, places_of(drawn), patches(ink, lines))
-
-
-def crossing(one: Fitted, two: Fitted) -> complex | None:
-    """Where two lines cross; None where they are nearly parallel."""
-    s, r = (one.low + one.high) / 2, (two.low + two.high) / 2
-    for _ in range(3):
-        a, u, b, w = one.at(s), one.direction(s), two.at(r), two.direction(r)
-        turn = (u.conjugate() * w).imag
-        if abs(turn) < 0.06:
-            return None
-        z = complex(a + u * ((b - a).conjugate() * w).imag / turn)
-        s = min(max(one.local(z)[0], one.low - 3), one.high + 3)
-        r = min(max(two.local(z)[0], two.low - 3), two.high + 3)
-    return z
 
 
 def places_of(lines: Sequence[Fitted]) -> list[Place]:

@@ -10,12 +10,14 @@ import math
 from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.handwork import Miss
+from planes.check.grading.paper import TOLD_MM, ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, variants_of
 from planes.check.vision.picture import Flat
 from planes.check.vision.places import Seen
 from planes.geometry.arrays import Greys
 from planes.words import Phrase, Written
+from planes.words.names import label_of
 
 LEAST, MOST = 0.9, 1.05  # of its size that a page may be printed at
 EXACT = 0.006  # nearer to its size than this is its size
@@ -24,6 +26,8 @@ LONG_MM, ASIDE_MM, AGREE_MM = 12.0, 1.2, 0.7  # of a vector that tells it; how f
 UNLIKELY = 3.0  # what it costs to believe that a page was printed at just another size
 TRIED = 2
 WILDEST, SAME = 4.0, 0.005  # how much larger or smaller a picture may seem by a mark drawn wrongly; shares that are one
+ASLANT = 0.015  # by which share of its length a vector seems longer or shorter than another to a camera held by hand
+LYING = 0.01  # how much a sheet lies turned that nothing tells of, radians
 EXPLAINED = 0.6  # of a sheet's ink by a plan that tells anything
 
 Rows = list[tuple[str, float, float]]  # by vector: how much longer it seems to be, and how long it is
@@ -62,7 +66,7 @@ def shares_of(bench: PreparedPlan, seen: Seen, pole: complex) -> dict[float, Con
     By two points: the mark its scale was taken from, which some mistakes put elsewhere, was so far from the pole.
     """
     flat, variants = seen.ink.flat, variants_of(bench, {}, bench.said_mu)
-    if flat.told is None:
+    if flat.told is None or flat.by_file:
         pairs = seen_from(seen, pole, bench.true_marks)
         return dict.fromkeys(likely_shares(flat, pairs), range(len(variants) + 1))
     found: dict[float, list[int]] = {1.0: [0]}
@@ -115,6 +119,19 @@ def by_ruler(
         return _printed_at(flat, about, share, spots)
     rows = _agreeing(_rows((s.name, s.place - about, true[s.name]) for s in spots if s.name in true), 1 / share)
     return _printed_at(flat, about, 1 / _mean(rows) if rows else share, spots)
+
+
+def measured_by(flat: Flat, about: complex, spots: list[ReadMark], own: Mapping[str, Miss]) -> list[ReadMark]:
+    """Marks as sure as what their sheet was measured by: a vector that is itself off by what a hand errs (``own``, by
+    mark) and by how surely its ends were pointed to, and seen by a camera that may have looked at it aslant."""
+    if flat.told is None:
+        return spots
+    name, length = flat.told
+    hand = next((miss.mean for mark, miss in own.items() if label_of(mark) == name), 0.0)
+    drawn = math.hypot(hand, TOLD_MM) / max(length, LONG_MM)
+    turned = drawn / math.sqrt(2) if length > LONG_MM else LYING
+    share = math.hypot(turned if flat.by_file else drawn, ASLANT if flat.aslant else 0.0)
+    return [replace(s, error_mm=math.hypot(s.error_mm, share * abs(s.place - about))) for s in spots]
 
 
 def _printed_at(flat: Flat, about: complex, share: float, spots: Iterable[ReadMark]) -> list[ReadMark]:
