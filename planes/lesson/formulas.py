@@ -53,7 +53,7 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
         how, name, mu = match.groups()
         if how == "n":
             return decimal(name, lang)
-        size = math.prod(map(read, own(name)), start=-1.0 if name.startswith("-") else 1.0)
+        size = math.prod(map(read, own(name)), start=-1.0 if name.startswith("−") else 1.0)
         size = 0.0 if abs(size) < NOISE else size
         if how == "mm":
             return decimal(f"{abs(size * read(mu)):.1f}".removesuffix(".0"), lang)
@@ -78,7 +78,7 @@ def slots(text: str) -> list[str]:
 
 def own(name: str) -> list[str]:
     """The values a slot is of: one, or those of a product."""
-    return name.removeprefix("-").split("*")
+    return name.removeprefix("−").split("*")
 
 
 def formula(step: Calculate, lang: Lang, called: str = "", key: str = "") -> str:
@@ -100,7 +100,7 @@ def by_sense(
         if i not in drop:
             product = _clear(term, without)
             names = [n for n, power in product.factors if power % 2] + [arm] * bool(arm and arm == without)
-            sense = slot(("-" if term.coefficient < 0 else "") + "*".join(names), "join" if letters else "lead")
+            sense = slot(("−" if term.coefficient < 0 else "") + "*".join(names), "join" if letters else "lead")
             letters += sense + _product(product, lambda n: f"⟨{force(n)}⟩")[1]
             numbers += sense + _product(product, lambda n: slot(n, "a"))[1]
     return letters, numbers

@@ -18,7 +18,7 @@ from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
 from planes.words.errors import PlanFailure, SceneError
-from planes.words.names import POLE, at, label_of
+from planes.words.names import POLE, at, label_of, parts_of
 from planes.words.records import Json, Pictured
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
@@ -93,7 +93,7 @@ class Position(Pictured):
             found = self.results["plans"][plan]["segments"].get(s.start + s.end)
             if found and found["name"] == s.name:
                 whole = points and s.start == POLE and at(plan, s.end) not in self.drawing.program.corners
-                letter, _, false = s.end.rstrip("'").partition("_")
+                letter, false, _ = parts_of(s.end.rstrip("'"))
                 point = points.get(s.end) or letter.upper() + (f"^{false}" if false else "")
                 yield (f"{plan[0]}_{point}" if whole else s.name), s, found
 

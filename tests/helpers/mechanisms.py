@@ -222,7 +222,7 @@ class Builder:
         name = next(self.names)
         hinges = [(self.add(self.frame, z), z) for z in (a, c)]
         still = [self.link([hinge, (name, b)]) for hinge in hinges]
-        self.dyads.append(Dyad("RRR", *still, (hinges[0][0], hinges[1][0]), name, name))
+        self.dyads.append(Dyad("RRR", still[0], still[1], (hinges[0][0], hinges[1][0]), name, name))
         grounds = self.rng.choice(((still[0], still[1]), (still[0], still[0]), (self.frame, still[0])))
         drive = self.cylinder(self.rng.random() < 0.3, self.rng.sample(grounds, 2))
         self.bodies = [self.frame, *self.bodies[3:], *still]
