@@ -49,13 +49,18 @@ class Grading:
     @property
     def gap_wrong(self) -> float | None:
         """How far that is, where it is more than a hand's error and short forces that nobody saw make up."""
-        most = self.judgement.limit * self.gap_sigma + self._unseen_mm if self.gap_sigma else math.inf
-        return abs(self.gap) if abs(self.gap) > most else None
+        return abs(self.gap) if self._gap_past > sum(self._unseen_mm.values()) else None
 
     @property
-    def _unseen_mm(self) -> float:
-        absent = (m for m in self.marks if self.rebuilt and label_of(m) in self.rebuilt.absent)
-        return sum(mm for m in absent if (mm := _laid_mm(self, self.hand.program.makers[m])) <= LONG_MM)
+    def _gap_past(self) -> float:
+        return abs(self.gap) - self.judgement.limit * self.gap_sigma if self.gap_sigma else 0.0
+
+    @property
+    def _unseen_mm(self) -> dict[str, float]:
+        """How long the short forces are that nobody saw, by their marks."""
+        absent = [m for m in self.marks if self.rebuilt and label_of(m) in self.rebuilt.absent]
+        found = {label_of(m): _laid_mm(self, self.hand.program.makers[m]) for m in absent}
+        return {m: mm for m, mm in found.items() if ZERO_MM <= mm <= LONG_MM}
 
     @property
     def gap_sigma(self) -> float | None:
@@ -89,12 +94,12 @@ class Grading:
     @property
     def left_out(self) -> str | None:
         """A known force that is not in the polygon and that nothing read was drawn from."""
-        if self.rebuilt is None or self.judgement.wrong:
-            return None
         used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
-        for mark in self.marks:
+        for mark in () if self.judgement.wrong else self.marks:
             step = self.hand.program.makers[mark]
-            if isinstance(step, LayOff) and _laid_mm(self, step) > LONG_MM:  # what is short may be there, unseen
+            if (
+                self.rebuilt and isinstance(step, LayOff) and _laid_mm(self, step) > LONG_MM
+            ):  # what is short may be there, unseen
                 miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
                 if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
                     return label_of(mark)
@@ -122,8 +127,9 @@ class Grading:
 
     @property
     def unseen(self) -> list[str]:
-        """Marks that were not read and that nothing read was drawn from: wherever they are, nobody has looked."""
-        return [label_of(m) for m, by in self.shown_by.items() if self.judgement.misses.keys().isdisjoint(by)]
+        """Marks not read from which nothing read was drawn, and short forces without which a polygon does not close."""
+        hidden = [label_of(m) for m, by in self.shown_by.items() if self.judgement.misses.keys().isdisjoint(by)]
+        return [*hidden, *(self._unseen_mm if self._gap_past > 0 else ())]
 
     @property
     def shown_by(self) -> dict[str, list[str]]:
@@ -180,18 +186,16 @@ class Grading:
     @property
     def verdicts(self) -> dict[str, str]:
         """right, wrong, follows or unread for every mark of the plan."""
-        strayed = {m: miss.sigmas > self.judgement.limit for m, miss in self.free.items()}
-        return verdicts(self.judgement, self.marks, strayed)
+        return verdicts(self.judgement, self.marks, {m: x.sigmas > self.judgement.limit for m, x in self.free.items()})
 
 
 def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
     plan = bench.asked.plan
     spots, rebuilt, unknown = align(bench, plan, paper)
-    taken = {at(plan, n): s for n, s in spots.items()}
-    if not taken:
+    if not spots:
         return None
-    taken |= earlier(bench)
+    taken = {at(plan, n): s for n, s in spots.items()} | earlier(bench)
     best, most = None, -math.inf
     for mu, share in own_scales(bench, taken):
         found = _grade_at(bench, mu, share, taken, rebuilt)
@@ -239,8 +243,7 @@ def _grade_at(
     doubtful = any(t.doubt for t in own.values()) and judgement.chance_wrong < 1 - SURE and at_home >= apart.keys()
     if doubtful and not judgement.named and all(apart[m].sigmas < 1 for m in judgement.wrong):
         judgement.wrong = []  # all are where they should be: what the first was drawn from was read a little off
-    said = mu == bench.said_mu
-    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free, said, rebuilt)
+    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free, mu == bench.said_mu, rebuilt)
 
 
 def empty(bench: PreparedPlan) -> Grading:
