@@ -97,9 +97,7 @@ class Grading:
         used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
         for mark in () if self.judgement.wrong else self.marks:
             step = self.hand.program.makers[mark]
-            if (
-                self.rebuilt and isinstance(step, LayOff) and _laid_mm(self, step) > LONG_MM
-            ):  # what is short may be there, unseen
+            if isinstance(step, LayOff) and _laid_mm(self, step) > LONG_MM and self.rebuilt:  # a short one may be there
                 miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
                 if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
                     return label_of(mark)
