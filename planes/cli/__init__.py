@@ -31,7 +31,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     argv = sys.argv[1:] if argv is None else argv
     lang = lang_of(argv)
     with speaking(lang):
-        args = reader_of(lang).parse_args(argv)
+        args = reader_of(lang).parse_args(command_first(argv))
         try:
             return _run(args)
         except PlanesError as error:
@@ -93,6 +93,13 @@ def lang_of(argv: Sequence[str]) -> Lang:
     known = "|".join(langs())
     said: list[Lang] = re.findall(rf"(?<=\0)--lang?(?:=|\0)({known})(?=\0)", "\0".join(("", *argv, "")))
     return said[-1] if said else home_lang()
+
+
+def command_first(argv: Sequence[str]) -> Sequence[str]:
+    """The line with its command before the options that were written ahead of it."""
+    at = next((k for k, word in enumerate(argv) if word in OPTIONS), 0)
+    ahead = argv[:at] if argv and argv[0].startswith("--") else ()
+    return [argv[at], *ahead, *argv[at + 1 :]] if ahead else argv
 
 
 class UsageWords(NullTranslations):

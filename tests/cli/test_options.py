@@ -126,6 +126,20 @@ def test_an_option_of_a_folder_has_an_effect_or_is_refused(option, capsys, tmp_p
     )
 
 
+def test_options_may_stand_ahead_of_the_command(capsys) -> None:
+    said = []
+    for line in (
+        ["structure", CRANK, "--lang", "uk"],
+        ["--lang", "uk", "structure", CRANK],
+        ["--lang=uk", "structure", CRANK],
+    ):
+        assert main(line) == 0
+        said.append(capsys.readouterr().out)
+    assert said[0] == said[1] == said[2]
+    with pytest.raises(SystemExit):
+        main(["--lang", "uk"])
+
+
 def test_a_remedy_has_an_effect_where_a_plan_is_blunt(capsys, tmp_path) -> None:
     scene = tmp_path / "s.yaml"
     blunt = LAW.replace('"3000*sin(phi_1)"', "3000").replace("l_AB: 0.3", "l_AB: 0.0802")
