@@ -151,7 +151,7 @@ class Conductor:
             who += Phrase("task_group", group=str(group)).told(self.lang)
         own = Phrase("task_variant", variant=share.variant) if share.variant else Phrase("task_drawn")
         title = scene.title.get(self.lang) or share.assignment.name
-        return title, self.course.title.get(self.lang, ""), f"{who}. {own.told(self.lang)}."
+        return title, self.course.title.get(self.lang, ""), f"{who.removesuffix('.')}. {own.told(self.lang)}."
 
     def documents(self, orders: dict[Share, Order]) -> None:
         """Every document that is not there yet."""
