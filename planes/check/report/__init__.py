@@ -141,7 +141,7 @@ def chance_told(found: Outcome, lang: Lang) -> str:
     if found.chance is None:
         return ""
     key = "check_sure" if found.chance >= SURE else "check_likely" if found.chance >= LIKELY else "check_doubtful"
-    return say(key, lang, percent=f"{100 * found.chance:.0f}")
+    return say(key, lang, percent=f"{100 * found.chance:.0f}" if found.chance >= 0.005 else "< 1")
 
 
 def title(found: Outcome, lang: Lang) -> str:
