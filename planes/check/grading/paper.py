@@ -10,6 +10,7 @@ from pathlib import Path
 from planes.check.reading.opened import MB, contents, too_many
 from planes.words import Phrase
 from planes.words.errors import PlanesError, shown
+from planes.words.names import POLE
 
 TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
 """The columns each table must have."""
@@ -150,7 +151,7 @@ def _add(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
         raise paper.refuse("check_row", line=line)
     names = [[s.name for s in paper.spots], [n for n, _ in paper.segments], [n for n, *_ in paper.results]]
     for own in names:
-        if own and own[-1] in own[:-1]:
+        if own and own[-1] != POLE and own[-1] in own[:-1]:  # a pole begins each polygon
             raise paper.refuse("check_row_twice", line=line, name=shown(own[-1]))
 
 
