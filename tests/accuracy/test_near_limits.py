@@ -77,7 +77,7 @@ def test_tables_by_arrays_and_compiled_leave_out_the_same(family: str) -> None:
 
 @pytest.mark.parametrize("value, warned", [(5.729577951308232e-05, True), (0.003, True), (1.0, False), (60.0, False)])
 def test_a_slotted_lever_near_its_pivot_says_what_it_does_not_know(value: float, warned: bool) -> None:
-    for lang, words in (("en", "epsilon_3, epsilon_2: rounding leaves"), ("ru", "меньше трёх верных цифр")):
+    for lang, words in (("en", "epsilon_2, epsilon_3: rounding leaves"), ("ru", "меньше трёх верных цифр")):
         said = solve(loads(SLOT), [value], None, lang).positions[0].results["warnings"]  # type: ignore[arg-type]
         assert any(words in w for w in said) == warned
 
@@ -127,7 +127,7 @@ def test_a_table_file_leaves_out_what_has_no_digits(tmp_path: Path, capsys: pyte
     scene, out = tmp_path / "slot.yaml", tmp_path / "t.csv"
     scene.write_text(SLOT, encoding="utf-8")
     assert main(["cycle", str(scene), "--phi", "0.003:60.003:20", "-o", str(out)]) == 0
-    assert "no correct digit is left in a_C_x, epsilon_3, epsilon_2" in capsys.readouterr().err
+    assert "no correct digit is left in a_C_x, epsilon_2, epsilon_3" in capsys.readouterr().err
     first, *others = csv.DictReader(out.read_text(encoding="utf-8").splitlines())
     assert first["epsilon_3 [rad/s²]"] == "" and first["failed"] == "no_digits"
     assert first["omega_3 [rad/s]"] and all(row["epsilon_3 [rad/s²]"] and not row["failed"] for row in others)
