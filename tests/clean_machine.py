@@ -51,10 +51,11 @@ def of_tour(text: str) -> Iterator[str]:
 
 
 def commands(lang: str) -> list[str]:
-    """All there is to type, each once."""
+    """All there is to type, each once; a figure again where it is told again, since others of its name came between."""
     readme = (ROOT / LANGS[lang][0]).read_text("utf-8")
     tour = (ROOT / "docs/site" / lang / "tour.md").read_text("utf-8")
-    return list(dict.fromkeys([*of_readme(readme), *of_tour(tour)]))
+    told = [*of_readme(readme), *of_tour(tour)]
+    return [one for k, one in enumerate(told) if one not in told[:k] or f"-o {DRAWN}" in one]
 
 
 def cloned(folder: Path) -> Path:
