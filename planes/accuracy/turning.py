@@ -37,12 +37,15 @@ class Turning:
 
 def turning(plans: Plans, name: str, times: float = TIMES) -> Turning:
     """The turning curves of a mechanism as the length ``name`` varies."""
-    field = LengthField(plans, name, times)
+    return _of(LengthField(plans, name, times))
+
+
+def _of(field: LengthField) -> Turning:
     places = [(step.makes, found) for step in field.steps for found in field.curves(step)]
     curves = [TurningCurve(mark, field.value(at[:, 0]), field.length(at[:, 1])) for mark, at in places]
-    here = plans.mechanism.drive.position, plans.lengths[name]
+    here = field.plans.mechanism.drive.position, field.plans.lengths[field.name]
     values, lengths = field.value(field.across), field.length(field.up)
-    return Turning(name, here, tuple(curves), values, lengths, field.count, field.whole)
+    return Turning(field.name, here, tuple(curves), values, lengths, field.count, field.whole)
 
 
 def turned(plans: Plans, names: list[str]) -> Turning | None:
@@ -50,7 +53,7 @@ def turned(plans: Plans, names: list[str]) -> Turning | None:
     them does that within ``WIDEST``."""
     for times in (TIMES, WIDEST):
         fields = [LengthField(plans, name, times) for name in names]
-        gone = {f.name: f.gone for f in fields}
-        if gone and min(gone.values()) < math.inf:
-            return turning(plans, min(names, key=lambda name: gone[name]), times)
+        soonest = min(fields, key=lambda f: f.gone, default=None)
+        if soonest and soonest.gone < math.inf:
+            return _of(soonest)
     return None

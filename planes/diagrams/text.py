@@ -4,7 +4,6 @@ import math
 
 from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
-from planes.plans.measuring import formula_of
 from planes.solving import told
 from planes.solving.text_tables import table
 from planes.words import Lang, say
@@ -19,7 +18,7 @@ GROUPS = ("place", "analogue", "rate", "force")
 def report(s: Summary, lang: Lang) -> str:
     """Stroke, dead points, time ratio, then the extremes of every curve, group by group."""
     structure = s.plans.structure
-    made = f"W = {structure.W}, q = {structure.q}, {formula_of(structure, s.scene.frame_number)}"
+    made = f"W = {structure.W}, q = {structure.q}, {structure.formula_as(s.scene.frame_number)}"
     lines = [s.scene.title.get(lang, ""), made, _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)]
     lines += ["", *_stroke(s, lang)]
     name = drive_name(s)

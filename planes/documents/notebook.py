@@ -13,7 +13,6 @@ from planes.check import Outcome
 from planes.check.report import heads, numbers_of, rows_of
 from planes.documents import picture, shown
 from planes.plans import structure_of
-from planes.plans.measuring import formula_of
 from planes.plans.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position, told
@@ -47,7 +46,7 @@ def _of_scene(scene: Scene, lang: Lang) -> Iterable[str]:
     yield f"<b>{html.escape(scene.title.get(lang, '') or scene.file)}</b>"
     if scene.mechanism:
         found = structure_of(scene.mechanism, scene.file)
-        yield f"<br>W = {found.W}, {html.escape(formula_of(found, scene.frame_number).replace('->', '→'))}"
+        yield f"<br>W = {found.W}, {html.escape(found.formula_as(scene.frame_number).replace('->', '→'))}"
     yield shown(scene) or ""
     yield table([], [(name, number(value, lang)) for name, value in scene.parameters.items()])
 

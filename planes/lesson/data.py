@@ -26,7 +26,7 @@ from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.lesson.written import equation_written
 from planes.plans import Plans
-from planes.plans.measuring import formula_of, lettering, say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.solving import plans_of
@@ -93,7 +93,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     return {
         "title": dict(scene.title),
         "moves": plans.moves,
-        "formula": formula_of(plans.structure, scene.frame_number).replace("->", "→") if plans.moves else "",
+        "formula": plans.structure.formula_as(scene.frame_number).replace("->", "→") if plans.moves else "",
         "lettering": lettering(scene, plans),
         "drive": drive_of(plans),
         "home": knobs.home(),

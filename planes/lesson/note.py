@@ -16,7 +16,7 @@ from planes.lesson.transfers import TransferFunctions
 from planes.plans.alignment import aligned
 from planes.plans.apart import links_apart
 from planes.plans.law_words import law_said
-from planes.plans.measuring import counted, formula_of, lettering, say_plan
+from planes.plans.measuring import counted, lettering, say_plan
 from planes.plans.quantities import Measured
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
@@ -112,7 +112,7 @@ class Note:
         yield Paragraph(self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant))
         for g in s.groups:
             yield Paragraph(self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang)))
-        yield Paragraph(self.say("note_formula", formula=formula_of(s, self.scene.frame_number, True)))
+        yield Paragraph(self.say("note_formula", formula=s.formula_as(self.scene.frame_number, True)))
         for way in ways_told(s, self.lang, self.naming.frame, True):
             yield Paragraph(way[0].upper() + way[1:] + ".")
         if s.passive:

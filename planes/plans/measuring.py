@@ -103,14 +103,6 @@ def say_plan(plan: str, lang: Lang) -> str:
     return plan_phrase(plan).told(lang)
 
 
-def formula_of(s: Structure, frame: str, kinds: bool = False) -> str:
-    """The formula of structure with the frame's number; ``kinds``: lettered, the kind of every group lowered."""
-    kind = {id(g): f"_{{{g.kind}}}" for g in s.dyads if kinds}
-    groups = (f"{g.level}{kind.get(id(g), '')}({g.members})" for g in s.groups if not s.is_drive(g))
-    base = s.drive_pair.other if s.inner_drive else frame
-    return (" → " if kinds else " -> ").join([f"I({base};{s.driver})", *groups])
-
-
 def counted(s: Structure) -> tuple[str, str]:
     """W and q with the numbers put in; p_{1} are pairs of one freedom."""
     n, p = 1 + sum(len(g.links) for g in s.groups), len(s.pairs)

@@ -63,8 +63,14 @@ class Structure:
     def formula(self) -> str:
         """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"; of a cylinder of 1 and 2 that moves 3,
         "I(1;2) -> II(1-2;3)"."""
-        groups = (f"{g.level}({g.members})" for g in self.groups if not self.is_drive(g))
-        return " -> ".join([f"I({self.drive_pair.other};{self.driver})", *groups])
+        return self.formula_as(FRAME)
+
+    def formula_as(self, frame: str, kinds: bool = False) -> str:
+        """The same with the frame's number; ``kinds``: lettered, the kind of every group lowered."""
+        kind = {id(g): f"_{{{g.kind}}}" for g in self.dyads if kinds}
+        groups = (f"{g.level}{kind.get(id(g), '')}({g.members})" for g in self.groups if not self.is_drive(g))
+        base = self.drive_pair.other if self.inner_drive else frame
+        return (" → " if kinds else " -> ").join([f"I({base};{self.driver})", *groups])
 
     @property
     def driven(self) -> tuple[Group, ...]:

@@ -1,7 +1,7 @@
 """The structure of a mechanism as text: mobility, groups, the self-aligning variant."""
 
 from planes.plans.alignment import Aligned
-from planes.plans.measuring import counted, formula_of
+from planes.plans.measuring import counted
 from planes.plans.structure import Structure
 from planes.scene.mechanism import FRAME
 from planes.words import Lang, say
@@ -11,7 +11,7 @@ from planes.words.lettering import flat
 def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) -> str:
     """W and q with their numbers, the formula and the groups, one a line; ``frame`` is the number of the frame."""
     numbers = flat(";  ".join(counted(found)))
-    lines = [f"W = {found.W}, q = {found.q}", f"  {numbers}", formula_of(found, frame)]
+    lines = [f"W = {found.W}, q = {found.q}", f"  {numbers}", found.formula_as(frame)]
     for g in found.groups:
         lines.append(f"{say('group', lang)} {', '.join(g.whole)}: {g.said.told(lang)}")
     lines += [way[0].upper() + way[1:] for way in ways_told(found, lang, frame)]
@@ -23,7 +23,7 @@ def ways_told(found: Structure, lang: Lang, frame: str, kinds: bool = False) -> 
     """The drivers with which a mechanism of a higher class is of a lower one, or that none is; of class II nothing."""
     if not found.heaviness:
         return []
-    ways = ({"link": w.driver, "level": w.level, "formula": formula_of(w, frame, kinds)} for w in found.ways)
+    ways = ({"link": w.driver, "level": w.level, "formula": w.formula_as(frame, kinds)} for w in found.ways)
     return [say("second_way", lang, **way) for way in ways] or [say("no_second_way", lang, level=found.level)]
 
 

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable
 
-from planes.plans.measuring import formula_of, lettering
+from planes.plans.measuring import lettering
 from planes.plans.quantities import Measured
 from planes.solving import Position, Solved, key_of
 from planes.solving.stated_tables import stated_tables
@@ -22,7 +22,7 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     s, moves = solved.plans.structure, solved.plans.moves
     naming = Naming(lang, **lettering(solved.scene, solved.plans))
     lines = [solved.scene.title.get(lang, "")]
-    lines += [f"W = {s.W}, q = {s.q}, {formula_of(s, naming.frame)}"] if moves else []
+    lines += [f"W = {s.W}, q = {s.q}, {s.formula_as(naming.frame)}"] if moves else []
     for p in solved.positions:
         lines += _position(p, key_of(solved.plans), lang, naming) if moves else stated_tables(p, lang, naming)
     if some := next((p for p in solved.positions if "errors" in p.results), None):

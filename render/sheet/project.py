@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from planes.plans.alignment import aligned
-from planes.plans.measuring import counted, formula_of
+from planes.plans.measuring import counted
 from planes.solving import Position
 from planes.solving.structure_text import ways_told
 from planes.words import say
@@ -107,7 +107,7 @@ class Project:
             for g in structure.groups:
                 text = say("group_named", c.lang, links="–".join(map(c.naming.link, g.whole)), said=g.brief)
                 parts.append(self.part(position, g.whole, text, False, letter))
-            lines = [";  ".join(counted(structure)), formula_of(structure, c.naming.frame, True)]
+            lines = [";  ".join(counted(structure)), structure.formula_as(c.naming.frame, True)]
             lines += ways_told(structure, c.lang, c.naming.frame, True)
             passive = ", ".join(map(c.naming.link, structure.passive))
             lines += [say("passive_link", c.lang, links=passive)] if passive else []

@@ -13,7 +13,7 @@ from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
 from planes.lesson.note import Note
-from planes.plans.measuring import formula_of, lettering
+from planes.plans.measuring import lettering
 from planes.scene import Scene, load
 from planes.solving import solve
 from planes.solving.document import Block, DocumentTable, Figure, Paragraph
@@ -81,8 +81,8 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
                 mm = f"{found['mm']:.1f}".replace(".", ",")
                 rows = [line for line in key.splitlines() if line.startswith(f"⟨{vector}⟩ ⟨")]
                 assert rows == [] or any(f" {mm} " in row or f" {mm.removesuffix(',0')} " in row for row in rows)
-    assert formula_of(drawn.plans.structure, naming.frame, True) in texts(sheets[1])
-    assert formula_of(drawn.plans.structure, naming.frame, True) in told(Note(scene, drawn, "ru").blocks())
+    assert drawn.plans.structure.formula_as(naming.frame, True) in texts(sheets[1])
+    assert drawn.plans.structure.formula_as(naming.frame, True) in told(Note(scene, drawn, "ru").blocks())
 
 
 @pytest.mark.few(1)

@@ -94,10 +94,12 @@ class Grading:
     @property
     def left_out(self) -> str | None:
         """A known force that is not in the polygon and that nothing read was drawn from."""
+        if self.rebuilt is None or self.judgement.wrong:
+            return None
         used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
-        for mark in () if self.judgement.wrong else self.marks:
+        for mark in self.marks:
             step = self.hand.program.makers[mark]
-            if isinstance(step, LayOff) and _laid_mm(self, step) > LONG_MM and self.rebuilt:  # a short one may be there
+            if isinstance(step, LayOff) and _laid_mm(self, step) > LONG_MM:  # what is short may be there, unseen
                 miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
                 if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
                     return label_of(mark)
@@ -189,11 +191,10 @@ class Grading:
 
 def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
-    plan = bench.asked.plan
-    spots, rebuilt, unknown = align(bench, plan, paper)
+    spots, rebuilt, unknown = align(bench, bench.asked.plan, paper)
     if not spots:
         return None
-    taken = {at(plan, n): s for n, s in spots.items()} | earlier(bench)
+    taken = {at(bench.asked.plan, n): s for n, s in spots.items()} | earlier(bench)
     best, most = None, -math.inf
     for mu, share in own_scales(bench, taken):
         found = _grade_at(bench, mu, share, taken, rebuilt)

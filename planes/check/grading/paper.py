@@ -133,6 +133,11 @@ def _header(row: Sequence[str]) -> list[str] | None:
 
 def _add(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
     """One row of whichever table."""
+
+    def once(name: str, before: Iterable[str]) -> None:
+        if name in before:
+            raise paper.refuse("check_row_twice", line=line, name=shown(name))
+
     if len(paper.spots) + len(paper.segments) + len(paper.results) >= MOST:
         raise too_many(paper.file, "rows", MOST)
     if "mark" in row:
@@ -142,17 +147,18 @@ def _add(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
         x, y = (_length(paper, c, line) for c in cells)
         said = row.get("error_mm") or None
         error = abs(_length(paper, said, line)) if said is not None else max(_rounding(c) for c in cells)
+        once(str(row["mark"]), (s.name for s in paper.spots if s.name != POLE))  # a pole begins each polygon
         paper.spots.append(ReadMark(str(row["mark"]), complex(x, y), error))
     elif "segment" in row and row.get("mm") is not None:
-        paper.segments.append((str(row["segment"]), abs(_length(paper, row["mm"], line))))
+        segment = str(row["segment"]), abs(_length(paper, row["mm"], line))
+        once(segment[0], (n for n, _ in paper.segments))
+        paper.segments.append(segment)
     elif "result" in row and row.get("value") is not None:
-        paper.results.append((str(row["result"]), _number(paper, row["value"], line), str(row.get("unit") or "")))
+        result = str(row["result"]), _number(paper, row["value"], line), str(row.get("unit") or "")
+        once(result[0], (n for n, *_ in paper.results))
+        paper.results.append(result)
     else:
         raise paper.refuse("check_row", line=line)
-    names = [[s.name for s in paper.spots], [n for n, _ in paper.segments], [n for n, *_ in paper.results]]
-    for own in names:
-        if own and own[-1] != POLE and own[-1] in own[:-1]:  # a pole begins each polygon
-            raise paper.refuse("check_row_twice", line=line, name=shown(own[-1]))
 
 
 def _number(paper: ReadPaper, cell: object, line: int) -> float:
