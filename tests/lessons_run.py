@@ -24,8 +24,8 @@ from pathlib import Path
 from typing import Any
 
 from planes.drafting.drawing import Drawing, run
-from planes.drafting.tools import Thing
 from planes.lesson.data import lesson_data
+from planes.lesson.dimensions import FreeNumbers
 from planes.plans import Plans
 from planes.plans.scales import fits_on, scales
 from planes.scene import load
@@ -88,16 +88,12 @@ class DrawnByEngine:
         self.plans: Plans = plans_of(scene, shown=True)[0]
         drive = self.plans.mechanism.drive.position
         mus = scales(self.plans, scene.mu, fit_mm=fits_on(scene.sheet, self.plans))
-        self.given: dict[str, Thing] = {**self.plans.given, **self.plans.at(drive), **mus}
+        self.free = FreeNumbers(self.plans, {**self.plans.given, **self.plans.at(drive), **mus})
 
     def drawn(self, flat: Mapping[str, float]) -> Drawing | None:
         """The drawing with the numbers a page has, None where it fails."""
-        own = {
-            n: complex(flat[f"{n}.x"], flat[f"{n}.y"]) if isinstance(z, complex) else flat[n]
-            for n, z in self.given.items()
-        }
         try:
-            return run(self.plans.program, own)
+            return run(self.plans.program, self.free.given_by(flat))
         except PlanFailure:
             return None
 

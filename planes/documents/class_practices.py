@@ -55,7 +55,7 @@ class PracticeSorter:
         yield from (named,) if named else self.handed.tasks
 
     def _judge(self, sheet: HandedSheet, task: Task) -> PracticeJudge:
-        from planes.lesson.data import Told
+        from planes.lesson.told import Told
 
         variant = variant_named(sheet.file.stem, task.variant(None).variants) or self.variant
         if (task, variant) not in self.known:

@@ -4,15 +4,17 @@ A :class:`Draft` grows a program in the order a draughtsman would draw it. Each 
 the name back; asking twice for the same direction makes one step.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Aim, LayOff, Put, Step, Through, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Measure, Product
 from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Arithmetic
 from planes.scene.mechanism import Law
 from planes.words import Phrase
 from planes.words.errors import ProgramError
@@ -31,6 +33,17 @@ class Segment:
     start: str
     end: str
     name: str
+
+
+class Dimension(NamedTuple):
+    """A given number or place that is reckoned of the dimensions of links; how far off it may be."""
+
+    value: Thing
+    off: float
+    by: Callable[[Any, Arithmetic], Any]
+
+    def __neg__(self) -> "Dimension":
+        return Dimension(-self.value, self.off, lambda shape, ar: -self.by(shape, ar))
 
 
 @dataclass(frozen=True)
@@ -56,6 +69,7 @@ class Draft:
         self.given: dict[str, Thing] = {}
         self.means: dict[str, Meaning] = {}  # of givens and vectors
         self.off: dict[str, float] = {}  # how far reckoned givens may be from what the scene's decimals make of them
+        self.reckoned: dict[str, Dimension] = {}  # givens that change with the links' dimensions
         self.equations: list[Equation] = []
         self.moments: list[Moments] = []
         self.segments: list[Segment] = []
@@ -76,6 +90,12 @@ class Draft:
         if means:
             self.means.setdefault(name, means)
         self.off[name] = max(off, self.off.get(name, 0.0))
+        return name
+
+    def reckon(self, name: str, of: Dimension, means: Meaning | None = None) -> str:
+        """State a given that is reckoned of the dimensions of links."""
+        name = self.give(name, of.value, of.off, means)
+        self.reckoned.setdefault(name, of)
         return name
 
     def law(self, name: str, law: Law | None) -> None:
@@ -110,9 +130,11 @@ class Draft:
         given = self.give(f"place_{label}", place, off, Meaning("place", label))
         return self.step(Put(at(plan, label), given, mu_of(plan), means=means))
 
-    def aim(self, name: str, angle_deg: float, means: Meaning | None = None, given: Meaning | None = None) -> str:
+    def aim(
+        self, name: str, angle_deg: float | Dimension, means: Meaning | None = None, given: Meaning | None = None
+    ) -> str:
         """A direction at an angle, which may itself be ``given`` as something."""
-        return self.step(Aim(name, self.give(f"angle_{name}", angle_deg, means=given), means=means))
+        return self.step(Aim(name, self._angle(name, angle_deg, given), means=means))
 
     def through(self, name: str, start: str, end: str, means: Meaning | None = None) -> str:
         """The direction from mark to mark."""
@@ -124,10 +146,16 @@ class Draft:
         return self.step(Turn(f"⊥{of}", of, 1, means=line and replace(line, quantity="across")))
 
     def turn(
-        self, name: str, of: str, angle_deg: float, off: float, means: Meaning, given: Meaning | None = None
+        self, name: str, of: str, angle_deg: float | Dimension, means: Meaning, given: Meaning | None = None
     ) -> str:
         """A direction turned by an angle, which may itself be ``given`` as something."""
-        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off, given), means=means))
+        return self.step(Turn(name, of, 0, self._angle(name, angle_deg, given), means=means))
+
+    def _angle(self, name: str, angle: float | Dimension, means: Meaning | None) -> str:
+        given = f"angle_{name}"
+        if isinstance(angle, Dimension):
+            return self.reckon(given, angle, means)
+        return self.give(given, angle, means=means)
 
     def lay_off(self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None) -> str:
         """A length (SI value by name) laid off from a mark."""

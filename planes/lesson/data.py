@@ -5,99 +5,46 @@ The page runs the tape for whatever position and numbers are asked, and draws li
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cached_property, partial
+from collections.abc import Callable
+from functools import partial
 
-import numpy
-
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
-from planes.drafting.tools import Thing
-from planes.lesson import Teller, value_of
+from planes.lesson import value_of
 from planes.lesson.formulas import mu_said, slot, unit
 from planes.lesson.frame import Frame, in_both, needed
 from planes.lesson.kit import Kit
-from planes.lesson.live import Knobs, Live
-from planes.lesson.practice import JUDGING, Practice, sentences, told_values
+from planes.lesson.live import Live
+from planes.lesson.practice import JUDGING, sentences, told_values
 from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
-from planes.lesson.written import equation_written
+from planes.lesson.told import Told, drive_of
 from planes.plans import Plans
 from planes.plans.measuring import lettering, say_plan
-from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
-from planes.solving import plans_of
-from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words import Lang, say
 from planes.words.names import at, kind_of, lettered, links_of, mu_of, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
 
-TRIED = 360  # positions, by which it is told which terms are nothing
 Progress = Callable[[int, int], None]
-
-
-@dataclass(frozen=True)
-class Told:
-    """A scene drawn in its own position, and the frames of its lesson."""
-
-    scene: Scene
-    plans: Plans
-    given: Mapping[str, Thing]
-    drawing: Drawing
-    knobs: Knobs
-    teller: Teller
-    frames: list[Frame]
-
-    @classmethod
-    def of(cls, scene: Scene) -> Told:
-        """:class:`SceneError` where there is no mechanism or its own position fails."""
-        plans, _ = plans_of(scene, shown=True)
-        try:
-            mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
-            given = {**plans.given, **plans.at(plans.mechanism.drive.position), **mus}
-            drawing = run(plans.program, given)
-        except PlanFailure as failure:
-            raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
-        drive, knobs = drive_of(plans), Knobs(plans, given)
-        values = numpy.linspace(drive["from"], drive["to"], TRIED, endpoint=False)
-        cycle = run(plans.program, {**given, **knobs.shaken(TRIED), plans.drive_given: values})
-        teller = Teller(plans, drawing, cycle, scene.mu_convention)
-        return cls(scene, plans, given, drawing, knobs, teller, teller.frames())
-
-    @cached_property
-    def equations(self) -> list[Json]:
-        """The vector equations as they are written."""
-        return [equation_written(self.plans, e) for e in self.plans.equations]
-
-    @cached_property
-    def drive(self) -> Json:
-        """The driver's number, and from where to where it runs."""
-        return drive_of(self.plans)
-
-    @cached_property
-    def practice(self) -> Practice:
-        """What a reader is asked."""
-        values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}
-        return Practice(self.plans, self.given, self.drawing, self.frames, self.equations, values, self.teller.spans)
 
 
 def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     """The lesson of a scene; ``progress`` hears how far the catalogue of mistakes is drawn. Errors as :class:`Told`."""
     told = Told.of(scene)
     plans, drawing, knobs, frames = told.plans, told.drawing, told.knobs, told.frames
-    kit = Kit(plans, drawing)
+    kit, more = Kit(plans, drawing), told.leaning or {}
     return {
         "title": dict(scene.title),
         "moves": plans.moves,
         "formula": plans.structure.formula_as(scene.frame_number).replace("->", "→") if plans.moves else "",
         "lettering": lettering(scene, plans),
         "drive": drive_of(plans),
-        "home": knobs.home(),
-        "knobs": knobs.all(),
+        "home": knobs.free.home,
+        "knobs": [k for k in knobs.all() if told.leaning is not None or "stays" not in k],
         "drags": knobs.drags(),
         "plans": [_plan(plans, p, scene.mu_convention) for p in plans.drawn if p != "motion"],
         "segments": _segments(plans, drawing),
@@ -108,32 +55,22 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
         "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
         "equations": told.equations,
-        "frames": [{**vars(f), "values": told_values(f), "tools": kit.of_frame(f)} for f in frames],
+        "frames": (shown := [_shown(f, kit) for f in frames]),
+        "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
         "results": (results := _results(plans)),
-        "units": {n: in_both(partial(unit, n)) for n in needed(frames) if unit(n, "en")},
+        "units": {n: in_both(partial(unit, n)) for n in needed([*frames, *more.values()]) if unit(n, "en")},
         **_live(told, [r["value"] for r in results], progress),
     }
 
 
-def drive_of(plans: Plans) -> Json:
-    """The driver's number, and from where to where it runs: nowhere, where a law holds in its own position alone."""
-    drive = plans.mechanism.drive
-    turns = drive.kind == "phi"
-    reach, start = (0.0, drive.position % 1.0) if turns else (plans.reach, drive.position)
-    told: Json = {"symbol": "φ" if turns else "s", "given": plans.drive_given, "at": drive.position, "held": None}
-    if not plans.moves:
-        return {**told, "from": drive.position, "to": drive.position}
-    try:
-        plans.at(drive.position + numpy.ones(1))
-    except SceneError as law:  # a number that holds where the drive stands in the file alone
-        return {**told, "from": drive.position, "to": drive.position, "held": in_both(PlanesError(law.phrase).told)}
-    return {**told, "from": start - reach, "to": start + (reach or 360.0)}
+def _shown(frame: Frame, kit: Kit) -> Json:
+    return {**vars(frame), "values": told_values(frame), "tools": kit.of_frame(frame)}
 
 
 def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     """The tape, and where on it every mark, direction, value, sharpness and mistake stands; with what is practised."""
     plans, frames = told.plans, told.frames
-    live = Live(plans.program, told.given)
+    live = Live(told.knobs.free)
     drawn, own = live.drawing, feet(plans, live.drawing)
     made = (s.makes for s in plans.program.steps if s.kind == "mark" and s.makes not in plans.program.trials)
     marks = {name: drawn[name] for name in made if plan_of(name) != "motion"} | own
@@ -142,7 +79,9 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
     ways += [f["along"] for moment in arms(plans) for f in moment["forces"]]
     sharp = {n: z for n, z in drawn.sharpness.items() if n not in plans.program.trials and plan_of(n) != "motion"}
-    names = dict.fromkeys([*needed(frames), *results, *map(mu_of, plans.drawn), plans.drive_given])
+    names = dict.fromkeys(
+        [*needed([*frames, *(told.leaning or {}).values()]), *results, *map(mu_of, plans.drawn), plans.drive_given]
+    )
     slips, wrong = told.practice.slips(live, progress)
     lines = told.practice.lines()
     tape, places = live.exported(

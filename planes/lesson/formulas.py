@@ -25,7 +25,7 @@ _LETTERS = {
     "rad/s²": "epsilon",
     "m/s": "v vq H",
     "m/s²": "a g",
-    "m": "l h e r s arm rho",
+    "m": "l h e r s x y arm rho",
     "kg": "m",
     "kgm2": "J",
     "N": "G I Φ Ф P Q R F N T FZ Fb",

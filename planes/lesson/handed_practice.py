@@ -20,7 +20,7 @@ from planes.words.names import mu_of, plan_of
 from planes.words.records import Json
 
 if TYPE_CHECKING:
-    from planes.lesson.data import Told
+    from planes.lesson.told import Told
 
 HEAD, LARGEST = "planes-practice", 200_000
 
@@ -78,7 +78,7 @@ class PracticeJudge:
 
     def __init__(self, told: Told) -> None:
         self.told, self.items = told, told.practice.items()
-        self.live = Live(told.plans.program, told.given)
+        self.live = Live(told.knobs.free)
         drawn, trials = self.live.drawing, told.plans.program.trials
         self.marks = [item["what"] for item in self.items if item["kind"] == "mark"]
         slips, wrong = told.practice.slips(self.live)
@@ -109,7 +109,7 @@ class PracticeJudge:
     @cached_property
     def home(self) -> dict[str, float]:
         """The scene's own numbers."""
-        return self.told.knobs.home()
+        return self.told.knobs.free.home
 
     def right(self, item: Json, answer: object, numbers: Mapping[str, complex], given: Mapping[str, float]) -> bool:
         """Whether an answer is right, by the page's own measure."""
@@ -160,15 +160,12 @@ class PracticeJudge:
         raise PlanesError(Phrase("practice_other_scene", file=str(seed), scene=self.told.scene.file))
 
     def drawn(self, draw: Callable[[], float]) -> dict[str, float]:
-        """Numbers near the scene's own, and what is tied to them."""
+        """Numbers near the scene's own."""
         given, drive = dict(self.home), self.told.drive
         for knob in self.told.knobs.all():
             name = knob["given"]
-            if "plan" not in knob and name != drive["given"]:
-                new = float(f"{knob['at'] * (1 + JUDGING['fresh'] * (2 * draw() - 1)):.3g}")
-                for tied, power in knob["tied"].items():
-                    given[tied] *= (new / given[name]) ** power
-                given[name] = new
+            if "plan" not in knob and "stays" not in knob:
+                given[name] = float(f"{knob['at'] * (1 + JUDGING['fresh'] * (2 * draw() - 1)):.3g}")
         if not drive["held"]:
             turn, reach = 2 * draw() - 1, drive["to"] - drive["from"]
             turned = math.floor(drive["at"] + JUDGING["swing"] * turn + 0.5)

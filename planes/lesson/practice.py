@@ -132,7 +132,8 @@ class Practice:
     @property
     def id(self) -> str:
         """Eight letters by which a practice of another scene is told from this one."""
-        told = [(item["kind"], item["what"]) for item in self.items()], sorted(n for n in self.plans.given)
+        free = sorted({*self.plans.given} - {*self.plans.reckoned})
+        told = [(item["kind"], item["what"]) for item in self.items()], free
         return sha256(repr(told).encode()).hexdigest()[:8]
 
     def lines(self) -> dict[str, str]:
@@ -168,7 +169,7 @@ class Practice:
                 made = variant.drawn(ways.program, live.drawing.things, tool, own) if mark in asked else {}
                 if mark in made:
                     found.append((self.slip(variant, mark), made[mark]))
-        apart = live.apart([(thing, live.drawing[slip["at"]]) for slip, thing in found], self.given)
+        apart = live.apart([(thing, live.drawing[slip["at"]]) for slip, thing in found])
         told = [one for one, off in zip(found, apart, strict=True) if off > APART_MM]
         return [slip for slip, _ in told], {str(k): thing for k, (_, thing) in enumerate(told)}
 

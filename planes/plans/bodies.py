@@ -3,12 +3,23 @@
 from copy import copy
 from dataclasses import dataclass, field
 
-from planes.drafting.draft import Draft
+from planes.drafting.draft import Dimension, Draft
 from planes.drafting.steps import Similar
 from planes.drafting.steps.tracks import Hold, SeriesGuess
 from planes.plans.contours import Tracked
 from planes.plans.groups import Group, Lead, Pair
-from planes.plans.reckoned import Off, angle_deg, difference, distance, height, ratio
+from planes.plans.reckoned import (
+    OwnPlace,
+    SceneDimensions,
+    angle_deg,
+    aside,
+    difference,
+    distance,
+    guided,
+    height,
+    leaning,
+    ratio,
+)
 from planes.plans.structure import Structure
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.names import POLE, Meaning, at
@@ -90,7 +101,13 @@ class Bodies:
     reach: BraceReach | None = None
     specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
     standing: set[str] = field(default_factory=lambda: {FRAME})  # links that never move
+    passive: tuple[Link, ...] = ()  # that are drawn by points of others
     coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
+
+    @property
+    def shape(self) -> SceneDimensions:
+        """The dimensions of the links."""
+        return SceneDimensions(self.mechanism, self.passive)
 
     def apart(self) -> "Bodies":
         """The same, grown further by itself."""
@@ -120,32 +137,31 @@ class Bodies:
         """Draw the points of a link that are not on the scheme yet, by similarity or from its axis."""
         for name in body.link.points:
             if at(SCHEME, name) not in self.draft.steps:
-                self._place_point(body, name, body.link.points[name])
+                self._place_point(body, name, OwnPlace(body.link.name, name))
         self.known[body.link.name] = body
 
-    def _place_point(self, body: Body, label: str, p: complex, means: Meaning | None = None) -> str:
+    def _place_point(self, body: Body, label: str, p: OwnPlace, means: Meaning | None = None) -> str:
         if body.rigid and body.ref:
             one, two = (at(SCHEME, s.place) for s in body.ref)
             return self.similar(at(SCHEME, label), body, label, p, (one, two), means)
         base, d = body.base.place, self.draft
-        ray = d.turn(f"{base}{label}", body.axis, *angle_deg(body.link.points[base], p), Meaning("along", base, label))
+        way = angle_deg(self.shape, OwnPlace(p.link, base), p)
+        ray = d.turn(f"{base}{label}", body.axis, way, Meaning("along", base, label))
         d.rays[SCHEME, base, label] = ray
         return d.lay_off(SCHEME, label, at(SCHEME, base), ray, self.length(body.link, base, label, p), means)
 
     def similar(
-        self, mark: str, body: Body, name: str, p: complex, ends: tuple[str, str], means: Meaning | None = None
+        self, mark: str, body: Body, name: str, p: OwnPlace, ends: tuple[str, str], means: Meaning | None = None
     ) -> str:
         """The mark of a place of a rigid link, that stands to the ``ends`` as it does to the points they are of."""
         assert body.ref
-        given = ratio(p, *(body.link.points[s.place] for s in body.ref))
-        return self.draft.step(
-            Similar(mark, *ends, self.draft.give(f"ratio_{name}_{body.link.name}", *given), means=means)
-        )
+        like = ratio(self.shape, p, *(OwnPlace(p.link, s.place) for s in body.ref))
+        return self.draft.step(Similar(mark, *ends, self.draft.reckon(f"ratio_{name}_{p.link}", like), means=means))
 
-    def length(self, link: Link, one: str, two: str, end: complex | None = None) -> str:
+    def length(self, link: Link, one: str, two: str, end: OwnPlace | None = None) -> str:
         """The given distance of two points of a link; ``end`` is the place of the second if it is none of them."""
-        apart = distance(link.points[one], link.points[two] if end is None else end)
-        return self.draft.give(f"l_{one}{two}", *apart, Meaning("length", one, two, link.name))
+        apart = distance(self.shape, OwnPlace(link.name, one), end or OwnPlace(link.name, two))
+        return self.draft.reckon(f"l_{one}{two}", apart, Meaning("length", one, two, link.name))
 
     def distance(self, link: Link, one: BodyPoint, two: BodyPoint) -> str:
         """The distance of two spots of a link: given if both are its points, else taken off the scheme."""
@@ -165,32 +181,28 @@ class Bodies:
             means = Meaning("guide", name)
             if body.link.name == FRAME:
                 return self.draft.put(SCHEME, label, guide.through, means)
-            return self._place_point(body, label, guide.through, means)
+            return self._place_point(body, label, OwnPlace(body.link.name, guide=name), means)
         return at(SCHEME, label)
 
-    def _slide_angle(self, pair: Pair) -> float:
-        slides = self.mechanism.link(pair.link).slides
-        return (slides.angle_deg or 0.0) if slides else 0.0
-
-    def own_angle(self, pair: Pair, link: str) -> float:
+    def own_angle(self, pair: Pair, link: str) -> Dimension:
         """The direction of the pair's guide in the axes of ``link``, one of the pair, degrees."""
-        return -self._slide_angle(pair) if link == pair.link else self.mechanism.guide(pair.guide).angle_deg
+        return -leaning(self.shape, link) if link == pair.link else guided(self.shape, pair.guide)
 
     def axis_along(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
-        return self.draft.turn(f"x_{link}", direction, -self.own_angle(pair, link), 0.0, Meaning("own", link))
+        return self.draft.turn(f"x_{link}", direction, -self.own_angle(pair, link), Meaning("own", link))
 
     def direction_from(self, pair: Pair, link: str, axis: str) -> str:
         """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
         name, means, given = f"∥{pair.guide}", Meaning("along", pair.guide), Meaning("angle", pair.guide, link=link)
+        angle = self.own_angle(pair, link)
         if link == pair.link:
-            return self.draft.turn(name, axis, -self._slide_angle(pair), 0.0, means)
-        angle = self.mechanism.guide(pair.guide).angle_deg
+            return self.draft.turn(name, axis, angle, means)
         if link == FRAME:
             return self.draft.aim(name, angle, means, given)
-        return self.draft.turn(name, axis, angle, 0.0, means, given)
+        return self.draft.turn(name, axis, angle, means, given)
 
-    def offset(self, pair: Pair, link: str, point: str) -> Off | None:
+    def offset(self, pair: Pair, link: str, point: str) -> Dimension | None:
         """How far a point of ``link`` lies to the left of the pair's line (m), and how far off that may be; None: on it
         by construction."""
         body = self.mechanism.link(link)
@@ -198,20 +210,23 @@ class Bodies:
             guide = body.guides[pair.guide]
             if guide.through_point == point:
                 return None
-            return height(body.points[point], guide.through, guide.angle_deg)
+            return height(
+                self.shape, OwnPlace(link, point), OwnPlace(link, guide=pair.guide), guided(self.shape, pair.guide)
+            )
         slides = body.slides
         if slides is None:
             raise AssertionError(pair)
+        own = None if slides.offset is None else -aside(self.shape, link)
         if point == body.first_point:
-            return None if slides.offset is None else (slides.offset, 0.0)
-        found = height(body.points[point], body.points[body.first_point], -(slides.angle_deg or 0.0))
-        return difference(found, (-(slides.offset or 0.0), 0.0))
+            return None if own is None else -own
+        spots = OwnPlace(link, point), OwnPlace(link, body.first_point)
+        return difference(height(self.shape, *spots, -leaning(self.shape, link)), own)
 
-    def shifted(self, label: str, means: Meaning, start: str, direction: str, by: Off | None) -> str:
+    def shifted(self, label: str, means: Meaning, start: str, direction: str, by: Dimension | None) -> str:
         """A helping mark ``by`` metres to the left of a line through ``start`` (that itself when it is nothing)."""
         if by is None:
             return start
-        offset = self.draft.give(f"e_{label}", *by, Meaning("offset", label))
+        offset = self.draft.reckon(f"e_{label}", by, Meaning("offset", label))
         return self.draft.lay_off(SCHEME, label, start, self.draft.square(direction), offset, means)
 
     def foot(self, pair: Pair) -> str:
@@ -223,4 +238,4 @@ class Bodies:
             return first
         direction = self.direction_from(pair, pair.link, body.axis)
         label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
-        return self.shifted(label, means, first, direction, difference((0.0, 0.0), offset))
+        return self.shifted(label, means, first, direction, -offset)

@@ -11,7 +11,7 @@ from planes.drafting.steps.reckoning import Drop, Product, SenseOf
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach
 from planes.plans.driven_positions import Elbow, cylinder, place_reached
 from planes.plans.groups import Brace, Group, Pair
-from planes.plans.reckoned import angle_deg, ratio
+from planes.plans.reckoned import OwnPlace, angle_deg, ratio
 from planes.words.names import Meaning, at, mu_of
 
 
@@ -32,9 +32,8 @@ def _elbow(b: Bodies, g: Group, drive: Pair, brace: Brace) -> tuple[Elbow, Brace
     def aside(point: str) -> str:
         if point == pivot:
             return at(SCHEME, pivot)
-        way = d.turn(
-            f"→{pivot}{point}", level, *angle_deg(first.points[pivot], first.points[point]), Meaning("given", pivot)
-        )
+        angle = angle_deg(b.shape, OwnPlace(first.name, pivot), OwnPlace(first.name, point))
+        way = d.turn(f"→{pivot}{point}", level, angle, Meaning("given", pivot))
         return d.lay_off(SCHEME, f"{point}°{pivot}", at(SCHEME, pivot), way, b.length(first, pivot, point), helper)
 
     ends = (near, far) if brace.near.link == brace.slide.other else (far, near)
@@ -51,8 +50,8 @@ def _elbow(b: Bodies, g: Group, drive: Pair, brace: Brace) -> tuple[Elbow, Brace
     pin = d.step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_of(SCHEME), side, means=helper))
     end = pin
     if hinge != far:
-        given = ratio(*(second.points[p] for p in (hinge, motor, far)))
-        like = d.give(f"ratio_{hinge}_{second.name}", *given)
+        stands = ratio(b.shape, *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
+        like = d.reckon(f"ratio_{hinge}_{second.name}", stands)
         end = d.step(Similar(at(SCHEME, f"{hinge}°{pivot}"), elbow, pin, like, means=helper))
     whole = d.measure(f"l_{pivot}{hinge}", at(SCHEME, pivot), end)
     return Elbow(g, motor, pivot, hinge, whole, (elbow, end)), BraceReach(way, reach, length, offset is not None)

@@ -11,7 +11,7 @@ from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.contours import Contour
 from planes.plans.groups import Lead
 from planes.plans.positions import rigid_body
-from planes.plans.reckoned import angle_deg
+from planes.plans.reckoned import OwnPlace, angle_deg
 from planes.plans.triads import cut_of, local_of
 from planes.words.names import Meaning, at
 
@@ -46,7 +46,8 @@ def _held_aside(b: Bodies, g: Contour, pivot: str, lead: Lead) -> Hold:
     """A rod from the base, which is drawn level about its outer hinge."""
     d, base, p = b.draft, b.mechanism.links[g.base], lead.outer.point
     level = d.aim("→", 0.0, Meaning("given", g.base))
-    along = d.turn(f"→{pivot}{p}", level, *angle_deg(base.points[pivot], base.points[p]), Meaning("given", p))
+    angle = angle_deg(b.shape, OwnPlace(g.base, pivot), OwnPlace(g.base, p))
+    along = d.turn(f"→{pivot}{p}", level, angle, Meaning("given", p))
     length = b.length(base, pivot, p)
     place = d.lay_off(SCHEME, f"{p}°{pivot}", at(SCHEME, pivot), along, length, Meaning("guide", p))
     reach = b.length(b.mechanism.links[lead.link], p, lead.inner.point)

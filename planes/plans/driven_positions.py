@@ -11,7 +11,7 @@ from planes.drafting.steps.reckoning import Product, SenseOf, SizeOf
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.groups import Group, Pair
 from planes.plans.positions import chain_to, moving_name, on_line, place_slider, rigid_body, side_of
-from planes.plans.reckoned import HALF, along, angle_deg, difference
+from planes.plans.reckoned import OwnPlace, along, angle_deg, difference, guided, leaning
 from planes.words.names import Meaning, at
 
 
@@ -94,10 +94,11 @@ def _elbow(b: Bodies, g: Group, pair: Pair) -> Elbow:
     if drive.link == g.first:
         turn = d.product(f"-angle_x_{drive.link}", -1.0, **{turn: 1})
     level, helper = d.aim("→", 0.0, Meaning("given", g.first)), Meaning("guide", motor)
-    ways = angle_deg(first.points[pivot], first.points[motor]), angle_deg(second.points[motor], second.points[hinge])
-    one = d.turn(f"→{pivot}{motor}", level, *ways[0], Meaning("given", pivot))
+    way = angle_deg(b.shape, OwnPlace(g.first, pivot), OwnPlace(g.first, motor))
+    one = d.turn(f"→{pivot}{motor}", level, way, Meaning("given", pivot))
     turned = d.step(Turn(f"→{second.name}", level, 0, turn, means=Meaning("given", motor)))
-    two = d.turn(f"→{motor}{hinge}", turned, *ways[1], Meaning("given", motor))
+    way = angle_deg(b.shape, OwnPlace(second.name, motor), OwnPlace(second.name, hinge))
+    two = d.turn(f"→{motor}{hinge}", turned, way, Meaning("given", motor))
     elbow = d.lay_off(SCHEME, f"{motor}°{pivot}", at(SCHEME, pivot), one, b.length(first, pivot, motor), helper)
     end = d.lay_off(SCHEME, f"{hinge}°{pivot}", elbow, two, b.length(second, motor, hinge), helper)
     return Elbow(g, motor, pivot, hinge, d.measure(f"l_{pivot}{hinge}", at(SCHEME, pivot), end), (elbow, end))
@@ -107,21 +108,25 @@ def cylinder(b: Bodies, pair: Pair, ends: tuple[str, str], pivot: str, start: st
     """How far its hinges, of the guide's link and of the slider, are apart along the guide and across it, and as they
     lie, which is drawn aside from the ``start`` on the frame (the ``pivot``): names of values, SI."""
     d, carrier, slider = b.draft, b.mechanism.link(pair.other), b.mechanism.link(pair.link)
-    guide, angle = carrier.guides[pair.guide], slider.slides.angle_deg if slider.slides else None
-    more = along(slider.points[ends[1]] - slider.points[slider.first_point], -(angle or 0.0))
-    more -= along(carrier.points[ends[0]] - guide.through, guide.angle_deg)
+    guide, origin = carrier.guides[pair.guide], OwnPlace(carrier.name, guide=pair.guide)
+    foot, pin = OwnPlace(slider.name, slider.first_point), OwnPlace(slider.name, ends[1])
+    more = difference(
+        along(b.shape, foot, pin, -leaning(b.shape, slider.name)),
+        along(b.shape, origin, OwnPlace(carrier.name, ends[0]), guided(b.shape, pair.guide)),
+    )
     reach = d.give("s", b.mechanism.drive.position)
     if ends != (guide.through_point, slider.first_point):
         apart = ends[1] + ends[0]
-        own = d.give(f"s_{apart}_given", more, 8 * HALF * abs(more), Meaning("offset", *ends[::-1]))
+        assert more
+        own = d.reckon(f"s_{apart}_given", more, Meaning("offset", *ends[::-1]))
         reach = d.total(f"s_{apart}", [Product(1.0, ((reach, 1),)), Product(1.0, ((own, 1),))])
     across = difference(b.offset(pair, slider.name, ends[1]), b.offset(pair, carrier.name, ends[0]))
     name = f"l_{pivot}{ends[1 - ends.index(pivot)]}"
     if across is None:
         return reach, None, d.step(SizeOf(name, reach))
-    offset, helper = d.give(f"e_{''.join(ends)}", *across, Meaning("offset", *ends)), Meaning("guide", pair.guide)
+    offset, helper = d.reckon(f"e_{''.join(ends)}", across, Meaning("offset", *ends)), Meaning("guide", pair.guide)
     level = d.aim("→", 0.0, Meaning("given", pair.guide))
     start = at(SCHEME, start or pivot)
-    foot = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", start, level, reach, helper)
-    end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}′", foot, d.square(level), offset, helper)
+    reached = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", start, level, reach, helper)
+    end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}′", reached, d.square(level), offset, helper)
     return reach, offset, d.measure(name, start, end)

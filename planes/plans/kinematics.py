@@ -14,6 +14,7 @@ from planes.plans.braces import braced_rate
 from planes.plans.driven import driven_end, driven_spot, driven_terms
 from planes.plans.groups import Group
 from planes.plans.legs import Leg, SlideReading, legs_of
+from planes.plans.reckoned import OwnPlace
 from planes.scene.mechanism import FRAME, RATES
 from planes.words.names import POLE, Meaning, at
 
@@ -175,7 +176,7 @@ class Rates:
             self.bodies.draft.step(Same(mark, carrier))
         elif root is body and body.rigid and body.ref and spot.name in body.link.points:
             one, two = (self.mark(s.name) for s in body.ref)
-            self.bodies.similar(mark, body, spot.name, body.link.points[spot.name], (one, two))
+            self.bodies.similar(mark, body, spot.name, OwnPlace(body.link.name, spot.name), (one, two))
         elif root.ref:
             like = root.ref
             scheme = tuple(at(SCHEME, s.place) for s in (body.carrier, spot, *like))

@@ -159,7 +159,7 @@ class Acting:
             return d.step(
                 Turn(f"∠{name}", axis, 0, found, means=means) if turned else Aim(f"∠{name}", found, means=means)
             )
-        return d.turn(f"∠{name}", axis, angle, 0.0, means) if turned else d.aim(f"∠{name}", angle, means)
+        return d.turn(f"∠{name}", axis, angle, means) if turned else d.aim(f"∠{name}", angle, means)
 
     def _couple(self, load: Load, name: str) -> str:
         d, link = self.bodies.draft, load.link

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from planes.drafting.steps.reckoning import Protractor
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.kinematics import Rates
-from planes.plans.reckoned import angle_deg
+from planes.plans.reckoned import OwnPlace, angle_deg
 from planes.scene.mechanism import Link
 from planes.words.names import Meaning
 
@@ -27,9 +27,9 @@ def values_of(b: Bodies, link: Link) -> LinkValues:
         axis = b.draft.aim(f"x_{link.name}", angle, Meaning("own", link.name))
         return LinkValues(b.draft.step(Protractor(f"phi_{link.name}", axis)), "", "")
     one, two = held
-    turned, off = angle_deg(link.points[one], link.points[two])
+    turned = angle_deg(b.shape, OwnPlace(link.name, one), OwnPlace(link.name, two))
     ray = b.draft.ray(SCHEME, one, two)
-    axis = b.draft.turn(f"x_{link.name}", ray, -turned, off, Meaning("own", link.name))
+    axis = b.draft.turn(f"x_{link.name}", ray, -turned, Meaning("own", link.name))
     across, length = b.draft.square(ray), b.length(link, one, two)
     angle_name, rates = b.draft.step(Protractor(f"phi_{link.name}", axis)), []
     for plan in (Rates(b, "velocity"), Rates(b, "acceleration")):

@@ -4,7 +4,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Touch
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
 from planes.plans.groups import Group, Pair
-from planes.plans.reckoned import angle_deg, difference
+from planes.plans.reckoned import OwnPlace, angle_deg, difference
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import POLE, Meaning, at, label_of
@@ -38,8 +38,8 @@ def rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
     if places[0] == places[1]:
         line = b.mechanism.where.get(("links", name), b.mechanism.where.get(("links",)))
         raise SceneError(Phrase("hinges_coincide", link=name, one=one, two=two), b.file, line)
-    angle, off = angle_deg(*places)
-    axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -angle, off, Meaning("own", name))
+    angle = angle_deg(b.shape, OwnPlace(name, one), OwnPlace(name, two))
+    axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -angle, Meaning("own", name))
     spots = BodyPoint(one, one), BodyPoint(two, two)
     return Body(link, spots[0], axis, name, spots, rigid=True)
 
@@ -73,7 +73,7 @@ def place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) ->
 def _place_rpr(b: Bodies, g: Group) -> None:
     one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
     offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
-    given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset, Meaning("offset", one, two))
+    given = None if offset is None else b.draft.reckon(f"e_{one}{two}", offset, Meaning("offset", one, two))
     side = b.reach.way if b.reach and b.structure.is_drive(g) else side_of(b, pair.guide, g)
     ends = at(SCHEME, two), at(SCHEME, one)
     means = Meaning("along", pair.guide)

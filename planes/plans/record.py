@@ -6,7 +6,7 @@ from collections.abc import Container, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from planes.drafting.draft import Moments, Segment
+from planes.drafting.draft import Dimension, Moments, Segment
 from planes.drafting.equations import Equation
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing
@@ -48,6 +48,7 @@ class Plans:
     acting: Loads
     means: Mapping[str, Meaning]  # of the names whose makers say so
     off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
+    reckoned: Mapping[str, Dimension] = field(default_factory=dict)  # givens that change with the links' dimensions
     points: Mapping[str, PointMarks] = field(default_factory=dict)
     links: Mapping[str, LinkValues] = field(default_factory=dict)
     velocity_slides: Mapping[str, SlideReading] = field(default_factory=dict)
@@ -146,10 +147,11 @@ class Plans:
 def with_passive(plans: Plans) -> Plans:
     """The plans with the motion of the passive links they are stated without."""
     assert plans.acting.motion
-    b = plans.acting.motion.bodies
+    b = replace(plans.acting.motion.bodies, passive=plans.passive)
     links = {**plans.links, **{link.name: values_of(b, link) for link in plans.passive}}
     program = Program(tuple(b.draft.steps.values()), plans.program.proofs)
-    return replace(plans, program=program, given=b.draft.given, links=links, means={**plans.means, **b.draft.means})
+    means = {**plans.means, **b.draft.means}
+    return replace(plans, program=program, given=b.draft.given, links=links, means=means, reckoned=b.draft.reckoned)
 
 
 def sliced(plans: Plans, wanted: list[str]) -> Plans:

@@ -13,7 +13,7 @@ from planes.plans.contours import Tracked
 from planes.plans.driven_positions import driven_length
 from planes.plans.groups import Lead, Triad
 from planes.plans.positions import on_line, place_slider, rigid_body
-from planes.plans.reckoned import difference
+from planes.plans.reckoned import OwnPlace, difference, own
 from planes.scene.mechanism import Link
 from planes.words.names import Meaning, at, mu_of
 
@@ -81,12 +81,11 @@ def hold_of(b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], 
     first = link.first_point
     offset = difference(b.offset(inner, lead.link, outer.point), b.offset(inner, basic, first))
     beside = Meaning("offset", outer.point, first)
-    reach = "" if offset is None else d.give(f"e_{outer.point}{first}", *offset, beside)
-    angle = b.own_angle(inner, basic)
-    turn = d.give(f"guide_{inner.guide}_{basic}", angle)
+    reach = "" if offset is None else d.reckon(f"e_{outer.point}{first}", offset, beside)
+    turn = d.reckon(f"guide_{inner.guide}_{basic}", b.own_angle(inner, basic))
     return Hold("guide", local_of(b, link, first), at(SCHEME, outer.point), reach, turn)
 
 
 def local_of(b: Bodies, link: Link, point: str) -> str:
     """The place of a point on its link."""
-    return b.draft.give(f"at_{point}_{link.name}", complex(link.points[point]))
+    return b.draft.reckon(f"at_{point}_{link.name}", own(b.shape, OwnPlace(link.name, point)))

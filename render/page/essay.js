@@ -14,7 +14,7 @@ const paragraphs = data.paragraphs.map((p, k) => {
   const [text, figcaption, node, equations, follow] = ["p", "figcaption", "svg", ".equations", ".follow"].map(s => section.querySelector(s));
   const figure = new (p.view === "position" ? Scheme : Plan)(node, data), own = { ...p, section, text, figcaption, node, equations, follow, figure, knobs: names.map(slid), seen: seenAt(p.frame) };
   section.querySelectorAll("input").forEach((input, i) => {
-    const knob = own.knobs[i], angle = aimedAt(knob.given), [low, high] = knob.drive ? [data.drive.from, data.drive.to] : angle ? [knob.at - 60, knob.at + 60] : span(knob);
+    const knob = own.knobs[i], angle = aimedAt(knob.given), [low, high] = knob.drive ? [data.drive.from, data.drive.to] : span(knob);
     Object.assign(input, { min: low, max: high, step: (high - low) / (knob.drive || angle ? 720 : 500) });
     input.oninput = () => { live.set({ [knob.given]: +input.value }); follow.textContent = ""; later(); };
     input.onchange = () => { if (!knob.drive) live.scan(); later(); };
@@ -26,7 +26,6 @@ const paragraphs = data.paragraphs.map((p, k) => {
   }, () => { live.scan(); later(); });
   return own;
 });
-function aimedAt(given) { return given.startsWith("angle_∠"); }
 function shown(knob) { // a number under its slider
   const v = live.given[knob.given];
   if (knob.drive) return `${turning ? number(+(((v % 360) + 360) % 360).toFixed(1)) + "°" : number(v)}`;

@@ -8,7 +8,8 @@ function placed(v) { // a value of the drive within its range; an angle goes rou
   return symbol === "φ" ? ((v - from) % 360 + 360) % 360 + from : clamp(v, from, to);
 }
 function allowed(knob, v) { return Number.isFinite(v) && (v > 0 || (v < 0 && knob.at < 0) || !/^(l_|mu_)/.test(knob.given)); }
-function span({ at, reach }) { return at ? [at / 3, 3 * at].sort((a, b) => a - b) : [-reach, reach]; } // from a third of a number to three times; about nothing as far as others of its kind
+function aimedAt(given) { return given.startsWith("angle_∠"); }
+function span({ given, at, reach }) { return aimedAt(given) ? [at - 60, at + 60] : at ? [at / 3, 3 * at].sort((a, b) => a - b) : [-reach, reach]; } // from a third of a number to three times; about nothing as far as others of its kind
 function pulled(mark, names, target) { // the mechanism follows, or it is said how far it cannot
   const moved = names.length && data.marks[mark] && live.turns(mark, names).flat().some(Boolean), short = moved ? live.follow(mark, names, target) : Infinity;
   live.set({ [data.drive.given]: placed(live.drive) });

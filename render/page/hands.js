@@ -54,16 +54,16 @@ function zones() { // positions that fail, and blunt ones, marked over the slide
   $("zones").innerHTML = live.zones.map(z => `<i class="${z.kind}" title="${said(z)}" style="left:${100 * (z.from - from) / long}%;width:${100 * (z.to - z.from) / long + 100 / TURN}%"></i>`).join("");
 }
 function knobs() { // every given number, to be typed or slid
-  const name = k => k.plan ? `μ, ${data.plans.find(p => p.key === k.plan)?.title[state.lang].toLowerCase() ?? ""}` : html(k.name);
+  const name = k => k.plan ? `μ, ${data.plans.find(p => p.key === k.plan)?.title[state.lang].toLowerCase() ?? ""}` : html(k.name) + (k.when ? `, <small>${k.when[state.lang]}</small>` : "");
   const shown = data.knobs.filter(k => !k.plan || data.plans.some(p => p.key === k.plan));
   const unit = k => k.plan ? filled(data.plans.find(p => p.key === k.plan).mu[state.lang]).replace(/^\S+ /, "") : k.unit[state.lang];
-  const label = k => (k.plan ? name(k) : k.name) + " " + unit(k);
+  const label = k => (k.plan ? name(k) : k.name + (k.when ? `, ${k.when[state.lang]}` : "")) + " " + unit(k);
   const slid = (k, [low, high] = span(k)) => `min="${low}" max="${high}" step="${(high - low) / 500}"`;
-  $("knobs").innerHTML = shown.map(k => `<div class="knob"><span>${name(k)}</span>` +
+  $("knobs").innerHTML = shown.map(k => `<div class="knob${k.plan ? " scale" : ""}"><span>${name(k)}</span>` +
     `<input type="range" ${slid(k)} data-given="${k.given}" aria-label="${label(k)}">` +
     `<input type="text" inputmode="decimal" data-given="${k.given}" aria-label="${label(k)}"><small>${unit(k)}</small></div>`).join("");
   const chosen = $("free").value;
-  $("free").innerHTML = `<option value="">${say("free_any")}</option>` + shown.filter(k => !k.plan).map(k => `<option value="${k.given}">${k.name.replace("_", "")}</option>`).join("");
+  $("free").innerHTML = `<option value="">${say("free_any")}</option>` + shown.filter(k => !k.plan).map(k => `<option value="${k.given}">${k.name.replace("_", "")}${k.when ? `, ${k.when[state.lang]}` : ""}</option>`).join("");
   $("free").value = chosen;
 }
 function spin(on = !state.spin) { // the crank goes round by itself, a turn in six seconds, there and back where it cannot

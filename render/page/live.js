@@ -15,7 +15,7 @@ class Live {
   get altered() { return Object.keys(this.data.home).filter(n => n !== this.data.drive.given && this.given[n] !== this.data.home[n] && this.data.knobs.some(k => k.given === n)); }
   set(numbers) { // what is tied to a number changes with it
     for (const k of this.data.knobs) if (numbers[k.given]) {
-      for (const n in k.tied) this.given[n] *= (numbers[k.given] / this.given[k.given]) ** k.tied[n];
+      for (const n of k.tied) this.given[n] *= numbers[k.given] / this.given[k.given];
       this.given[k.given] = numbers[k.given];
     }
     Object.assign(this.given, numbers);
@@ -23,7 +23,14 @@ class Live {
   }
   back(given) { this.given = { ...given }; this.run(); }
   reset() { this.back(this.data.home); this.scan(); }
+  lean() { // with a guide turned more is told: terms that are nothing with it as it stands
+    const leans = this.data.knobs.some(k => k.stays && this.given[k.given] !== k.at);
+    if (leans === Boolean(this.leans)) return;
+    this.leans = leans;
+    for (const [k, more] of Object.entries(this.data.leaning || {})) for (const n in more) [this.data.frames[k][n], more[n]] = [more[n], this.data.frames[k][n]];
+  }
   run() {
+    this.lean();
     this.tape.run(this.given);
     const failed = this.data.holds.find(h => !this.tape.values[h.at]);
     this.failed = failed ? failed.said : null;
@@ -112,8 +119,8 @@ class Live {
       const g = this.tape.slopes(place);
       const own = n => g[this.tape.givens[n]] || 0;
       return names.map(n => {
-        const tied = (this.data.knobs.find(k => k.given === n) || {}).tied, s = own(n);
-        return this.size(n) * Object.entries(tied || {}).reduce((all, [t, power]) => all + own(t) * power * this.given[t] / this.given[n], s);
+        const tied = (this.data.knobs.find(k => k.given === n) || {}).tied || [];
+        return this.size(n) * tied.reduce((all, t) => all + own(t) * this.given[t] / this.given[n], own(n));
       });
     });
   }

@@ -167,7 +167,7 @@ function fresh(seed) { // other numbers near the scene's, with which everything 
   const home = sizes(), sharp = blunt();
   for (let k = 0; k < JUDGING.draws; k++) {
     const draw = random(seed * JUDGING.draws + k), numbers = {};
-    for (const n of data.knobs) if (!n.plan && n.given !== given) numbers[n.given] = +(n.at * (1 + JUDGING.fresh * (2 * draw() - 1))).toPrecision(3);
+    for (const n of data.knobs) if (!n.plan && !n.stays) numbers[n.given] = +(n.at * (1 + JUDGING.fresh * (2 * draw() - 1))).toPrecision(3);
     if (!held) numbers[given] = symbol === "φ" ? Math.round(at + JUDGING.swing * (2 * draw() - 1)) : +(at + (to - from) / 20 * (2 * draw() - 1)).toPrecision(3);
     live.back(data.home);
     live.set(numbers);

@@ -19,8 +19,8 @@ from planes.cli import check as command
 from planes.cli import main
 from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
 from planes.documents.class_work import Sorter
-from planes.lesson.data import Told
 from planes.lesson.handed_practice import checksum
+from planes.lesson.told import Told
 from planes.scene import load
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT

@@ -10,9 +10,9 @@ import pytest
 
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.lesson import Teller
-from planes.lesson.data import Told
 from planes.lesson.formulas import SLOT, fill
 from planes.lesson.note import Note
+from planes.lesson.told import Told
 from planes.plans.loads import load_names
 from planes.scene import load
 from planes.solving import solve

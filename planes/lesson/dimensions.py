@@ -1,0 +1,178 @@
+"""The numbers a scene is given by, as a reader may change them: of a link the distances of its points and the angles
+between them, of a guide its direction; and from them the given numbers of its program.
+"""
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from planes.batch.symbols import Num
+from planes.batch.tape import Tape
+from planes.batch.tracing import given_on, given_values
+from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Arithmetic, Point, Real
+from planes.plans import Plans
+from planes.plans.reckoned import Dimensions, OwnPlace, SceneDimensions
+from planes.scene.mechanism import FRAME
+from planes.words.names import Meaning
+
+ANGLE = "angle_∠"
+APART = 1e-9  # relative to a link: points nearer than that are one
+
+
+@dataclass(frozen=True)
+class Reach:
+    """A place of a link by its ``length`` from another and the ``angle`` from the link's first length: names of
+    numbers; the second is "" of that length itself."""
+
+    start: complex
+    along: complex
+    length: str
+    angle: str = ""
+
+
+@dataclass
+class _Asked(SceneDimensions):
+    """Notes which dimensions are asked for."""
+
+    def __init__(self, plans: Plans) -> None:
+        super().__init__(plans.mechanism, plans.passive)
+        self.places: dict[OwnPlace, None] = {}
+        self.guides: dict[str, None] = {}
+        self.sliders: dict[str, None] = {}
+
+    def place(self, spot: OwnPlace) -> complex:
+        self.places[self.point(spot)] = None
+        return super().place(spot)
+
+    def point(self, spot: OwnPlace) -> OwnPlace:
+        """The point that a guide runs through, where that is one."""
+        point = self.links[spot.link].guides[spot.guide].through_point if spot.guide else None
+        return OwnPlace(spot.link, point) if point else spot
+
+    def angle(self, guide: str) -> float:
+        self.guides[guide] = None
+        return super().angle(guide)
+
+    def offset(self, slider: str) -> float:
+        self.sliders[slider] = None
+        return super().offset(slider)
+
+
+class FreeNumbers:
+    """The numbers of a scene that are free, by name: those its program is given by, or what they are reckoned of."""
+
+    def __init__(self, plans: Plans, given: Mapping[str, Thing]) -> None:
+        self.plans, self.given = plans, given
+        self.asked, ar = _Asked(plans), Arithmetic()
+        for name in plans.program.givens:
+            if name in plans.reckoned:
+                plans.reckoned[name].by(self.asked, ar)
+        self.own: dict[str, float] = {}
+        self.reaches = dict(self._reaches())
+        self.turned = {g: self._named(ANGLE + g, self.asked.angle(g)) for g in [*self.asked.guides]}
+        self.aside = {x: self._named(f"e_{x}", e) for x in [*self.asked.sliders] if (e := self.asked.offset(x))}
+
+    @cached_property
+    def home(self) -> dict[str, float]:
+        """Every free number as the scene has it, of a place both coordinates."""
+        plain = {n: z for n, z in self.given.items() if n not in self.plans.reckoned}
+        flat = {n: float(z) for n, z in given_values(plain).items()}
+        places = {n: z for n, z in flat.items() if n.startswith("place_")}
+        return {**places, **self.own, **{n: z for n, z in flat.items() if n not in places}}
+
+    def on(self, tape: Tape, ar: Arithmetic) -> dict[str, Thing]:
+        """The given numbers of the program on a tape that has the free ones."""
+        own = {n: Num(tape, tape.leaf("given", n)) for n in self.own}
+        return self._reckoned({n: given_on(tape, n, z) for n, z in self.given.items()}, own, ar)
+
+    def given_by(self, free: Mapping[str, Any], ar: Arithmetic | None = None) -> dict[str, Thing]:
+        """The given numbers of the program by free ones: numbers, or arrays of them."""
+        plain = {
+            n: free[f"{n}.x"] + 1j * free[f"{n}.y"] if isinstance(z, complex) else free[n]
+            for n, z in self.given.items()
+            if n not in self.plans.reckoned
+        }
+        return self._reckoned({**self.given, **plain}, free, ar or Arithmetic())
+
+    def _reckoned(self, things: dict[str, Thing], own: Mapping[str, Any], ar: Arithmetic) -> dict[str, Thing]:
+        shape = _Changed(self, things, own, ar)
+        for name in self.given:
+            if name in self.plans.reckoned:
+                things[name] = own[name] if name in self.own else self.plans.reckoned[name].by(shape, ar)
+        return things
+
+    def placing(self, link: str, point: str) -> list[str]:
+        """The numbers that place a point on its link."""
+        reach = self.reaches.get(OwnPlace(link, point))
+        return [n for n in (reach.length, reach.angle) if n] if reach else []
+
+    def _named(self, name: str, value: float) -> str:
+        while name in self.own or (name in self.given and not self._same(name, value)):
+            name += "′"
+        self.own[name] = value
+        return name
+
+    def _same(self, name: str, value: float) -> bool:
+        return name in self.plans.reckoned and abs(self.given[name] - value) <= APART * abs(value)
+
+    def _reaches(self) -> Iterator[tuple[OwnPlace, Reach]]:
+        """Of every link: its first length, from which the angles are counted (of a slider from its own axis), and where
+        its other points are."""
+        for link in (x for x in self.plans.mechanism.links.values() if len(x.points) > 1):
+            given = {(m.of, m.about): n for n, m in self.lengths.items() if m.link == link.name}
+            base = next(iter(given), ("", ""))[0] or link.first_point
+            ways = {p: z - link.points[base] for p, z in link.points.items()}
+            far = [p for p, way in ways.items() if abs(way) > APART * max(map(abs, ways.values()))]
+            first = "" if link.slides else next(iter(given))[1] if given else next(iter(far), "")
+            level = ways[first] / abs(ways[first]) if first else 1 + 0j
+            for p in sorted(far, key=lambda p: p != first):
+                if (spot := OwnPlace(link.name, p)) in self.asked.places:
+                    named = given.get((base, p)) or given.get((p, base)) or f"l_{base}{p}"
+                    length = self._named(named, abs(ways[p]))
+                    turned = "" if p == first else self._named(f"{ANGLE}{first}{base}{p}", degrees(ways[p] / level))
+                    yield spot, Reach(link.points[base], level, length, turned)
+
+    @cached_property
+    def lengths(self) -> dict[str, Meaning]:
+        """The lengths that the program is given."""
+        means = self.plans.means
+        return {n: means[n] for n in self.plans.program.givens if n in means and means[n].quantity == "length"}
+
+
+def degrees(z: complex) -> float:
+    """The direction of a vector, degrees."""
+    return math.degrees(cmath.phase(z))
+
+
+@dataclass(frozen=True)
+class _Changed(Dimensions):
+    """The dimensions as the free numbers make them."""
+
+    free: FreeNumbers
+    things: Mapping[str, Thing]
+    own: Mapping[str, Any]
+    ar: Arithmetic
+
+    def place(self, spot: OwnPlace) -> Point:
+        home = self.free.asked.place(spot)
+        if spot.link == FRAME:
+            label = spot.point or self.free.plans.mechanism.guide(spot.guide).through_point or f"°{spot.guide}"
+            return self.things.get(f"place_{label}", home)
+        reach = self.free.reaches.get(self.free.asked.point(spot))
+        if not reach:
+            return home
+        along = reach.along * (self.ar.cis_deg(self.own[reach.angle]) if reach.angle else 1.0)
+        return reach.start + self.own[reach.length] * along
+
+    def angle(self, guide: str) -> Real:
+        return self.own[self.free.turned[guide]]
+
+    def lean(self, slider: str) -> Real:
+        return self.free.asked.lean(slider)
+
+    def offset(self, slider: str) -> Real:
+        return self.own[self.free.aside[slider]] if slider in self.free.aside else self.free.asked.offset(slider)

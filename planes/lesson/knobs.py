@@ -1,0 +1,141 @@
+"""Which given numbers of a lesson a reader may change, how far, and what a dragged mark changes."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property, partial
+
+import numpy
+
+from planes.drafting.steps import LayOff, Put, Similar, Step
+from planes.drafting.steps.crossings import CrossArc, CrossArcs
+from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Many
+from planes.geometry.arrays import Array, Complexes
+from planes.lesson.dimensions import FreeNumbers
+from planes.lesson.formulas import unit
+from planes.lesson.frame import in_both
+from planes.plans import Plans
+from planes.words import say
+from planes.words.names import aimed, label_of, mu_of, parts_of, plan_of
+from planes.words.records import Json
+
+CARRIED = ("velocity", "motion", "lever")
+"""Plans of one scale: the lever's segments are carried from one of velocities."""
+STROKES = {"‖": "stroke_working", "|": "stroke_idle"}  # loads of a stroke, by how their names begin
+TURNED = 30.0  # degrees: how far from nothing an angle may go
+SHAKEN = 0.07  # of itself: how far a number is changed to see which terms are nothing whatever it is
+
+
+@dataclass(frozen=True)
+class Knobs:
+    """Which given numbers a reader may change, and what dragging a mark changes."""
+
+    plans: Plans
+    given: Mapping[str, Thing]
+
+    @cached_property
+    def free(self) -> FreeNumbers:
+        """The numbers there are."""
+        return FreeNumbers(self.plans, self.given)
+
+    def all(self) -> list[Json]:
+        """Each with its name, its unit and what it is in the scene; ``tied`` are those that change with it as they do,
+        and one that ``stays`` is none of those that fresh numbers are drawn for: guides, and what lies on a line."""
+        used, found = {*self.plans.program.givens, *self.free.own}, []
+        for name, value in self.free.home.items():
+            given, _, axis = name.partition(".")
+            plan = next((p for p in self.plans.drawn if mu_of(p) == given), None)
+            told = "" if plan else self.told(given, axis)
+            if given in used and (told or plan not in (None, *CARRIED[1:])):
+                kind: Json = {"plan": plan} if plan else {"name": told, "unit": in_both(partial(unit, told))}
+                kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
+                kind |= {"when": in_both(partial(say, STROKES[given[0]]))} if given[0] in STROKES else {}
+                kind |= {"stays": True} if given in self.free.turned.values() or (not value and aimed(given)) else {}
+                found.append({"given": name, "at": value, "tied": self.tied(given), **kind})
+        return [{**k, **self.around(k, found)} for k in found if k["at"] or self.around(k, found)]
+
+    def around(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
+        """Of a number that is nothing how far from it one may go: as far as the largest of its kind, an angular
+        acceleration as far as the square of the speed; not at all where there is none."""
+        letter = parts_of(str(knob["name"]))[0] if "name" in knob else ""
+        if aimed(str(knob["given"])) and not knob["at"]:
+            return {"reach": TURNED}
+        rates = {"epsilon": "omega", "a": "v"}
+        like = ("x", "y", "l") if letter in ("x", "y") else (rates.get(letter, letter),)
+        sizes = [abs(k["at"]) for k in knobs if "name" in k and parts_of(k["name"])[0] in like and k["at"]]
+        return {"reach": max(sizes) ** (2 if letter in rates else 1)} if sizes and not knob["at"] else {}
+
+    def tied(self, given: str) -> list[str]:
+        """What changes with a scale: those of the plans carried from one another."""
+        same = [mu_of(p) for p in CARRIED if mu_of(p) in self.given]
+        return [mu for mu in same if mu != given] if given in same else []
+
+    def shaken(self, count: int, leaning: bool = False) -> dict[str, Array | Complexes]:
+        """Given numbers by many others near them: an array for each, every second as it is, since what hangs together
+        by many links may have no place with others. Guides keep their directions, but where they are ``leaning``."""
+        moved = numpy.arange(count) % 2
+        draw, flat = numpy.random.default_rng(1), {n: numpy.full(count, v) for n, v in self.free.home.items()}
+        for knob in self.all():
+            times = 1 + SHAKEN * moved * draw.uniform(-1, 1, count) * (leaning or "stays" not in knob)
+            flat[knob["given"]] = flat[knob["given"]] + (times - 1) * knob.get("reach", 0.0)
+            for name in (knob["given"], *knob["tied"]):
+                flat[name] = flat[name] * times
+        whole = self.free.given_by(flat, Many())
+        return {n: z for n, z in whole.items() if numpy.ptp(abs(z)) > 0}
+
+    def told(self, given: str, axis: str) -> str:
+        """The name a number is told by, "" where it is not offered."""
+        means, letter = self.plans.means.get(given.lstrip("".join(STROKES))), parts_of(given)[0]
+        if means and means.quantity in ("load", "couple"):
+            return means.of
+        if means and means.quantity == "place":
+            return self.placed(given, axis)
+        own = letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") or given in self.free.own
+        return aimed(given) or given * own
+
+    def placed(self, given: str, axis: str) -> str:
+        """The coordinate of a point of the frame, or of a guide of it that runs through none: across it alone."""
+        name = parts_of(given)[1]
+        if "°" not in name:
+            return f"{axis}_{name}"
+        guide = self.plans.mechanism.frame.guides.get(name.strip("°"))
+        idle = {0.0: "x", 90.0: "y"}.get(guide.angle_deg % 180) if guide else axis
+        return f"{axis}_{name.strip('°')}" if axis != idle else ""
+
+    def drags(self) -> dict[str, list[str]]:
+        """For each mark of the scheme the numbers that place it."""
+        free, drive = self.free.home, self.plans.drive_given
+        found = {}
+        for step in self.plans.program.steps:
+            names = [n for n in self.placing(step) if free.get(n) or n == drive or (n in free and aimed(n))]
+            if plan_of(step.makes) == "position" and step.kind == "mark" and names:
+                found[step.makes] = names
+        return found
+
+    def placing(self, step: Step) -> list[str]:
+        """The numbers a step places its mark by."""
+        drive = self.plans.drive_given
+        match step:
+            case Put() if step.at:
+                return [f"{step.at}.x", f"{step.at}.y"]
+            case LayOff():
+                turned = getattr(self.plans.program.makers.get(step.along), "of", "")
+                driven = turned == f"x_{self.plans.mechanism.drive.link}" or step.length == drive
+                return [step.length, *self.own(step.makes)[1:], *[drive] * driven]
+            case CrossArc():
+                return [step.radius]
+            case CrossArcs():
+                return [step.radius, step.other_radius]
+            case Similar():
+                return self.own(step.makes)
+            case CutTrack():
+                held = [hold.reach for hold in step.holds if hold.local == step.local and hold.kind == "arc"]
+                basic = [x for x in self.plans.mechanism.links if step.local == f"at_{label_of(step.makes)}_{x}"]
+                return [*held, *self.own(step.makes, *basic), drive]
+        return []
+
+    def own(self, mark: str, *links: str) -> list[str]:
+        """The numbers that place a point on its link, one of some ``links``."""
+        found = (self.free.placing(x, label_of(mark)) for x in links or self.plans.mechanism.links)
+        return next(filter(None, found), [])

@@ -1,0 +1,101 @@
+"""A scene drawn in its own position, and what is told of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy
+
+from planes.drafting.drawing import Drawing, run
+from planes.drafting.tools import Thing
+from planes.lesson import Teller, value_of
+from planes.lesson.frame import Frame, in_both, needed
+from planes.lesson.knobs import Knobs
+from planes.lesson.practice import Practice
+from planes.lesson.written import equation_written
+from planes.plans import Plans
+from planes.plans.scales import fits_on, scales
+from planes.scene import Scene
+from planes.solving import plans_of
+from planes.words import Phrase
+from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.records import Json
+
+TRIED = 360  # positions, by which it is told which terms are nothing
+
+
+@dataclass(frozen=True)
+class Told:
+    """A scene drawn in its own position, and the frames of its lesson."""
+
+    scene: Scene
+    plans: Plans
+    given: Mapping[str, Thing]
+    drawing: Drawing
+    knobs: Knobs
+    teller: Teller
+    frames: list[Frame]
+
+    @classmethod
+    def of(cls, scene: Scene) -> Told:
+        """:class:`SceneError` where there is no mechanism or its own position fails."""
+        plans, _ = plans_of(scene, shown=True)
+        try:
+            mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
+            given = {**plans.given, **plans.at(plans.mechanism.drive.position), **mus}
+            drawing = run(plans.program, given)
+        except PlanFailure as failure:
+            raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
+        knobs = Knobs(plans, given)
+        teller = Teller(plans, drawing, _cycle(knobs), scene.mu_convention)
+        return cls(scene, plans, given, drawing, knobs, teller, teller.frames())
+
+    @cached_property
+    def leaning(self) -> dict[int, Frame] | None:
+        """Frames that tell more where guides are turned, by their number; None where there are others altogether."""
+        teller = Teller(self.plans, self.drawing, _cycle(self.knobs, True), self.scene.mu_convention)
+        frames = teller.frames() if self.knobs.free.turned else self.frames
+        if [f.makes for f in frames] != [f.makes for f in self.frames]:
+            return None
+        return {k: f for k, (f, own) in enumerate(zip(frames, self.frames, strict=True)) if f != own}
+
+    @cached_property
+    def equations(self) -> list[Json]:
+        """The vector equations as they are written."""
+        return [equation_written(self.plans, e) for e in self.plans.equations]
+
+    @cached_property
+    def drive(self) -> Json:
+        """The driver's number, and from where to where it runs."""
+        return drive_of(self.plans)
+
+    @cached_property
+    def practice(self) -> Practice:
+        """What a reader is asked."""
+        values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}
+        return Practice(self.plans, self.given, self.drawing, self.frames, self.equations, values, self.teller.spans)
+
+
+def _cycle(knobs: Knobs, leaning: bool = False) -> Drawing:
+    """The drawing of many positions and of numbers near those of the scene."""
+    plans = knobs.plans
+    drive = drive_of(plans)
+    values = numpy.linspace(drive["from"], drive["to"], TRIED, endpoint=False)
+    return run(plans.program, {**knobs.given, **knobs.shaken(TRIED, leaning), plans.drive_given: values})
+
+
+def drive_of(plans: Plans) -> Json:
+    """The driver's number, and from where to where it runs: nowhere, where a law holds in its own position alone."""
+    drive = plans.mechanism.drive
+    turns = drive.kind == "phi"
+    reach, start = (0.0, drive.position % 1.0) if turns else (plans.reach, drive.position)
+    told: Json = {"symbol": "φ" if turns else "s", "given": plans.drive_given, "at": drive.position, "held": None}
+    if not plans.moves:
+        return {**told, "from": drive.position, "to": drive.position}
+    try:
+        plans.at(drive.position + numpy.ones(1))
+    except SceneError as law:  # a number that holds where the drive stands in the file alone
+        return {**told, "from": drive.position, "to": drive.position, "held": in_both(PlanesError(law.phrase).told)}
+    return {**told, "from": start - reach, "to": start + (reach or 360.0)}
