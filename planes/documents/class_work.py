@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
+from functools import lru_cache
 from os.path import relpath
 from pathlib import Path
 from urllib.parse import quote
@@ -160,6 +161,13 @@ def source_of(sheet: HandedSheet, options: object) -> str:
 
 
 def _hash(file: Path) -> str:
+    now = file.stat()
+    return _hash_of(file, now.st_size, now.st_mtime_ns)
+
+
+@lru_cache(maxsize=2)
+def _hash_of(file: Path, _size: int, _time: int) -> str:
+    """The hash of a file, taken once for all of its pages."""
     with file.open("rb") as opened:
         return hashlib.file_digest(opened, "sha256").hexdigest()
 

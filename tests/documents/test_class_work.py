@@ -15,7 +15,7 @@ from planes.check import check
 from planes.check.grading.paper import Known
 from planes.check.handed_in import HandedSheet, read_paper
 from planes.check.sheet_mark import SheetMark
-from planes.cli import check as command
+from planes.cli import class_check as command
 from planes.cli import main
 from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
 from planes.documents.class_work import Sorter
