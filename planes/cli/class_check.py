@@ -3,6 +3,7 @@ which holds the plan, that one as a drawing of its own."""
 
 from __future__ import annotations
 
+import shlex
 from argparse import Namespace
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -23,7 +24,8 @@ from planes.words.waiting import bar
 if TYPE_CHECKING:
     from planes.check.grading.prepared_plan import Asked
     from planes.documents.class_practices import PracticeSorter
-    from planes.documents.class_work import ClassWork, Sorter
+    from planes.documents.class_sorting import Sorter
+    from planes.documents.class_work import ClassWork
 
 
 REPORTS = (".pdf", ".svg", ".png")  # of one drawing, never of several
@@ -35,9 +37,9 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], a
     from planes.documents.class_work import ClassWork
 
     refused = alone and Path(args.output or "").suffix.lower() in REPORTS
-    desk = ClassDesk.of(
-        args, handed, ClassWork(Path(args.drawing).name, args.lang, "" if refused else args.output or "")
-    )
+    work = ClassWork(Path(args.drawing).name, args.lang, "" if refused else args.output or "")
+    work.tasks, work.command = handed.tasks, _command(args)
+    desk = ClassDesk.of(args, handed, work)
     with bar() as step:
         for number, sheet in enumerate(sheets, 1):
             desk.look(sheet)
@@ -45,7 +47,6 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], a
                 step(number, len(sheets))
     if alone and (only := desk.only(len(sheets))):
         return said(args, only)
-    work = desk.work
     work.close()
     print(work.json() if args.json else "\n".join(_class_table(work)).lstrip())
     if refused:
@@ -67,7 +68,7 @@ class ClassDesk:
     def of(cls, args: Namespace, handed: HandedOut, work: ClassWork) -> ClassDesk:
         """A desk for what the command line asks."""
         from planes.documents.class_practices import PracticeSorter
-        from planes.documents.class_work import Sorter
+        from planes.documents.class_sorting import Sorter
 
         def asking(scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
             own = value_of(args, scene)
@@ -78,7 +79,8 @@ class ClassDesk:
 
     def look(self, sheet: HandedSheet) -> None:
         """One sheet; whatever is wrong with it never stops the others."""
-        from planes.documents.class_work import glance, source_of
+        from planes.documents.class_sorting import glance
+        from planes.documents.class_work import source_of
 
         seen, source, task = None, source_of(sheet, _options(self.args)) if self.work.ledger else "", None
         if self.work.taken_up(sheet.name, source, self.sorter.handed.tasks):
@@ -109,6 +111,13 @@ class ClassDesk:
         return found
 
 
+def _command(args: Namespace) -> str:
+    """The command that checks the same sheets once more."""
+    told = {"--variant": args.variant, "--plan": args.plan, "--mu": args.mu, "--work": args.work, "-o": args.output}
+    more = [word for flag, text in told.items() if text for word in (flag, text)]
+    return shlex.join(["planes", "check", args.scene, args.drawing, *more])
+
+
 def _options(args: Namespace) -> list[object]:
     """All of the command line that what is found depends on."""
     others = [Path(pair.partition("=")[2]) for pair in args.others]
@@ -122,4 +131,5 @@ def _class_table(work: ClassWork) -> list[str]:
     rows = [head, *rows]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
     aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[-1]]) for row in rows)
-    return [say("check_class", work.lang), *(f"  {line.rstrip()}" for line in aligned)]
+    table = [say("check_class", work.lang), *(f"  {line.rstrip()}" for line in aligned)]
+    return [*table, *([Phrase("check_missing", names=missing).told(work.lang)] if (missing := work.missing()) else [])]

@@ -18,7 +18,7 @@ from planes.check.sheet_mark import SheetMark
 from planes.cli import class_check as command
 from planes.cli import main
 from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
-from planes.documents.class_work import Sorter
+from planes.documents.class_sorting import Sorter
 from planes.lesson.handed_practice import checksum
 from planes.lesson.told import Told
 from planes.scene import load
