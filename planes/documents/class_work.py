@@ -130,8 +130,8 @@ class ClassWork:
 
     def _cells(self, rows: Sequence[ClassRow], keys: Sequence[str]) -> list[list[str]]:
         """The cells of rows; beside what was found stands where the same plan of the same person is once more."""
-        own = [row for row in self.rows if row.task in {str(t.file) for t in self.tasks if t.student}]
-        again = {row.file: [r.file for r in own if row in own and r is not row and row.same_as(r)] for row in rows}
+        own = {str(t.file) for t in self.tasks if t.student}
+        again = {r.file: [one.file for one in self.rows if one.task in own and r.again_in(one)] for r in rows}
         shown = {
             f: Phrase("check_again", names=", ".join(names)).told(self.lang) for f, names in again.items() if names
         }

@@ -68,9 +68,10 @@ class ClassRow:
             object=one.as_json(lang),
         )
 
-    def same_as(self, other: ClassRow) -> bool:
-        """Whether both are of the same plan of the same task."""
-        return bool(self.plan) and (self.task, self.whose, self.plan) == (other.task, other.whose, other.plan)
+    def again_in(self, other: ClassRow) -> bool:
+        """Whether another sheet is of the same plan of the same task."""
+        same = (self.task, self.whose, self.plan) == (other.task, other.whose, other.plan)
+        return bool(self.plan) and self.file != other.file and same
 
     def also(self, more: str) -> ClassRow:
         """The same row with something more said."""
