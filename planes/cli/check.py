@@ -40,7 +40,7 @@ def check(args: Namespace) -> int:
         raise PlanesError(Phrase("check_no_drawing"))
     if len(sheets) > 1:
         return check_class(args, handed_out(Path(args.scene)), sheets, alone=True)
-    return said(args, judge(asked, read_paper(args.drawing, asked, known_of(args))))
+    return said(args, judge(asked, read_paper(args.drawing, asked, sheets[0].known(known_of(args)))))
 
 
 def _sheets(args: Namespace) -> list[HandedSheet]:
