@@ -93,7 +93,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--json", "json", FLAG),
     ),
     "blank": (
-        ("--plan", "plan", {"default": "velocity", "metavar": "PLAN"}),
+        ("--plan", "plan", {"metavar": "PLAN"}),
         ("--mu", "mu", {"metavar": "MU"}),
         ("-o --output", "blank_output", OUTPUT),
     ),

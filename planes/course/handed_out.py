@@ -54,6 +54,11 @@ class HandedOut:
 
     tasks: tuple[Task, ...]
 
+    @property
+    def several(self) -> bool:
+        """Whether somebody has more than one assignment, or all scenes are not of one."""
+        return len({t.scene for t in self.tasks}) > 1
+
     def marked(self, mark: SheetMark) -> Task | None:
         """The one a sheet's mark means."""
         found = [t for t in self.tasks if mark.fits(t.scene, t.student)]

@@ -15,6 +15,7 @@ from planes.check.vision.photograph import blank_pole
 from planes.plans.measuring import lettering, say_plan
 from planes.scene import Scene
 from planes.scene.files import keep
+from planes.solving import told
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
@@ -25,7 +26,7 @@ from render.page import check_pages
 from render.paper.letters import decimal
 from render.paper.marks import Mark
 from render.paper.photo import Photo
-from render.sheet import check_sheet
+from render.sheet import blank_sheet, check_sheet
 
 KINDS = (".svg", ".pdf", ".png")
 
@@ -38,14 +39,31 @@ def write_blank(asked: Asked, output: str, lang: Lang) -> None:
 
 def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
     """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it. Its code says whose it
-    is, by the names of the scene if ``mark`` does not tell."""
-    bench = prepare(asked)
+    is, by the names of the scene if ``mark`` does not tell; a name nobody knows is written by hand."""
+    bench, mark = prepare(asked), mark or SheetMark.of(asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang, asked.scene.mu_convention), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
-    squares.append((code_centre(), code_cells((mark or SheetMark.of(asked)).text), CODE_MM))
-    texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
-    return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts, say("check_print_size", lang)), title
+    squares.append((code_centre(), code_cells(mark.text), CODE_MM))
+    texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *(more or _whose(asked, mark, lang))]
+    fields = [] if mark.student else [say("check_blank_name", lang), say("check_blank_group", lang)]
+    pole, size = blank_pole(bench), say("check_print_size", lang)
+    return blank_sheet.blank(SHEET_MM, squares, pole, texts, size, fields), title
+
+
+def _whose(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:
+    """The line beneath the title: the student, the variant, the value of the drive, as far as they are told."""
+    said, drive = [], asked.scene.mechanism.drive if asked.scene.mechanism else None
+    if mark.student:
+        group = str(asked.scene.sheet.get("group", ""))
+        more = Phrase("task_group", group=group).told(lang) if group else ""
+        said.append(Phrase("task_student", name=mark.student).told(lang) + more)
+    if mark.variant:
+        said.append(Phrase("task_variant", variant=mark.variant).told(lang))
+    if asked.value is not None and drive:
+        value = decimal(told(asked.value, drive.kind, lang), lang)
+        said.append(f"{Naming(lang).vector(f'{drive.kind}_{drive.link}')} = {value}")
+    return [f"{'. '.join(said)}."] if said else []
 
 
 def _write(page: Page, output: str, kinds: tuple[str, ...] = KINDS) -> None:

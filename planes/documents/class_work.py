@@ -1,5 +1,5 @@
-"""The drawings of a class: whose each sheet is, and of which plan, by its mark, else by the name of its file, else by
-the options given; rows of what was found, as a page with reports beside it, as a spreadsheet or as objects.
+"""The drawings of a class: rows of what was found, as a page with reports beside it, as a spreadsheet or as objects;
+which plans came twice, and whose did not come.
 
 Into a folder the rows go with a ledger: what an earlier run has judged is taken up as it was, if neither the drawing,
 its corrected marks, its scene nor the program has changed.
@@ -8,25 +8,23 @@ its corrected marks, its scene nor the program has changed.
 import hashlib
 import json
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
+from functools import lru_cache
 from os.path import relpath
 from pathlib import Path
 from urllib.parse import quote
 
 from planes.check import STATUS, report
-from planes.check.grading.prepared_plan import Asked
-from planes.check.handed_in import HandedSheet, opened
+from planes.check.handed_in import HandedSheet
 from planes.check.report import Checked
 from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns
-from planes.check.sheet_mark import SheetMark, mark_on
-from planes.course.handed_out import HandedOut, Task, plan_named, variant_named
+from planes.course.handed_out import Task
 from planes.course.ledger import Ledger, digest, fingerprint
-from planes.scene import Scene
 from planes.scene.files import keep
 from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError, shown
+from planes.words.errors import PlanesError
 from planes.words.records import as_csv
 from render.page import check_pages
 
@@ -44,6 +42,8 @@ class ClassWork:
     rows: list[ClassRow] = field(default_factory=list)
     ledger: Ledger | None = None
     wanted: list[str] = field(default_factory=list)
+    tasks: tuple[Task, ...] = ()  # all that were handed out
+    command: str = ""  # that checks them all once more
 
     def __post_init__(self) -> None:
         suffix = Path(self.output).suffix.lower()
@@ -62,13 +62,14 @@ class ClassWork:
         if self.ledger and one.found:
             shown = report.page_data(one.found, self.lang)
             shown["title"] = ". ".join(filter(None, (one.whose, shown["title"])))
-            page = check_pages.report_page(shown, self.lang)
+            page = check_pages.report_page({**shown, "of_class": True, "command": self.command}, self.lang)
             self._keep(f"{kept_as(one.file)}.html", source, page.encode())
             one = replace(one, report=quote(f"{kept_as(one.file)}.html"))
         self.add_row(ClassRow.of(one, self.lang), source, task)
 
     def add_row(self, row: ClassRow, source: str = "", task: Task | None = None) -> None:
         """A row; into a folder goes what the next run takes up."""
+        row = replace(row, task=str(task.file)) if task else row
         self.rows.append(row)
         if self.ledger and task:
             kept = {"scene": str(task.file), "sha256": digest(task.file.read_bytes()), "row": asdict(row)}
@@ -125,7 +126,25 @@ class ClassWork:
     def table(self) -> tuple[list[str], list[list[str]]]:
         """The head and the rows in words."""
         keys, names = columns(self.rows, self.lang)
-        return names, [cells(row, keys, self.lang) for row in self.rows]
+        return names, self._cells(self.rows, keys)
+
+    def _cells(self, rows: Sequence[ClassRow], keys: Sequence[str]) -> list[list[str]]:
+        """The cells of rows; beside what was found stands where the same plan of the same person is once more."""
+        own = {str(t.file) for t in self.tasks if t.student}
+        again = {r.file: [one.file for one in self.rows if one.task in own and r.again_in(one)] for r in rows}
+        shown = {
+            f: Phrase("check_again", names=", ".join(names)).told(self.lang) for f, names in again.items() if names
+        }
+        return [cells(row.also(shown.get(row.file, "")), keys, self.lang) for row in rows]
+
+    def missing(self) -> str:
+        """Whose drawings there are none of, with the assignments where there are several."""
+        came, several = {row.task for row in self.rows}, len({t.scene for t in self.tasks}) > 1
+        names: dict[str, list[str]] = {}
+        for task in self.tasks:
+            if task.student and str(task.file) not in came:
+                names.setdefault(task.student.replace("-", " "), []).append(task.scene)
+        return ", ".join(f"{name} ({', '.join(scenes)})" if several else name for name, scenes in names.items())
 
     def csv(self) -> str:
         """The table for a spreadsheet, begun so that it knows the letters."""
@@ -134,20 +153,26 @@ class ClassWork:
 
     def page(self) -> str:
         """The page, what needs a look at the top."""
-        counts, common = Counter(row.verdict for row in self.rows), dict[str, list[tuple[str, str]]]()
+        counts = Counter(row.verdict for row in self.rows)
         ranked = sorted(self.rows, key=lambda row: row.rank)
-        for row in self.rows:
-            if row.mistake:
-                common.setdefault(row.mistake, []).append((Path(row.file).stem, row.link))
-        often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
         shown = [v for v in reversed(STATUS) if counts[v] or v not in ("confirmed", "right_as_seen")]
         told = [(say(f"verdict_{v}", self.lang), counts[v]) for v in shown]
-        told.insert(1, (say("check_unsure_count", self.lang), sum(row.rank == UNSURE for row in self.rows)))
+        told.append((say("check_unsure_count", self.lang), sum(row.rank == UNSURE for row in self.rows)))
         keys, head = columns(self.rows, self.lang)
-        table = [cells(replace(r, said=r.said.removeprefix(f"{r.first}: ")), keys, self.lang) for r in ranked]
+        table = self._cells([replace(r, said=r.said.removeprefix(f"{r.first}: ")) for r in ranked], keys)
         rows = list(zip(ranked, table, strict=True))
-        title = f"{say('check_class', self.lang)}: {self.title}"
-        return check_pages.class_page(title, told, often, head, rows, self.lang)
+        title, missing = f"{say('check_class', self.lang)}: {self.title}", self.missing()
+        absent = Phrase("check_missing", names=missing).told(self.lang) if missing else ""
+        return check_pages.class_page(title, told, self._often(), absent, head, rows, self.lang)
+
+    def _often(self) -> list[tuple[str, list[tuple[str, str]]]]:
+        """Mistakes that more than one drawing has, with whose these are, and their reports."""
+        common = dict[str, list[tuple[str, str]]]()
+        for row in self.rows:
+            if row.mistake:
+                common.setdefault(row.mistake, []).append((row.whose or Path(row.file).stem, row.link))
+        several = [said for said in common.items() if len(said[1]) > 1]
+        return sorted(several, key=lambda said: -len(said[1]))[:MOST_COMMON]
 
 
 def source_of(sheet: HandedSheet, options: object) -> str:
@@ -160,6 +185,13 @@ def source_of(sheet: HandedSheet, options: object) -> str:
 
 
 def _hash(file: Path) -> str:
+    now = file.stat()
+    return _hash_of(file, now.st_size, now.st_mtime_ns)
+
+
+@lru_cache(maxsize=2)
+def _hash_of(file: Path, _size: int, _time: int) -> str:
+    """The hash of a file, taken once for all of its pages."""
     with file.open("rb") as opened:
         return hashlib.file_digest(opened, "sha256").hexdigest()
 
@@ -167,69 +199,3 @@ def _hash(file: Path) -> str:
 def kept_as(name: str) -> str:
     """The name under which a drawing is kept: a disk takes no longer ones."""
     return name if len(name.encode()) < MOST_BYTES else f"{name[:60]}-{digest(name.encode())[:8]}"
-
-
-THUMB_PX = 300
-Asking = Callable[[Scene, str, float | None, float | None], Asked]
-
-
-@dataclass(frozen=True)
-class Glance:
-    """A first look at a sheet: its mark if it has one, and a small picture of it (JPEG)."""
-
-    mark: SheetMark | None = None
-    picture: bytes = b""
-
-
-def glance(file: str, page: int = 0) -> Glance:
-    """The first look; :class:`PlanesError` where a file does not open."""
-    picture = opened(file, page)
-    if picture is None:
-        return Glance()
-    from planes.check.vision.picture import cv, smaller
-
-    small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
-    return Glance(mark_on(picture.grey), bytes(small))
-
-
-@dataclass
-class Sorter:
-    """Says of each sheet what is asked of it. ``variant`` and ``plan`` are of the options, ``asking`` is the rest."""
-
-    handed: HandedOut
-    asking: Asking
-    variant: str | None = None
-    plan: str | None = None
-    known: dict[tuple[object, ...], Asked] = field(default_factory=dict)
-
-    def asked(self, sheet: HandedSheet, mark: SheetMark | None) -> tuple[Task, Asked, str]:
-        """The task, what is asked, and whose it is in words; :class:`PlanesError` where nothing tells."""
-        stem = sheet.file.stem
-        task = self._task(sheet, mark)
-        variant = mark.variant if mark else variant_named(stem, task.variant(None).variants) or self.variant
-        scene = task.variant(variant)
-        plan = (mark.plan if mark else plan_named(stem, scene)) or self.plan
-        if not plan:
-            raise PlanesError(Phrase("check_which_plan", file=sheet.name))
-        value, mu = (mark.value, mark.mu) if mark else (None, None)
-        key = task, scene.variant, plan, value, mu
-        if key not in self.known:
-            self.known[key] = self.asking(scene, plan, value, mu)
-        return task, self.known[key], whose(scene, mark)
-
-    def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
-        found = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)
-        if found is None and mark:
-            told = {"scene": shown(mark.scene), "student": shown(mark.student)}
-            raise PlanesError(Phrase("check_other_mark", file=sheet.name, **told))
-        if found is None and len(self.handed.tasks) == 1:
-            found = self.handed.tasks[0]
-        if found is None:
-            raise PlanesError(Phrase("check_whose_is_it", file=sheet.name))
-        return found
-
-
-def whose(scene: Scene, mark: SheetMark | None) -> str:
-    """The student and the variant, as far as they are known."""
-    student = str(scene.sheet.get("student", "")) or (mark.student if mark else "")
-    return ", ".join(filter(None, (student, (mark.variant if mark else "") or scene.variant or "")))

@@ -49,6 +49,7 @@ def _drawing(data: Json, words: Mapping[str, str]) -> str:
     """The figure, its layers and what can be done with it."""
     e = html.escape
     under = data["page"]["picture"] or data["page"]["strokes"]
+    how = words["drag_class" if data.get("of_class") else "drag"]
     layers = "".join(
         f'<label><input type="checkbox" data-layer="{n}" checked><i class="{n}"></i>{e(words[n])}</label>'
         for n in LAYERS
@@ -58,7 +59,7 @@ def _drawing(data: Json, words: Mapping[str, str]) -> str:
         f'<div class="layers">{layers}</div>\n'
         f'<figure><svg id="sheet" role="group" aria-label="{e(data["title"])}"></svg></figure>\n'
         f'<p id="moved" hidden>{e(words["moved"])} <button id="reset" type="button">{e(words["reset"])}</button></p>\n'
-        f'<p class="hint">{e(words["drag"])} <code>{e(data["command"])}</code> '
+        f'<p class="hint">{e(how)} <code>{e(data["command"])}</code> '
         f'<button id="save" type="button" data-name="{e(data["saved"])}">{e(words["save"])}</button></p>'
     )
 
@@ -83,11 +84,13 @@ def class_page(
     title: str,
     counts: Sequence[tuple[str, int]],
     common: Sequence[tuple[str, Whose]],
+    absent: str,
     head: Sequence[str],
     rows: Sequence[tuple[ClassRow, Sequence[str]]],
     lang: Lang,
 ) -> str:
-    """The page. ``rows`` are what was found, and its cells in words; ``common`` sentences with whose: name, link."""
+    """The page. ``rows`` are what was found, and its cells in words; ``common`` sentences with whose: name, link;
+    ``absent`` says whose drawings there are none of."""
     e = html.escape
     cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
     often = ""
@@ -97,6 +100,7 @@ def class_page(
     parts = {
         "title": e(title),
         "counts": "".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts),
+        "absent": f"<p>{e(absent)}</p>" if absent else "",
         "common": f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else "",
         "head": cells,
         "rows": "".join(_row(number, row, told) for number, (row, told) in enumerate(rows)),

@@ -1,17 +1,13 @@
-"""Sheets of checking: a person's plan over the right one with the table of its steps, and a blank to draw a plan on.
-
-A blank has corner marks a camera finds, the frame, the pole, μ and the title.
-"""
+"""Sheets of checking: a person's plan over the right one with the table of its steps."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import groupby
 
 from planes.words import Lang
 from render.labels import Label, place
 from render.paper.letters import decimal
-from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
+from render.paper.marks import Arc, Arrow, Line, Mark, Text, moved
 from render.paper.photo import Box, Photo, faded, ink_of
 from render.paper.photo import moved as shifted
 from render.paper.typeset import ink_width, wrapped
@@ -23,7 +19,6 @@ Table = tuple[Sequence[str], Sequence[Sequence[str]]]  # head and rows
 LEFT, EDGE, GAP = 20.0, 5.0, 5.0  # margins of the sheet, mm, and the room between its parts
 SMALL, LETTER, TITLE = 2.5, 3.5, 5.0
 LINE, SMALL_LINE = 6.5, 4.6
-RULER_MM, RULER_X = 100, 11.0  # of a blank, and how far from the left edge it stands
 RING = {"wrong": 2.4, "follows": 1.6}
 LEAST_MM = 0.2  # a shorter vector is a point
 PENS = ("own", "truth", "next")
@@ -166,52 +161,3 @@ def _legend(sheet: Overlay, corner: complex) -> list[Mark]:
             out.append(Text(name, corner + 14, LETTER))
             corner += 14 + ink_width(name, LETTER) + 8
     return out
-
-
-BLANK_LETTER = 5.0
-
-
-def blank(
-    size_mm: tuple[float, float],
-    squares: Iterable[tuple[complex, Sequence[Sequence[bool]], float]],
-    pole: complex,
-    texts: Sequence[str],
-    size: str,
-) -> list[Mark]:
-    """The marks of a blank. ``squares`` are (centre, black cells from the top row, side in mm); ``size`` is what its
-    ruler says."""
-    w, h = size_mm
-    out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
-    for centre, cells, side in squares:
-        out += _square(centre, cells, side)
-    out += [Line((pole - d, pole + d), "thin", "plan") for d in (2 + 0j, 2j)]
-    out.append(Text("p", pole + complex(-5, -6), BLANK_LETTER, name="p"))
-    for k, text in enumerate(texts):
-        out.append(Text(text, complex(38, h - 14 - 7.5 * k), 3.5 if k else BLANK_LETTER))
-    return out + _ruler(complex(RULER_X, (h - RULER_MM) / 2), size)
-
-
-def _ruler(low: complex, size: str) -> list[Mark]:
-    """A length to lay a ruler on, in the margin, where nobody draws."""
-    ticks = [low + 1j * mm for mm in range(0, RULER_MM + 1, 10)]
-    lines = [(low, ticks[-1]), *((z, z - 2.5) for z in ticks)]
-    text = Text(size, low + complex(-3.4, RULER_MM / 2), SMALL, "middle", 90.0)
-    return [*(Line(line, "thin", "plan") for line in lines), text]
-
-
-def _square(centre: complex, cells: Sequence[Sequence[bool]], side: float) -> list[Mark]:
-    """A corner mark as runs of black cells."""
-    step = side / len(cells)
-    corner = centre + complex(-side, side) / 2
-    out: list[Mark] = []
-    for r, row in enumerate(cells):
-        for black, run in groupby(range(len(row)), key=row.__getitem__):
-            if black:
-                first, *more = run
-                out.append(_box(corner + complex(first * step, -(r + 1) * step), (1 + len(more)) * step, step))
-    return out
-
-
-def _box(z: complex, width: float, height: float) -> Shape:
-    over = 0.02  # no hair of white between two boxes
-    return Shape((z - 1j * over, z + width - 1j * over, z + complex(width, height), z + 1j * height), "frame")

@@ -14,9 +14,10 @@ import pytest
 from planes.check import Outcome, check
 from planes.check.grading.paper import Known
 from planes.check.handed_in import read_paper
+from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.matching import paper_of
-from planes.check.reading.strokes import ReadDrawing
+from planes.check.reading.strokes import ReadDrawing, Words
 from planes.check.reading.svg import read_svg
 from tests import confusion
 from tests.check import test_check
@@ -355,6 +356,16 @@ def test_right_plans_without_heads_are_not_called_wrong(middle: bool, tmp_path: 
 
 
 HEADS = {f.__name__: f for f in (solids, hatches, narrowing, leaders, hollow, blocks_of_autocad)}
+
+
+def test_a_vector_that_runs_on_to_its_own_name_is_no_construction_line() -> None:
+    """Three marks in a row from the pole, without heads: what has no name at its end runs on from another."""
+    strokes = [(0j, 20 + 0j), (0j, 35 + 0j), (0j, 60 + 0j), (0j, 30j), (30j, 35 + 0j)]
+    words = [Words("s", 21 + 1j), Words("b", 36 + 1j), Words("d", 61 + 1j), Words("c", 1 + 31j), Words("p", -4 - 4j)]
+    assert vectors_of(ReadDrawing("", strokes, words)) == []  # nothing tells lines from vectors: each is one
+    assert vectors_of(ReadDrawing("", strokes, words[:2] + words[3:])) == [0, 1, 3, 4]
+    beside = [*words, Words("e", 63 + 1j)]  # nor does a name with another end beside it
+    assert 2 not in vectors_of(ReadDrawing("", [*strokes, (62 + 3j, 70 + 9j)], [beside[0], beside[1], *beside[3:]]))
 
 
 @pytest.mark.parametrize("build", HEADS.values(), ids=HEADS)

@@ -219,7 +219,7 @@ def test_one_file_never_stops_a_folder(
         (tmp_path / name).write_bytes(b"x")
     for name in ("a.csv", "b.csv", "c.svg", "d.heic"):
         (tmp_path / name).write_text("mark,x_mm,y_mm\np,0,0\nb,30,40\n", encoding="utf-8")
-    from planes.cli import check as command
+    from planes.cli import class_check as command
 
     def fails(asked: object, paper: object) -> None:
         if getattr(paper, "file", "").endswith("a.csv"):

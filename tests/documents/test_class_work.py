@@ -15,10 +15,10 @@ from planes.check import check
 from planes.check.grading.paper import Known
 from planes.check.handed_in import HandedSheet, read_paper
 from planes.check.sheet_mark import SheetMark
-from planes.cli import check as command
+from planes.cli import class_check as command
 from planes.cli import main
 from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
-from planes.documents.class_work import Sorter
+from planes.documents.class_sorting import Sorter
 from planes.lesson.handed_practice import checksum
 from planes.lesson.told import Told
 from planes.scene import load
@@ -317,6 +317,52 @@ def test_every_refusal_says_what_to_do(tmp_path: Path, capsys: pytest.CaptureFix
     found = rows(capsys, str(ROOT / "samples/six-link.yaml"), str(tmp_path), "--plan", "velocity")
     for name, (_, remedy) in REFUSED.items():
         assert remedy in found[name]["sentence"]["en"], name
+
+
+def test_what_came_twice_and_whose_did_not_come(
+    course: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (photos := tmp_path / "photos").mkdir()
+    for name in ("Петрова скорости.csv", "Петрова скорости 2.csv", "Петрова ускорения.csv"):
+        (photos / name).write_text("mark,x_mm,y_mm\np,0,0\nb,30,51.96\nc,20,8\n", "utf-8")
+    main(["check", str(course), str(photos), "--lang", "en", "-o", str(tmp_path / "out")])
+    told = capsys.readouterr().out.splitlines()
+    again = [line.split(".csv")[0].strip() for line in told if "The same plan of the same student: " in line]
+    assert again == ["Петрова скорости 2", "Петрова скорости"]
+    assert told[-1] == "No drawing has come from: Иванов Пётр."
+    page = (tmp_path / "out" / "index.html").read_text("utf-8")
+    assert told[-1] in page and page.count("The same plan of the same student") == 2
+    (photos / "Иванов скорости.csv").write_text("mark,x_mm,y_mm\np,0,0\nb,30,51.96\nc,20,8\n", "utf-8")
+    main(["check", str(course), str(photos), "--lang", "en"])
+    assert "No drawing has come" not in capsys.readouterr().out
+
+
+def test_every_page_of_a_file_is_read_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whichever of them holds the plan; of several that do a report of one is refused when they have been told."""
+    file, table = tmp_path / "scans.tif", tmp_path / "t.csv"
+    assert cv2.imwritemulti(str(file), [np.full((60, 60), 250, np.uint8)] * 4)
+    six = ROOT / "samples/six-link.yaml"
+    marks = prepare(Asked(load(six), "velocity")).true_marks
+    rows_ = (f"{name},{z.real},{z.imag}" for name, z in marks.items())
+    table.write_text("\n".join(("mark,x_mm,y_mm", "p,0,0", *rows_)), "utf-8")
+    pages, drawn_on = list[int | None](), {3}
+
+    def reading(sheet: HandedSheet, asked: Asked, known: Known) -> Any:
+        pages.append(sheet.page)
+        if sheet.page not in drawn_on:
+            raise PlanesError("nothing")
+        return read_paper(str(table), asked, known)
+
+    monkeypatch.setattr(command, "marks_of", reading)
+    line = ["check", str(six), str(file), "--plan", "velocity", "--lang", "en"]
+    assert main(line) == 0 and pages == [1, 2, 3, 4]
+    assert "Page 3 of 4 was checked" in capsys.readouterr().out
+    drawn_on.add(1)
+    assert main([*line, "-o", str(tmp_path / "report.pdf")]) == 2 and not (tmp_path / "report.pdf").exists()
+    told = capsys.readouterr()
+    assert told.out.count("scans-") == 4 and "report.pdf" in told.err
 
 
 def test_a_course_that_was_not_made_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

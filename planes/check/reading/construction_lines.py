@@ -9,6 +9,7 @@ UPON_MM = 0.1  # a vector is drawn upon its line
 ASKEW = 0.02  # radians, by which lines along each other may part
 MEETING = 0.5  # of the ends of lines that are drawn from end to end, how many meet others
 ALONG_MM = 0.9  # a stroke no farther off runs along a way
+NAMED_MM = 6.0  # a word is nearer to the end it names
 CONFUSED = 0.0005  # for which share of the marks of such lines, without heads, another place is taken
 
 
@@ -27,18 +28,33 @@ def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
     strokes = sketch.strokes
     if found := headed(sketch):
         return found
-    lines = {k for k in range(len(strokes)) if _is_line(strokes, k, closed)} if len(strokes) <= CROSSINGS else {}
+    if len(strokes) > CROSSINGS:
+        return []
+    named = [] if closed else _named(sketch)
+    lines = {k for k in range(len(strokes)) if _is_line(strokes, k, closed, named)}
     return [k for k in range(len(strokes)) if k not in lines] if lines else []
 
 
-def _is_line(strokes: Sequence[Stroke], k: int, closed: bool) -> bool:
-    """Whether a stroke runs on from a shorter one upon it to where no other begins or ends, but for lines along it."""
+def _named(sketch: ReadDrawing) -> list[complex]:
+    """Ends of strokes that alone stand beside a word."""
+    found, ends = list[complex](), [z for stroke in sketch.strokes for z in stroke]
+    for word in sketch.words:
+        near = [z for z in ends if word.distance(z) < NAMED_MM]
+        if near and all(abs(z - near[0]) < SNAPPED_MM for z in near):
+            found.append(near[0])
+    return found
+
+
+def _is_line(strokes: Sequence[Stroke], k: int, closed: bool, named: Sequence[complex]) -> bool:
+    """Whether a stroke runs on from a shorter one upon it to where nothing is ``named`` and no other begins or ends,
+    but for lines along it."""
     for i, vector in enumerate(strokes):
         if i == k or not upon(vector, strokes[k]):
             continue
         beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_MM for w in vector)]
         inner = [w for w in vector if all(abs(z - w) > SNAPPED_MM for z in strokes[k])]
-        if beyond and not any(_stopped(strokes, z, strokes[k]) for z in beyond):
+        ends = any(_stopped(strokes, z, strokes[k]) or any(abs(z - w) < SNAPPED_MM for w in named) for z in beyond)
+        if beyond and not ends:
             return not closed or all(_met(strokes, w, (i, k)) for w in inner)
     return False
 

@@ -123,9 +123,8 @@ class Checked:
         if self.found is None:
             return self.refused.told(lang) if self.refused else ""
         if self.verdict == "unreadable":  # the notes say what to do
-            sentence, notes = self.found.sentence, self.found.notes
-            first = () if notes and sentence.key == "check_nothing_read" else (sentence,)
-            return " ".join(phrase.told(lang) for phrase in (*first, *notes))
+            first = [] if tells_nothing(self.found) else [self.found.sentence]
+            return " ".join(phrase.told(lang) for phrase in (*first, *self.found.notes))
         return "" if self.verdict == "right" else self.found.sentence.told(lang)
 
     def as_json(self, lang: Lang) -> Json:
@@ -134,6 +133,11 @@ class Checked:
         if self.found:
             return {**head, **as_json(self.found, lang)}
         return {**head, "verdict": self.verdict, "sentence": {one: self.said(one) for one in langs("check")}}
+
+
+def tells_nothing(found: Outcome) -> bool:
+    """Whether the sentence only says that nothing is read, and the notes say why."""
+    return found.sentence.key == "check_nothing_read" and bool(found.notes)
 
 
 def chance_told(found: Outcome, lang: Lang) -> str:
@@ -195,12 +199,13 @@ def page_data(found: Outcome, lang: Lang) -> Json:
     """All a page shows and judges by. Without marks there is nothing to move, so no tape."""
     marks, numbers = heads(lang)
     grading = found.grading or (empty(found.bench) if found.paper.picture else None)
+    sentence, *notes = found.notes if tells_nothing(found) else [found.sentence, *found.notes]
     return {
         "verdict": found.verdict,
         "title": title(found, lang),
-        "sentence": found.sentence.told(lang),
+        "sentence": sentence.told(lang),
         "chance": chance_told(found, lang),
-        "notes": [n.told(lang) for n in found.notes],
+        "notes": [n.told(lang) for n in notes],
         "head": marks,
         "rows": rows_of(found, lang),
         "number_head": numbers,

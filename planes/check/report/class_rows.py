@@ -9,7 +9,7 @@ from __future__ import annotations
 import base64
 import io
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from itertools import islice
 
 from planes.check import STATUS
@@ -45,6 +45,7 @@ class ClassRow:
     picture: str = ""  # as a data: address
     places: list[Json] = field(default_factory=list)
     object: Json = field(default_factory=dict)  # what --json prints
+    task: str = ""  # the file of its scene
 
     @classmethod
     def of(cls, one: Checked, lang: Lang) -> ClassRow:
@@ -66,6 +67,15 @@ class ClassRow:
             places=list(islice(wrong_places(one), MOST_PLACES)),
             object=one.as_json(lang),
         )
+
+    def again_in(self, other: ClassRow) -> bool:
+        """Whether another sheet is of the same plan of the same task."""
+        same = (self.task, self.whose, self.plan) == (other.task, other.whose, other.plan)
+        return bool(self.plan) and self.file != other.file and same
+
+    def also(self, more: str) -> ClassRow:
+        """The same row with something more said."""
+        return replace(self, said=f"{self.said} {more}".strip()) if more else self
 
     @classmethod
     def read(cls, data: Json) -> ClassRow:

@@ -15,10 +15,11 @@ from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_printed import PrintedSheet
 from planes.check.vision.match_scheme import origin_found, points_on
 from planes.check.vision.page_parts import A2_MM2, parts_of
-from planes.check.vision.picture import Flat, by_points, by_scale, cv, fits, flatten
+from planes.check.vision.picture import LARGEST_PX, Flat, by_points, by_scale, cv, find_marks, fits, flatten, smaller
 from planes.check.vision.places import Seen, pole_on, sheet_of
 from planes.check.vision.pole_guess import pole_found
 from planes.check.vision.print_scale import printed_share
+from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, Names, kind_of, label_of
@@ -66,7 +67,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
             break
     told = best and (best.flat.by not in ("scale", "part") or pole is not None)
     if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
-        raise PlanesError(Phrase("check_no_marks"))
+        raise _nothing_to_measure_by(picture.grey)
     paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.crowd:
@@ -85,6 +86,12 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
+
+
+def _nothing_to_measure_by(grey: Greys) -> PlanesError:
+    """A refusal, by how many of a blank's corner marks are seen."""
+    count = len(find_marks(smaller(grey, LARGEST_PX)[0]))
+    return PlanesError(Phrase("check_few_marks", count=count) if count else Phrase("check_no_marks"))
 
 
 def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:

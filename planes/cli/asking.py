@@ -1,0 +1,87 @@
+"""What the command line asks of one drawing, and how what was found is told."""
+
+from __future__ import annotations
+
+import json
+import re
+from argparse import Namespace
+from dataclasses import replace
+
+from planes.check import STATUS, Outcome
+from planes.check.grading.paper import Known
+from planes.check.grading.perturbing import HAND, cad
+from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.handed_in import read_paper
+from planes.check.report import as_json, chance_told, heads, numbers_of, rows_of
+from planes.scene import Scene
+from planes.solving.text_tables import table
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError
+from planes.words.names import kind_of
+from planes.words.units import read_mu
+
+_PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
+
+
+def ask(args: Namespace, scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
+    """The question of the command line."""
+    from planes.documents.check import spelling
+
+    asked = Asked(scene, plan, value, mu, spelt=spelling(scene, args.lang))
+    others = {}
+    for pair in args.others:
+        name, _, file = pair.partition("=")
+        if not file:
+            raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE", hint=""))
+        others[name] = read_paper(file, replace(asked, plan=name, mu=None), replace(known_of(args), page=None))
+    skill = HAND
+    if args.work == "cad":
+        from planes.drafting.drawing import run
+        from planes.plans.scales import extent
+
+        bench = prepare(asked)
+        skill = cad(max(extent(run(bench.program, bench.given), asked.plan), 10.0))
+    return replace(asked, skill=skill, others=others)
+
+
+def mu_asked(args: Namespace, plan: str) -> float | None:
+    """The scale the command line tells."""
+    return None if args.mu is None else read_mu(args.mu, kind_of(plan))
+
+
+def known_of(args: Namespace) -> Known:
+    """What the command line tells of the drawing."""
+    pole = place(args.pole, "--pole")[1] if args.pole else None
+    page = None if args.page is None else args.page - 1
+    return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format, page)
+
+
+def place(text: str, option: str) -> tuple[str, complex]:
+    """NAME=X,Y or X,Y of the command line."""
+    match = _PLACE.fullmatch(text)
+    if not match:
+        hint = Phrase("decimal_no_comma") if text.count(",") > 1 else ""
+        raise PlanesError(Phrase("check_option", option=option, text=text, form="X,Y", hint=hint))
+    return (match[1] or "").strip(), complex(float(match[2]), float(match[3]))
+
+
+def told(found: Outcome, lang: Lang) -> str:
+    """The outcome for people: the sentence, then the tables."""
+    lines = [" ".join(filter(None, (found.sentence.told(lang), chance_told(found, lang))))]
+    marks, numbers = heads(lang)
+    lines += table(say("check_marks", lang), marks, [row for _, *row in rows_of(found, lang)])
+    lines += table(say("check_numbers", lang), numbers, [row for _, *row in numbers_of(found, lang)])
+    return "\n".join(lines + [f"! {n.told(lang)}" for n in found.notes])
+
+
+def said(args: Namespace, found: Outcome) -> int:
+    """The report written, the outcome printed."""
+    if args.output:
+        from planes.documents.check import write_report
+
+        write_report(found, args.output, args.lang)
+    if args.json:
+        print(json.dumps(as_json(found, args.lang), ensure_ascii=False, allow_nan=False))
+    else:
+        print(told(found, args.lang))
+    return STATUS[found.verdict]

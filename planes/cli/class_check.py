@@ -1,0 +1,135 @@
+"""``planes check`` of a folder, or of a file of several pages: every sheet once, a row for each; of pages only one of
+which holds the plan, that one as a drawing of its own."""
+
+from __future__ import annotations
+
+import shlex
+from argparse import Namespace
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from planes.check import Outcome
+from planes.check import check as judge
+from planes.check.handed_in import HandedSheet, marks_of
+from planes.check.report import Checked
+from planes.cli.asking import ask, known_of, mu_asked, said
+from planes.cli.options import value_of
+from planes.course.handed_out import HandedOut
+from planes.scene import Scene
+from planes.words import Phrase, say
+from planes.words.errors import PlanesError, guarded
+from planes.words.waiting import bar
+
+if TYPE_CHECKING:
+    from planes.check.grading.prepared_plan import Asked
+    from planes.documents.class_practices import PracticeSorter
+    from planes.documents.class_sorting import Sorter
+    from planes.documents.class_work import ClassWork
+
+
+REPORTS = (".pdf", ".svg", ".png")  # of one drawing, never of several
+
+
+def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], alone: bool = False) -> int:
+    """Every drawing and practice of a folder: a row for each, on the terminal and in the file of ``-o``; of the pages
+    of a file that was named ``alone`` the only one that can be read, if there is one."""
+    from planes.documents.class_work import ClassWork
+
+    refused = alone and Path(args.output or "").suffix.lower() in REPORTS
+    work = ClassWork(Path(args.drawing).name, args.lang, "" if refused else args.output or "")
+    work.tasks, work.command = handed.tasks, _command(args)
+    desk = ClassDesk.of(args, handed, work)
+    with bar() as step:
+        for number, sheet in enumerate(sheets, 1):
+            desk.look(sheet)
+            if step:
+                step(number, len(sheets))
+    if alone and (only := desk.only(len(sheets))):
+        return said(args, only)
+    work.close()
+    print(work.json() if args.json else "\n".join(_class_table(work)).lstrip())
+    if refused:
+        raise PlanesError(Phrase("check_class_output", file=args.output))
+    return work.status
+
+
+@dataclass
+class ClassDesk:
+    """Where the sheets of a class are looked at, one after another."""
+
+    args: Namespace
+    work: ClassWork
+    sorter: Sorter
+    practices: PracticeSorter
+    read: dict[int, Outcome] = field(default_factory=dict)  # pages on which the plan was found that was asked for
+
+    @classmethod
+    def of(cls, args: Namespace, handed: HandedOut, work: ClassWork) -> ClassDesk:
+        """A desk for what the command line asks."""
+        from planes.documents.class_practices import PracticeSorter
+        from planes.documents.class_sorting import Sorter
+
+        def asking(scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
+            own = value_of(args, scene)
+            return ask(args, scene, plan, value if own is None else own, mu_asked(args, plan) or mu)
+
+        practices = PracticeSorter(handed, args.lang, args.variant)
+        return cls(args, work, Sorter(handed, asking, args.variant, args.plan), practices)
+
+    def look(self, sheet: HandedSheet) -> None:
+        """One sheet; whatever is wrong with it never stops the others."""
+        from planes.documents.class_sorting import glance
+        from planes.documents.class_work import source_of
+
+        seen, source, task = None, source_of(sheet, _options(self.args)) if self.work.ledger else "", None
+        if self.work.taken_up(sheet.name, source, self.sorter.handed.tasks):
+            return
+        if sheet.practised:
+            row, task = self.practices.row(sheet)
+            self.work.add_row(row, source, task)
+            return
+        one = Checked(sheet.name, report=self.work.link(sheet))
+        try:
+            with guarded("check_broken", sheet.name):
+                known, one.read_from = sheet.known(known_of(self.args)), str(sheet.file)
+                seen = glance(one.read_from, known.page or 0)
+                task, asked, one.whose = self.sorter.asked(sheet, seen.mark)
+                one.found = judge(asked, marks_of(sheet, asked, known))
+        except PlanesError as error:
+            one.refused, one.picture = error, seen.picture if seen else b""
+        if one.found and one.found.verdict != "unreadable" and one.found.bench.asked.plan == self.args.plan:
+            self.read[sheet.page or 1] = one.found
+        self.work.add(one, source, task)
+
+    def only(self, count: int) -> Outcome | None:
+        """What is found on the only page that holds the plan asked for; None of several, or where all are kept."""
+        if len(self.read) != 1 or self.work.ledger or self.work.output.endswith(".csv"):
+            return None
+        [(page, found)] = self.read.items()
+        found.notes.append(Phrase("check_page_of", page=page, count=count))
+        return found
+
+
+def _command(args: Namespace) -> str:
+    """The command that checks the same sheets once more."""
+    told = {"--variant": args.variant, "--plan": args.plan, "--mu": args.mu, "--work": args.work, "-o": args.output}
+    more = [word for flag, text in told.items() if text for word in (flag, text)]
+    return shlex.join(["planes", "check", args.scene, args.drawing, *more])
+
+
+def _options(args: Namespace) -> list[object]:
+    """All of the command line that what is found depends on."""
+    others = [Path(pair.partition("=")[2]) for pair in args.others]
+    read = [file.read_bytes() for file in others if file.is_file()]
+    told = (args.variant, args.plan, args.mu, args.phi, args.s, args.pole, args.mark, args.format, args.work, args.lang)
+    return [args.page, *told, args.others, read]
+
+
+def _class_table(work: ClassWork) -> list[str]:
+    head, rows = work.table()
+    rows = [head, *rows]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
+    aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[-1]]) for row in rows)
+    table = [say("check_class", work.lang), *(f"  {line.rstrip()}" for line in aligned)]
+    return [*table, *([Phrase("check_missing", names=missing).told(work.lang)] if (missing := work.missing()) else [])]

@@ -1,0 +1,77 @@
+"""Whose each sheet of a class is, and of which plan: by its mark, else by the name of its file, else by the options."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from planes.check.grading.prepared_plan import Asked
+from planes.check.handed_in import HandedSheet, opened
+from planes.check.sheet_mark import SheetMark, mark_on
+from planes.course.handed_out import HandedOut, Task, plan_named, variant_named
+from planes.scene import Scene
+from planes.words import Phrase
+from planes.words.errors import PlanesError, shown
+
+THUMB_PX = 300
+Asking = Callable[[Scene, str, float | None, float | None], Asked]
+
+
+@dataclass(frozen=True)
+class Glance:
+    """A first look at a sheet: its mark if it has one, and a small picture of it (JPEG)."""
+
+    mark: SheetMark | None = None
+    picture: bytes = b""
+
+
+def glance(file: str, page: int = 0) -> Glance:
+    """The first look; :class:`PlanesError` where a file does not open."""
+    picture = opened(file, page)
+    if picture is None:
+        return Glance()
+    from planes.check.vision.picture import cv, smaller
+
+    small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
+    return Glance(mark_on(picture.grey), bytes(small))
+
+
+@dataclass
+class Sorter:
+    """Says of each sheet what is asked of it. ``variant`` and ``plan`` are of the options, ``asking`` is the rest."""
+
+    handed: HandedOut
+    asking: Asking
+    variant: str | None = None
+    plan: str | None = None
+    known: dict[tuple[object, ...], Asked] = field(default_factory=dict)
+
+    def asked(self, sheet: HandedSheet, mark: SheetMark | None) -> tuple[Task, Asked, str]:
+        """The task, what is asked, and whose it is in words; :class:`PlanesError` where nothing tells."""
+        stem = sheet.file.stem
+        task = self._task(sheet, mark)
+        variant = mark.variant if mark else variant_named(stem, task.variant(None).variants) or self.variant
+        scene = task.variant(variant)
+        plan = (mark.plan if mark else plan_named(stem, scene)) or self.plan
+        if not plan:
+            raise PlanesError(Phrase("check_which_plan", file=sheet.name))
+        value, mu = (mark.value, mark.mu) if mark else (None, None)
+        key = task, scene.variant, plan, value, mu
+        if key not in self.known:
+            self.known[key] = self.asking(scene, plan, value, mu)
+        return task, self.known[key], whose(scene, mark, task.scene if self.handed.several else "")
+
+    def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
+        found = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)
+        if found is None and mark:
+            told = {"scene": shown(mark.scene), "student": shown(mark.student)}
+            raise PlanesError(Phrase("check_other_mark", file=sheet.name, **told))
+        if found is None and len(self.handed.tasks) == 1:
+            found = self.handed.tasks[0]
+        if found is None:
+            raise PlanesError(Phrase("check_whose_is_it", file=sheet.name))
+        return found
+
+
+def whose(scene: Scene, mark: SheetMark | None, assignment: str = "") -> str:
+    """The student, the assignment if there are several, and the variant, as far as they are known."""
+    student = str(scene.sheet.get("student", "")) or (mark.student if mark else "")
+    return ", ".join(filter(None, (student, assignment, (mark.variant if mark else "") or scene.variant or "")))

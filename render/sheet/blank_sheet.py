@@ -1,0 +1,80 @@
+"""A blank to draw a plan on: corner marks a camera finds, the code that says whose it is, the frame, the pole, μ, the
+title, room for a name, and a ruler.
+"""
+
+from collections.abc import Iterable, Sequence
+from itertools import groupby
+
+from render.paper.marks import Line, Mark, Shape, Text
+from render.paper.typeset import ink_width, wrapped
+from render.sheet.check_sheet import EDGE, LEFT, SMALL
+from render.sheet.frame import framed
+
+RULER_MM, RULER_X = 100, 11.0  # how far it stands from the left edge
+PLAN_MM, LETTER_MM, LEAST_MM = 5.0, 3.5, 2.5  # letters: of the plan's name, of the other lines, and the smallest ones
+TEXT_X, FIRST_Y, LINE_MM = 38.0, 14.0, 7.5  # where the lines begin; the first from the upper edge; one from the next
+ROOM_MM, FIELDS_MM = 200.0, (162.0, 236.0)  # of a line beside the code; from where to where a name is written
+Square = tuple[complex, Sequence[Sequence[bool]], float]  # its centre, black cells from the top row, its side in mm
+
+
+def blank(
+    size_mm: tuple[float, float],
+    squares: Iterable[Square],
+    pole: complex,
+    texts: Sequence[str],
+    size: str,
+    fields: Sequence[str] = (),
+) -> list[Mark]:
+    """The marks of a blank: ``size`` is what its ruler says, ``fields`` what is to be written by hand."""
+    w, h = size_mm
+    out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
+    for centre, cells, side in squares:
+        out += _square(centre, cells, side)
+    out += [Line((pole - d, pole + d), "thin", "plan") for d in (2 + 0j, 2j)]
+    out.append(Text("p", pole + complex(-5, -6), PLAN_MM, name="p"))
+    room = FIELDS_MM[0] - 4 - TEXT_X if fields else ROOM_MM
+    for k, (line, letter) in enumerate(_lines(texts, room)):
+        out.append(Text(line, complex(TEXT_X, h - FIRST_Y - LINE_MM * k), letter))
+    for k, name in enumerate(fields):
+        out += _field(name, h - FIRST_Y - LINE_MM * k)
+    return out + _ruler(complex(RULER_X, (h - RULER_MM) / 2), size)
+
+
+def _lines(texts: Sequence[str], room: float) -> list[tuple[str, float]]:
+    """Lines of text with their letters: the first one smaller if it is long, the others in several."""
+    first, *more = texts
+    letter = next((mm for mm in (PLAN_MM, LETTER_MM) if ink_width(first, mm) <= room), LEAST_MM)
+    return [(first, letter), *((line, LETTER_MM) for text in more for line in wrapped(text, room, LETTER_MM))]
+
+
+def _field(name: str, y: float) -> list[Mark]:
+    """A line to write on, and what. It stands beside the title, where no drawing is looked for."""
+    begins = FIELDS_MM[0] + ink_width(name, LETTER_MM) + 2
+    line = Line((complex(begins, y - 0.6), complex(FIELDS_MM[1], y - 0.6)), "thin", "text")
+    return [Text(name, complex(FIELDS_MM[0], y), LETTER_MM), line]
+
+
+def _ruler(low: complex, size: str) -> list[Mark]:
+    """A length to lay a ruler on, in the margin, where nobody draws."""
+    ticks = [low + 1j * mm for mm in range(0, RULER_MM + 1, 10)]
+    lines = [(low, ticks[-1]), *((z, z - 2.5) for z in ticks)]
+    text = Text(size, low + complex(-3.4, RULER_MM / 2), SMALL, "middle", 90.0)
+    return [*(Line(line, "thin", "plan") for line in lines), text]
+
+
+def _square(centre: complex, cells: Sequence[Sequence[bool]], side: float) -> list[Mark]:
+    """A corner mark as runs of black cells."""
+    step = side / len(cells)
+    corner = centre + complex(-side, side) / 2
+    out: list[Mark] = []
+    for r, row in enumerate(cells):
+        for black, run in groupby(range(len(row)), key=row.__getitem__):
+            if black:
+                first, *more = run
+                out.append(_box(corner + complex(first * step, -(r + 1) * step), (1 + len(more)) * step, step))
+    return out
+
+
+def _box(z: complex, width: float, height: float) -> Shape:
+    over = 0.02  # no hair of white between two boxes
+    return Shape((z - 1j * over, z + width - 1j * over, z + complex(width, height), z + 1j * height), "frame")
