@@ -85,10 +85,13 @@ class Columns:
 
     @cached_property
     def spots(self) -> list[Spot]:
-        """Where every view stands."""
+        """Where every view stands; all columns begin at one level, where there is room beneath it."""
         spaced, high, free = self._spaced(), self.stacking.high, self.stacking.module.free
         room = all(high(piece)[end - x] <= free(x, end)[0] - free(x, end)[1] + 1e-9 for piece, x, end in spaced)
-        return [spot for column in (spaced if room else self._columns) for spot in self._placed(*column)]
+        columns = spaced if room else self._columns
+        level = min(free(x, end)[0] for _, x, end in columns)
+        even = all(high(piece)[end - x] <= level - free(x, end)[1] + 1e-9 for piece, x, end in columns)
+        return [s for column in columns for s in self._placed(*column, level if even else math.inf)]
 
     @cached_property
     def piece(self) -> Piece:
@@ -160,9 +163,10 @@ class Columns:
             prices[piece] = fair
         return prices[piece]
 
-    def _placed(self, piece: Piece, unit: int, end: int) -> Iterator[Spot]:
-        """The views of a column, its white shared out between its rows."""
-        (top, low), span = self.stacking.module.free(unit, end), end - unit
+    def _placed(self, piece: Piece, unit: int, end: int, level: float) -> Iterator[Spot]:
+        """The views of a column from no higher than a level, its white shared out between its rows."""
+        (free, low), span = self.stacking.module.free(unit, end), end - unit
+        top = min(free, level)
         rows = self.stacking.rows(piece, span)
         spare = (top - low - sum(self.stacking.high(row)[span] for row in rows)) / max(len(rows) - 1, 1)
         return self.stacking.placed(rows, unit, span, top, min(spare, MOST_GAP_MM))
