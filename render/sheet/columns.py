@@ -86,12 +86,17 @@ class Columns:
     @cached_property
     def spots(self) -> list[Spot]:
         """Where every view stands; all columns begin at one level, where there is room beneath it."""
-        spaced, high, free = self._spaced(), self.stacking.high, self.stacking.module.free
-        room = all(high(piece)[end - x] <= free(x, end)[0] - free(x, end)[1] + 1e-9 for piece, x, end in spaced)
-        columns = spaced if room else self._columns
+        free, ways = self.stacking.module.free, (*map(self._spaced, (True, False)), self._columns)
+        columns = next((way for way in ways if self._under(way)), self._columns)
         level = min(free(x, end)[0] for _, x, end in columns)
-        even = all(high(piece)[end - x] <= level - free(x, end)[1] + 1e-9 for piece, x, end in columns)
-        return [s for column in columns for s in self._placed(*column, level if even else math.inf)]
+        level = level if self._under(columns, level) else math.inf
+        return [spot for column in columns for spot in self._placed(*column, level)]
+
+    def _under(self, columns: Sequence[Column], level: float = math.inf) -> bool:
+        """Whether columns have room beneath a level."""
+        free, high = self.stacking.module.free, self.stacking.high
+        room = ((piece, end - x, *free(x, end)) for piece, x, end in columns)
+        return all(high(piece)[span] <= min(top, level) - low + 1e-9 for piece, span, top, low in room)
 
     @cached_property
     def piece(self) -> Piece:
@@ -122,11 +127,14 @@ class Columns:
         found: Array = self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
         return found
 
-    def _spaced(self) -> list[Column]:
-        """The columns no wider than they need to be, with the units they do not need between them."""
+    def _spaced(self, flush: bool) -> list[Column]:
+        """The columns no wider than they need to be, with the units they do not need between them; the last one is to
+        stand ``flush`` over the title block, if it is no wider."""
         highs = [self.stacking.high(piece)[: end - unit + 1] for piece, unit, end in self._columns]
         needs = [int((high > high[-1] + 1e-9).sum()) for high in highs]
-        spare, gaps = self.stacking.module.units - sum(needs), max(len(needs) - 1, 1)
+        block, units = self.stacking.module.block, self.stacking.module.units
+        last = block if flush and sum(needs[:-1]) <= block and needs[-1] <= units - block else units - needs[-1]
+        spare, gaps = last - sum(needs[:-1]), max(len(needs) - 1, 1)
         lefts = [sum(needs[:k]) + spare * k // gaps for k in range(len(needs))]
         return [(piece, x, x + n) for (piece, _, _), x, n in zip(self._columns, lefts, needs, strict=True)]
 

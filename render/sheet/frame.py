@@ -3,6 +3,7 @@ says in their cells."""
 
 import cmath
 import math
+import re
 from bisect import bisect_left
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -48,6 +49,7 @@ _SIDE = 0.9  # from the side of a cell to a text that begins there
 _CLEAR = 0.5  # the least distance of a text from the sides of its cell, over the letter height the cell is meant for
 _PITCH = 1.6  # from line to line over the letter height
 _SLIGHTLY = 0.9  # of its own width: a word may be that narrow before it is written in smaller letters
+_WORDS = re.compile(r"\s+(?!\d)")  # no line begins with a number
 _NEARLY = 0.7  # of the height of letters of a text in one, which are a step larger at most
 APART = ".\n"  # between sentences of a cell, each of which begins a line of its own where there is room
 _LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
@@ -161,15 +163,16 @@ def _largest(
 
 def _evenly(text: str, width: float, size: float) -> list[str]:
     """A text in as few lines of a width as there may be, none of them much longer than another."""
-    lines = wrapped(text, width, size)
+    lines = wrapped(_WORDS.split(text), width, size)
     return _in_lines(text, len(lines), size) if len(lines) > 1 else lines or [""]
 
 
 def _in_lines(text: str, most: int, size: float) -> list[str]:
     """A text in no more lines than there are to be, the longest as short as it can be."""
     halves = range(2 * math.ceil(ink_width(text, size)) + 1)  # of mm, how wide the lines are to be
-    shortest = bisect_left(halves, True, key=lambda w: len(wrapped(text, w / 2, size)) <= most)
-    return wrapped(text, halves[shortest] / 2, size)
+    words = _WORDS.split(text)
+    shortest = bisect_left(halves, True, key=lambda w: len(wrapped(words, w / 2, size)) <= most)
+    return wrapped(words, halves[shortest] / 2, size)
 
 
 def _room(height: float, size: float) -> int:

@@ -54,9 +54,18 @@ class Module:
         """From unit to unit: such that one begins over the left edge of the title block."""
         wide = self.inside[2] - self.inside[0]
         usual = (wide - GAP_MM) / (UNITS * max(1, round(wide / MODULE_MM)))
-        before = max(0.0, self.taken[0][0] - self.inside[0] - GAP_MM) if self.taken else 0.0
-        count = round(before / usual)
-        return before / count if count else usual
+        count = round(self._before / usual)
+        return self._before / count if count else usual
+
+    @property
+    def block(self) -> int:
+        """The unit that begins over the left edge of the title block; 0 where none does."""
+        return round(self._before / self.pitch)
+
+    @property
+    def _before(self) -> float:
+        """From the first unit to the title block."""
+        return max(0.0, self.taken[0][0] - self.inside[0] - GAP_MM) if self.taken else 0.0
 
     def left(self, unit: int) -> float:
         """The left edge of a unit."""
