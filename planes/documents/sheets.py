@@ -179,12 +179,13 @@ class TurningMechanism:
         return [PlacedMechanism(where, how) if ok else None for (where, how), ok in zip(at, works, strict=True)]
 
     def curves(self, rows: Rows) -> tuple[DiagramCurve, ...]:
-        """Place, from its least, and rates of the driven link."""
+        """Place, from its least, and rates of the driven link, unless the driver stands."""
         slides, (place, rate, quick) = driven(self.plans)[1], output_curves(self.plans)
         at = curves_of(self.plans)[place].read(rows)
         at = at if slides else unwound(at)
         letters, units = ("sva", ("m", "m/s", "m/s²")) if slides else ("φωε", ("°", "rad/s", "rad/s²"))
-        return tuple(map(DiagramCurve, letters, units, map(known, (at - np.fmin.reduce(at), rows[rate], rows[quick]))))
+        drawn = map(DiagramCurve, letters, units, map(known, (at - np.fmin.reduce(at), rows[rate], rows[quick])))
+        return tuple(drawn)[: 1 if self.plans.at_rest else None]
 
     def numbered(
         self, span: WorkingRange, turn: Sequence[PlacedMechanism | None], extreme: Sequence[float]

@@ -35,8 +35,12 @@ class TransferFunctions(Reckoned):
         for alike, ends, arm in self.turning(found.values()):
             yield self.row(alike, f"{ends}{times}/({segment}·{greek(arm)})")
         noise = NOISE * (abs(self.position.drawing[drive.length]) if drive.length else 1.0)
+        plans = self.position.plans
+        still = {marks.velocity for p, marks in plans.points.items() if p in plans.standing}
         for one in (f for f in found.values() if f.quantity.columns[0].part):
-            ends = self.ends(*one.quantity.columns[0].needs[:2])
+            if (column := one.quantity.columns[0]).end in still:
+                continue
+            ends = self.ends(*column.needs[:2])
             yield self.row([one], f"{ends}{times}/{segment}", noise)
 
     def row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:

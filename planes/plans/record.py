@@ -99,6 +99,13 @@ class Plans:
         return {self.drive_given: value}
 
     @cached_property
+    def standing(self) -> frozenset[str]:
+        """The points that never move: those of the frame, and of links that hang on it by a hinge and never turn."""
+        fixed = {*self.mechanism.frame.points}
+        links = [x for n, x in self.mechanism.links.items() if n in self.links and not self.links[n].omega]
+        return frozenset(fixed.union(*(x.points for x in links if fixed & {*x.points} and not x.slides)))
+
+    @cached_property
     def segments_of(self) -> dict[str, list[Segment]]:
         """The measured segments of each plan."""
         found: dict[str, list[Segment]] = {}

@@ -85,8 +85,8 @@ class Position(Pictured):
         return next((f.number for f in self.of(group).values()), None)
 
     def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:
-        """The segments measured on a plan; a whole vector of rates from the pole is named by its point, not by what it
-        was found against."""
+        """The segments measured on a plan, but of points that never move; a whole vector of rates from the pole is
+        named by its point, not by what it was found against."""
         rates = {p: {"velocity": m.velocity, "acceleration": m.acceleration} for p, m in self.plans.points.items()}
         points = {label_of(marks[plan]): p for p, marks in rates.items() if plan in marks}
         for s in self.plans.segments_of.get(plan, ()):
@@ -95,7 +95,8 @@ class Position(Pictured):
                 whole = points and s.start == POLE and at(plan, s.end) not in self.drawing.program.corners
                 letter, false, _ = parts_of(s.end.rstrip("'"))
                 point = points.get(s.end) or letter.upper() + (f"^{false}" if false else "")
-                yield (f"{plan[0]}_{point}" if whole else s.name), s, found
+                if not whole or point not in self.plans.standing:
+                    yield (f"{plan[0]}_{point}" if whole else s.name), s, found
 
     def value(self, name: str) -> float | complex:
         """A quantity by the name ``find:`` has for it: a number in SI, complex for a vector.

@@ -146,7 +146,8 @@ def greek(name: str) -> str:
 
 def indexed(text: str) -> str:
     """Sentences with the indices of names in them set as such: v_H, F21^t, phi_1."""
-    return re.sub(r"([^\W_]+)([_^])([^\W_]+)", lambda m: f"{_GREEK.get(m[1], m[1])}{m[2]}{{{m[3]}}}", text)
+    name = rf"(?<!\w)([^\W\d_]{{1,2}}\d*|{'|'.join(_GREEK)})([_^])([^\W_]+)(?!\w)"
+    return re.sub(name, lambda m: f"{_GREEK.get(m[1], m[1])}{m[2]}{{{m[3]}}}", text)
 
 
 def lettered_curve(name: str, naming: Naming) -> str:

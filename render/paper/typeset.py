@@ -7,7 +7,7 @@ else is markup: a bare ``_`` or ``^`` is drawn as it stands.
 import cmath
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -116,10 +116,10 @@ def ink_width(text: str, height_mm: float) -> float:
     return x1 - x0
 
 
-def wrapped(text: str, width: float, height_mm: float) -> list[str]:
-    """A sentence in lines no wider than so many mm."""
+def wrapped(text: str | Sequence[str], width: float, height_mm: float) -> list[str]:
+    """A sentence, or what is not to be broken of one, in lines no wider than so many mm."""
     lines: list[str] = []
-    for word in text.split():
+    for word in text.split() if isinstance(text, str) else text:
         longer = f"{lines[-1]} {word}" if lines else word
         if lines and ink_width(longer, height_mm) <= width:
             lines[-1] = longer

@@ -85,10 +85,18 @@ class Columns:
 
     @cached_property
     def spots(self) -> list[Spot]:
-        """Where every view stands."""
-        spaced, high, free = self._spaced(), self.stacking.high, self.stacking.module.free
-        room = all(high(piece)[end - x] <= free(x, end)[0] - free(x, end)[1] + 1e-9 for piece, x, end in spaced)
-        return [spot for column in (spaced if room else self._columns) for spot in self._placed(*column)]
+        """Where every view stands; all columns begin at one level, where there is room beneath it."""
+        free, ways = self.stacking.module.free, (*map(self._spaced, (True, False)), self._columns)
+        columns = next((way for way in ways if self._under(way)), self._columns)
+        level = min(free(x, end)[0] for _, x, end in columns)
+        level = level if self._under(columns, level) else math.inf
+        return [spot for column in columns for spot in self._placed(*column, level)]
+
+    def _under(self, columns: Sequence[Column], level: float = math.inf) -> bool:
+        """Whether columns have room beneath a level."""
+        free, high = self.stacking.module.free, self.stacking.high
+        room = ((piece, end - x, *free(x, end)) for piece, x, end in columns)
+        return all(high(piece)[span] <= min(top, level) - low + 1e-9 for piece, span, top, low in room)
 
     @cached_property
     def piece(self) -> Piece:
@@ -119,11 +127,14 @@ class Columns:
         found: Array = self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
         return found
 
-    def _spaced(self) -> list[Column]:
-        """The columns no wider than they need to be, with the units they do not need between them."""
+    def _spaced(self, flush: bool) -> list[Column]:
+        """The columns no wider than they need to be, with the units they do not need between them; the last one is to
+        stand ``flush`` over the title block, if it is no wider."""
         highs = [self.stacking.high(piece)[: end - unit + 1] for piece, unit, end in self._columns]
         needs = [int((high > high[-1] + 1e-9).sum()) for high in highs]
-        spare, gaps = self.stacking.module.units - sum(needs), max(len(needs) - 1, 1)
+        block, units = self.stacking.module.block, self.stacking.module.units
+        last = block if flush and sum(needs[:-1]) <= block and needs[-1] <= units - block else units - needs[-1]
+        spare, gaps = last - sum(needs[:-1]), max(len(needs) - 1, 1)
         lefts = [sum(needs[:k]) + spare * k // gaps for k in range(len(needs))]
         return [(piece, x, x + n) for (piece, _, _), x, n in zip(self._columns, lefts, needs, strict=True)]
 
@@ -160,9 +171,10 @@ class Columns:
             prices[piece] = fair
         return prices[piece]
 
-    def _placed(self, piece: Piece, unit: int, end: int) -> Iterator[Spot]:
-        """The views of a column, its white shared out between its rows."""
-        (top, low), span = self.stacking.module.free(unit, end), end - unit
+    def _placed(self, piece: Piece, unit: int, end: int, level: float) -> Iterator[Spot]:
+        """The views of a column from no higher than a level, its white shared out between its rows."""
+        (free, low), span = self.stacking.module.free(unit, end), end - unit
+        top = min(free, level)
         rows = self.stacking.rows(piece, span)
         spare = (top - low - sum(self.stacking.high(row)[span] for row in rows)) / max(len(rows) - 1, 1)
         return self.stacking.placed(rows, unit, span, top, min(spare, MOST_GAP_MM))

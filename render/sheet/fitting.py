@@ -85,13 +85,16 @@ Way = tuple[Sizes, float, bool, Upright]
 """Sizes of plans, a letter height, whether equations stand under their plans, and which blocks stand upright."""
 
 
-def ways(sizes: Sizes, name: str, fits: Callable[[Way], bool], best: Way | None = None) -> Way | None:
-    """The best looking way to fill a format, but none better than ``best``; large letters only where small ones fit."""
+def ways(
+    sizes: Sizes, name: str, fits: Callable[[Way], bool], best: Way | None = None, upright: bool = False
+) -> Way | None:
+    """The best looking way to fill a format, but none better than ``best``, nor with fewer blocks ``upright``; large
+    letters only where small ones fit."""
     fit, how = cache(fits), [*product(LETTERS[name[:2]], (True, False))]
     levels = [[(sizes, *h, upright) for h in how] for upright in UPRIGHT]
     if best:
         k = UPRIGHT.index(best[-1])
-        levels = [levels[k][levels[k].index(best) :], *levels[k + 1 :]]
+        levels = [levels[k][levels[k].index(best) :], *([] if upright else levels[k + 1 :])]
     if not any(map(fit, levels[-1][-2:])):
         return None
     return next(filter(fit, next(level for level in levels if any(map(fit, level[-2:])))))
@@ -126,14 +129,15 @@ def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | N
 
 
 def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
-    """The same with as many of the views that wait for room as there is some for, with plans no smaller."""
+    """The same with as many of the views that wait for room as there is some for, with plans no smaller; for a note no
+    block is torn."""
     for key in [v.key for v in contents.extra(*how)]:
         more = replace(contents, extras=(*contents.extras, key))
 
         def fits(how: Way, more: Contents = more) -> bool:
             return packed(shown(more, how, whole), Paper(name))
 
-        other = ways(how[0], name, fits, how)
+        other = ways(how[0], name, fits, how, upright=key == "note")
         contents, how = (more, other) if other else (contents, how)
     return contents, how
 

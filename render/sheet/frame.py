@@ -3,8 +3,9 @@ says in their cells."""
 
 import cmath
 import math
+import re
 from bisect import bisect_left
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
@@ -48,6 +49,9 @@ _SIDE = 0.9  # from the side of a cell to a text that begins there
 _CLEAR = 0.5  # the least distance of a text from the sides of its cell, over the letter height the cell is meant for
 _PITCH = 1.6  # from line to line over the letter height
 _SLIGHTLY = 0.9  # of its own width: a word may be that narrow before it is written in smaller letters
+_WORDS = re.compile(r"\s+(?!\d)")  # no line begins with a number
+_NEARLY = 0.7  # of the height of letters of a text in one, which are a step larger at most
+APART = ".\n"  # between sentences of a cell, each of which begins a line of its own where there is room
 _LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
 
 
@@ -133,19 +137,42 @@ def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
 
 
 def _lines(text: str, wide: float, height: float, letter: float) -> tuple[list[str], float]:
-    """The text broken between words at the largest letter height at which it fits the cell, a word alone in its line
-    a little narrowed; where it fits at none, at the least one, shared among as many lines as there is room for."""
-    sizes, width = [s for s in _SIZES if s <= letter], wide - 2 * max(_CLEAR * letter, _LEAST)
+    """The text broken between words at the largest letter height at which it fits the cell, sentences apart where that
+    is little smaller; where it fits at none, at the least one, shared among as many lines as there is room for."""
+    sizes = [s for s in _SIZES if s <= letter]
+    flowing = _largest([text], wide, height, sizes)
+    apart = _largest(text.split(APART), wide, height, sizes)
+    if apart and flowing and apart[1] >= _NEARLY * flowing[1]:
+        return apart
+    return flowing or (_in_lines(text, max(1, _room(height, sizes[-1])), sizes[-1]), sizes[-1])
+
+
+def _largest(
+    parts: Sequence[str], wide: float, height: float, sizes: Sequence[float]
+) -> tuple[list[str], float] | None:
+    """Parts of a text broken between words at the largest of some letter heights at which they fit a cell, a word alone
+    in its line a little narrowed; None if they fit at none."""
+    width = wide - 2 * max(_CLEAR * sizes[0], _LEAST)
     for size in sizes:
-        lines, word = wrapped(text, width, size) or [""], (wide - 2 * _LEAST - PEN * size) / _SLIGHTLY
-        fits = all(ink_width(line, size) <= (width if " " in line else max(width, word)) for line in lines)
+        lines, word = [x for part in parts for x in _evenly(part, width, size)], wide - 2 * _LEAST - PEN * size
+        fits = all(ink_width(x, size) <= (width if " " in x else max(width, word / _SLIGHTLY)) for x in lines)
         if fits and _room(height, size) >= len(lines):
             return lines, size
-    size = sizes[-1]
+    return None
+
+
+def _evenly(text: str, width: float, size: float) -> list[str]:
+    """A text in as few lines of a width as there may be, none of them much longer than another."""
+    lines = wrapped(_WORDS.split(text), width, size)
+    return _in_lines(text, len(lines), size) if len(lines) > 1 else lines or [""]
+
+
+def _in_lines(text: str, most: int, size: float) -> list[str]:
+    """A text in no more lines than there are to be, the longest as short as it can be."""
     halves = range(2 * math.ceil(ink_width(text, size)) + 1)  # of mm, how wide the lines are to be
-    most = max(1, _room(height, size))
-    shortest = bisect_left(halves, True, key=lambda w: len(wrapped(text, w / 2, size)) <= most)
-    return wrapped(text, halves[shortest] / 2, size), size
+    words = _WORDS.split(text)
+    shortest = bisect_left(halves, True, key=lambda w: len(wrapped(words, w / 2, size)) <= most)
+    return wrapped(words, halves[shortest] / 2, size)
 
 
 def _room(height: float, size: float) -> int:
@@ -170,7 +197,7 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     found["student_date"] = said.get("date", "")
     found["title"] = said.get("title") or scene.title.get(lang, "")
     if number and "title" not in said:
-        found["title"] = ". ".join(filter(None, (found["title"], say(f"sheet_{number}", lang))))
+        found["title"] = APART.join(filter(None, (found["title"], say(f"sheet_{number}", lang))))
     found["designation"] = said.get("designation") or said.get("number", "")
     company = [said.get(key, "") for key in ("company", "university", "department", "group")]
     found["company"] = " ".join(text for text in company if text)

@@ -15,6 +15,7 @@ from render.labels.footprints import Bounds
 Indices = NDArray[numpy.intp]
 
 GAP_MM = 7.0  # least distance of views from each other and from the frame
+LEAST_GAP_MM = 3.5  # from the right edge of the frame, of the widest views
 MODULE_MM = 185.0  # the width of the title block, over which a column of tables stands
 UNITS, WIDEST = 12, 2  # units to a module, modules to the widest column, unless a view is wider
 
@@ -40,8 +41,8 @@ class Module:
 
     @cached_property
     def units(self) -> int:
-        """How many there are."""
-        return UNITS * max(1, round((self.inside[2] - self.inside[0]) / MODULE_MM))
+        """How many there are: as many as leave the frame at the right some room."""
+        return math.floor((self.inside[2] - self.inside[0] - LEAST_GAP_MM) / self.pitch + 1e-9)
 
     @property
     def widest(self) -> int:
@@ -50,8 +51,21 @@ class Module:
 
     @cached_property
     def pitch(self) -> float:
-        """From unit to unit."""
-        return (self.inside[2] - self.inside[0] - GAP_MM) / self.units
+        """From unit to unit: such that one begins over the left edge of the title block."""
+        wide = self.inside[2] - self.inside[0]
+        usual = (wide - GAP_MM) / (UNITS * max(1, round(wide / MODULE_MM)))
+        count = round(self._before / usual)
+        return self._before / count if count else usual
+
+    @property
+    def block(self) -> int:
+        """The unit that begins over the left edge of the title block; 0 where none does."""
+        return round(self._before / self.pitch)
+
+    @property
+    def _before(self) -> float:
+        """From the first unit to the title block."""
+        return max(0.0, self.taken[0][0] - self.inside[0] - GAP_MM) if self.taken else 0.0
 
     def left(self, unit: int) -> float:
         """The left edge of a unit."""
@@ -66,7 +80,7 @@ class Module:
         x0, x1 = self.left(unit) - GAP_MM, self.left(end)
         low, top = self.inside[1], self.inside[3]
         for left, lower, right, upper in self.taken:
-            if left < x1 and x0 < right:
+            if left < x1 - 1e-6 and x0 < right:
                 low, top = (upper, top) if lower <= low else (low, min(top, lower))
         return top - GAP_MM, low + GAP_MM
 

@@ -58,7 +58,7 @@ class Project:
                 t.plan("velocity"),
                 t.plan("acceleration"),
                 t.links(),
-                self.directions(position),
+                self.directions(position, letter),
                 t.transfers(),
             ),
             "structure": (
@@ -93,10 +93,12 @@ class Project:
 
         return c.once(("many", mu), make)
 
-    def directions(self, position: Position) -> View | None:
-        """The small figures of directions."""
-        c = self.composer
-        return c.once(("directions",), lambda: Directions(position, c.naming).view(say("directions", c.lang)))
+    def directions(self, position: Position, letter: float) -> View | None:
+        """The small figures of directions, with letters no smaller than those of tables."""
+        c, high = self.composer, max(3.5, letter)
+        return c.once(
+            ("directions", high), lambda: Directions(position, c.naming, high).view(say("directions", c.lang))
+        )
 
     def groups(self, position: Position, letter: float) -> View | None:
         """The primary mechanism and the groups of Assur apart, with W, q and the formula of structure."""

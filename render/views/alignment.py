@@ -102,10 +102,11 @@ def alignment_told(aligned: Aligned, naming: Naming, title: str, letter: float) 
 
 
 def counted(aligned: Aligned, letter: float) -> list[Mark]:
-    """The formula of Somov and Malyshev with its numbers."""
+    """The formula of Somov and Malyshev, its numbers beneath it."""
     p1, p2, p3 = aligned.counts
-    numbers = f"6·{aligned.n} − 5·{p1} − 4·{p2} − 3·{p3} = {aligned.W};   q = {aligned.q}"
-    return [Text(f"W = 6n − 5p_{{1}} − 4p_{{2}} − 3p_{{3}} = {numbers}", 0j, letter * 1.4, "middle")]
+    numbers = f"= 6·{aligned.n} − 5·{p1} − 4·{p2} − 3·{p3} = {aligned.W};   q = {aligned.q}"
+    lines, high = ("W = 6n − 5p_{1} − 4p_{2} − 3p_{3} =", numbers), 1.4 * letter
+    return [Text(line, complex(0, -1.9 * high * k), high) for k, line in enumerate(lines)]
 
 
 def legend(aligned: Aligned, naming: Naming, letter: float) -> View:

@@ -18,17 +18,17 @@ from render.views.formulas import NOISE_MM
 from render.views.plotted import degrees
 from render.views.senses import labelled
 
-ROD_MM, ARROW_MM, SENSE_MM = 13.0, 8.0, 5.5  # of a figure: its rod, its vectors, the radius of its curved arrow
-LETTER_MM = 3.5
+ROD, ARROW, SENSE = 3.7, 2.3, 1.6  # of a figure: its rod, its vectors, the radius of its curved arrow, in its letters
 SWEEP_DEG, FROM_DEG = 65.0, 15.0  # of a curved arrow, and from its rod
 A_ROW = 5  # figures
 
 
 @dataclass(frozen=True)
 class Directions(Reckoned):
-    """The figures of a position."""
+    """The figures of a position, with letters of so many mm."""
 
     naming: Naming
+    letter: float = 3.5
 
     def view(self, title: str) -> View | None:
         """All figures in rows; none where nothing turns."""
@@ -59,11 +59,11 @@ class Directions(Reckoned):
 
     def turning(self, rod: Through, way: complex, vector: str, rate: str) -> Sequence[Mark]:
         """One rod."""
-        tip = ROD_MM * self.way(rod.start, rod.end)
+        tip = ROD * self.letter * self.way(rod.start, rod.end)
         ground = [*symbols.bar(0j, tip), *symbols.hinge(0j), *symbols.hinge(tip)]
         ends = ((rod.start, 0j), (rod.end, tip))
-        letters = [Label(self.naming.point(label_of(x)), z, LETTER_MM, clear=1.6, name=x) for x, z in ends]
-        vectors = [Arrow(tip, tip + ARROW_MM * way, "vector", "plan", vector)]
+        letters = [Label(self.naming.point(label_of(x)), z, self.letter, clear=1.6, name=x) for x, z in ends]
+        vectors = [Arrow(tip, tip + ARROW * self.letter * way, "vector", "plan", vector)]
         return self.figure(ground, vectors, rate, degrees(tip), letters)
 
     def coriolis(self) -> Iterator[Sequence[Mark]]:
@@ -79,9 +79,9 @@ class Directions(Reckoned):
         """One guide."""
         vectors = [
             Arrow(0j, length * z, "vector", "plan", name)
-            for length, z, name in zip((ROD_MM, ARROW_MM), (way, across), names, strict=True)
+            for length, z, name in zip((ROD * self.letter, ARROW * self.letter), (way, across), names, strict=True)
         ]
-        guide = Line((-ARROW_MM / 2 * way, 1.2 * ROD_MM * way), "axis", "axis")
+        guide = Line((-ARROW * self.letter / 2 * way, 1.2 * ROD * self.letter * way), "axis", "axis")
         return self.figure([guide], vectors, rate, degrees(way), ())
 
     def figure(
@@ -89,11 +89,11 @@ class Directions(Reckoned):
     ) -> Sequence[Mark]:
         """A figure with its vectors and the curved arrow of a rate, and all letters."""
         sense, (kind, link, _) = math.copysign(1.0, float(self.position.drawing[rate])), parts_of(rate)
-        turning = symbols.turn_arrow(0j, SENSE_MM, from_deg + sense * FROM_DEG, sense * SWEEP_DEG)
-        middle = SENSE_MM * symbols.unit(from_deg + sense * (FROM_DEG + SWEEP_DEG / 2))
+        turning = symbols.turn_arrow(0j, SENSE * self.letter, from_deg + sense * FROM_DEG, sense * SWEEP_DEG)
+        middle = SENSE * self.letter * symbols.unit(from_deg + sense * (FROM_DEG + SWEEP_DEG / 2))
         rates = f"{'ω' if kind == 'omega' else 'ε'}_{{{self.naming.link(link)}}}"
         named = [
-            Label(self.naming.vector(a.name), (a.end, (a.start + a.end) / 2), LETTER_MM, name=a.name) for a in vectors
+            Label(self.naming.vector(a.name), (a.end, (a.start + a.end) / 2), self.letter, name=a.name) for a in vectors
         ]
-        turns = Label(rates, middle, LETTER_MM, side=middle, clear=0.5, name=rate)
+        turns = Label(rates, middle, self.letter, side=middle, clear=0.5, name=rate)
         return labelled([*letters, *named, turns], [*ground, *vectors, *turning])

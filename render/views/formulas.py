@@ -60,7 +60,9 @@ class Setter:
         wide, gap = 0.0, GAP * self.letter
         for k, word in enumerate(words):
             sign = bool(_SIGN.match(word.text)) and not word.vector
-            step = sum(self.wide(w) + gap for w in words[k : k + 1 + sign])
+            end = k + 1 + sign
+            with_last = end == len(words) - 1 and words[-1].text[:1] == "="  # "= 0" never stands alone
+            step = sum(self.wide(w) + gap for w in words[k : end + with_last])
             if sign and found[-1] and wide + step > WIDEST * self.letter:
                 found.append([])
                 wide = 0.0

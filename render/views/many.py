@@ -178,7 +178,7 @@ class ManyPositions:
             others = {p for x in m.links.values() if x is not link for p in x.points}
             if link.slides and m.owner(link.slides.guide) == FRAME:
                 yield link, link.first_point
-            elif held and (free := [p for p in link.points if p in others and p not in m.frame.points]):
+            elif held and (free := [p for p in link.points if p in others and p not in self.plans.standing]):
                 yield link, max(free, key=lambda p: abs(link.points[p] - link.points[held[0]]))
 
     def stations(self, link: Link, point: str) -> Iterator[Label]:

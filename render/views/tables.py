@@ -189,9 +189,9 @@ class Tables:
         return self.table(f"{plan}-table", self.say(f"by_{plan}"), ["", "", self.say("mm"), unit], rows)
 
     def links(self) -> View | None:
-        """ω and ε of every link with their senses."""
+        """ω and ε of every link with their senses; nothing where the driver stands."""
         rows, found = [], self.position.rows("links")
-        for name in (x for x in self.position.plans.mechanism.links if x in found):
+        for name in (x for x in self.position.plans.mechanism.links if x in found and not self.position.plans.at_rest):
             cells = [self.turning(found[name][k].number) if k in found[name] else "" for k in ("omega", "epsilon")]
             if any(cells):
                 rows.append([self.naming.link(name), *cells])

@@ -42,7 +42,7 @@ REFUSALS = [
     ),
     (("journal: {diameter: 0.065}", "journal: {diameter: 0.02}"), "journal A: the section is too thin"),
     (("webs: 0.058", "webs: 0.11"), "find no place"),
-    (("masses: {pin: m_pin", "masses: {pin: 2*m_pin"), "static moment"),
+    (("masses: {pin: m_a", "masses: {pin: 2*m_a"), "static moment"),
     (("gap: 0.038", "gap: 0.03"), "bush ≤ gap < pin"),
     (("shaft: 45", "shaft: 46"), "not in the table"),
     (("shaft: 45", "shaft: {strength_MPa: 600, yield_MPa: 700}"), "cannot be above the strength"),

@@ -8,7 +8,8 @@ from itertools import pairwise, product
 import pytest
 
 from render.sheet.columns import OVER, TORN, Columns, Item
-from render.sheet.module import GAP_MM, UNITS, Module
+from render.sheet.frame import Paper
+from render.sheet.module import GAP_MM, LEAST_GAP_MM, UNITS, Module
 from render.sheet.stacking import Stacking
 
 A2 = Module((20.0, 5.0, 589.0, 415.0), ((404.0, 5.0, 589.0, 60.0), (20.0, 401.0, 90.0, 415.0)))
@@ -40,7 +41,7 @@ def test_views_keep_apart_begin_on_the_module_and_keep_clear_of_the_title_block(
         return
     placed = boxes(found)
     for k, a in enumerate(placed):
-        assert A2.inside[0] + GAP_MM - 1e-9 <= a[0] and a[2] <= A2.inside[2] - GAP_MM + 1e-9
+        assert A2.inside[0] + GAP_MM - 1e-9 <= a[0] and a[2] <= A2.inside[2] - LEAST_GAP_MM + 1e-9
         assert A2.inside[1] + GAP_MM - 1e-9 <= a[1] and a[3] <= A2.inside[3] - GAP_MM + 1e-9
         units = (a[0] - A2.left(0)) / A2.pitch
         assert abs(units - round(units)) < 1e-9
@@ -48,6 +49,22 @@ def test_views_keep_apart_begin_on_the_module_and_keep_clear_of_the_title_block(
             assert max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3]) >= GAP_MM - 1e-6
     figures = [k for k in order if not some(seed)[k].loose]
     assert figures == sorted(figures)
+
+
+@pytest.mark.parametrize("name", ["A3", "A2", "A1", "A0", "A3x3", "A2x3"])
+def test_a_unit_begins_over_the_left_edge_of_the_title_block(name: str) -> None:
+    paper = Paper(name)
+    module = Module(paper.field, paper.taken)
+    before = (paper.block[0] - module.left(0)) / module.pitch
+    assert abs(before - round(before)) < 1e-9 and before > 10
+    assert LEAST_GAP_MM - 1e-9 <= paper.field[2] - module.left(module.units) + GAP_MM < module.pitch + LEAST_GAP_MM
+
+
+def test_columns_begin_at_one_level_where_there_is_room_beneath_it() -> None:
+    short, tall = Item(170.0, 300.0), Item(170.0, 395.0)
+    beneath = A2.taken[1][1] - GAP_MM  # the cell in the corner is over the first column
+    assert [s.top for s in broken([short, short], A2).spots] == [beneath, beneath]
+    assert [s.top for s in broken([short, tall], A2).spots] == [beneath, A2.inside[3] - GAP_MM]
 
 
 def test_some_of_the_random_views_have_room() -> None:

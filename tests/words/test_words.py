@@ -17,6 +17,7 @@ from planes.scene.vector_equations import read_equation
 from planes.solving import solve
 from planes.words import Phrase, say, table
 from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.lettering import indexed
 from planes.words.units import read_mu
 from tests.helpers.scene_texts import SIX_LINK, VECTORS, changed
 from tests.scene import test_expressions, test_source
@@ -325,3 +326,8 @@ def test_the_command_line_speaks_the_home_language(monkeypatch, capsys, home, gi
         cli.main(given)
     told = capsys.readouterr()
     assert words in (told.out + told.err).replace("Планы", "планы")
+
+
+def test_names_in_a_sentence_have_indices_and_other_words_have_not() -> None:
+    told = indexed("crank_slider: v_H, F21^t, phi_1, l_AB, omega_2, my_long_word")
+    assert told == "crank_slider: v_{H}, F21^{t}, φ_{1}, l_{AB}, ω_{2}, my_long_word"
