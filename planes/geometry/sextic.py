@@ -84,6 +84,9 @@ def assemblies(ties: Sequence[Tie]) -> Counted:
         return Counted((), 0, True)
     chain = _sturm(poly)
     double = len(chain[-1]) > 1
+    if double:  # every root once, as where a multiple one lies the whole chain vanishes and counts nothing
+        poly = _divided(poly, chain[-1])[0]
+        chain = _sturm(poly)
     found = []
     for low, high in _isolated(chain):
         t = float(_caught(poly, low, high))
@@ -191,15 +194,21 @@ def _sturm(poly: Polynomial) -> list[Polynomial]:
     """Sturm's chain: the polynomial, its slope, and the remainders with their signs turned."""
     chain = [poly, _trimmed([k * q for k, q in enumerate(poly)][1:])]
     while len(chain[-1]) > 1:
-        rest, by = list(chain[-2]), chain[-1]
-        while len(rest) >= len(by):
-            factor = rest[-1] / by[-1]
-            shift = len(rest) - len(by)
-            rest = [q - factor * by[k - shift] if k >= shift else q for k, q in enumerate(rest)][:-1]
+        rest = _divided(chain[-2], chain[-1])[1]
         if not any(rest):
             break
         chain.append([-q for q in _trimmed(rest)])
     return [c for c in chain if c]
+
+
+def _divided(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """The quotient of two polynomials and what is left."""
+    rest, found = list(poly), list[Fraction]()
+    while len(rest) >= len(by):
+        factor, shift = rest[-1] / by[-1], len(rest) - len(by)
+        found.append(factor)
+        rest = [q - factor * by[k - shift] if k >= shift else q for k, q in enumerate(rest)][:-1]
+    return found[::-1], rest
 
 
 def _changes(chain: list[Polynomial], t: Fraction) -> int:

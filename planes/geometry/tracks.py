@@ -44,6 +44,10 @@ class Tie:
         miss = (gap.real * gap.real + gap.imag * gap.imag - self.reach * self.reach) / (2 * length)
         return miss, gap / length, plane.cross(arm, gap) / length
 
+    def held(self, origin: Point, axis: Point) -> Point:
+        """Where the link is held."""
+        return self.place if self.kind == "guide" else origin + self.local * axis
+
 
 Pose = tuple[Point, Point]  # where the link's origin is, and the direction of its x axis
 

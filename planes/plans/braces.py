@@ -37,7 +37,7 @@ def _elbow(b: Bodies, g: Group, drive: Pair, brace: Brace) -> tuple[Elbow, Brace
         return d.lay_off(SCHEME, f"{point}°{pivot}", at(SCHEME, pivot), way, b.length(first, pivot, point), helper)
 
     ends = (near, far) if brace.near.link == brace.slide.other else (far, near)
-    reach, offset, length = cylinder(b, brace.slide, ends, near, pivot)
+    reach, offset, length = cylinder(b, brace.slide, ends, near, at(SCHEME, pivot))
     way = d.step(SenseOf(f"way_{brace.slide.guide}", reach))
     elbow = aside(motor)
     one = second.name, elbow, b.length(second, motor, far)
@@ -54,7 +54,8 @@ def _elbow(b: Bodies, g: Group, drive: Pair, brace: Brace) -> tuple[Elbow, Brace
         like = d.reckon(f"ratio_{hinge}_{second.name}", stands)
         end = d.step(Similar(at(SCHEME, f"{hinge}°{pivot}"), elbow, pin, like, means=helper))
     whole = d.measure(f"l_{pivot}{hinge}", at(SCHEME, pivot), end)
-    return Elbow(g, motor, pivot, hinge, whole, (elbow, end)), BraceReach(way, reach, length, offset is not None)
+    drawn = Elbow(g, motor, pivot, hinge, whole, (at(SCHEME, pivot), elbow, end))
+    return drawn, BraceReach(way, reach, length, offset is not None)
 
 
 def braced_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:

@@ -1,71 +1,75 @@
-"""The force plan of a group of class IV: the forces along its two rods by a false supposition, then closed polygons.
+"""The force plan of a group of class IV: the forces along its two leads by a false supposition, then closed polygons.
 
-Moments of the basic link with its rods about its outer hinge, and of the base about its own, leave two unknowns, the
-forces along the rods. First the second rod is supposed to bear nothing along itself: the first equation then gives the
-first rod's force, as it is supposed. The second equation with that gives what the second rod really bears, its arm
-being what its force and that which it calls forth in the first rod have together. Then the first is found again.
+Moments of the basic link with its leads about its outer hinge (where it slides: what acts along its guide), and of the
+base about its own, leave two unknowns, the forces along the leads. First the second lead is supposed to bear nothing
+along itself: the first equation then gives the first lead's force, as it is supposed. The second equation with that
+gives what the second lead really bears, its arm being what its force and that which it calls forth in the first lead
+have together. Then the first is found again.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.crossings import DropFalse
-from planes.drafting.steps.reckoning import Drop, Product
+from planes.drafting.steps.crossings import CosineFalse, DropFalse
+from planes.drafting.steps.reckoning import Cosine, Drop, Product
 from planes.plans.bodies import SCHEME
 from planes.plans.contours import Contour
-from planes.plans.groups import Lead, Pair
+from planes.plans.groups import Pair
+from planes.plans.lead_forces import Ends, HeldLead, LeadForces
 from planes.plans.loads import Couple, Force, force_name
-from planes.plans.reactions import Statics, chain_of
+from planes.plans.reactions import Reaction, Statics, chain_of
+from planes.plans.rubbing import settled
 from planes.scene.mechanism import FRAME
-from planes.words import Phrase
-from planes.words.errors import SceneError
-from planes.words.names import POLE, Meaning, at, force_plan, label_of, mu_of, parts_of
+from planes.words.names import POLE, Meaning, at, label_of, mu_of, parts_of
 
 
-class _Rod:
-    """A rod: what acts on it, the part of its reaction from the base across it, and the line of the other part."""
+@dataclass(frozen=True)
+class _Equilibrium:
+    """What is in equilibrium on an outer pair: its links, and what acts on them but for the forces along the leads."""
 
-    def __init__(self, statics: Statics, lead: Lead) -> None:
-        b, d = statics.bodies, statics.bodies.draft
-        self.lead, self.loads = lead, list(statics.acting.forces[lead.link])
-        self.couples = list(statics.acting.couples[lead.link])
-        self.key, self.point = force_name(lead.link, lead.outer.mate(lead.link)), at(SCHEME, lead.outer.point)
-        self.back = force_name(lead.outer.mate(lead.link), lead.link)
-        self.line = d.ray(SCHEME, lead.outer.point, lead.inner.point)
-        length = b.length(b.mechanism.links[lead.link], lead.outer.point, lead.inner.point)
-        about = at(SCHEME, lead.inner.point)
-        products, shown = statics.moment_terms(about, self.loads, self.couples, 1.0, length)
-        name = d.total(f"{self.key}^t", products)
-        d.moments.append(Moments(lead.inner.point, (lead.link,), shown, name, length))
-        self.across = Force(name, lead.link, name, d.square(self.line), self.point, "tangential")
-
-    def along(self, size: str) -> Force:
-        """A force along it, on it from the base."""
-        return Force(size, self.lead.link, size, self.line, self.point, "tangential")
+    pair: Pair
+    links: tuple[str, ...]
+    forces: list[Force]
+    couples: list[Couple]
 
 
-class ContourForces:
+class ContourForces(LeadForces):
     """The plan of one contour."""
 
     def __init__(self, statics: Statics, group: Contour) -> None:
-        self.statics, self.group, self.bodies, self.draft = statics, group, statics.bodies, statics.bodies.draft
-        self.plan = force_plan(*group.links)
-        for pair in group.pairs:
-            if rubbing := self.bodies.mechanism.rubs(pair.point, pair.link, pair.other):
-                where = self.bodies.mechanism.where
-                line = where.get(("friction", rubbing), where.get(("friction",)))
-                raise SceneError(
-                    Phrase("triad_friction", pair=rubbing, level=group.level, links=group.links), self.bodies.file, line
-                )
+        super().__init__(statics, group)
+        self.group = group
 
     def draw(self) -> None:
+        self.draft.pole(self.plan)
+        pairs = self.group.pairs
+        rubs = settled(self, lambda s: ContourForces(s, self.group), pairs, pairs)
+        ends = self.polygon()
+        found = [r for held in self.drawn for r in self.read(held, ends, rubs)]
+        for pair, link in zip(self.group.outer, (self.group.base, self.group.basic), strict=True):
+            self.hang(pair, link, self.statics.react(pair, self.plan, *ends[pair], rubs.grips.get(pair)), found)
+
+    def hang(self, pair: Pair, link: str, reaction: Reaction, inner: list[Reaction]) -> None:
+        """The couple of an outer guide by what acts on the link, and what is handed on."""
+        s = self.statics
+        if pair.kind == "P":
+            own = [r for r in inner if r.pair.joins(link)]
+            forces = [*s.acting.forces[link], *(s.as_force(r, link) for r in own)]
+            slid = ((r.moment, 1 if r.pair.link == link else -1) for r in own if r.pair.kind == "P")
+            handed = (Couple(moment, link, moment, sign, True) for moment, sign in slid)
+            first = self.bodies.mechanism.links[link].first_point
+            reaction = s.seat(reaction, link, at(SCHEME, first), forces, [*self.couples[link], *handed])
+        if pair.mate(link) != FRAME:
+            s.hand_over(reaction, pair.mate(link))
+
+    def polygon(self) -> dict[Pair, Ends]:
+        """Draw the polygons; the reaction of each pair on the pair's own first link."""
         d, g = self.draft, self.group
-        d.pole(self.plan)
-        one, two = (_Rod(self.statics, lead) for lead in self.bodies.leads[g.basic])
-        both = self.along(one, two)
+        self.drawn = one, two = tuple(self.held(lead) for lead in self.leads)
+        both = self.pushed(one, two)
         acting = self.statics.acting.forces
-        runs = [one.loads, [one.across, both[0]], [both[1], two.across], two.loads, list(acting[g.basic])]
+        runs = [one.loads, [*one.known, both[0]], [both[1], *two.known], two.loads, list(acting[g.basic])]
         ends, chain = [POLE], list[Term]()
         for run in runs:
             chain += chain_of(run, ends[-1])
@@ -78,63 +82,101 @@ class ContourForces:
         for term in loads:
             d.lay(self.plan, term)
         last = loads[-1].end if loads else ends[1]
-        handed = [Term(rod.back, a, b, drawn=True) for rod, a, b in ((two, ends[3], ends[2]), (one, ends[2], ends[1]))]
+        back = [force_name(held.lead.outer.mate(held.lead.link), held.lead.link) for held in (two, one)]
+        handed = [Term(name, ends[k], ends[k - 1], drawn=True) for name, k in zip(back, (3, 2), strict=True)]
         d.conclude(Equation(self.plan, ((*handed, *loads, Term(base, last, ends[3])), ())))
-        for rod, outer, inner in (
-            (one, (ends[1], ends[2]), (ends[2], POLE)),
-            (two, (ends[2], ends[3]), (ends[4], ends[2])),
-        ):
-            self.react(rod.lead.outer, rod.lead.link, outer)
-            self.react(rod.lead.inner, rod.lead.link, inner)
-        self.react(g.outer[0], g.base, (last, ends[3]))
-        self.react(g.outer[1], g.basic, (ends[-1], POLE))
-
-    def along(self, one: _Rod, two: _Rod) -> tuple[Force, Force]:
-        """The forces along both rods, on them from the base."""
-        d, g = self.draft, self.group
-        pivot, hinge = (at(SCHEME, pair.point) for pair in g.outer)
-        arms = [self.arm(one, hinge, (one, two)), self.arm(two, hinge), self.arm(one, pivot), self.arm(two, pivot)]
-        basic = [g.basic, *(rod.lead.link for rod in (one, two))]
-        forces = [f for x in basic for f in self.statics.acting.forces[x]] + [one.across, two.across]
-        couples = [c for x in basic for c in self.statics.acting.couples[x]]
-        supposed = one.along(self.moments(f"{one.key}^I", hinge, basic, forces, couples, -1.0, arms[0]))
-        reduced = [Product(1.0, ((arms[3], 1),)), Product(-1.0, ((arms[1], 1), (arms[2], 1), (arms[0], -1)))]
-        arm = d.total(f"h_{two.key}^0", reduced, Meaning("arm", two.key, pivot, g.base))
-        own, acting = [g.base], self.statics.acting
-        pushed = [self.handed(one.across, one), self.handed(supposed, one), self.handed(two.across, two)]
-        loads = [*acting.forces[g.base], *pushed]
-        second = two.along(self.moments(f"{two.key}^n", pivot, own, loads, acting.couples[g.base], 1.0, arm))
-        first = self.moments(f"{one.key}^n", hinge, basic, [*forces, second], couples, -1.0, arms[0])
-        return one.along(first), second
-
-    def arm(self, rod: _Rod, about: str, choice: tuple[_Rod, _Rod] | None = None) -> str:
-        """The arm of a rod's line about an outer hinge."""
-        d, name = self.draft, f"h_{rod.key}^n_{label_of(about)}"
-        own = name, rod.point, rod.line, about, mu_of(SCHEME)
-        means = Meaning("arm", rod.key, about, self.group.basic)
-        if choice is None:
-            return d.step(Drop(*own, means=means))
-        lines = [x for r in choice for x in (r.line, d.ray(SCHEME, self.group.outer[1].point, r.lead.inner.point))]
-        leaning = replace(means, of=self.group.basic)
-        return d.step(DropFalse(*own, lines=(lines[0], lines[1], lines[2], lines[3]), means=leaning))
-
-    def moments(
-        self, name: str, about: str, links: list[str], forces: list[Force], couples: list[Couple], sign: float, arm: str
-    ) -> str:
-        """What an equation of moments about a hinge gives."""
-        products, shown = self.statics.moment_terms(about, forces, couples, sign, arm)
-        found = self.draft.total(name, products)
-        self.draft.moments.append(Moments(label_of(about), tuple(links), shown, found, arm))
+        sides = (one, (ends[1], ends[2]), (ends[2], POLE)), (two, (ends[2], ends[3]), (ends[4], ends[2]))
+        found = {g.outer[0]: self.on((g.base,), g.outer[0], (last, ends[3]))}
+        found |= {g.outer[1]: self.on((g.basic,), g.outer[1], (ends[-1], POLE))}
+        for held, outer, inner in sides:
+            found |= {held.lead.outer: self.on(held.lead.parts, held.lead.outer, outer)}
+            found |= {held.lead.inner: self.on(held.lead.parts, held.lead.inner, inner)}
         return found
 
-    def handed(self, force: Force, rod: _Rod) -> Force:
-        """A force on a rod as the base feels it, reversed."""
-        part = parts_of(force.name)[2]
-        return replace(force, name=f"{rod.back}^{part}", link=self.group.base, along=self.draft.reversed(force.along))
+    def pushed(self, one: HeldLead, two: HeldLead) -> tuple[Force, Force]:
+        """The forces along both leads, on them from the base."""
+        g = self.group
+        basic, base = self.basic_side(one, two), self.base_side(one, two)
+        arms = [self.arm(one, basic, (one, two)), *(self.arm(*x) for x in ((two, basic), (one, base), (two, base)))]
+        supposed = self.along_lead(one, self.balance(f"{one.key}^I", basic, [], -1.0, arms[0]))
+        reduced = [Product(1.0, ((arms[3], 1),)), Product(-1.0, ((arms[1], 1), (arms[2], 1), (arms[0], -1)))]
+        arm = self.draft.total(f"h_{two.key}^0", reduced, Meaning("arm", two.key, at(SCHEME, g.outer[0].point), g.base))
+        second = self.along_lead(two, self.balance(two.part, base, [self.handed(supposed, one)], 1.0, arm))
+        first = self.balance(one.part, basic, [second], -1.0, arms[0])
+        return self.along_lead(one, first), second
 
-    def react(self, pair: Pair, link: str, ends: tuple[str, str]) -> None:
-        """A reaction on a link by the ends of its segment, handed on to what the group hangs on."""
-        start, end = (at(self.plan, label) for label in (ends if link == pair.link else ends[::-1]))
-        found = self.statics.react(pair, self.plan, start, end)
-        if pair in self.group.outer and pair.mate(link) != FRAME:
-            self.statics.hand_over(found, pair.mate(link))
+    def basic_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
+        """The basic link with both leads: loads of one that slides on the base pass its hinge."""
+        g, s = self.group, self.statics
+        forces, couples = list(s.acting.forces[g.basic]), list(self.couples[g.basic])
+        for held in (one, two):
+            at_hinge = [replace(f, point=held.point) for f in held.loads] if held.slider else held.loads
+            forces += [*at_hinge, *held.known]
+            couples += [] if held.slider else held.couples
+        if g.outer[1].kind == "P":
+            forces += self.rubbing(g.outer[1], g.basic, at(SCHEME, self.bodies.mechanism.links[g.basic].first_point))
+        return _Equilibrium(g.outer[1], (g.basic, *one.lead.parts, *two.lead.parts), forces, couples)
+
+    def base_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
+        """The base: what slides on it presses in its own hinge, and with the couple of what acts on it about that."""
+        g, s = self.group, self.statics
+        forces, couples = list(s.acting.forces[g.base]), list(self.couples[g.base])
+        for held in (one, two):
+            forces += [self.handed(f, held) for f in held.known]
+            couples += [self.turning(held)] if held.slider and (held.loads or held.couples) else []
+        return _Equilibrium(g.outer[0], (g.base,), forces, couples)
+
+    def turning(self, held: HeldLead) -> Couple:
+        """The moment of what acts on a slider about its hinge, which its guide hands on."""
+        d, key = self.draft, f"ML_{held.lead.link}"
+        products, shown = self.statics.moment_terms(held.point, held.loads, held.couples, 1.0)
+        name = d.total(key, products, Meaning("couple", key))
+        d.moments.append(Moments(label_of(held.point), held.lead.parts, shown, name, ""))
+        return Couple(name, self.group.base, name, 1, True)
+
+    def arm(self, held: HeldLead, side: _Equilibrium, choice: tuple[HeldLead, HeldLead] | None = None) -> str:
+        """The arm of a lead's line about an outer hinge; or how much of its force is along an outer guide."""
+        d, pair, about = self.draft, side.pair, at(SCHEME, side.pair.point)
+        means, lines = Meaning("arm", held.key, about, self.group.basic), ("", "", "", "")
+        if choice:
+            one, two = choice
+            lines = one.line, self.radius(one), two.line, self.radius(two)
+            means = replace(means, of=self.group.basic)
+        if pair.kind == "P":
+            along = f"cos_{held.part}_{pair.guide}", held.line, f"∥{pair.guide}"
+            return d.step(CosineFalse(*along, lines=lines, means=means) if choice else Cosine(*along))
+        own = f"h_{held.key}^n_{label_of(about)}", held.point, held.line, about, mu_of(SCHEME)
+        return d.step(DropFalse(*own, lines=lines, means=means) if choice else Drop(*own, means=means))
+
+    def radius(self, held: HeldLead) -> str:
+        """The line along which a force on the basic link, through its end of a lead, would not move it."""
+        outer, inner = self.group.outer[1], held.lead.inner
+        if outer.kind == "P":
+            return self.draft.square(f"∥{outer.guide}")
+        return self.draft.ray(SCHEME, outer.point, inner.point or held.lead.outer.point)
+
+    def balance(self, name: str, side: _Equilibrium, more: list[Force], sign: float, arm: str) -> str:
+        """What an equation of moments about an outer hinge gives, or one of forces along an outer guide."""
+        forces = [*side.forces, *more]
+        if side.pair.kind == "P":
+            way, over = f"∥{side.pair.guide}", ((arm, -1),)
+            return self.draft.total(
+                name, [Product(sign, ((f.size, 1), (self.cosine(f, way), 1), *over)) for f in forces]
+            )
+        about = at(SCHEME, side.pair.point)
+        products, shown = self.statics.moment_terms(about, forces, side.couples, sign, arm)
+        found = self.draft.total(name, products)
+        self.draft.moments.append(Moments(label_of(about), side.links, shown, found, arm))
+        return found
+
+    def along_lead(self, held: HeldLead, size: str) -> Force:
+        """A force along it, on it from the base."""
+        return Force(size, held.lead.link, size, held.line, held.point, "tangential")
+
+    def handed(self, force: Force, held: HeldLead) -> Force:
+        """A force on a lead as the base feels it, reversed."""
+        lead, part = held.lead, parts_of(force.name)[2]
+        back = force_name(lead.outer.mate(lead.link), lead.link) + (f"^{part}" if part else "")
+        if force.quantity == "reaction":  # of friction
+            back = f"{force.name}′"
+        return replace(force, name=back, link=self.group.base, along=self.draft.reversed(force.along))

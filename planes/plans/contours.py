@@ -1,8 +1,8 @@
 """A group of class IV: a closed contour of four links, two of which hang on links that are solved.
 
 Source: I. I. Artobolevsky's classes of Assur's groups; the class is the number of links in the closed contour, and the
-order that of the group's outer pairs. Here every pair is a hinge. Of the two links of the contour that hang on others
-one is the ``base``, from which the ``basic`` one is found as a basic link of class III is from what it hangs on.
+order that of the group's outer pairs. Of the two links of the contour that hang on others one, by a hinge, is the
+``base``, from which the ``basic`` one is found as a basic link of class III is from what it hangs on.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,20 +16,21 @@ from planes.words.records import Json
 
 @dataclass(frozen=True)
 class Contour:
-    """An Assur group of class IV and order 2: ``base`` and ``basic`` on their outer hinges, and the two rods between
-    them, as leads from the base to the basic link."""
+    """An Assur group of class IV and order 2: ``base`` and ``basic`` on their outer pairs, the base on a hinge, and the
+    two links between them, as leads from the base to the basic link."""
 
     links: tuple[str, ...]
     base: str
     basic: str
     outer: tuple[Pair, Pair]  # of the base, of the basic link
     leads: tuple[Lead, Lead]
+    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
     level: ClassVar[str] = "IV"
 
     @property
     def whole(self) -> tuple[str, ...]:
-        """All its links, by which its force plan is called."""
-        return self.links
+        """All its links, both of a drive inside among them."""
+        return self.order or self.links
 
     @property
     def balanced(self) -> tuple[str, ...]:
@@ -39,7 +40,8 @@ class Contour:
     @property
     def members(self) -> str:
         """Its links as a formula of structure has them."""
-        return ";".join(self.links)
+        mates = {lead.link: lead.parts for lead in self.leads}
+        return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
 
     @property
     def contour(self) -> tuple[str, str, str, str]:
@@ -56,6 +58,10 @@ class Contour:
     def solved(self) -> tuple[str, ...]:
         """Its links in the order of solving."""
         return self.base, self.basic, *(lead.link for lead in self.leads)
+
+    def reached(self, drive: Pair) -> tuple[str, ...]:
+        """The links that are solved with it where the drive is inside."""
+        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
@@ -75,8 +81,8 @@ class Contour:
     @property
     def said(self) -> Phrase:
         """Its class, order and contour in words."""
-        hinges = tuple(p.point for p in self.outer)
-        return Phrase("class_four", contour=self.contour, hinges=hinges, name=self.name)
+        outer = tuple(p.point or p.guide for p in self.outer)
+        return Phrase("class_four", contour=self.contour, outer=outer, name=self.name)
 
     @property
     def brief(self) -> Phrase:
@@ -106,18 +112,17 @@ def triad_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]
 
 
 def contour_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Contour | None:
-    """Four links as a closed contour of hinges, if they are one."""
+    """Four links as a closed contour, if they are one that is drawn."""
     hung = [n for n in names if len(outer[n]) == 1]
     rods = [n for n in names if not outer[n]]
     if len(hung) != 2 or len(rods) != 2 or between(*hung) or between(*rods):
         return None
-    base, basic = hung
+    base, basic = sorted(hung, key=lambda link: outer[link][0].kind == "P")
     leads = []
     for rod in rods:
         one, two = between(rod, base), between(rod, basic)
         if len(one) == len(two) == 1:
             leads.append(Lead(rod, two[0], one[0]))
-    pairs = [p for lead in leads for p in (lead.inner, lead.outer)] + [outer[n][0] for n in hung]
-    if len(leads) < 2 or any(p.kind == "P" for p in pairs):
+    if len(leads) < 2 or outer[base][0].kind == "P":
         return None
     return Contour(tuple(names), base, basic, (outer[base][0], outer[basic][0]), (leads[0], leads[1]))

@@ -22,15 +22,16 @@ def place_driven(b: Bodies, g: Group) -> None:
     place()
 
 
-def driven_length(b: Bodies, g: Group) -> tuple[str, Callable[[], None]]:
-    """How far the hinges of the two links of a drive are apart; and what draws the links once both hinges are there."""
+def driven_length(b: Bodies, g: Group, start: str = "") -> tuple[str, Callable[[], None]]:
+    """How far the hinges of the two links of a drive are apart, which is drawn from the pivot (or from ``start``, where
+    that is not there yet); and what draws the links once both hinges are there."""
     assert g.drive
     hinge, pivot = g.inner.point, g.first_outer.point
     if g.drive.kind == "R":
-        elbow = _elbow(b, g, g.drive)
+        elbow = _elbow(b, g, g.drive, start or at(SCHEME, pivot))
         return elbow.length, lambda: elbow.place(b)
     pair, ends = g.drive, (pivot, hinge) if g.first == g.drive.other else (hinge, pivot)
-    reach, offset, length = cylinder(b, pair, ends, pivot)
+    reach, offset, length = cylinder(b, pair, ends, pivot, start)
 
     def place() -> None:
         means, marks = Meaning("along", pair.guide), (at(SCHEME, ends[0]), at(SCHEME, ends[1]))
@@ -71,13 +72,14 @@ class Elbow:
     pivot: str
     hinge: str
     length: str
-    aside: tuple[str, str]
+    aside: tuple[str, str, str]  # the pivot, the motor, the hinge
 
     def place(self, b: Bodies) -> None:
         """Both links where they are, by similarity with what is drawn aside."""
         g, start, end = self.group, at(SCHEME, self.pivot), at(SCHEME, self.hinge)
         assert g.drive
-        shape = (start, self.aside[0]), (start, self.aside[1]), (start, end)
+        centre, motor, hinge = self.aside
+        shape = (centre, motor), (centre, hinge), (start, end)
         b.draft.step(Image(at(SCHEME, self.motor), start, *shape))
         first, second = g.first, g.drive.mate(g.first)
         body = rigid_body(b, first, self.pivot, self.motor)
@@ -87,7 +89,7 @@ class Elbow:
         b.place_points(rigid_body(b, second, self.motor, self.hinge))
 
 
-def _elbow(b: Bodies, g: Group, pair: Pair) -> Elbow:
+def _elbow(b: Bodies, g: Group, pair: Pair, start: str) -> Elbow:
     d, drive, second = b.draft, b.mechanism.drive, b.mechanism.link(pair.mate(g.first))
     pivot, motor, hinge = g.first_outer.point, pair.point, g.inner.point
     first, turn = b.mechanism.link(g.first), d.give(f"angle_x_{drive.link}", drive.position)
@@ -99,9 +101,9 @@ def _elbow(b: Bodies, g: Group, pair: Pair) -> Elbow:
     turned = d.step(Turn(f"→{second.name}", level, 0, turn, means=Meaning("given", motor)))
     way = angle_deg(b.shape, OwnPlace(second.name, motor), OwnPlace(second.name, hinge))
     two = d.turn(f"→{motor}{hinge}", turned, way, Meaning("given", motor))
-    elbow = d.lay_off(SCHEME, f"{motor}°{pivot}", at(SCHEME, pivot), one, b.length(first, pivot, motor), helper)
+    elbow = d.lay_off(SCHEME, f"{motor}°{pivot}", start, one, b.length(first, pivot, motor), helper)
     end = d.lay_off(SCHEME, f"{hinge}°{pivot}", elbow, two, b.length(second, motor, hinge), helper)
-    return Elbow(g, motor, pivot, hinge, d.measure(f"l_{pivot}{hinge}", at(SCHEME, pivot), end), (elbow, end))
+    return Elbow(g, motor, pivot, hinge, d.measure(f"l_{pivot}{hinge}", start, end), (start, elbow, end))
 
 
 def cylinder(b: Bodies, pair: Pair, ends: tuple[str, str], pivot: str, start: str = "") -> tuple[str, str | None, str]:
@@ -126,7 +128,7 @@ def cylinder(b: Bodies, pair: Pair, ends: tuple[str, str], pivot: str, start: st
         return reach, None, d.step(SizeOf(name, reach))
     offset, helper = d.reckon(f"e_{''.join(ends)}", across, Meaning("offset", *ends)), Meaning("guide", pair.guide)
     level = d.aim("→", 0.0, Meaning("given", pair.guide))
-    start = at(SCHEME, start or pivot)
+    start = start or at(SCHEME, pivot)
     reached = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", start, level, reach, helper)
     end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}′", reached, d.square(level), offset, helper)
     return reach, offset, d.measure(name, start, end)

@@ -5,10 +5,11 @@ of two links, across their hinge: it holds that as a motor in it would. Or the t
 leads of a basic link. What groups hold still on the frame (a boom on a cylinder that is shut) is as good as the frame.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import permutations, product
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import combinations, permutations, product
 from typing import Protocol
 
+from planes.plans.contours import AnyGroup, Contour
 from planes.plans.groups import Brace, Group, Lead, Pair, Triad
 from planes.words import Phrase
 from planes.words.errors import StructureError
@@ -32,7 +33,7 @@ class Reached(Protocol):
     def error(self, phrase: Phrase, *path: str) -> StructureError: ...
 
 
-def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], Group | Triad]:
+def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], AnyGroup]:
     """The group that the drive moves, after the dyads that stand still and that it hangs on; :class:`StructureError` if
     it is none that is drawn."""
     still = list[Group]()
@@ -40,9 +41,9 @@ def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], Group | Tr
         still.append(found)
         for link in found.solved:
             f.solve(link)
-    for ways in (_direct, _braced, _leading):
-        for group in ways(f, drive):
-            return still, group
+    ways: tuple[Callable[[Reached, Pair], Iterator[AnyGroup]], ...] = (_direct, _braced, _leading, _contour)
+    for group in (g for way in ways for g in way(f, drive)):
+        return still, group
     raise f.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
 
 
@@ -82,6 +83,27 @@ def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
                 names = tuple(x for x in f.links if x in (basic, held, *(lead.link for lead in leads)))
                 whole = tuple(x for x in f.links if x in (*names, moved))
                 yield Triad(names, basic, (driven, leads[0], leads[1]), whole)
+
+
+def _contour(f: Reached, drive: Pair) -> Iterator[Contour]:
+    """The two links of the drive are between two links on the frame that have another link between them."""
+    if f.outer[drive.link] or f.outer[drive.other]:
+        return
+    others = [x for x in f.left if not drive.joins(x)]
+    hung = sorted((x for x in others if len(f.outer[x]) == 1), key=lambda x: f.outer[x][0].kind == "P")
+    for (base, basic), (near, far) in product(combinations(hung, 2), permutations((drive.link, drive.other))):
+        ends, wrong = (f.between(far, basic), f.between(near, base)), (f.between(near, basic), f.between(far, base))
+        if any(wrong) or f.between(base, basic) or not all(len(e) == 1 and _new(f, e[0]) for e in ends):
+            continue
+        for rod in (x for x in others if not f.outer[x]):
+            pairs = [[p for p in f.between(rod, x) if p.kind == "P" or _new(f, p)] for x in (basic, base)]
+            if all(len(p) == 1 for p in pairs) and f.outer[base][0].kind == "R":
+                own, driven = Lead(rod, pairs[0][0], pairs[1][0]), Lead(near, ends[0][0], ends[1][0], drive)
+                whole = tuple(x for x in f.links if x in (base, basic, near, far, rod))
+                one, two = sorted((own, driven), key=lambda lead: f.links.index(lead.link))
+                names = tuple(x for x in whole if x != far)
+                if own.name != "PP":
+                    yield Contour(names, base, basic, (f.outer[base][0], f.outer[basic][0]), (one, two), whole)
 
 
 def _hinges(f: Reached, half: str, drive: Pair) -> list[Pair]:

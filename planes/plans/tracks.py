@@ -91,8 +91,10 @@ class Tracks:
         pulls = [tie.wrench(*pose)[1] for tie in ties]
         if isinstance(self.choice.group, Triad):
             return [abs(plane.cross(pulls[i], pulls[j])) for i, j in ORDERS]
-        arms = [pose[1] * (tie.local - ties[2].local) for tie in ties[:2]]
-        return [abs(plane.cross(pull, arm)) / abs(arm) for pull, arm in zip(pulls, arms, strict=False)]
+        if ties[2].kind == "guide":  # the basic link slides, every point of it alike
+            return [abs(plane.cross(pull, pulls[2])) for pull in pulls[:2]]
+        hinge, held = pose[0] + pose[1] * ties[2].local, [tie.held(*pose) for tie in ties[:2]]
+        return [abs(plane.cross(n, p - hinge)) / abs(p - hinge) for n, p in zip(pulls, held, strict=False)]
 
     def named(self) -> dict[str, object]:
         """What sentences say of the group."""

@@ -18,6 +18,7 @@ from planes.scene.mechanism import Link
 from planes.words.names import Meaning, at, mu_of
 
 Holds = tuple[Hold, Hold, Hold]
+Cut = tuple[Holds, SeriesGuess, str, str]  # what cuts the tracks of a basic link
 
 
 def place_triad(b: Bodies, g: Triad) -> None:
@@ -36,10 +37,10 @@ def place_triad(b: Bodies, g: Triad) -> None:
         axis = d.step(CutTurn(f"x_{g.basic}", local_of(b, link, key), *cut, means=Meaning("own", g.basic)))
         b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
     for lead in g.leads:
-        placers.get(lead, partial(_place_lead, b, g.basic, lead))()
+        placers.get(lead, partial(place_lead, b, g.basic, lead))()
 
 
-def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> tuple[Holds, SeriesGuess, str, str]:
+def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
     """What cuts the tracks of a basic link, its assembly still to be chosen; ``key`` is the point that tells it."""
     d, drive = b.draft, b.mechanism.drive
     middle, half, size = (
@@ -53,7 +54,7 @@ def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> tuple[Holds, Series
     return holds, guess, mu_of(SCHEME), side
 
 
-def _place_lead(b: Bodies, basic: str, lead: Lead) -> None:
+def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
     """A lead from the basic link that is drawn."""
     outer, inner = lead.outer, lead.inner
     if lead.name == "RR":
@@ -65,17 +66,21 @@ def _place_lead(b: Bodies, basic: str, lead: Lead) -> None:
         place_slider(b, inner, lead.link, outer.point, along)
 
 
-def hold_of(b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], None]]) -> Hold:
-    """How a lead holds the basic link; what draws one with a drive inside is put among the ``placers``."""
+def hold_of(
+    b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], None]], hinge: str | None = None
+) -> Hold:
+    """How a lead holds the basic link, from its outer ``hinge`` (where that is drawn aside, from there); what draws one
+    with a drive inside is put among the ``placers``."""
     d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
+    place = hinge or at(SCHEME, outer.point)
     if inner.kind == "R":
         local = local_of(b, link, inner.point)
         if lead.drive:
-            length, placers[lead] = driven_length(b, lead.moving(basic))
-            return Hold("arc", local, at(SCHEME, outer.point), length)
+            length, placers[lead] = driven_length(b, lead.moving(basic), hinge or "")
+            return Hold("arc", local, place, length)
         if outer.kind == "R":
             length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
-            return Hold("arc", local, at(SCHEME, outer.point), length)
+            return Hold("arc", local, place, length)
         start, along = on_line(b, outer, lead.link, inner.point)
         return Hold("line", local, at(SCHEME, start), "", along)
     first = link.first_point
@@ -83,7 +88,7 @@ def hold_of(b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], 
     beside = Meaning("offset", outer.point, first)
     reach = "" if offset is None else d.reckon(f"e_{outer.point}{first}", offset, beside)
     turn = d.reckon(f"guide_{inner.guide}_{basic}", b.own_angle(inner, basic))
-    return Hold("guide", local_of(b, link, first), at(SCHEME, outer.point), reach, turn)
+    return Hold("guide", local_of(b, link, first), place, reach, turn)
 
 
 def local_of(b: Bodies, link: Link, point: str) -> str:

@@ -84,7 +84,6 @@ class Builder:
         self.bodies = [self.frame]
         self.dyads: list[Dyad] = []
         self.triads: list[tuple[Body, list[Body], dict[str, complex]]] = []  # basic link, leads, its hinges
-        self.contours: list[Body] = []  # links of groups of class IV
         self.names = iter(rng.sample(NAMES[:20], 20) + NAMES[20:])
 
     def spot(self) -> complex:
@@ -324,6 +323,30 @@ class Builder:
         self.triads.append((basic, leads, dict(zip(pins[1:], spots[1:], strict=True))))
         return drive
 
+    def rocked(self) -> dict[str, Any]:
+        """A cylinder, or a motor, between two links on the frame that have another link between them; its part of the
+        scene."""
+        rng, outer = self.rng, self.rng.choice(("RR", "RP"))
+        lead = rng.choice(("RR", "RR", "PR", "RP"))
+        while True:
+            near, far, _ = spots = self.contour_spots(["RR", lead, "RR" if outer == "RR" else "RP"])
+            if abs(near[0] - far[0]) > 0.3 * self.size:
+                break
+        names = [next(self.names) for _ in range(2)]
+        if rng.random() < 0.3:
+            drive, _ = self.motor(names[1], far[0], names[0], near[0])
+        else:
+            u = cmath.phase(far[0] - near[0]) + rng.choice((0.0, 0.0, rng.uniform(-1, 1), math.pi))
+            ends = rng.sample([(names[0], near[0]), (names[1], far[0])], 2)
+            rod, barrel = (self.link([end], u) for end in ends)
+            drive = {"s": self.slid(rod, barrel, u)}
+        links, rods = self.contour_links([self.frame, self.frame], outer, ["", lead], spots)
+        for link, name, z in zip(links, names, (near[0], far[0]), strict=True):
+            link.points[name] = z
+        inner = {k: z for k, z in links[1].points.items() if k == names[1] or any(k in r.points for r in rods)}
+        self.triads.append((links[1], [links[0], *rods], inner))
+        return drive
+
     def leaning(self, start: complex, inner: complex, end: complex) -> float:
         """The sine of the angle two sides of a triangle meet at."""
         one, two = inner - start, end - inner
@@ -423,27 +446,53 @@ class Builder:
                 self.slide(*((basic, leads[-1]) if turned else (leads[-1], basic)), u)
         self.triads.append((basic, leads, dict(hinges)))
 
-    def contour(self) -> None:
-        """A group of class IV: two links on earlier bodies, and two rods between them; far from where it stops."""
+    def contour(self, kind: str) -> None:
+        """A group of class IV, "IV RP RR PR": its outer pairs, and both pairs of the links between, that with the base
+        first ("IV": hinges alone); far from where it stops."""
         rng, moving = self.rng, self.bodies[1:]
+        outer, *leads = kind.split()[1:] or ["RR", "RR", "RR"]
         bases = [rng.choice([moving[-1], *moving]), rng.choice(self.bodies)]
         if bases[0] is bases[1]:
             bases[1] = self.frame
         rng.shuffle(bases)
+        spots = self.contour_spots([*leads, "RR" if outer == "RR" else "RP"])
+        links, rods = self.contour_links(bases, outer, leads, spots)
+        key = (self.add(links[1], self.spot()),) if outer == "RP" or all(x[1] == "P" for x in leads) else ()
+        inner = {k: z for k, z in links[1].points.items() if k in key or any(k in r.points for r in rods)}
+        self.triads.append((links[1], [links[0], *rods], inner))
+
+    def contour_spots(self, ties: list[str]) -> tuple[list[complex], list[complex], list[float]]:
+        """Where its links are held, on the base and on the basic link, the last of either being where it hangs; and how
+        guides lie."""
         for _ in range(2000):
-            near, far, pivots = ([self.spot() for _ in range(2)] for _ in range(3))
-            if three_lines(["RR"] * 3, [*far, pivots[1]], [*near, pivots[0]], [0.0] * 3) > 0.35 * self.size:
-                break
-        else:
-            raise NoSolution("no well conditioned place for a group was drawn")
-        links, hinges = [], []
-        for base, pivot, ends in zip(bases, pivots, (near, far), strict=True):
-            outer = self.add(base, pivot), pivot
-            hinges.append([(next(self.names), z) for z in ends])
-            links.append(self.link([outer, *hinges[-1]]))
-        rods = [self.link(list(ends)) for ends in zip(*hinges, strict=True)]
-        self.triads.append((links[1], [links[0], *rods], dict(hinges[0] + hinges[1])))
-        self.contours += [*links, *rods]
+            near, far = ([self.spot() for _ in range(3)] for _ in range(2))
+            ways = [self.rng.uniform(-math.pi, math.pi) for _ in range(3)]
+            if three_lines(ties, far, near, ways) > 0.35 * self.size:
+                return near, far, ways
+        raise NoSolution("no well conditioned place for a group was drawn")
+
+    def contour_links(
+        self, bases: list[Body], outer: str, leads: list[str], spots: tuple[list[complex], list[complex], list[float]]
+    ) -> tuple[list[Body], list[Body]]:
+        """Its base and basic link, and the two between them."""
+        near, far, ways = spots
+        links, hinges, rods = list[Body](), list[list[tuple[str, complex]]](), list[Body]()
+        for side, (owner, places) in enumerate(zip(bases, (near, far), strict=True)):
+            hung = [(self.add(owner, places[2]), places[2])] if outer[side] == "R" else []
+            hinges.append([(next(self.names), z) for z in places[:2]])
+            held = [h for h, lead in zip(hinges[-1], leads, strict=True) if lead and lead[side] == "R"]
+            links.append(self.link([*hung, *held], None if hung else ways[2]))
+        if outer == "RP":
+            self.outer_slide(links[1], bases[1], ways[2])
+        for ends, lead, u in zip(zip(*hinges, strict=True), leads, ways, strict=False):
+            if not lead:  # it is there
+                continue
+            rods.append(self.link([e for e, kind in zip(ends, lead, strict=True) if kind == "R"], u))
+            if "P" in lead:
+                mate = links[lead.index("P")]
+                turned = mate.slides is None and self.rng.random() < 0.4
+                self.slide(*((mate, rods[-1]) if turned else (rods[-1], mate)), u)
+        return links, rods
 
     def assembly(self, way: str | None) -> dict[str, Any]:
         """The assembly by side words or by true places; call it once the bodies stand in file order."""
@@ -560,7 +609,7 @@ def make(
     link's guide; `assembly`: "near", "side" or None for either; `rest`: the driver at rest, `epsilon`
     alone; `limit`: the largest condition number kept; `every`: whatever the format allows, links and drivers of one
     point, several sliders on one guide, coincident points, letters of guides; `arcs`: hinges become
-    guides along a circle. In a group of class IV nothing rubs.
+    guides along a circle.
     """
     for _ in range(200):
         try:
@@ -596,6 +645,7 @@ def attempt(
     inside: dict[str | bool, Callable[[], dict[str, Any]]] = {
         "brace": build.brace,
         "lead": build.lead,
+        "rocked": build.rocked,
         "boom": build.on_boom,
         "motor": lambda: build.cylinder(True),
         True: lambda: build.cylinder(False),
@@ -604,8 +654,8 @@ def attempt(
     sliding = "s" in drive
     blunt = rng.randrange(len(kinds)) if ill < 1 else -1
     for k, kind in enumerate(kinds):
-        if kind == "IV":
-            build.contour()
+        if kind.startswith("IV"):
+            build.contour(kind)
         else:
             build.triad(kind) if "-" in kind else build.group(kind, k == blunt)
     for body in build.bodies[1:]:
@@ -647,12 +697,11 @@ def attempt(
         scene["gravity"] = rng.choice((0, 9.81 * size))
         scene["loads"] = loads_for(rng, scene, sol, size)
     quick = max([abs(v) for v in sol.speeds.values()], default=0.0)
-    smooth = smooth_pairs(build, sol, driver.name)
     if friction:
-        rubbing = [sol.guides[i][0] for i, v in sol.speeds.items() if abs(v) > 1e-6 * quick and i not in smooth]
+        rubbing = [sol.guides[i][0] for i, v in sol.speeds.items() if abs(v) > 1e-6 * quick]
         scene["friction"] = {guide: 10 ** rng.uniform(-2.5, -0.8) for guide in rubbing}
     if pins:
-        rub_hinges(rng, scene, sol, size, smooth)
+        rub_hinges(rng, scene, sol, size)
     sol = solve(scene, guess)
     if sol.consistent != 1:
         raise NoSolution("friction with more than one answer")
@@ -660,17 +709,8 @@ def attempt(
     return Case(scene, guess, groups, sol)
 
 
-def smooth_pairs(build: Builder, sol: Solution, driver: str) -> set[Any]:
-    """The pairs of groups of class IV, which do not rub: (i, j) of hinges, the links that slide."""
-    order = ["0", driver, *(n for g in sol.groups for n in g)]
-    inside = {b.name for b in build.contours}
-    pairs: dict[Any, tuple[str, str]] = {key: key for key in sol.hinges}
-    pairs |= {i: (i, guide[1]) for i, guide in sol.guides.items()}
-    return {key for key, pair in pairs.items() if max(pair, key=order.index) in inside}
-
-
-def rub_hinges(rng: random.Random, scene: dict[str, Any], sol: Solution, size: float, smooth: set[Any]) -> None:
-    """Pins for hinges and coefficients for guides along a circle, but where a pair of that point is smooth."""
+def rub_hinges(rng: random.Random, scene: dict[str, Any], sol: Solution, size: float) -> None:
+    """Pins for hinges and coefficients for guides along a circle, but where links stand still."""
     drawn, apart = dict[str, Any](), set[str]()
     for (i, j), place in sol.hinges.items():
         common = [p for p in build_points(scene, i, j) if abs(sol.points[p][0] - place) < 1e-9 * size]
@@ -680,7 +720,7 @@ def rub_hinges(rng: random.Random, scene: dict[str, Any], sol: Solution, size: f
         )
         pin = {"coefficient": rng.uniform(0.02, 0.2), "radius": rng.uniform(0.02, 0.1) * size}
         drawn.setdefault(name, pin if common else 10 ** rng.uniform(-2.5, -1.0))
-        apart |= {name} if (i, j) in smooth or unmoved(sol, i, j) else set()
+        apart |= {name} if unmoved(sol, i, j) else set()
     scene.setdefault("friction", {}).update({k: v for k, v in drawn.items() if k not in apart})
 
 

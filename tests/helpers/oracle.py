@@ -212,8 +212,9 @@ def order_of_groups(
         moving = [n for n in links if n not in still]
         held = {n for n in moving if any(joined(n, m, points, slides) for m in still)}
         if not held & {driver, carrier}:  # a cylinder across a hinge of two links, and the third one they move
-            groups.append(braced(moving, points, held, driver, carrier))
-            solved = {*still, *groups[-1]}
+            inside = rocked(moving, points, slides, held, driver, carrier)
+            groups.append(inside or braced(moving, points, held, driver, carrier))
+            solved = {*still, *groups[-1], *([driver] if inside else [])}
             continue
         free = next(n for n in (driver, carrier) if n not in held)
         near = [n for n in moving if n not in (driver, carrier) and points[n].keys() & points[free].keys()]
@@ -238,7 +239,8 @@ def order_of_groups(
                 break
         else:
             left = [n for n in links if n not in solved]
-            whole = basic_and_leads(left, outer, points, slides, known) or contour(left, outer, points, known)
+            whole = basic_and_leads(left, outer, points, slides, known)
+            whole = whole or contour(left, outer, points, slides, known)
             groups.append(whole)
             solved |= set(whole)
     return groups
@@ -295,6 +297,25 @@ def braced(
     raise NoSolution("no links that a cylinder braces")
 
 
+def rocked(
+    links: list[str],
+    points: Mapping[str, Mapping[str, complex]],
+    slides: list[Pair],
+    held: set[str],
+    driver: str,
+    carrier: str,
+) -> tuple[str, ...]:
+    """A cylinder between two links that hang on solved ones and are not paired themselves; those, and the link between
+    them besides."""
+    for near, far in itertools.permutations(sorted(held, key=links.index), 2):
+        ends = joined(driver, near, points, slides) and joined(carrier, far, points, slides)
+        if ends and not joined(near, far, points, slides):
+            for rod in (n for n in links if n not in (*held, driver, carrier)):
+                if joined(rod, near, points, slides) and joined(rod, far, points, slides):
+                    return carrier, near, far, rod
+    return ()
+
+
 def basic_and_leads(
     left: list[str],
     outer: Mapping[str, int],
@@ -317,12 +338,20 @@ def basic_and_leads(
 
 
 def contour(
-    left: list[str], outer: Mapping[str, int], points: Mapping[str, Mapping[str, complex]], known: set[str]
+    left: list[str],
+    outer: Mapping[str, int],
+    points: Mapping[str, Mapping[str, complex]],
+    slides: list[Pair],
+    known: set[str],
 ) -> tuple[str, ...]:
-    """Two links that hang on solved ones by one hinge each, and two rods that have a hinge with both."""
+    """Two links that hang on solved ones by one pair each, and two others that have a pair with both."""
+
+    def joined(n: str, m: str) -> bool:
+        here = any(k not in known for k in points[n].keys() & points[m].keys())
+        return here or any({s.i, s.j} == {n, m} for s in slides)
+
     for one, two in itertools.combinations([n for n in left if outer[n] == 1], 2):
-        near, far = ({k for k in points[n] if k not in known} for n in (one, two))
-        rods = [n for n in left if not outer[n] and points[n].keys() & near and points[n].keys() & far]
+        rods = [n for n in left if not outer[n] and joined(n, one) and joined(n, two)]
         if len(rods) == 2:
             return one, two, *rods
     raise NoSolution(f"no dyad, no triad and no contour among {left}")

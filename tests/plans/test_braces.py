@@ -14,7 +14,7 @@ from planes import cycle, solve
 from planes.plans import plans_of, structure_of
 from planes.plans.alignment import aligned
 from planes.scene import loads
-from planes.words.errors import PlanesError, StructureError
+from planes.words.errors import PlanesError, SceneError, StructureError
 from tests.helpers.comparing import balanced, draw, standing, turned_about
 from tests.helpers.mechanisms import KINDS, make
 
@@ -160,20 +160,55 @@ def test_a_cylinder_lifts_a_coupler_as_its_curve_says() -> None:
     assert found_variant.q == 0 and len(found_variant.pairs) == 7
 
 
-def test_a_cylinder_between_two_rockers_is_told_what_would_do() -> None:
-    between = LEAD.replace("O: 0, A: 0.5}", "O: 0, A: 0.5, Q: [0.2, 0.1]}").replace(", Q: [0.5, -0.3]", "")
-    between = between.replace("P: [0.3, -0.1], ", "").replace("D: 0, B: 0.6}", "D: 0, B: 0.6, P: [0.3, 0.1]}")
+BETWEEN = """\
+planes: 1
+frame: {points: {O: [0, 0], D: [1.0, 0.1]}}
+links:
+  1: {points: {Q: 0}, guides: {cyl: {through: Q, angle: 0}}}
+  2: {points: {P: 0}, slides: cyl}
+  3: {points: {O: 0, A: 0.5, Q: [0.2, 0.1]}}
+  4: {points: {A: 0, B: 0.8, S4: 0.4}, centre: S4, mass: 12, inertia: 0.9}
+  5: {points: {D: 0, B: 0.6, P: [0.4, 0.15]}}
+assembly: {B: {near: [0.85, 0.7]}}
+drive: {link: 2, s: 0.8, velocity: 0.1, acceleration: 0.3}
+loads: [{link: 5, point: B, force: 300, direction: 20}]
+gravity: 9.81
+"""
+
+
+def test_a_cylinder_between_two_rockers_closes_a_contour() -> None:
+    structure = structure_of(loads(BETWEEN).mechanism)  # type: ignore[arg-type]
+    assert structure.formula == "I(1;2) -> IV(1-2;3;4;5)"
+    found = solve(loads(BETWEEN))
+    assert abs(found.r["P"] - found.r["Q"]) == pytest.approx(0.8, abs=1e-12)
+    assert abs(found.r["A"] - found.r["B"]) == pytest.approx(0.8, abs=1e-12)
+    assert found.value("Fb_2") == pytest.approx(found.value("zhukovsky_force"), rel=1e-10)
+    found_variant = aligned(plans_of(loads(BETWEEN).mechanism))  # type: ignore[arg-type]
+    assert found_variant.q == 0 and len(found_variant.pairs) == 7
+
+
+def test_a_cylinder_that_makes_a_parallelogram_is_at_a_dead_point() -> None:
+    with pytest.raises(SceneError, match="two of them are one"):
+        plans_of(loads(BETWEEN.replace("P: [0.4, 0.15]", "P: [0.3, 0.1]")).mechanism)  # type: ignore[arg-type]
+
+
+def test_a_cylinder_between_two_sliding_links_is_told_what_would_do() -> None:
+    text = BETWEEN.replace("D: [1.0, 0.1]}}", "D: [1.0, 0.1]}, guides: {x-x: {y: 0}, y-y: {x: 0}}}")
+    text = text.replace("O: 0, A: 0.5, Q: [0.2, 0.1]}", "A: 0, Q: [0.2, 0.1]}, slides: y-y")
+    text = text.replace("D: 0, B: 0.6, P: [0.4, 0.15]}", "B: 0.6, P: [0.3, 0.1]}, slides: x-x")
     with pytest.raises(StructureError, match="between links 2 and 1, and with it stopped"):
-        plans_of(loads(between).mechanism)  # type: ignore[arg-type]
+        plans_of(loads(text).mechanism)  # type: ignore[arg-type]
 
 
-def test_random_mechanisms_with_the_drive_in_a_lead() -> None:
-    found = [e for seed in range(4) if (e := examined(seed, "lead")) is not None]
-    assert len(found) > 2 and max(found) <= 1e-10
+@pytest.mark.parametrize("inner", ["lead", "rocked"])
+def test_random_mechanisms_with_the_drive_in_a_higher_group(inner: str) -> None:
+    found = [e for seed in range(3) if (e := examined(seed, inner)) is not None]
+    assert len(found) > 1 and max(found) <= 1e-10
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("inner", ["lead", "rocked"])
 @pytest.mark.parametrize("fifth", range(5))
-def test_more_random_mechanisms_with_the_drive_in_a_lead(fifth: int) -> None:
-    found = [e for seed in range(1000 + 40 * fifth, 1040 + 40 * fifth) if (e := examined(seed, "lead")) is not None]
+def test_more_random_mechanisms_with_the_drive_in_a_higher_group(inner: str, fifth: int) -> None:
+    found = [e for seed in range(1000 + 40 * fifth, 1040 + 40 * fifth) if (e := examined(seed, inner)) is not None]
     assert len(found) > 30 and max(found) <= 1e-9

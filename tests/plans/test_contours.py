@@ -12,6 +12,7 @@ from flint import fmpq, fmpq_poly
 
 from planes.geometry.sextic import assemblies
 from planes.geometry.tracks import Tie
+from tests.helpers.comparing import standing
 from tests.helpers.mechanisms import KINDS, make
 from tests.plans.test_against_oracle import examine
 from tests.plans.test_triad_assemblies import OVER
@@ -27,6 +28,37 @@ def test_after_and_before_other_groups() -> None:
         rng = random.Random(f"contour in a chain {seed}")
         kinds = [rng.choice([*KINDS, "RR-PR-RP", "IV"]), "IV", rng.choice(KINDS)]
         examine(make(rng, kinds[seed % 3 == 0 :]))
+
+
+LEADS = ("RR RR", "RR PR", "RR RP", "PR PR", "PR RP", "RP RP")
+MIXTURES = [f"IV {outer} {leads}" for outer in ("RR", "RP") for leads in LEADS]
+HOW: tuple[dict[str, bool], ...] = (
+    {},
+    {"pins": True, "friction": True},
+    {"sliding": True},
+    {"rest": True, "every": True},
+)
+
+
+def mixed(kind: str, seed: int) -> None:
+    """A group of class IV with these outer pairs, and those of both links between, loads on every link."""
+    rng = random.Random(f"{kind} {seed}")
+    chain = [kind, rng.choice(KINDS)][: 1 + seed % 2]
+    case = make(rng, chain, **HOW[seed % len(HOW)])
+    if not standing(case):
+        examine(case)
+
+
+@pytest.mark.parametrize("kind", MIXTURES)
+def test_each_mixture_of_hinges_and_guides(kind: str) -> None:
+    mixed(kind, 1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", MIXTURES)
+def test_each_mixture_many_times(kind: str) -> None:
+    for seed in range(100, 124):
+        mixed(kind, seed)
 
 
 def counted(near: list[complex], far: list[complex], rods: list[float], apart: float) -> int:

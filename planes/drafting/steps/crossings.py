@@ -5,7 +5,7 @@ from functools import reduce
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step, directions, marks, values
-from planes.drafting.steps.reckoning import Drop
+from planes.drafting.steps.reckoning import Cosine, Drop
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Real
@@ -98,6 +98,19 @@ class DropFalse(ByLeads, Drop):
 
     lines: tuple[str, str, str, str] = ("", "", "", "")
     needs = marks("point", "about") + directions("along", "lines") + values("mu")
+
+    @property
+    def crossed(self) -> tuple[str, ...]:
+        return self.lines
+
+
+@dataclass(frozen=True)
+class CosineFalse(ByLeads, Cosine):
+    """How much of a lead's force is along the guide of what it leads to, while the other lead's is not much better
+    placed (``crossed``: the line of the lead, that across the guide, and both of the other lead)."""
+
+    lines: tuple[str, str, str, str] = ("", "", "", "")
+    needs = directions("of", "along", "lines")
 
     @property
     def crossed(self) -> tuple[str, ...]:
