@@ -29,13 +29,18 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
     letters, numbers = by_sense(step, lambda name: forces.get(name, name), over, m.arm, dropped)
     found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
+    found_here = over if over in {s.makes for s in cycle.program.steps} else ""  # an arm that each position has
     more: Names = {
         "head": f"{found} · ⟨{over}⟩" if over else found,
         "letters": letters,
         "numbers": numbers,
-        "result": lambda lang: f"{lead} = {slot(m.unknown)} {unit(m.unknown, lang)}",
+        "result": lambda lang: f"{_arm(found_here, lang)}{lead} = {slot(m.unknown)} {unit(m.unknown, lang)}",
     }
     return "moments", {**names, **more}, (*terms, m.unknown) if m.arm else terms
+
+
+def _arm(name: str, lang: Lang) -> str:
+    return f" (⟨{name}⟩ = {slot(name, 'a')} {unit(name, lang)})" if name else ""
 
 
 def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:

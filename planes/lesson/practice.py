@@ -32,7 +32,21 @@ Progress = Callable[[int, int], None]
 SHORT_MM = 2.0  # a vector too short to be asked for
 APART_MM = 0.3  # a wrong place nearer than this to the right one is no mistake
 NOTHING = 1e-7  # a value that is nothing
-PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "normal", "force", "gap", "vector")
+PARTS = (
+    "mark",
+    "line",
+    "other",
+    "value",
+    "ratio",
+    "start",
+    "end",
+    "guide",
+    "normal",
+    "force",
+    "gap",
+    "vector",
+    "which",
+)
 NUMBERS = {m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")}
 SENSE, MOMENTS = "↺", ("M", "MI")
 LENGTHS = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}

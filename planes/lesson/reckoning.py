@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.drafting.steps.settling import Fed, Settle
-from planes.lesson.formulas import SIGNS, SLOT, formula, slot, unit
+from planes.lesson.formulas import SIGNS, SLOT, by_sense, formula, slot, unit
 from planes.plans import Plans
 from planes.plans.loads import load_names
 from planes.words import Lang, say
@@ -50,7 +50,7 @@ class Reckoning:
     def reading(self, step: Step, lang: Lang) -> str:
         """One of them."""
         if isinstance(step, Calculate):
-            return formula(step, lang)
+            return self.reduced(step, lang) if step.quantity == "arm" else formula(step, lang)
         if isinstance(step, Fed | Settle):
             return self.rubbing(step, lang)
         assert isinstance(step, Drop | Measure)
@@ -58,6 +58,12 @@ class Reckoning:
         names = {"mm": slot(step.makes, "mm", step.mu), "by": self.divided(step.mu)}
         names["value"] = slot(step.makes, "a" if isinstance(step, Drop) else "v")  # an arm has no sign
         return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
+
+    def reduced(self, step: Calculate, lang: Lang) -> str:
+        """The arm that a force has together with another that it calls forth, by sense: it has no sign."""
+        letters, numbers = by_sense(step, str, step.makes, step.makes, frozenset())
+        names = {"name": step.makes, "letters": letters, "numbers": numbers, "value": slot(step.makes, "a")}
+        return say("lesson_reduced", lang, **names, unit=unit(step.makes, lang))
 
     def rubbing(self, step: Fed | Settle, lang: Lang) -> str:
         """The couple of friction in a hinge: the reaction times the radius of the friction circle."""

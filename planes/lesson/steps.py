@@ -206,7 +206,8 @@ def way(direction: Meaning, lang: Lang) -> str:
 def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
     """Which reason a calculated vector has."""
     if kind == "force":
-        return step.quantity if step.quantity in ("weight", "inertia") else "load"
+        found = {"tangential": "projected", "weight": "weight", "inertia": "inertia"}
+        return found.get(step.quantity or "", "load")
     if kind == "velocity":
         return "driver_v"
     if step.quantity == "normal":

@@ -123,16 +123,18 @@ class ContourForces(LeadForces):
         forces, couples = list(s.acting.forces[g.base]), list(self.couples[g.base])
         for held in (one, two):
             forces += [self.handed(f, held) for f in held.known]
-            couples += [self.turning(held)] if held.slider and (held.loads or held.couples) else []
+            couples += self.turning(held) if held.slider else []
         return _Equilibrium(g.outer[0], (g.base,), forces, couples)
 
-    def turning(self, held: HeldLead) -> Couple:
-        """The moment of what acts on a slider about its hinge, which its guide hands on."""
-        d, key = self.draft, f"ML_{held.lead.link}"
+    def turning(self, held: HeldLead) -> list[Couple]:
+        """The moment of what acts on a slider about its hinge, which its guide hands on; none of what acts in that."""
+        d, key = self.draft, force_name(self.group.base, held.lead.link)
         products, shown = self.statics.moment_terms(held.point, held.loads, held.couples, 1.0)
-        name = d.total(key, products, Meaning("couple", key))
+        if not products:
+            return []
+        name = d.total(f"MR_{key}", products, Meaning("couple", key))
         d.moments.append(Moments(label_of(held.point), held.lead.parts, shown, name, ""))
-        return Couple(name, self.group.base, name, 1, True)
+        return [Couple(name, self.group.base, name, 1, True)]
 
     def arm(self, held: HeldLead, side: _Equilibrium, choice: tuple[HeldLead, HeldLead] | None = None) -> str:
         """The arm of a lead's line about an outer hinge; or how much of its force is along an outer guide."""

@@ -111,6 +111,7 @@ class ContourRates:
         found = [self.supposed(first, "I"), self.supposed(second, "II")]
         (start, end), (from_, to) = found
         carried = d.step(Carry(self.mark(self.label(self.other.new, "II,I")), start, from_, to, means=FALSE))
+        self.stretched(start, carried, "II,I")
         line = d.through(f"{self.other.new.name}^I{self.other.new.name}^II", end, carried, Meaning("guide"))
         foot = self.laid(self.other, start, "I")[0]
         met = self.mark(self.label(self.other.new, "0"))
@@ -135,7 +136,17 @@ class ContourRates:
         instead, basic = (self.other.along, self.far.along), self.group.basic
         d.step(CrossFalse(*crossing, instead=instead, means=Meaning("false", basic)))
         self.state(hinge, terms, met, plan)
-        return start, self.carried(met, plan)
+        end = self.carried(met, plan)
+        if start not in (near, hinge):
+            d.show(r.plan, POLE, label_of(start), f"{r.letter}{self.other.known.name}^{plan}")
+        self.stretched(start, end, plan)
+        return start, end
+
+    def stretched(self, start: str, end: str, plan: str) -> None:
+        """Name the vector that the second lead would have on a false plan."""
+        self.draft.show(
+            self.rates.plan, label_of(start), label_of(end), f"{self.rates.letter}{self.other.symbol}^{plan}"
+        )
 
     def laid(self, leg: Leg, start: str, plan: str) -> tuple[str, list[Term]]:
         """The known parts of a lead's rate on a false plan, from where its first point is supposed; and their terms."""

@@ -19,7 +19,7 @@ from planes.words.errors import PlanFailure, SceneError
 from planes.words.names import at, mu_of
 
 ORDERS = ((0, 1), (1, 2), (2, 0))
-ANGLE = {"kind": "phi"}
+DOUBTFUL = 0.8  # of how far the next assembly is from the place a scene names: no nearer than that none is chosen
 
 
 class Tracks:
@@ -130,6 +130,16 @@ def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
     found = {tracks.place(pose, key): pose for pose in counted.poses}
     if len(found) < len(counted.poses):
         raise tracks.error(Phrase("near_same", key=key, point=key), "assembly", key)
+    off = sorted(abs(place - near) for place in found)
+    if len(off) > 1 and off[0] > DOUBTFUL * off[1]:
+        told = {
+            "key": key,
+            "off": off[0],
+            "next": off[1],
+            "count": len(off),
+            "offers": tuple(_offers(tracks, counted, key)),
+        }
+        raise tracks.error(Phrase("near_between", **told, **tracks.named()), "assembly", key)
     tracks.choose(found[min(found, key=lambda place: abs(place - near))])
 
 

@@ -196,3 +196,11 @@ def test_one_assembly_is_followed_alike_by_arrays_and_the_compiled_loop() -> Non
     size = np.abs(slow[:, works]).max(axis=1, keepdims=True)
     assert (np.abs(slow - quick)[:, works] <= 1e-9 * (size + 1e-9)).all()
     assert {r.key for r in cycle.reasons} >= {"track_missed"}
+
+
+def test_a_place_between_two_assemblies_chooses_none() -> None:
+    text = (ROOT / "samples/class-three/press.yaml").read_text()
+    assert "near: [0.6, 0.03]" in text
+    with pytest.raises(SceneError, match=r"0\.1935 m from the nearest of the 2 places .* 0\.2256 m from the next") as e:
+        plans_of(loads(text.replace("near: [0.6, 0.03]", "near: [0.5, 0.2]")).mechanism)  # type: ignore[arg-type]
+    assert "C: {near: [0.59944, 0.034041]} or C: {near: [0.40423, 0.40425]}" in str(e.value)

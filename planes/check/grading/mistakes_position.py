@@ -14,7 +14,8 @@ from planes.drafting.steps.tracks import CutTrack
 from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.sextic import assemblies
 from planes.geometry.tracks import newton
-from planes.words import Written
+from planes.plans.groups import Group
+from planes.words import Phrase, Told, Written
 from planes.words.names import label_of, letter_of
 
 ELSEWHERE = 1e-6  # of a link's size: nearer than this is the same assembly
@@ -29,7 +30,8 @@ def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) ->
         if name not in w.program.givens:
             continue
         if letter_of(name) == "side":
-            yield from _marked(w, "other_assembly", w.readers(name), {name: -float(value)})
+            second = {"which": Phrase("assembly_second")}
+            yield from _marked(w, "other_assembly", w.readers(name), {name: -float(value)}, about=second)
         elif letter_of(name) == "e" and value:
             yield from _marked(w, "guide_offset_ignored", w.readers(name), {name: 0.0})
     yield from _centred(w)
@@ -58,11 +60,20 @@ def _reassembled(w: PlanSteps) -> Iterator[Variant]:
         ties, size = [hold.tie(things, 1.0, Arithmetic()) for hold in holds], things[guess.size]
         drawn = run(w.program.sliced([cut.makes]), {**w.plans.given, cut.mu: 1.0})[cut.makes]
         here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys((*guess.places, *guess.turns), 0.0)
-        others = [p for p in assemblies(ties).poses if abs(p[0] + p[1] * things[cut.local] - drawn) > ELSEWHERE * size]
+        poses = assemblies(ties).poses
+        others = [p for p in poses if abs(p[0] + p[1] * things[cut.local] - drawn) > ELSEWHERE * size]
+        which = Phrase("assembly_another", count=len(poses), level=_level(w, cut))
         for origin, axis in others:
-            there = {guess.places[0]: origin / size, guess.turns[0]: cmath.phase(axis)}
-            side = {cut.side: math.copysign(1.0, newton(ties, origin, axis)[3])}
-            yield from _marked(w, "other_assembly", w.readers(guess.middle), here | there | side, 1 / len(others))
+            there = here | {guess.places[0]: origin / size, guess.turns[0]: cmath.phase(axis)}
+            there[cut.side] = math.copysign(1.0, newton(ties, origin, axis)[3])
+            users, part = w.readers(guess.middle), 1 / len(others)
+            yield from _marked(w, "other_assembly", users, there, part, {"which": which})
+
+
+def _level(w: PlanSteps, cut: CutTrack) -> str:
+    """The class of the group whose basic link is drawn so."""
+    groups = (g for g in w.plans.structure.groups if not isinstance(g, Group))
+    return next(g.level for g in groups if cut.side == f"sense_{g.basic}")
 
 
 def _apart(w: PlanSteps, place: str, pivot: str, angle: str) -> bool:
@@ -85,12 +96,17 @@ def _angle(w: PlanSteps) -> Iterator[Variant]:
 
 
 def _marked(
-    w: PlanSteps, mistake: str, users: Sequence[Step], givens: Mapping[str, complex], weight: float = 1.0
+    w: PlanSteps,
+    mistake: str,
+    users: Sequence[Step],
+    givens: Mapping[str, complex],
+    weight: float = 1.0,
+    about: Mapping[str, Told | Written] | None = None,
 ) -> Iterator[Variant]:
     """A variant blamed at the first mark of the plan that the changed givens lead to."""
     touched = w.program.touched((), instead={u.makes for u in users})
     for step in [step for step in touched if step.kind == "mark" and not step.helper][:1]:
-        yield Variant(mistake, label_of(step.makes), {}, dict(givens), weight)
+        yield Variant(mistake, label_of(step.makes), {}, dict(givens), weight, about or {})
 
 
 def _scales(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
@@ -108,5 +124,5 @@ def _scales(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) 
             continue
         ratio = abs(own.place - start.place) / mu / abs(float(value))
         if abs(ratio - 1) > LEAST_SCALE:
-            about: dict[str, str | Written] = {"value": length, "ratio": Written(f"{ratio:.3g}")}
+            about: dict[str, Told | Written] = {"value": length, "ratio": Written(f"{ratio:.3g}")}
             yield Variant("link_scale", label, {}, {length: float(value) * ratio}, 0.1, about)
