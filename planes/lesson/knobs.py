@@ -91,7 +91,8 @@ class Knobs:
             return means.of
         if means and means.quantity == "place":
             return self.placed(given, axis)
-        own = letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") or given in self.free.own
+        plain = letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") and "°" not in given
+        own = plain or given in self.free.own
         return aimed(given) or given * own
 
     def placed(self, given: str, axis: str) -> str:
