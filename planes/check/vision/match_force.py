@@ -23,6 +23,7 @@ MOST_COST = 60.0  # of a chain that explains a picture at all
 POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for each vector, is not surely one
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
 UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
+APART = 5.0  # by how much a right polygon is dearer where it is out of the question
 RIVAL, APART_MM = (
     2.0,
     0.8,
@@ -69,13 +70,15 @@ class LaidPolygon:
 @dataclass(frozen=True)
 class ReadPolygon:
     """Rows of a polygon, none where it cannot surely be told what was drawn; whether nothing can have been overlooked;
-    the share of ink explained; ends not seen; vectors that a mistake puts elsewhere and explains the ink as well."""
+    the share of ink explained; ends not seen; vectors that a mistake puts elsewhere and explains the ink as well;
+    whether it was drawn with a mistake, and no right one explains the ink nearly as well."""
 
     spots: list[ReadMark] = field(default_factory=list)
     whole: bool = False
     explained: float = 0.0
     hidden: tuple[str, ...] = ()
     untold: tuple[str, ...] = ()
+    apart: bool = False
 
 
 def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
@@ -91,8 +94,9 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     one = min(tried, key=LaidPolygon.cost)
     if (best := one.best) is None:
         return ReadPolygon()
-    unsure = best is not one.plain and min(other.cost(plainly=True) for other in tried) < one.cost() + UNSURE
-    if unsure or best.cost > _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z):
+    dearer = min(other.cost(plainly=True) for other in tried) - one.cost()  # by which a right polygon is
+    most = _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z)
+    if (best is not one.plain and dearer < UNSURE) or best.cost > most:
         return ReadPolygon(explained=1.0)
     explained = one.polygon.ink.explained(best.routes(pole.z))
     rows = [ReadMark(POLE, pole.z, pole.sigma)]
@@ -103,7 +107,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     ]
     spots = by_ruler(seen.ink.flat, near, one.share, rows, explained, {})
     untold = one.untold() if best is one.plain else ()
-    return ReadPolygon(spots, explained > 0.9, explained, best.hidden, untold)
+    return ReadPolygon(spots, explained > 0.9, explained, best.hidden, untold, dearer > APART)
 
 
 def _likelier(

@@ -135,7 +135,7 @@ class SoughtPolygon:
             price = self._aside(way, u) + (0.0 if closed else OPEN)
             if p is not self.pole:
                 price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
-                if last and abs(p.z - self.pole.z) < GAP_MM:
+                if last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
                     continue
             elif last and abs(way) > 2 and self._goes_on(z, chain):
                 price += OPEN
@@ -153,7 +153,8 @@ class SoughtPolygon:
             turned = (end - z) * way.conjugate()
             on = turned.real >= 0 and abs(turned.imag) < 1.2 * abs(end - z)
             apart = on and all(abs(end - other) >= GAP_MM for _, other, _ in chain.rows)
-            if apart and not self.ink.seen.ink.lettered(end)[0] and self.covered(z, end) > 0.9:
+            drawn = apart and not self.ink.seen.ink.lettered(end)[0] and self.covered(z, end) > 0.9
+            if drawn and not self.ink.runs_out(z, end):
                 return True
         return False
 
