@@ -78,8 +78,8 @@ class LoneHeads:
 
 
 def _without_shaft(piece: Complexes, way: complex) -> Complexes:
-    """What of a piece lies before where it is widest across a way."""
+    """What of a piece lies before where it is widest across a way, if that is most of it."""
     along = (piece / way).real
     row = ((along - along.min()) / ROW_MM).astype(int)
     found: Complexes = piece[row >= numpy.bincount(row).argmax()]
-    return found
+    return found if 2 * len(found) > len(piece) else piece
