@@ -1,5 +1,4 @@
-"""Force polygons on pictures: what the ink does not tell is not said, and what is printed at the pole is no ink of theirs;
-heads that stand on no line."""
+"""Force polygons on pictures: what their ink does not tell is not said; what is printed at the pole is none of it."""
 
 from __future__ import annotations
 
