@@ -80,8 +80,11 @@ class Outcome(Described):
 
     @property
     def unseen(self) -> list[str]:
-        """Marks of the plan that nobody has looked at."""
-        return self.grading.unseen if self.grading and not self.unreadable else []
+        """Marks of the plan that nobody has looked at, or that may as well be drawn with a mistake."""
+        if self.grading is None or self.unreadable:
+            return []
+        untold = () if self.wrong else self.paper.untold
+        return list(dict.fromkeys([*self.grading.unseen, *untold]))
 
     def right(self, unseen: str) -> Phrase:
         """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""

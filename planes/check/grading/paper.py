@@ -78,6 +78,8 @@ class ReadPaper:
     picture: bytes = b""  # the flat picture, for the report
     box: Box | None = None  # where it lies
     strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
+    untold: list[str] = field(default_factory=list)  # vectors that may as well be others, with a mistake
+    apart: bool = False  # whether a mistake explains its force polygon, and no right one nearly as well
     notes: list[Phrase] = field(default_factory=list)
 
     def refuse(self, key: str, **parts: object) -> PlanesError:

@@ -41,11 +41,12 @@ class Rebuilt:
     unknown: list[str] = field(default_factory=list)
     vectors: list[ReadMark] = field(default_factory=list)  # as they were read
     closers: set[str] = field(default_factory=set)  # those that may be of any length
+    apart: bool = False  # whether no right drawing explains what was read nearly as well
 
     def confused(self, missing: complex | None) -> bool:
         """Whether vectors that were told by their likeness, as on a picture, may as well be others: where no mistake
         explains them, or the one said to be ``missing`` may lie within one that takes up its length."""
-        if not any(v.doubt for v in self.vectors):
+        if not any(v.doubt for v in self.vectors) or (missing is not None and self.apart):
             return False
         over = (v.place / missing for v in self.vectors if missing and v.name in self.closers)
         return missing is None or any(z.real > AS_LONG and abs(z.imag) < IN_LINE * z.real for z in over)
@@ -135,7 +136,7 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
     if kind_of(plan) == "force":
         if pole is None:
             raise PlanesError(Phrase("check_no_pole"))
-        rebuilt = rebuild(bench.plans, plan, paper.spots, paper.whole)
+        rebuilt = replace(rebuild(bench.plans, plan, paper.spots, paper.whole), apart=paper.apart)
         return rebuilt.spots, rebuilt, rebuilt.unknown
     found: dict[str, ReadMark] = {}
     unknown = []

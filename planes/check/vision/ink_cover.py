@@ -25,6 +25,7 @@ PER_MM, OVERSHOT = 0.5, 0.1  # what a millimetre of ink costs that no vector run
 OVER_MM, FAINT, TORN_OFF_MM = 30.0, 0.8, 3.0  # how far a construction line runs on, how dark to its vector; a gap in it
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
+SIGN_MM = (-6.0 - 8.4j, -1.4 - 1.6j)  # where its letter is printed on a blank, from the pole
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
 UPON_MM = 0.6  # lines whose heads are farther aside are two vectors
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
@@ -76,13 +77,14 @@ class InkCover:
         lines = self.seen.lines
         numbers = hanging(lines, self.pole, self.room, self.seen.patches)
         steps, parts = self._stepped(numbers)
-        kept = ~self.seen.ink.lettered(steps) & (parts >= 0)
+        kept = ~self.seen.ink.lettered(steps) & (parts >= 0) & ~self._signed(steps)
         self.steps, parts = steps[kept], parts[kept]
         self.dark = self.seen.ink.darkest(self.steps)
         heads = [0] * (max(numbers, default=0) + 1)
         for line, number in zip(lines, numbers, strict=False):
             for head in line.heads:
-                tip, way = head.z, line.direction(head.s) * head.sign
+                crossed = abs(head.z - self.pole) < CROSS_MM  # its tip is not told from the printed cross
+                tip, way = self.pole if crossed else head.z, line.direction(head.s) * head.sign
                 if not any(_one_head(tip, way, other) for other in self.tips):
                     heads[number] |= 1 << len(self.tips)
                     self.tips.append((tip, way))
@@ -106,6 +108,13 @@ class InkCover:
                 found.append(z)
                 parts.append(number)
         return numpy.array(found, complex), numpy.array(parts, numpy.intp)
+
+    def _signed(self, z: Complexes) -> Booleans:
+        """Whether places lie where a blank has its pole's letter: what is drawn over it, nobody can tell."""
+        (low, high), off = SIGN_MM, z - self.pole
+        inside = (off.real > low.real) & (off.real < high.real) & (off.imag > low.imag) & (off.imag < high.imag)
+        found: Booleans = inside & (self.seen.ink.flat.by == "marks")
+        return found
 
     @property
     def headed(self) -> bool:

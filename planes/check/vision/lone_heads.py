@@ -1,5 +1,5 @@
-"""Arrowheads that stand by themselves, where a pencil's line fades away before its head: told by their shape, and only
-where a vector should end."""
+"""Arrowheads that stand by themselves, where a pencil's line fades away before its head, or runs on beside the line of
+another vector that was taken for it: told by their shape, and only where a vector should end."""
 
 from dataclasses import dataclass, field
 
@@ -18,14 +18,16 @@ BEND_MM = 0.35  # how far its middle may be aside of its vector's way
 ABOUT_MM = 2.2  # how far its tip may be from where it is looked for
 GAP_MM, LED = 4.5, 0.7  # what is faint behind it at the most; the share of the way before that is drawn
 SHORT_MM = 8.0  # shorter vectors have no line to tell them
+ROW_MM = 0.3  # in which the shaft behind a head is told from it
 
 
 @dataclass
 class LoneHeads:
-    """Separate pieces of ink that may be arrowheads."""
+    """Pieces of ink that may be arrowheads."""
 
     ink: Ink
     usual_mm: float
+    left: list[Complexes] = field(default_factory=list)  # on no line, though it hangs together with some
     pieces: list[Complexes] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -43,7 +45,7 @@ class LoneHeads:
         if length < SHORT_MM:
             return None
         way, found = (end - start) / length, list[complex]()
-        for piece in self.pieces:
+        for piece in (*self.pieces, *(_without_shaft(piece, way) for piece in self.left)):
             tip = self._tip(piece, way) if abs(piece.mean() - end) < self.usual_mm + ABOUT_MM else None
             if tip is not None and abs(tip - end) < ABOUT_MM and self._led(start, tip):
                 found.append(tip)
@@ -73,3 +75,11 @@ class LoneHeads:
         length = abs(tip - start)
         drawn = length - self.usual_mm - GAP_MM
         return drawn > 0 and self.ink.covered(start, start + (tip - start) * drawn / length) > LED
+
+
+def _without_shaft(piece: Complexes, way: complex) -> Complexes:
+    """What of a piece lies before where it is widest across a way, if that is most of it."""
+    along = (piece / way).real
+    row = ((along - along.min()) / ROW_MM).astype(int)
+    found: Complexes = piece[row >= numpy.bincount(row).argmax()]
+    return found if 2 * len(found) > len(piece) else piece

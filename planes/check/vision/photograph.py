@@ -38,6 +38,8 @@ class Look:
     whole: bool = False
     explained: float = -1.0
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
+    untold: tuple[str, ...] = ()  # vectors that may as well be others, with a mistake
+    apart: bool = False  # whether a mistake explains it, and no right plan nearly as well
     bare: bool = False  # whether there are no lines at all
     crowd: bool = False  # whether there are too many to look at
     mu: float | None = None  # the scale it was found at, where that is not the stated one
@@ -83,6 +85,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
             paper.notes.append(Phrase("check_force_unsure"))
+        paper.untold, paper.apart = [n for n in best.untold if n not in pointed], best.apart
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
@@ -158,7 +161,8 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
     if near is None:
         return Look(flat, 0j, explained=0.0)
     if force:
-        return Look(flat, near, *vectors_on(bench, seen, near))
+        read = vectors_on(bench, seen, near)
+        return Look(flat, near, read.spots, read.whole, read.explained, read.hidden, read.untold, read.apart)
     find = points_on if kind_of(bench.asked.plan) == "position" else marks_on
     spots, explained = find(bench, seen, near)
     known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole

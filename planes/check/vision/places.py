@@ -16,7 +16,7 @@ from planes.check.vision.ink import Ink, ink_of
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.lone_heads import LoneHeads
 from planes.check.vision.picture import Flat
-from planes.check.vision.residual_ink import patches
+from planes.check.vision.residual_ink import left_over, patches
 from planes.check.vision.rubbed_out import remaining
 from planes.geometry.arrays import Complexes
 
@@ -112,8 +112,8 @@ class Seen:
 
     @cached_property
     def lone_heads(self) -> LoneHeads:
-        """Heads that stand by themselves, among its letters."""
-        return LoneHeads(self.all_ink, self.head_mm or USUAL_MM)
+        """Heads that stand by themselves, among its letters, or that no line leads to."""
+        return LoneHeads(self.all_ink, self.head_mm or USUAL_MM, [*left_over(self.ink, self.lines)])
 
     @cached_property
     def head_mm(self) -> float | None:

@@ -49,20 +49,22 @@ class LaidChain:
         """Where its vectors run, from a pole."""
         return list(pairwise([pole, *(z for _, z, _ in self.rows)]))
 
+    def vectors(self, pole: complex) -> dict[str, complex]:
+        """Its vectors by name."""
+        return {n: b - a for (n, _, _), (a, b) in zip(self.rows, self.routes(pole), strict=True)}
+
     def named(self, words: HandWords, pole: complex) -> float:
         """By how many of its vectors their names stand, as surely as they were read."""
         return sum(words.told(n, a, b) for (n, _, _), (a, b) in zip(self.rows, self.routes(pole), strict=True))
 
     def astray(self, right: Guess, pole: complex) -> float:
         """How far the end of a known vector is from where it should be, seen from its start, at the most."""
-        ends = zip(self.rows, self.routes(pole), strict=True)
-        return max((abs(b - a - right.known[n]) for (n, _, _), (a, b) in ends if n in right.known), default=0.0)
+        drawn = self.vectors(pole).items()
+        return max((abs(v - right.known[n]) for n, v in drawn if n in right.known), default=0.0)
 
     def left_out(self, name: str, right: Guess, pole: complex) -> bool:
         """Whether a known vector of some length is laid with none: nobody drew it."""
-        k = next(i for i, row in enumerate(self.rows) if row[0] == name)
-        drawn = abs(self.rows[k][1] - (self.rows[k - 1][1] if k else pole))
-        true = abs(right.known.get(name, 0j))
+        drawn, true = abs(self.vectors(pole)[name]), abs(right.known.get(name, 0j))
         return true > 1 and drawn < min(0.4 * true, 0.8)
 
 

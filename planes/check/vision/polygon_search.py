@@ -1,0 +1,166 @@
+"""A force polygon sought on a sheet: the chain of its vectors that leaves the least ink unexplained.
+
+Forces known beforehand may stand in any order; the closing reactions come after them, of whatever length. From the
+pole each vector that is left is tried: where it would lead there must be a place where something ends, and ink on the
+way there. What is hidden (too small, or between two vectors of one direction) is put where it should be, with the
+error of drawing it.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import permutations
+
+from planes.check.grading.handwork import Miss
+from planes.check.vision.ink_cover import COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
+from planes.check.vision.places import Place
+from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain
+
+TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden where two others meet
+HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of a millimetre; if no ink is on its way
+OPEN = 6.0  # what a polygon costs that does not close
+GAP_MM = 1.2  # ends nearer than this to the pole are at it
+NOTHING = 1.0  # what it costs to believe in a closing vector of no length
+MOST_STEPS = 1500
+
+End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
+
+
+@dataclass
+class SoughtPolygon:
+    """A plan's polygon looked for on a sheet."""
+
+    ink: InkCover
+    pole: Place
+    spread: dict[str, Miss]
+    steps: int = 0
+    best: LaidChain | None = None
+    most: float = 0.0
+    known: dict[tuple[frozenset[str], complex], list[LaidChain]] = field(default_factory=dict)
+    ways: dict[tuple[complex, complex], float] = field(default_factory=dict)
+    ends: dict[tuple[str, complex, complex, float], list[End]] = field(default_factory=dict)
+
+    @cached_property
+    def ended(self) -> list[Place]:
+        """Where something ends."""
+        return [p for p in self.ink.seen.places if p.ended]
+
+    def covered(self, a: complex, b: complex) -> float:
+        """The share of the way that is ink (remembered)."""
+        key = (a, b)
+        if key not in self.ways:
+            self.ways[key] = self.ink.seen.ink.covered(a, b)
+        return self.ways[key]
+
+    def lay(self, guess: Guess, most: float) -> LaidChain | None:
+        """The best chain of a guess that costs less than ``most``."""
+        self.best, self.most, self.steps = None, most, 0
+        self.known.clear()
+        self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), self.pole.z, 0.0)
+        return self.best
+
+    def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, z: complex, loose: float) -> None:
+        """Every order of the known vectors that the ink allows, then the closing ones."""
+        self.steps += 1
+        if chain.cost >= self.most or self.steps > MOST_STEPS or self._outdone(frozenset(left), chain, z):
+            return
+        if not left:
+            for order in permutations(guess.closing):
+                self._lay_closing(guess, order, chain, z)
+        for name, v in left.items():
+            rest = {n: w for n, w in left.items() if n != name}
+            for price, place, sigma, hidden in self._ends(guess, name, v, z, loose):
+                if chain.cost + price >= self.most:
+                    continue
+                now = math.hypot(loose, sigma) if hidden else 0.0
+                unseen = (*chain.hidden, name) if hidden and abs(v) > NOTHING_MM else chain.hidden
+                self._lay_known(guess, rest, self._longer(chain, z, price, (name, place, sigma), unseen), place, now)
+
+    def _outdone(self, left: frozenset[str], chain: LaidChain, z: complex) -> bool:
+        """Whether the same place was come to more cheaply, with no ink accounted for the less."""
+        found = self.known.setdefault((left, complex(round(z.real, 1), round(z.imag, 1))), [])
+        if any(c.cost <= chain.cost and not (chain.steps & ~c.steps or chain.heads & ~c.heads) for c in found):
+            return True
+        found.append(chain)
+        return False
+
+    def _longer(
+        self, chain: LaidChain, z: complex, price: float, row: tuple[str, complex, float], hidden: tuple[str, ...] = ()
+    ) -> LaidChain:
+        """The chain with one more vector, from z."""
+        steps, heads = self.ink.along(z, row[1])
+        cost = chain.cost + price + self.ink.bare(z, row[1]) + self.ink.words.price(row[0], z, row[1])
+        return LaidChain(cost, [*chain.rows, row], hidden or chain.hidden, chain.steps | steps, chain.heads | heads)
+
+    def _ends(self, guess: Guess, name: str, v: complex, z: complex, loose: float) -> list[End]:
+        """Where a vector from z may end, the likeliest first (remembered)."""
+        if name == guess.free:
+            free = [p for p in self.ended if not p.doubtful and abs(p.z - z) > 2]
+            free = [p for p in free if self.covered(z, p.z) > COVERED]
+            return [(VAGUE * p.sigma, p.z, p.sigma, False) for p in sorted(free, key=lambda p: p.sigma)]
+        if abs(v) < NOTHING_MM:
+            return [(0.0, z + v, NOTHING_MM, True)]
+        if (key := (name, v, z, loose)) not in self.ends:
+            self.ends[key] = self._ends_near(*key)
+        return self.ends[key]
+
+    def _ends_near(self, name: str, v: complex, z: complex, loose: float) -> list[End]:
+        goal, found = z + v, list[End]()
+        near = [*self.ink.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, self.ink.seen.closer(z, goal)]
+        for p in filter(None, near):
+            sigmas = sigmas_of(p.z - goal, self.spread[name], math.hypot(p.sigma, loose))
+            if sigmas < GATE and (abs(v) < 2 or self.covered(z, p.z) > COVERED):
+                price = sigmas**2 / 2 + VAGUE * p.sigma + DOUBTFUL * p.doubtful
+                price += 0.0 if p.ended or p is self.pole or (p.tip and self.ink.pointed(z, p.z)) else NO_END
+                found.append((price, p.z, p.sigma, False))
+        found.sort(key=lambda f: f[0])
+        least = found[0][0] if found else math.inf
+        if least > 1.0 + HIDDEN * min(abs(v), 2.0) and (abs(v) < TINY_MM or self.covered(z, goal) > 1 - 0.8 / abs(v)):
+            price = min(1.0 + HIDDEN * abs(v), MOST_HIDDEN) + NO_INK * (1 - self.covered(z, goal))
+            found.append((price, goal, self.spread[name].worst, True))
+        return found
+
+    def _lay_closing(self, guess: Guess, order: tuple[str, ...], chain: LaidChain, z: complex) -> None:
+        """The closing vectors after the known ones, the last to the pole (or not, which is a mistake)."""
+        if not order:
+            chain.cost += self.ink.over(chain.steps, chain.heads, chain.routes(self.pole.z))
+            if chain.cost < self.most:
+                self.best, self.most = chain, chain.cost
+            return
+        name, last = order[0], len(order) == 1
+        u = None if len(guess.closing) == 1 and guess.known else guess.closing[name]
+        for p in [self.pole, *self.ended]:
+            way, closed = p.z - z, p is self.pole or not last
+            price = self._aside(way, u) + (0.0 if closed else OPEN)
+            if p is not self.pole:
+                price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
+                if last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
+                    continue
+            elif last and abs(way) > 2 and self._goes_on(z, chain):
+                price += OPEN
+            if price + chain.cost >= self.most or price > 12 + OPEN:
+                continue
+            if abs(way) < 1 or self.covered(z, p.z) > COVERED:
+                self._lay_closing(guess, order[1:], self._longer(chain, z, price, (name, p.z, p.sigma)), p.z)
+        if not last:  # a closing vector of no length
+            self._lay_closing(guess, order[1:], self._longer(chain, z, NOTHING, (name, z, NOTHING_MM)), z)
+
+    def _goes_on(self, z: complex, chain: LaidChain) -> bool:
+        """Whether the line from z to the pole ends beyond it, where no other vector does."""
+        way = self.pole.z - z
+        for end in (p.z for p in self.ended if abs(p.z - z) >= abs(way) + 2.4):
+            turned = (end - z) * way.conjugate()
+            on = turned.real >= 0 and abs(turned.imag) < 1.2 * abs(end - z)
+            apart = on and all(abs(end - other) >= GAP_MM for _, other, _ in chain.rows)
+            drawn = apart and not self.ink.seen.ink.lettered(end)[0] and self.covered(z, end) > 0.9
+            if drawn and not self.ink.runs_out(z, end):
+                return True
+        return False
+
+    def _aside(self, way: complex, u: complex | None) -> float:
+        """What it costs that a closing vector is not quite in its direction."""
+        if u is None:
+            return 0.0
+        aside = abs((way * u.conjugate()).imag)
+        return 0.5 * (aside / (0.35 + 0.012 * abs(way))) ** 2

@@ -1,0 +1,91 @@
+"""Force polygons on pictures: what their ink does not tell is not said; what is printed at the pole is none of it."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+
+cv2 = pytest.importorskip("cv2")
+import numpy as np  # noqa: E402
+
+from planes.check.vision.ink_cover import InkCover  # noqa: E402
+from planes.check.vision.lone_heads import LoneHeads  # noqa: E402
+from planes.check.vision.picture import PX_PER_MM, Flat  # noqa: E402
+from planes.check.vision.places import sheet_of  # noqa: E402
+from tests import picture_corpus as corpus  # noqa: E402
+from tests.confusion import easel  # noqa: E402
+from tests.helpers.drawings import Mistake  # noqa: E402
+from tests.helpers.photographs import SCAN  # noqa: E402
+
+PAPER, PENCIL = 245, 70
+HEAD_MM = 3.5
+
+
+def sheet(strokes: list[tuple[complex, complex]], heads: list[tuple[complex, complex]], by: str = "points") -> Flat:
+    """A flat picture of strokes, and of filled heads at the ends of ways."""
+    grey = np.full((800, 1200), PAPER, np.uint8)
+
+    def px(z: complex) -> tuple[int, int]:
+        return round(z.real * PX_PER_MM * 16), round((800 - z.imag * PX_PER_MM) * 16)
+
+    for a, b in strokes:
+        cv2.line(grey, px(a), px(b), PENCIL, round(0.45 * PX_PER_MM), cv2.LINE_AA, 4)
+    for a, b in heads:
+        back = HEAD_MM * (b - a) / abs(b - a)
+        corners = [b, b - back + 0.25j * back, b - back - 0.25j * back]
+        cv2.fillPoly(grey, [np.array([px(z) for z in corners], np.int32)], PENCIL, cv2.LINE_AA, 4)
+    return Flat(cv2.GaussianBlur(grey, (0, 0), 0.8), PX_PER_MM, by=by)
+
+
+def test_a_vector_a_degree_from_a_shorter_one_shows_its_head() -> None:
+    """Their lines run together and are taken for one, which ends where the shorter does."""
+    pole = 20 + 20j
+    short, long = pole + 50 * np.exp(0.7j), pole + 56 * np.exp(0.688j)
+    vectors = [(pole, complex(short)), (pole, complex(long)), (pole, 90 + 25j), (90 + 25j, complex(short))]
+    seen = sheet_of(sheet(vectors, vectors))
+    assert seen is not None
+    found = min((abs(p.z - long) for p in [*seen.places, seen.closer(pole, complex(long))] if p), default=99.0)
+    assert found < 0.6
+
+
+def test_a_head_is_told_from_the_shaft_behind_it() -> None:
+    """A piece of ink left over: a short shaft with a head; turned about it points nowhere."""
+    flat = sheet([(20 + 20j, 22 + 20j)], [(20 + 20j, 25.5 + 20j)])
+    seen = sheet_of(flat)
+    assert seen is not None
+    down, across = np.nonzero(flat.grey < (PAPER + PENCIL) / 2)
+    piece = flat.mm(0, 0) + (across - 1j * down) / flat.scale
+    heads = LoneHeads(seen.all_ink, HEAD_MM, [piece])
+    heads.pieces.clear()
+    heads.ink.even[:] = 0  # a line leads to it from anywhere
+    tips = heads.tip(5 + 20j, 25 + 20j), heads.tip(40 + 20j, 20 + 20j)
+    assert tips[0] is not None and abs(tips[0] - (25.5 + 20j)) < 0.4
+    assert tips[1] is None
+
+
+@pytest.mark.parametrize(("by", "priced"), [("marks", False), ("points", True)])
+def test_the_letter_printed_at_a_blank_s_pole_is_not_the_drawing_s(by: str, priced: bool) -> None:
+    """Its stem hangs together with a vector; on other paper it may be one."""
+    pole = 60 + 50j
+    seen = sheet_of(sheet([(pole, pole + 40), (pole + 0.1j, pole - 4.5 - 8j)], [], "points"))
+    assert seen is not None
+    seen.ink.flat.by = by
+    cover = InkCover(seen, pole, [40 + 0j])
+    left = cover.price([(pole, pole + 40)])
+    assert (left > 1.5) == priced
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 4])
+def test_what_letters_alone_tell_of_forces_in_one_line_is_not_said(seed: int, tmp_path: Path) -> None:
+    """All forces of slider 5 are vertical: its mass drawn for its weight leaves the ink of a right polygon in another
+    order."""
+    one, rng, file = easel("assignment-12", "force:4-5"), random.Random(seed), tmp_path / "p.jpg"
+    drawn = corpus.drawn(one, Mistake("mass_for_weight", "G_5", 1), rng)
+    assert drawn is not None
+    corpus.picture(drawn, corpus.pole_of(one), SCAN, rng, file)
+    found = corpus.looked_at(one, file)[0]
+    assert found.verdict != "right"
+    assert found.verdict != "right_as_seen" or "G_5" in found.unseen
