@@ -65,7 +65,8 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
     """Sheet 1 or 2 of a course project."""
     scene, project, forces = drawn.scene, Project(composer), ForceSheet(composer)
     if number == 1:
-        project = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions", True)))
+        turned = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions", True)))
+        project = replace(turned, reduced=drawn.reduced)
 
     def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         if number == 2:
@@ -124,10 +125,16 @@ class DrawnPosition:
         """The position at the scene's scales."""
         return self.at(Sizes())
 
-    def _drawn(self, fits: Mapping[str, float]) -> Position:
+    def reduced(self, mm: float) -> Position:
+        """The position with its scheme no larger than so many mm, whatever its μ is on the sheet."""
+        open_mu = {kind: mu for kind, mu in self.scene.mu.items() if kind != "position"}
+        fits = {**fits_on(self.scene.sheet, self.stated[0]), "position": mm}
+        return self._drawn(fits, replace(self.scene, mu=open_mu))
+
+    def _drawn(self, fits: Mapping[str, float], scene: Scene | None = None) -> Position:
         plans, wanted = self.stated
         try:
-            return position(self.scene, plans, wanted, self.value, None, self.lang, fits)
+            return position(scene or self.scene, plans, wanted, self.value, None, self.lang, fits)
         except PlanFailure as failure:
             said = failed(failure, self.value, plans.mechanism.drive.kind, nearest(plans, self.value))
             raise SceneError(said, self.scene.file) from None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from planes.plans.alignment import aligned
@@ -16,6 +16,7 @@ from render.labels.footprints import bounds
 from render.paper.marks import Mark, Text
 from render.paper.typeset import plain
 from render.sheet.composer import LARGER, Composer, drawn_plans
+from render.sheet.module import GAP_MM, MODULE_MM
 from render.views import View, beside, remark, stacked, view
 from render.views.alignment import alignment_told
 from render.views.diagrams import DiagramCurve, Diagrams, section_mm
@@ -27,12 +28,16 @@ from render.views.plotted import of_position
 from render.views.scheme import Scheme
 from render.views.special_points import special_points
 
+REDUCED_MM = (105.0, 75.0)
+"""How large the scheme would be at whose μ groups are drawn apart that would else be too wide."""
+
 
 @dataclass
 class Project:
     """The views of sheet 1. ``values`` are the driver's places over its range (``whole``: a turn) and ``turn`` the
     places there; ``numbered`` are the positions of the scheme; ``curves`` and ``loops`` are the diagrams (of the
-    driven link, if the scene asks for no others) and hodographs."""
+    driven link, if the scene asks for no others) and hodographs; ``reduced`` draws the position with its scheme no
+    larger than so many mm."""
 
     composer: Composer
     values: Sequence[float] = ()
@@ -41,6 +46,7 @@ class Project:
     whole: bool = True
     curves: Sequence[DiagramCurve] = ()
     loops: Sequence[Hodograph] = ()
+    reduced: Callable[[float], Position] | None = None
 
     def kinematics(self, position: Position, size: float, letter: float, together: bool) -> list[View]:
         """Sheet 1: scheme in many positions, groups, plans of rates, tables, diagrams."""
@@ -101,24 +107,33 @@ class Project:
         )
 
     def groups(self, position: Position, letter: float) -> View | None:
-        """The primary mechanism and the groups of Assur apart, with W, q and the formula of structure."""
-        c, structure = self.composer, position.plans.structure
+        """The structure: its figures have no μ, and are drawn smaller where they are wider than the title block."""
+        c = self.composer
 
         def make() -> View:
-            parts = [self.part(position, (structure.driver,), say("primary", c.lang), True, letter)]
-            for g in structure.groups:
-                text = say("group_named", c.lang, links="–".join(map(c.naming.link, g.whole)), said=g.brief)
-                parts.append(self.part(position, g.whole, text, False, letter))
-            lines = [";  ".join(counted(structure)), structure.formula_as(c.naming.frame, True)]
-            lines += ways_told(structure, c.lang, c.naming.frame, True)
-            passive = ", ".join(map(c.naming.link, structure.passive))
-            lines += [say("passive_link", c.lang, links=passive)] if passive else []
-            high = LARGER[letter]
-            marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
-            whole = stacked("structure", [beside(parts), view("formula", "", marks)])
-            return view("structure", say("structure", c.lang), whole.marks, figure=True)
+            found = self.structure(position, letter)
+            for mm in REDUCED_MM:
+                if self.reduced and found.width > MODULE_MM - GAP_MM:
+                    found = min(found, self.structure(self.reduced(mm), letter), key=lambda v: v.width)
+            return found
 
         return c.once(("groups", position.scales[mu_of("position")], letter), make)
+
+    def structure(self, position: Position, letter: float) -> View:
+        """The primary mechanism and the groups of Assur apart, with W, q and the formula of structure."""
+        c, structure = self.composer, position.plans.structure
+        parts = [self.part(position, (structure.driver,), say("primary", c.lang), True, letter)]
+        for g in structure.groups:
+            text = say("group_named", c.lang, links="–".join(map(c.naming.link, g.whole)), said=g.brief)
+            parts.append(self.part(position, g.whole, text, False, letter))
+        lines = [";  ".join(counted(structure)), structure.formula_as(c.naming.frame, True)]
+        lines += ways_told(structure, c.lang, c.naming.frame, True)
+        passive = ", ".join(map(c.naming.link, structure.passive))
+        lines += [say("passive_link", c.lang, links=passive)] if passive else []
+        high = LARGER[letter]
+        marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
+        whole = stacked("structure", [beside(parts), view("formula", "", marks)])
+        return view("structure", say("structure", c.lang), whole.marks, figure=True)
 
     def self_aligning(self, position: Position, letter: float) -> View | None:
         """The variant without redundant constraints: its count, and the signs of its pairs. Only where a scene names a
