@@ -16,6 +16,7 @@ from typing import Any
 import yaml
 
 from tests.helpers import ROOT
+from tests.helpers.higher_poses import POSES
 from tests.helpers.oracle import Pose, Solution, follow, reaction_key, solve
 
 SAMPLES = ROOT / "samples"
@@ -66,9 +67,11 @@ SKETCHES: dict[str, dict[str, Pose]] = {
     },
     "friction-circles": {"1": (0, 0, 65), "2": (0.04, 0.09, -13), "3": (0.43, 0, 0)},
     "sliding-driver": {"1": (0.15, 0, 0), "2": (0.15, 0, 65), "3": (0.45, 0.12, 128)},
+    **POSES,
 }
 KINDS = ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp")
 INSIDE = ("lift", "hinge-motor", "folding-boom", "excavator")
+HIGHER = tuple(POSES)
 UNPUBLISHED = (*KINDS, "shaper", "sliding-driver", *INSIDE, "friction-circles")
 WORDS = ("title", "note", "plans", "assembly", "parameters", "variants", "planes", "find", "sheet")
 
@@ -215,7 +218,7 @@ def printed(node: Any, unit: Mapping[str, float], sort: str = "force") -> Any:
 def save() -> None:
     """Write the expected results of the samples nobody published."""
     EXPECTED.mkdir(exist_ok=True)
-    for name in UNPUBLISHED:
+    for name in (*UNPUBLISHED, *HIGHER):
         drive = numeric(name)["drive"]
         turning = "phi" in drive
         found = results(truth(name), "balancing_moment" if turning else "balancing_force")
@@ -227,6 +230,7 @@ def save() -> None:
             "positions": [position | printed(found, unit)],
         }
         text = json.dumps(told, ensure_ascii=False, indent=1)
+        (EXPECTED / f"{name}.json").parent.mkdir(parents=True, exist_ok=True)
         (EXPECTED / f"{name}.json").write_text(text + "\n", encoding="utf-8")
 
 
