@@ -142,7 +142,7 @@ def test_each_row_of_a_sheet_is_that_of_the_results(path: Path) -> None:
         for vector, _, measured in drawn.measured_on(plan):
             for row in rows.get(naming.named(vector, plan), []):
                 numbers = [number(text) for text in row[2:4]]
-                if len(row) < 4 or any(n is None or n[2] for n in numbers):
+                if len(row) < 4 or number(row[1]) or any(n is None or n[2] for n in numbers):
                     continue
                 found += 1
                 for n, true in zip(numbers, (measured["mm"], measured["value"]), strict=True):
@@ -150,4 +150,4 @@ def test_each_row_of_a_sheet_is_that_of_the_results(path: Path) -> None:
                         row,
                         measured,
                     )
-    assert found > 3 or path.stem == "bntu-1"  # which stands still
+    assert found > 3 or not drawn.plans.mechanism.drive.velocity
