@@ -178,6 +178,8 @@ def _kind(file: str, suffix: str) -> PlanesError | None:
     for key, (suffixes, begins) in OTHERS.items():
         if suffix in suffixes or re.match(begins, data, re.DOTALL):
             return PlanesError(Phrase(key, file=file, suffix=suffix))
+    if data.startswith(b"%PDF-") and b"/Encrypt" in data:
+        return PlanesError(Phrase("check_locked", file=file))
     cut = any(data.startswith(head) and end not in data[-1024:] for head, end in ENDS.items())
     return PlanesError(Phrase("check_cut", file=file)) if cut else None
 

@@ -19,6 +19,7 @@ from planes.check.fiducials import CODE_MM, code_centre
 
 if TYPE_CHECKING:
     from planes.check.grading.prepared_plan import Asked
+    from planes.check.vision.picture import Flat
     from planes.geometry.arrays import Greys
 
 BEGINS = "planes1"
@@ -96,8 +97,12 @@ def mark_on(grey: Greys) -> SheetMark | None:
     """The mark of the sheet on a picture: where the corner marks tell that it stands, else anywhere."""
     from planes.check.vision.picture import flatten, smaller
 
-    if (flat := flatten(grey)) is None:
-        return _decoded(smaller(grey, LOOK_PX)[0])
+    flat = flatten(grey)
+    return _decoded(smaller(grey, LOOK_PX)[0]) if flat is None else mark_of(flat)
+
+
+def mark_of(flat: Flat) -> SheetMark | None:
+    """The mark of a sheet that was made flat by its corner marks."""
     reach = (CODE_MM / 2 + RIM_MM) * (1 + 1j)
     (left, low), (right, top) = (flat.px(code_centre() + by) for by in (-reach, reach))
     return _decoded(flat.grey[max(0, int(top)) : int(low), int(left) : int(right)])

@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 from reportlab.pdfgen.canvas import Canvas
 
+from planes.check.handed_in import opened
 from planes.cli import main
 from planes.words.errors import PlanesError
 from tests import confusion
@@ -145,6 +146,15 @@ def test_what_is_no_picture_is_refused_in_a_sentence(
     assert told.out == "" and told.err.startswith(f"{file}: {said}; ") and told.err.count("\n") == 1
     with pytest.raises(PlanesError):
         load(file)
+
+
+def test_a_locked_page_is_told_to_be_one(tmp_path: Path) -> None:
+    file = tmp_path / "p.pdf"
+    canvas = Canvas(str(file), encrypt="secret")
+    canvas.line(0, 0, 100, 100)
+    canvas.save()
+    with pytest.raises(PlanesError, match="locked by a password; save it without one"):
+        opened(str(file))
 
 
 def test_the_largest_page_is_taken_apart_within_500_mb() -> None:

@@ -101,3 +101,17 @@ def test_a_blank_with_half_of_its_marks_says_what_to_do(tmp_path: Path) -> None:
     asked = Asked(SIX, "velocity")
     with pytest.raises(PlanesError, match=r"Only 2 of the blank's four corner marks.*take the whole sheet"):
         read_paper(str(tmp_path / "b.png"), asked, Known())
+
+
+def test_a_sheet_whose_code_tells_another_plan_says_so(tmp_path: Path) -> None:
+    cv2 = pytest.importorskip("cv2")
+    from tests.helpers.class_pictures import printed
+
+    assert main(["blank", str(ROOT / "samples/six-link.yaml"), "-o", str(tmp_path / "b.pdf")]) == 0
+    cv2.imwrite(str(tmp_path / "b.png"), printed(tmp_path / "b.pdf"))
+    notes = {
+        plan: [n.told("en") for n in read_paper(str(tmp_path / "b.png"), Asked(SIX, plan), Known()).notes]
+        for plan in ("velocity", "acceleration")
+    }
+    assert notes["acceleration"][0].startswith("The code on the sheet: it is the velocity plan")
+    assert not any("code" in note for note in notes["velocity"])

@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 
 from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.grading.paper import MISREAD, Box, Known, ReadMark, ReadPaper, with_told
-from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.prepared_plan import PreparedPlan, known_plans
 from planes.check.reading.as_planned import worth
+from planes.check.sheet_mark import mark_of
 from planes.check.vision.decoding import DecodedPicture, load
 from planes.check.vision.frame import by_frame
 from planes.check.vision.match_force import vectors_on
@@ -22,6 +23,7 @@ from planes.check.vision.print_scale import printed_share
 from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.lettering import plan_phrase
 from planes.words.names import POLE, Names, kind_of, label_of
 
 MOST_LINES = 120  # a plan has far fewer
@@ -72,6 +74,10 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         raise _nothing_to_measure_by(picture.grey)
     paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box = shown(best.flat), best.box(bench)
+    code = mark_of(best.flat) if best.flat.by == "marks" else None
+    if code and code.plan != bench.asked.plan and code.plan in known_plans(bench.plans):
+        plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
+        paper.notes.append(Phrase("check_code_says", **plans))
     if best.crowd:
         paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
     elif best.bare:
