@@ -13,9 +13,11 @@ from planes.drafting.instruments import Pencil
 from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
-from render.labels.footprints import bounds
+from render.labels import Label
+from render.labels.footprints import bounds, overprinted
 from render.paper.marks import Arrow, Line, Text
 from render.sheet.single import MARGIN_MM, traced
+from render.views.senses import labelled
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts
 
@@ -125,3 +127,10 @@ def test_the_similar_triangle_of_a_plan_is_hatched_and_its_letters_are_not_struc
     letters = [m for m in found.marks if isinstance(m, Text) and m.height == 5.0]
     assert conflicts(letters, [m for m in found.marks if m.layer == "hatch"]) == ()
     assert not [m for m in view_of(scene, "force-2-3").marks if m.layer == "hatch"]
+
+
+@pytest.mark.parametrize(("gap", "height"), [(5.4, 3.5), (9.0, 5.0)])
+def test_letters_are_a_step_smaller_where_they_find_no_room(gap: float, height: float) -> None:
+    bars = [Line((complex(-150, gap * k), complex(150, gap * k)), "thick") for k in range(-40, 41)]
+    drawn = labelled([Label("B", 0.5j * gap, 5.0)], bars)
+    assert [m.height for m in drawn if isinstance(m, Text)] == [height] and overprinted(drawn) == []
