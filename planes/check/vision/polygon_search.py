@@ -10,17 +10,19 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import permutations
+from itertools import combinations, permutations
 
 from planes.check.grading.handwork import Miss
+from planes.check.vision.drawn_lines import crossing, on
 from planes.check.vision.ink_cover import COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
-from planes.check.vision.places import Place
+from planes.check.vision.places import END_MM, HEADED_MM, Place
 from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain
 
 TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden where two others meet
 HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of a millimetre; if no ink is on its way
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
+CROSSED_MM = 0.5  # σ of where lines cross; what ends nearer is there
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 1500
 
@@ -45,6 +47,17 @@ class SoughtPolygon:
     def ended(self) -> list[Place]:
         """Where something ends."""
         return [p for p in self.ink.seen.places if p.ended]
+
+    @cached_property
+    def crossed(self) -> list[Place]:
+        """Where lines cross and none of them ends, as that of a closing vector may that runs on."""
+        lines, found = [x for x in self.ink.seen.lines if x.length > HEADED_MM], list[Place]()
+        for one, two in combinations(lines, 2):
+            z = crossing(one, two)
+            if z is not None and on(one, z, GAP_MM, END_MM) and on(two, z, GAP_MM, END_MM):
+                near = any(abs(p.z - z) < CROSSED_MM for p in self.ended)
+                found += [] if near else [Place(z, CROSSED_MM, frozenset())]
+        return found
 
     def covered(self, a: complex, b: complex) -> float:
         """The share of the way that is ink (remembered)."""
@@ -130,9 +143,9 @@ class SoughtPolygon:
             return
         name, last = order[0], len(order) == 1
         u = None if len(guess.closing) == 1 and guess.known else guess.closing[name]
-        for p in [self.pole, *self.ended]:
+        for p in [self.pole, *self.ended, *(() if last else self.crossed)]:
             way, closed = p.z - z, p is self.pole or not last
-            price = self._aside(way, u) + (0.0 if closed else OPEN)
+            price = self._aside(way, u) + (0.0 if closed else OPEN) + NO_END * (p is not self.pole and not p.ended)
             if p is not self.pole:
                 price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
                 if last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
