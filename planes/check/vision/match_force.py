@@ -64,7 +64,7 @@ class LaidPolygon:
             rival = self.polygon.lay(guess, most) if guess.cost < most else None
             others = rival.vectors(pole) if rival else {}
             found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}
-        return tuple(n for n in self.right.known if n in found)
+        return tuple(n for n in self.right.known if n in found or self.polygon.endless)
 
 
 @dataclass(frozen=True)
@@ -89,6 +89,8 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=LaidPolygon.cost)
     for one in tried:
         one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
+        if one.polygon.endless:
+            return ReadPolygon(explained=1.0)
         if one.best and one.best is one.plain and one.share == seen.ink.flat.printed:
             break  # it fits well
     one = min(tried, key=LaidPolygon.cost)

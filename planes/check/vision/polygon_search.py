@@ -25,6 +25,7 @@ GAP_MM = 1.2  # ends nearer than this to the pole are at it
 CROSSED_MM = 0.5  # σ of where lines cross; what ends nearer is there
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 1500
+MOST_OF_ALL = 20_000  # steps of all ways together; a polygon of six vectors takes some two thousand
 
 End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
 
@@ -37,6 +38,7 @@ class SoughtPolygon:
     pole: Place
     spread: dict[str, Miss]
     steps: int = 0
+    taken: int = 0  # steps of all that were laid
     best: LaidChain | None = None
     most: float = 0.0
     known: dict[tuple[frozenset[str], complex], list[LaidChain]] = field(default_factory=dict)
@@ -70,8 +72,15 @@ class SoughtPolygon:
         """The best chain of a guess that costs less than ``most``."""
         self.best, self.most, self.steps = None, most, 0
         self.known.clear()
-        self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), self.pole.z, 0.0)
+        if not self.endless:
+            self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), self.pole.z, 0.0)
+        self.taken += self.steps
         return self.best
+
+    @property
+    def endless(self) -> bool:
+        """Whether there are more ways to lay it than can be tried, so that none is surely the best."""
+        return self.taken > MOST_OF_ALL
 
     def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, z: complex, loose: float) -> None:
         """Every order of the known vectors that the ink allows, then the closing ones."""
