@@ -106,6 +106,7 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
             name,
             [(name, 1)],
             [(name, [(name, name)])],
+            name,
             [name, name],
             [(ClassRow(name, "wrong", WRONG, link=name, places=[place]), [name, name])],
             "en",
