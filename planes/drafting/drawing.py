@@ -133,7 +133,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]
                 apart.append((proof, wrong, gap, size))
     for proof, wrong, gap, size in apart:
         blunter = _blunter(drawing.program, given) if blunter is None else blunter
-        wrong = wrong & (gap > _doubt(blunter, proof, gap, tool))
+        wrong = wrong & (gap > _doubt(blunter, proof, gap, size, tool))
         if tool.many:
             _mask(drawing, proof, ~wrong)
         elif wrong:
@@ -149,10 +149,11 @@ def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Mapping[str, 
         return []
 
 
-def _doubt(blunter: list[Mapping[str, Thing]], proof: Proof, gap: Real, tool: Tool) -> Real:
-    """How much they move a gap; without end where there are none."""
+def _doubt(blunter: list[Mapping[str, Thing]], proof: Proof, gap: Real, size: Real, tool: Tool) -> Real:
+    """How much they move a gap; without end where there are none, or where they are of another size altogether."""
     with tool.quiet():
-        moved = [abs(proof.gap(Facts(things, tool.ar)) - gap) for things in blunter]
+        drawn = [proof.compared(Facts(things, tool.ar)) for things in blunter]
+        moved = [tool.ar.where(abs(big - size) > size / 2, math.inf, abs(off - gap)) for off, big in drawn]
         return reduce(tool.ar.maximum, moved) if moved else math.inf
 
 

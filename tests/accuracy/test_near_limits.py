@@ -15,7 +15,7 @@ from planes.cli import main
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
 from planes.solving.tables import report
-from tests.helpers.near_limits import FAMILIES, case, walk
+from tests.helpers.near_limits import FAMILIES, HIGHER, case, walk
 
 SLOT = """\
 planes: 1
@@ -61,6 +61,15 @@ def test_no_number_near_a_limit_is_wrong_without_a_word(family: str) -> None:
     silent = {k: found[k] for k in ("invented", "unsaid", "arrays wrong", "compiled wrong")}
     assert not any(silent.values()), silent
     assert found["arrays left out"] <= 0.25 * found["arrays numbers"], "a table leaves out more than it must"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("family", HIGHER)
+def test_no_number_near_a_dead_point_of_a_higher_class_is_wrong_without_a_word(family: str) -> None:
+    found = walk(family, 0, 12) + walk(family, 1, 12)
+    assert found["absent"] and found["positions"] - found["absent"] > found["refused"]
+    silent = {k: found[k] for k in ("invented", "unsaid", "arrays wrong", "compiled wrong")}
+    assert not any(silent.values()), silent
 
 
 @pytest.mark.few(1)

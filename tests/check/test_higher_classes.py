@@ -1,0 +1,68 @@
+"""Hand drawings of groups of class III and IV: by the independent results with a hand's errors, and with a mistake."""
+
+from __future__ import annotations
+
+import json
+import random
+from pathlib import Path
+
+import pytest
+
+from planes.check import Outcome, check
+from planes.check.grading.paper import Known
+from planes.check.grading.prepared_plan import Asked
+from planes.check.handed_in import read_paper
+from planes.drafting.steps import LayOff
+from planes.drafting.steps.crossings import Cross
+from planes.scene import load
+from planes.solving import solve
+from planes.words.names import POLE, label_of
+from tests.sample_oracle import EXPECTED, SAMPLES
+
+NAMES = ("class-three/rods", "class-three/guide", "class-four/tray", "class-four/press")
+Row = tuple[str, complex]
+
+
+def motion(name: str, plan: str) -> list[Row]:
+    """The ends of all points' vectors, mm, by the independent solver."""
+    scene = load(SAMPLES / f"{name}.yaml")
+    points = json.loads((EXPECTED / f"{name}.json").read_text())["positions"][0]["points"]
+    mu, tick = solve(scene).positions[0].scales[f"mu_{plan}"], "'" if plan == "acceleration" else ""
+    moving = {p: complex(*found[plan[0]]) * mu for p, found in points.items() if p not in scene.mechanism.frame.points}
+    return [(POLE, 0j), *((p.lower() + tick, z) for p, z in moving.items())]
+
+
+def forces(name: str, plan: str) -> list[Row]:
+    """The forces laid off one after another; a row of the pole wherever the pen is put down anew."""
+    found, rows = solve(load(SAMPLES / f"{name}.yaml")).positions[0], [(POLE, 0j)]
+    for step in found.plans.program.steps:
+        if isinstance(step, LayOff | Cross) and step.makes.startswith(f"{plan}:") and not step.helper:
+            rows += [(POLE, found.drawing[step.start])] if rows[-1][0] != label_of(step.start) else []
+            rows.append((label_of(step.makes), found.drawing[step.makes]))
+    return rows
+
+
+def judged(name: str, plan: str, rows: list[Row], folder: Path) -> Outcome:
+    rng, path = random.Random(3), folder / "hand.csv"
+    lines = ["mark,x_mm,y_mm"]
+    for label, z in rows:
+        z += 0j if label == POLE else complex(rng.gauss(0, 0.15), rng.gauss(0, 0.15))
+        lines.append(f"{label},{z.real:.2f},{z.imag:.2f}")
+    path.write_text("\n".join(lines) + "\n")
+    asked = Asked(load(SAMPLES / f"{name}.yaml"), plan)
+    return check(asked, read_paper(str(path), asked, Known()))
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("plan", ["velocity", "acceleration", "force:2-3-4-5"])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_hand_drawing_is_judged(name: str, plan: str, tmp_path: Path) -> None:
+    rows = forces(name, plan) if plan.startswith("force") else motion(name, plan)
+    assert judged(name, plan, rows, tmp_path).verdict in ("right", "right_as_seen")
+    if plan == "velocity":
+        turned = judged(name, plan, [(label, -z) for label, z in rows], tmp_path)
+        assert turned.mistake == "omega1_reversed"
+        return
+    label, place = rows[k := len(rows) - 1 if plan == "acceleration" else 2]
+    wrong = judged(name, plan, [*rows[:k], (label, place + 9 + 4j), *rows[k + 1 :]], tmp_path)
+    assert wrong.verdict == "wrong"
