@@ -201,7 +201,8 @@ class _Finder:
         if free >= 0 and len(names) == 4:
             found = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
             if found and (twice := next((lead.link for lead in found.leads if lead.name == "PP"), None)):
-                raise self.error(Phrase("lead_slides_twice", link=twice, basic=found.basic, level=found.level), "links", twice)
+                why = Phrase("lead_slides_twice", link=twice, basic=found.basic, level=found.level)
+                raise self.error(why, "links", twice)
             if found:
                 return found
         raise self.stuck(names, free)
