@@ -60,8 +60,10 @@ def fitting(plans: Stated, value: float) -> Stated:
         things = run(program, {**plans.given, mu_of(SCHEME): 1.0, plans.drive_given: value}).things
     except PlanFailure:  # the same will be said of the whole
         return plans
+    turned = set[str]()  # basic links: their steps have other names then
     for step in crossings:
-        sharp = step.crossings(things)
-        if sharp[0] < FAIR * max(sharp):
+        sharp, basic = step.crossings(things), step.means.of if step.means else ""
+        if basic not in turned and sharp[0] < FAIR * max(sharp):
+            turned.add(basic)
             plans = with_others(plans, step.makes, sharp.index(max(sharp)))
     return plans
