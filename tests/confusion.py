@@ -101,7 +101,9 @@ def easels() -> Iterator[Easel]:
         drive = f.scene["drive"]
         moving = float(drive.get("omega", drive.get("velocity", 0))) != 0
         plans = ["velocity", "acceleration"] if moving else []
-        plans += [f"force:{'-'.join(g)}" for g in f.model.groups] + [f"force:{f.model.driver}"]
+        order = [str(link) for link in f.scene["links"]]  # by which the program calls a group
+        plans += [f"force:{'-'.join(sorted(g, key=order.index))}" for g in f.model.groups]
+        plans += [f"force:{f.model.driver}"]
         yield from (easel(sample, plan) for plan in plans)
 
 

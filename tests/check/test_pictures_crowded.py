@@ -5,12 +5,15 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tests.helpers.drawings import Mistake
 
 pytest.importorskip("cv2")
+from planes.check.vision.polygon_cover import Guess
+from planes.check.vision.polygon_search import MOST_OF_ALL, SoughtPolygon
 from tests import picture_corpus as corpus
 from tests.check.test_pictures import looked
 from tests.confusion import easel
@@ -56,3 +59,11 @@ def test_letters_that_touch_the_printed_cross(camera: Camera, tmp_path: Path) ->
     corpus.picture(replace(drawn, words=words), corpus.pole_of(one), camera, rng, file)
     found = corpus.looked_at(one, file)[0]
     assert found.verdict == "right", found.sentence.told("en")
+
+
+def test_a_polygon_is_not_laid_for_ever() -> None:
+    """When all ways together have taken so many steps, no more are tried, and that is told."""
+    nowhere: Any = None
+    polygon = SoughtPolygon(nowhere, nowhere, {}, taken=MOST_OF_ALL + 1)
+    assert polygon.endless and polygon.lay(Guess({"G_2": 5j}, {"F_21": 1 + 0j}), 60.0) is None
+    assert not SoughtPolygon(nowhere, nowhere, {}).endless
