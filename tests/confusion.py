@@ -96,7 +96,7 @@ def bench(sample: str, plan: str, told: bool = True) -> PreparedPlan:
 
 def easels() -> Iterator[Easel]:
     """Every plan of every sample that is more than a point, and that the hand of these drawings can draw."""
-    for sample in (s for s in sample_oracle.SKETCHES if s not in UNDRAWN):
+    for sample in (s for s in sample_oracle.SKETCHES if s not in (*UNDRAWN, *sample_oracle.HIGHER)):
         f = forces(sample)
         drive = f.scene["drive"]
         moving = float(drive.get("omega", drive.get("velocity", 0))) != 0

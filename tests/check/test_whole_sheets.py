@@ -15,6 +15,7 @@ from planes.check.reading.strokes import Nodes, ReadDrawing, Words
 from planes.check.reading.whole_page import elsewhere, mu_over
 from planes.check.reading.words_near import led, led_to_vectors
 from planes.documents.sheets import DrawnPosition, sheet_of
+from planes.scene import Scene
 from planes.solving import Position
 from planes.words.names import Names, label_of
 from render.sheet import Sheet
@@ -26,8 +27,8 @@ def spoiled_sheet(sample: str, number: int | None, ks: Mapping[str, int], patch:
     """A whole sheet with a mistake in each of some plans, at whatever size the sheet has room for."""
     rightly = DrawnPosition._drawn
 
-    def drawn_wrongly(self: DrawnPosition, fits: Mapping[str, float]) -> Position:
-        right = rightly(self, fits)
+    def drawn_wrongly(self: DrawnPosition, fits: Mapping[str, float], scene: Scene | None = None) -> Position:
+        right = rightly(self, fits, scene)
         things = dict(right.drawing.things)
         for plan, k in ks.items():
             wrong = made(sample, plan, right, k)[0].drawing.things
