@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from planes.solving import Position
     from planes.words.errors import PlanesError
 
-__version__ = "0.7.0"
+__version__ = "0.8.0"
 
 _FROM = {
     "planes.scene": ("Scene", "load", "loads"),
