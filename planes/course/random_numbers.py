@@ -1,7 +1,7 @@
 """Numbers drawn at random for a student: round ones around the scene's own, kept if the method works with them.
 
 The mechanism must assemble for every value of the drive, and no lines of any plan may meet at less than the limit,
-all the way round; in the position the student works with, nothing may need a warning.
+all the way round, if the scene's own goes round; in the position the student works with, nothing may need a warning.
 """
 
 import hashlib
@@ -31,7 +31,7 @@ _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _SHARES = (("l_", 10.0), ("x_", 10.0), ("y_", 10.0), ("omega_", 20.0), ("F_", 20.0), ("M_", 20.0), ("P_", 20.0))
 
 
-def around_turn(plans: Plans) -> list[float | None]:
+def agoes_roundturn(plans: Plans) -> list[float | None]:
     """The least sharpness at which lines meet at each angle of the driver, None where it cannot be drawn."""
     drawing = drawn_in_si(plans, numpy.array(ROUND))
     least = numpy.ones(len(ROUND))
@@ -96,11 +96,13 @@ def draw_numbers(
 ) -> dict[str, str]:
     """The first set of numbers drawn with which the method works all the way round; ``make`` gives their scene."""
     apart = blunt = 0
+    own = scene_plans(make({}))
+    goes_round = own.moves and own.mechanism.drive.kind == "phi" and None not in agoes_roundturn(own)
     for _ in range(TRIES):
         numbers = {name: values[int(chance.random() * len(values))] for name, values in choices.items()}
         try:
             scene = make(numbers)
-            fault = _fault(scene, least_deg)
+            fault = _fault(scene, least_deg, goes_round)
         except Contradiction:  # no fault of the numbers
             raise
         except PlanesError:
@@ -111,10 +113,10 @@ def draw_numbers(
     raise PlanesError(Phrase("course_none", count=TRIES, apart=apart, blunt=blunt, limit=least_deg))
 
 
-def _fault(scene: Scene, least_deg: float) -> str | None:
+def _fault(scene: Scene, least_deg: float, goes_round: bool) -> str | None:
     """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
-    plans, limit = scene_plans(scene), math.sin(math.radians(least_deg))
-    around = around_turn(plans) if plans.moves and plans.mechanism.drive.kind == "phi" else []
+    limit = math.sin(math.radians(least_deg))
+    around = agoes_roundturn(scene_plans(scene)) if goes_round else []
     if None in around:
         return "apart"
     if any(sharpness < limit for sharpness in around if sharpness is not None):
