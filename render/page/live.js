@@ -129,9 +129,12 @@ class Live {
     if (name.startsWith("angle_") || (name === given && symbol === "φ")) return 20;
     return name === given ? to - from : (knob && knob.reach) || Math.abs(this.data.home[name]);
   }
-  handles(mark, chosen) { // the drive, or the number that moves a mark most where it stands, and another one
+  handles(mark, chosen) { // a force's own numbers (of a weight the mass); else the drive, or the number that moves a mark most where it stands, and another one
+    const name = mark.slice(mark.lastIndexOf(":") + 1).replace(/^G_/, "m_"), force = mark.startsWith("force:") && !chosen;
+    const own = force ? this.data.knobs.filter(k => k.name === name || k.name === "∠" + name).map(k => k.given) : [];
+    if (own.length > 1) return own;
     const first = this.data.moves ? this.data.drive.given : this.handle(mark, this.data.drive.given);
-    const other = chosen || this.handle(mark, first);
+    const other = chosen || own[0] || this.handle(mark, first);
     return [...(this.data.drive.held || !first ? [] : [first]), ...(other && other !== first ? [other] : [])];
   }
   handle(mark, drive) { // the number that, beside the drive, moves a mark most freely
