@@ -17,7 +17,7 @@ from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans import Plans
 from planes.plans.reckoned import Dimensions, OwnPlace, SceneDimensions
 from planes.scene.mechanism import FRAME
-from planes.words.names import Meaning
+from planes.words.names import Meaning, given_of
 
 ANGLE = "angle_∠"
 APART = 1e-9  # relative to a link: points nearer than that are one
@@ -81,7 +81,8 @@ class FreeNumbers:
         """Every free number as the scene has it, of a place both coordinates."""
         plain = {n: z for n, z in self.given.items() if n not in self.plans.reckoned}
         flat = {n: float(z) for n, z in given_values(plain).items()}
-        places = {n: z for n, z in flat.items() if n.startswith("place_")}
+        means = self.plans.means
+        places = {n: z for n, z in flat.items() if (m := means.get(given_of(n))) and m.quantity == "place"}
         return {**places, **self.own, **{n: z for n, z in flat.items() if n not in places}}
 
     def on(self, tape: Tape, ar: Arithmetic) -> dict[str, Thing]:
@@ -127,7 +128,8 @@ class FreeNumbers:
             base = next(iter(given), ("", ""))[0] or link.first_point
             ways = {p: z - link.points[base] for p, z in link.points.items()}
             far = [p for p, way in ways.items() if abs(way) > APART * max(map(abs, ways.values()))]
-            first = "" if link.slides else next(iter(given))[1] if given else next(iter(far), "")
+            ends = [q for p, q in given if p == base and q in far]
+            first = "" if link.slides else next(iter(ends or far), "")
             level = ways[first] / abs(ways[first]) if first else 1 + 0j
             for p in sorted(far, key=lambda p: p != first):
                 if (spot := OwnPlace(link.name, p)) in self.asked.places:

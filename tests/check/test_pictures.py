@@ -137,7 +137,7 @@ def test_lines_drawn_beyond_their_crossings(plan: str, tmp_path: Path) -> None:
             page.line([a - 3 * u + pole, b + rng.uniform(4, 10) * u + pole], 120, 0.2)
     photographs.save(str(file), photographs.shot(page.grey, SCAN, rng), SCAN)
     found = corpus.looked_at(one, file)[0]
-    assert found.verdict in (("right", "unreadable") if plan.startswith("force") else ("right",))
+    assert found.verdict in (("right", "right_as_seen", "unreadable") if plan.startswith("force") else ("right",))
 
 
 @pytest.mark.slow
@@ -389,6 +389,7 @@ def test_a_small_corpus() -> None:
     chosen = [e for e in confusion.easels() if e.sample in ("six-link", "kind-1-rrr", "bntu-3")]
     for _, _, count in corpus.draw_all(1, chosen):
         whole.add(count)
-    assert whole.right > 25 and whole.accepted >= 0.98 * whole.right, whole.failures
+    doubted = sum("-> right_as_seen" in f for f in whole.failures)  # a mistake leaves nearly the same polygon
+    assert whole.right > 25 and whole.accepted + doubted >= 0.98 * whole.right and doubted <= 1, whole.failures
     assert whole.wrong > 20 and whole.found >= 0.98 * whole.wrong and whole.named >= 0.9 * whole.wrong, whole.failures
     assert whole.blamed >= 0.95 * whole.wrong and whole.innocent_blamed <= 0.02 * whole.innocent, whole.failures
