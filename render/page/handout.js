@@ -46,7 +46,7 @@ function sheet(page, { key, frames }, tall, own) { // a plan, the group it is of
   const exact = drawn(key, last, group ? [WIDE - BODY[0] - 10, tall] : [WIDE, tall], figures, { full: true });
   if (exact) page.querySelector("small").insertAdjacentText("beforeend", "; 1 : 1");
   if (group) drawn("position", last, BODY, figures, { frame: data.frames[frames.filter(k => data.frames[k].plan === key).pop()] });
-  page.insertAdjacentHTML("beforeend", "<ol></ol>");
+  page.insertAdjacentHTML("beforeend", `<ol${data.frames.length > 99 ? ' class="hundreds"' : ""}></ol>`);
   frames.forEach(k => step(k, page.lastChild));
 }
 function step(k, list) { // what is said of a frame; the equation it begins; the arms of a moment equation
