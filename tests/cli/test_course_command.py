@@ -145,10 +145,10 @@ def test_only_what_has_changed_is_made_anew(tmp_path: Path, capsys: pytest.Captu
 def test_one_students_fault_does_not_stop_the_others(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """With its own lengths assignment 66 makes no full turn: who is to get drawn numbers is told so."""
+    """A crank of 50 m assembles nowhere: who is to get such numbers is told so."""
     monkeypatch.setattr(random_numbers, "TRIES", 100)
     course = (
-        "course: 1\ndocuments: [task]\nvariants: drawn\ndraw: {phi_1: [30, 60]}\n"
+        "course: 1\ndocuments: [task]\nvariants: drawn\ndraw: {l_OA: [50]}\n"
         "students: [{name: Первый, variant: А}, Второй]\n"
     )
     at = folder(tmp_path / "course", course, 1, "66")

@@ -212,7 +212,7 @@ def test_where_no_numbers_will_do_it_is_said_why(folder: Make, monkeypatch: pyte
     course = read_course(folder("course: 1\nvariants: drawn\nsharpness: 89\ndraw: {l_BC: 1 %}\n", scenes=("03",)))
     fault = settle(question(course, shares(course)[0], "en")).fault
     assert fault.startswith("none of 100 sets of numbers will do: 0 do not assemble") and "100 lines meet" in fault
-    course = read_course(folder("course: 1\nvariants: drawn\ndraw: {l_OA: [0.5]}\n", scenes=("66",)))
+    course = read_course(folder("course: 1\nvariants: drawn\ndraw: {l_OA: [50]}\n", scenes=("66",)))
     share = next(s for s in shares(course) if s.assignment.name == "66")
     assert "100 do not assemble all the way round" in settle(question(course, share, "en")).fault
 
