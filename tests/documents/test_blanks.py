@@ -103,6 +103,7 @@ def test_a_blank_with_half_of_its_marks_says_what_to_do(tmp_path: Path) -> None:
         read_paper(str(tmp_path / "b.png"), asked, Known())
 
 
+@pytest.mark.slow
 def test_a_sheet_whose_code_tells_another_plan_says_so(tmp_path: Path) -> None:
     cv2 = pytest.importorskip("cv2")
     from tests.helpers.class_pictures import printed
