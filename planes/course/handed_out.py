@@ -6,7 +6,7 @@ into, where every student's scene lies. Nothing a mark or a name says leads to a
 
 import re
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -48,16 +48,16 @@ class Task:
         return self.read[name]
 
 
+def of_several(tasks: Iterable[Task]) -> bool:
+    """Whether tasks are of more than one assignment."""
+    return len({t.scene for t in tasks}) > 1
+
+
 @dataclass(frozen=True)
 class HandedOut:
     """All scenes a teacher has named."""
 
     tasks: tuple[Task, ...]
-
-    @property
-    def several(self) -> bool:
-        """Whether somebody has more than one assignment, or all scenes are not of one."""
-        return len({t.scene for t in self.tasks}) > 1
 
     def marked(self, mark: SheetMark) -> Task | None:
         """The one a sheet's mark means."""

@@ -31,7 +31,7 @@ _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _SHARES = (("l_", 10.0), ("x_", 10.0), ("y_", 10.0), ("omega_", 20.0), ("F_", 20.0), ("M_", 20.0), ("P_", 20.0))
 
 
-def agoes_roundturn(plans: Plans) -> list[float | None]:
+def around_turn(plans: Plans) -> list[float | None]:
     """The least sharpness at which lines meet at each angle of the driver, None where it cannot be drawn."""
     drawing = drawn_in_si(plans, numpy.array(ROUND))
     least = numpy.ones(len(ROUND))
@@ -97,7 +97,7 @@ def draw_numbers(
     """The first set of numbers drawn with which the method works all the way round; ``make`` gives their scene."""
     apart = blunt = 0
     own = scene_plans(make({}))
-    goes_round = own.moves and own.mechanism.drive.kind == "phi" and None not in agoes_roundturn(own)
+    goes_round = own.moves and own.mechanism.drive.kind == "phi" and None not in around_turn(own)
     for _ in range(TRIES):
         numbers = {name: values[int(chance.random() * len(values))] for name, values in choices.items()}
         try:
@@ -116,7 +116,7 @@ def draw_numbers(
 def _fault(scene: Scene, least_deg: float, goes_round: bool) -> str | None:
     """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
     limit = math.sin(math.radians(least_deg))
-    around = agoes_roundturn(scene_plans(scene)) if goes_round else []
+    around = around_turn(scene_plans(scene)) if goes_round else []
     if None in around:
         return "apart"
     if any(sharpness < limit for sharpness in around if sharpness is not None):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import HandedSheet, opened
 from planes.check.sheet_mark import SheetMark, mark_on
-from planes.course.handed_out import HandedOut, Task, plan_named, variant_named
+from planes.course.handed_out import HandedOut, Task, of_several, plan_named, variant_named
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanesError, shown
@@ -57,7 +57,7 @@ class Sorter:
         key = task, scene.variant, plan, value, mu
         if key not in self.known:
             self.known[key] = self.asking(scene, plan, value, mu)
-        return task, self.known[key], whose(scene, mark, task.scene if self.handed.several else "")
+        return task, self.known[key], whose(scene, mark, task.scene if of_several(self.handed.tasks) else "")
 
     def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
         found = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)

@@ -20,7 +20,7 @@ from planes.check import STATUS, report
 from planes.check.handed_in import HandedSheet
 from planes.check.report import Checked
 from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns
-from planes.course.handed_out import Task
+from planes.course.handed_out import Task, of_several
 from planes.course.ledger import Ledger, digest, fingerprint
 from planes.scene.files import keep
 from planes.words import Lang, Phrase, say
@@ -139,7 +139,7 @@ class ClassWork:
 
     def missing(self) -> str:
         """Whose drawings there are none of, with the assignments where there are several."""
-        came, several = {row.task for row in self.rows}, len({t.scene for t in self.tasks}) > 1
+        came, several = {row.task for row in self.rows}, of_several(self.tasks)
         names: dict[str, list[str]] = {}
         for task in self.tasks:
             if task.student and str(task.file) not in came:

@@ -44,7 +44,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "lettering": lettering(scene, plans),
         "drive": drive_of(plans),
         "home": knobs.free.home,
-        "knobs": [k for k in knobs.all() if told.leaning is not None or "stays" not in k],
+        "knobs": [k for k in knobs.all if told.leaning is not None or "stays" not in k],
         "drags": knobs.drags(),
         "plans": [_plan(plans, p, scene.mu_convention) for p in plans.drawn if p != "motion"],
         "segments": _segments(plans, drawing),

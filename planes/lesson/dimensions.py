@@ -88,7 +88,8 @@ class FreeNumbers:
     def on(self, tape: Tape, ar: Arithmetic) -> dict[str, Thing]:
         """The given numbers of the program on a tape that has the free ones."""
         own = {n: Num(tape, tape.leaf("given", n)) for n in self.own}
-        return self._reckoned({n: given_on(tape, n, z) for n, z in self.given.items()}, own, ar)
+        plain = {n: given_on(tape, n, z) for n, z in self.given.items() if n not in self.plans.reckoned}
+        return self._reckoned(plain, own, ar)
 
     def given_by(self, free: Mapping[str, Any], ar: Arithmetic | None = None) -> dict[str, Thing]:
         """The given numbers of the program by free ones: numbers, or arrays of them."""
@@ -97,7 +98,7 @@ class FreeNumbers:
             for n, z in self.given.items()
             if n not in self.plans.reckoned
         }
-        return self._reckoned({**self.given, **plain}, free, ar or Arithmetic())
+        return self._reckoned(plain, free, ar or Arithmetic())
 
     def _reckoned(self, things: dict[str, Thing], own: Mapping[str, Any], ar: Arithmetic) -> dict[str, Thing]:
         shape = _Changed(self, things, own, ar)

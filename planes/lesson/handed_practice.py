@@ -162,7 +162,7 @@ class PracticeJudge:
     def drawn(self, draw: Callable[[], float]) -> dict[str, float]:
         """Numbers near the scene's own."""
         given, drive = dict(self.home), self.told.drive
-        for knob in self.told.knobs.all():
+        for knob in self.told.knobs.all:
             name = knob["given"]
             if "plan" not in knob and "stays" not in knob:
                 given[name] = float(f"{knob['at'] * (1 + JUDGING['fresh'] * (2 * draw() - 1)):.3g}")

@@ -39,6 +39,7 @@ class Knobs:
         """The numbers there are."""
         return FreeNumbers(self.plans, self.given)
 
+    @cached_property
     def all(self) -> list[Json]:
         """Each with its name, its unit and what it is in the scene; ``tied`` are those that change with it as they do,
         and one that ``stays`` is none of those that fresh numbers are drawn for: guides, and what lies on a line."""
@@ -76,7 +77,7 @@ class Knobs:
         by many links may have no place with others. Guides keep their directions, but where they are ``leaning``."""
         moved = numpy.arange(count) % 2
         draw, flat = numpy.random.default_rng(1), {n: numpy.full(count, v) for n, v in self.free.home.items()}
-        for knob in self.all():
+        for knob in self.all:
             times = 1 + SHAKEN * moved * draw.uniform(-1, 1, count) * (leaning or "stays" not in knob)
             flat[knob["given"]] = flat[knob["given"]] + (times - 1) * knob.get("reach", 0.0)
             for name in (knob["given"], *knob["tied"]):

@@ -55,8 +55,9 @@ class Told:
     @cached_property
     def leaning(self) -> dict[int, Frame] | None:
         """Frames that tell more where guides are turned, by their number; None where there are others altogether."""
-        teller = Teller(self.plans, self.drawing, _cycle(self.knobs, True), self.scene.mu_convention)
-        frames = teller.frames() if self.knobs.free.turned else self.frames
+        if not any("stays" in knob for knob in self.knobs.all):
+            return {}
+        frames = Teller(self.plans, self.drawing, _cycle(self.knobs, True), self.scene.mu_convention).frames()
         if [f.makes for f in frames] != [f.makes for f in self.frames]:
             return None
         return {k: f for k, (f, own) in enumerate(zip(frames, self.frames, strict=True)) if f != own}

@@ -24,10 +24,8 @@ POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for eac
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
 UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
 APART = 5.0  # by how much a right polygon is dearer where it is out of the question
-RIVAL, APART_MM = (
-    2.0,
-    0.8,
-)  # a mistake that costs so little more than the right plan leaves in doubt what it moves so far
+# a mistake that costs so little more than the right plan leaves in doubt what it moves so far
+RIVAL, APART_MM = 2.0, 0.8
 
 
 @dataclass
