@@ -74,7 +74,7 @@ class Easel:
 
 
 # driven from inside; friction in hinges
-UNDRAWN = ("lift", "hinge-motor", "folding-boom", "excavator", "friction-circles")
+UNDRAWN = ("lift", "hinge-motor", "carriage", "folding-boom", "excavator", "friction-circles")
 
 
 @cache

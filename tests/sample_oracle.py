@@ -51,6 +51,7 @@ SKETCHES: dict[str, dict[str, Pose]] = {
     "shaper": {"1": (0, 0, 60), "2": (0.06, 0.1, 83), "3": (0, -0.4, 83), "4": (0.09, 0.34, -2), "5": (0.39, 0.33, 0)},
     "lift": {"1": (0.9, -0.5, 82), "2": (1.05, 0.6, 82), "3": (0, 0, 29)},
     "hinge-motor": {"1": (0, 0, -10), "2": (0.3, -0.05, 85), "3": (0.6, 0.1, 132)},
+    "carriage": {"1": (0.13, 0, 0), "2": (0.13, 0, 55), "3": (0.9, 0.05, 143)},
     "folding-boom": {
         "1": (-0.05, 0.2, 35),
         "2": (0.32, 0.46, 35),
@@ -70,7 +71,7 @@ SKETCHES: dict[str, dict[str, Pose]] = {
     **POSES,
 }
 KINDS = ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp")
-INSIDE = ("lift", "hinge-motor", "folding-boom", "excavator")
+INSIDE = ("lift", "hinge-motor", "carriage", "folding-boom", "excavator")
 HIGHER = tuple(POSES)
 UNPUBLISHED = (*KINDS, "shaper", "sliding-driver", *INSIDE, "friction-circles")
 WORDS = ("title", "note", "plans", "assembly", "parameters", "variants", "planes", "find", "sheet")

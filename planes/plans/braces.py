@@ -8,54 +8,50 @@ d from the foot of that arm to P, h' = −ω·(d − d²/L), which gives ε from
 from planes.drafting.steps import Similar
 from planes.drafting.steps.crossings import CrossArcs
 from planes.drafting.steps.reckoning import Drop, Product, SenseOf
+from planes.plans.asides import Aside, aside_of
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach
-from planes.plans.driven_positions import Elbow, cylinder, place_reached
+from planes.plans.driven_positions import Way, cylinder, elbow_of, place_reached, place_sliding
 from planes.plans.groups import Brace, Group, Pair
-from planes.plans.reckoned import OwnPlace, angle_deg, ratio
+from planes.plans.reckoned import OwnPlace, ratio
 from planes.words.names import Meaning, at, mu_of
 
 
 def place_braced(b: Bodies, g: Group) -> None:
     """The two links that are one with the cylinder stopped, and the third."""
     assert g.drive and g.brace
-    elbow, b.reach = _elbow(b, g, g.drive, g.brace)
-    place_reached(b, g, elbow.length)
-    elbow.place(b)
+    aside = aside_of(b, g)
+    motor, hinge, b.reach = _braced(aside, g, g.drive, g.brace)
+    if g.hung[0][1].kind == "P":
+        along = b.line(g.hung[0][1], g.hung[0][1].mate(g.held))[1]
+        place_reached(b, g, Way(hinge, along=along))
+        place_sliding(aside, g, hinge, motor)
+        return
+    elbow = elbow_of(aside, g, motor, hinge)
+    place_reached(b, g, Way(at(SCHEME, aside.base), elbow.length))
+    elbow.place()
 
 
-def _elbow(b: Bodies, g: Group, drive: Pair, brace: Brace) -> tuple[Elbow, BraceReach]:
-    """Both links drawn aside, the first one's axis level: the cylinder's hinge where two arcs meet."""
-    d, first, second = b.draft, b.mechanism.link(drive.other), b.mechanism.link(drive.link)
-    pivot, hinge, motor, near, far = (p.point for p in (g.first_outer, g.inner, drive, brace.near, brace.far))
-    level, helper = d.aim("→", 0.0, Meaning("given", first.name)), Meaning("guide", motor)
-
-    def aside(point: str) -> str:
-        if point == pivot:
-            return at(SCHEME, pivot)
-        angle = angle_deg(b.shape, OwnPlace(first.name, pivot), OwnPlace(first.name, point))
-        way = d.turn(f"→{pivot}{point}", level, angle, Meaning("given", pivot))
-        return d.lay_off(SCHEME, f"{point}°{pivot}", at(SCHEME, pivot), way, b.length(first, pivot, point), helper)
-
+def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
+    """The braced hinge and that of what is driven, drawn aside: the cylinder's far hinge is where two arcs meet."""
+    b, second = aside.bodies, aside.bodies.mechanism.link(drive.link)
+    d, (hinge, motor, near, far) = b.draft, (p.point for p in (g.inner, drive, brace.near, brace.far))
     ends = (near, far) if brace.near.link == brace.slide.other else (far, near)
-    reach, offset, length = cylinder(b, brace.slide, ends, near, at(SCHEME, pivot))
+    elbow, other_end = aside.spot(motor), aside.spot(near)
+    reach, offset, length = cylinder(aside, brace.slide, ends, near)
     way = d.step(SenseOf(f"way_{brace.slide.guide}", reach))
-    elbow = aside(motor)
-    one = second.name, elbow, b.length(second, motor, far)
-    other = brace.far.link, aside(near), length
+    one, other = (second.name, elbow, b.length(second, motor, far)), (brace.far.link, other_end, length)
     one, other = sorted((one, other), key=lambda arc: [*b.mechanism.links].index(arc[0]))
     shape = Group((one[0], other[0]), 1, second.name, brace.far.link, brace.far, drive, brace.near)
     side = d.give(f"side_{far}", 1.0)
     b.choices.append(AssemblyChoice(side, far, shape, False))
-    pinned = at(SCHEME, f"{far}°{pivot}")
+    helper, pinned = Meaning("guide", motor), at(SCHEME, f"{far}°{aside.tag}")
     pin = d.step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_of(SCHEME), side, means=helper))
     end = pin
     if hinge != far:
         stands = ratio(b.shape, *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
         like = d.reckon(f"ratio_{hinge}_{second.name}", stands)
-        end = d.step(Similar(at(SCHEME, f"{hinge}°{pivot}"), elbow, pin, like, means=helper))
-    whole = d.measure(f"l_{pivot}{hinge}", at(SCHEME, pivot), end)
-    drawn = Elbow(g, motor, pivot, hinge, whole, (at(SCHEME, pivot), elbow, end))
-    return drawn, BraceReach(way, reach, length, offset is not None)
+        end = d.step(Similar(at(SCHEME, f"{hinge}°{aside.tag}"), elbow, pin, like, means=helper))
+    return elbow, end, BraceReach(way, reach, length, offset is not None)
 
 
 def braced_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:

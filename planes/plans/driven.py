@@ -45,7 +45,7 @@ def driven_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     given = [*(_turned if drive.kind == "R" else _slid)(r, leg, drive)]
     yield from given
     name, end = r.letter + leg.symbol, given[-1].end
-    if r.quick:
+    if r.quick and leg.turns:
         inward = r.normal(leg, end)
         yield inward
         name, end = f"{name}^t", inward.end
@@ -55,30 +55,32 @@ def driven_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
 def _slid(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     """Along the guide, with Coriolis across it."""
     d, along = r.bodies.draft, f"∥{drive.guide}"
-    if leg.turns == drive.link:  # the guide moves against the slider
+    if leg.held == drive.link:  # the guide moves against the slider
         along = d.step(Turn(f"-{along}", along, 2, means=Meaning("along", drive.guide)))
-    start = r.label(leg.known.name)
-    if r.quick:
+    start, bent = r.label(leg.known.name), r.quick and leg.turns
+    if bent:
         yield (coriolis := _coriolis(r, leg, d.square(along)))
         start = coriolis.end
-    name = r.letter + leg.driven + ("^r" if r.quick else "")
+    name = r.letter + leg.driven + ("^r" if bent else "")
     yield _relative(r, leg, name, start, r.drive_rate, along, f"∥{drive.guide}")
 
 
 def _turned(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     """Across the arm from the motor, with Coriolis and the normal part along it."""
     d, motor, hinge = r.bodies.draft, drive.point, leg.new.place
-    other = r.bodies.mechanism.link(drive.mate(leg.turns or ""))
+    other = r.bodies.mechanism.link(drive.mate(leg.held))
     ends = (motor, hinge) if other.name == drive.link else (hinge, motor)
     ray, length = d.ray(SCHEME, *ends), r.bodies.length(other, motor, hinge)
     across, name, start = d.square(ray), r.letter + leg.driven, r.label(leg.known.name)
     if r.quick:
         back = d.step(Turn(f"{ends[1]}→{ends[0]}", ray, 2, means=Meaning("towards", *ends[::-1])))
-        yield (coriolis := _coriolis(r, leg, back))
+        if leg.turns:
+            yield (coriolis := _coriolis(r, leg, back))
+            start = coriolis.end
         inward = back if ends[0] == motor else ray
         omega, means = r.hinge_spin, Meaning("normal", hinge, motor)
         value = d.product(f"{name}^n", **{omega: 2, length: 1})
-        yield (normal := Term(f"{name}^n", coriolis.end, f"n_{leg.driven}", value, inward, inward, means=means))
+        yield (normal := Term(f"{name}^n", start, f"n_{leg.driven}", value, inward, inward, means=means))
         start, name = normal.end, f"{name}^t"
     value = d.product(name, **{r.hinge_rate: 1, length: 1})
     yield _relative(r, leg, name, start, value, across, across)
@@ -111,7 +113,7 @@ def driven_end(r: PlanOfRates, leg: Leg) -> str:
 
 def driven_spot(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     """Draw the point of the link that turns under the hinge; read how the other slides on it or turns."""
-    assert leg.spot and leg.turns
+    assert leg.spot
     d, end, known, spot = r.bodies.draft, driven_end(r, leg), r.mark(leg.known.name), r.mark(leg.spot.name)
     d.step(Carry(spot, r.mark(leg.new.name), end, known))
     d.show(r.plan, POLE, r.label(leg.spot.name), r.letter + leg.spot.name)
@@ -119,20 +121,21 @@ def driven_spot(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     if drive.kind == "R":
         _other_turns(r, leg, drive)
         return
-    middle, along = at(r.plan, f"k_{leg.driven}") if r.quick else known, f"∥{drive.guide}"
+    bent = r.quick and leg.turns
+    middle, along = at(r.plan, f"k_{leg.driven}") if bent else known, f"∥{drive.guide}"
     ends, turned, under = (middle, end), (known, middle), spot
-    if leg.turns == drive.link:  # the slider's point is under the hinge
+    if leg.held == drive.link:  # the slider's point is under the hinge
         ends, turned, under = (end, middle), (middle, known), r.mark(leg.new.name)
     value = d.measure(f"{r.letter}slide_{drive.link}", *ends, along)
-    r.slides[drive.link] = SlideReading(drive.guide, value, ends, along, turned if r.quick else None, under)
+    r.slides[drive.link] = SlideReading(drive.guide, value, ends, along, turned if bent else None, under)
 
 
 def _other_turns(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     """The other link of a motor turns as the first does, and as the drive says besides."""
-    other, d = drive.mate(leg.turns or ""), r.bodies.draft
+    other, d = drive.mate(leg.held), r.bodies.draft
     sign = 1.0 if other == drive.link else -1.0
-    own = [Product(1.0, ((r.spin(leg.turns or ""), 1),)), Product(sign, ((r.hinge_rate, 1),))]
-    d.total(r.spin(other), own)
-    r.image(leg.turns or "", BodyPoint(drive.point, drive.point))
+    own = [Product(1.0, ((r.spin(leg.turns), 1),))] if leg.turns else []
+    d.total(r.spin(other), [*own, Product(sign, ((r.hinge_rate, 1),))])
+    r.image(leg.held, BodyPoint(drive.point, drive.point))
     ray = d.ray(SCHEME, drive.point, leg.new.place)
     r.turning[other] = (r.mark(drive.point), r.mark(leg.new.name), d.square(ray))

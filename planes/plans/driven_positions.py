@@ -1,134 +1,136 @@
-"""The scheme of what is driven from inside: two links with a cylinder or a motor between them are drawn as one link
-whose length, between the hinge they hang by and the one they move, the drive gives."""
+"""The scheme of what is driven from inside: two links with a cylinder or a motor between them are drawn as one link of
+the length, between the hinge they hang by and the one they move, that the drive gives; or as a slider, whose hinge runs
+along a line that the drive shifts."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from planes.drafting.equations import Equation
-from planes.drafting.steps import Image, Turn
+from planes.drafting.steps import Carry, Image
 from planes.drafting.steps.crossings import Touch
-from planes.drafting.steps.reckoning import Product, SenseOf, SizeOf
+from planes.drafting.steps.reckoning import SenseOf, SizeOf
+from planes.plans.asides import Aside, aside_of, reach_of, slid, turned
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.groups import Group, Pair
 from planes.plans.positions import chain_to, moving_name, on_line, place_slider, rigid_body, side_of
-from planes.plans.reckoned import OwnPlace, along, angle_deg, difference, guided, leaning
-from planes.words.names import Meaning, at
+from planes.words.names import Meaning, at, label_of
+
+
+@dataclass(frozen=True)
+class Way:
+    """How the hinge of what is driven is held: by a ``length`` from the mark ``start``, or on a line ``along``."""
+
+    start: str
+    length: str = ""
+    along: str = ""
 
 
 def place_driven(b: Bodies, g: Group) -> None:
-    """The two links of a drive and the one they move: how far apart their hinges are, that is a засечка with it."""
-    length, place = driven_length(b, g)
-    place_reached(b, g, length)
+    """The two links of a drive and the one they move: how their hinges lie, that is a засечка with it."""
+    way, place = driven_way(b, g)
+    place_reached(b, g, way)
     place()
 
 
-def driven_length(b: Bodies, g: Group, start: str = "") -> tuple[str, Callable[[], None]]:
-    """How far the hinges of the two links of a drive are apart, which is drawn from the pivot (or from ``start``, where
-    that is not there yet); and what draws the links once both hinges are there."""
+def driven_way(b: Bodies, g: Group, start: str = "") -> tuple[Way, Callable[[], None]]:
+    """How the drive holds the hinge of what it moves, which is drawn aside (from ``start``, where the hinge it hangs by
+    is not there yet); and what draws its links once the hinges are there."""
     assert g.drive
-    hinge, pivot = g.inner.point, g.first_outer.point
-    if g.drive.kind == "R":
-        elbow = _elbow(b, g, g.drive, start or at(SCHEME, pivot))
-        return elbow.length, lambda: elbow.place(b)
-    pair, ends = g.drive, (pivot, hinge) if g.first == g.drive.other else (hinge, pivot)
-    reach, offset, length = cylinder(b, pair, ends, pivot, start)
+    aside, pair, hinge = aside_of(b, g, start), g.drive, g.inner.point
+    if g.hung[0][1].kind == "P":
+        motor, end = turned(aside, pair, hinge) if pair.kind == "R" else ("", slid(aside, pair, hinge))
+        along = b.line(g.hung[0][1], g.hung[0][1].mate(g.held))[1]
+        return Way(end, along=along), lambda: place_sliding(aside, g, end, motor)
+    if pair.kind == "R":
+        elbow = elbow_of(aside, g, *turned(aside, pair, hinge))
+        return Way(at(SCHEME, aside.base), elbow.length), elbow.place
+    pivot = aside.base
+    ends = (pivot, hinge) if g.held == pair.other else (hinge, pivot)
+    reach, offset, length = cylinder(aside, pair, ends, pivot)
 
     def place() -> None:
         means, marks = Meaning("along", pair.guide), (at(SCHEME, ends[0]), at(SCHEME, ends[1]))
         way = b.draft.step(SenseOf(f"way_{pair.guide}", reach))
-        along = b.draft.step(Touch(f"∥{pair.guide}", *marks, offset, "mu_position", way, means=means))
-        ref = BodyPoint(pivot, pivot), BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.first))
-        b.place_points(Body(b.mechanism.link(g.first), ref[0], b.axis_along(pair, g.first, along), g.first, ref))
-        place_slider(b, pair, pair.mate(g.first), hinge, along)
+        line = b.draft.step(Touch(f"∥{pair.guide}", *marks, offset, "mu_position", way, means=means))
+        ref = BodyPoint(pivot, pivot), BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.held))
+        b.place_points(Body(aside.link, ref[0], b.axis_along(pair, g.held, line), g.held, ref))
+        place_slider(b, pair, pair.mate(g.held), hinge, line)
 
-    return length, place
+    return Way(at(SCHEME, pivot), length), place
 
 
-def place_reached(b: Bodies, g: Group, length: str) -> None:
-    """The hinge between what is driven, with the drive stopped one link of this length, and the link it moves."""
-    hinge, pivot = g.inner.point, g.first_outer.point
-    chains = {g.first: chain_to(hinge, pivot, length)}
-    if g.kind == 1:
-        own = b.length(b.mechanism.link(g.last), g.last_outer.point, hinge)
-        chains[g.last] = chain_to(hinge, g.last_outer.point, own)
+def place_reached(b: Bodies, g: Group, way: Way) -> None:
+    """The hinge between what is driven, with the drive stopped one link, and the link it moves."""
+    hinge, (link, pair), direction = g.inner.point, g.hung[1], ""
+    chains = {g.held: chain_to(hinge, label_of(way.start), way.length or None, way.along or None)}
+    if pair.kind == "R":
+        chains[link] = chain_to(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
     else:
-        start, direction = on_line(b, g.last_outer, g.last, hinge)
-        chains[g.last] = chain_to(hinge, start, along=direction)
-    one, two = (chains[link] for link in (g.links if g.kind == 1 else (g.first, g.last)))
-    b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", side_of(b, hinge, g)))
-    if g.kind == 1:
-        b.place_points(rigid_body(b, g.last, g.last_outer.point, hinge))
+        start, direction = on_line(b, pair, link, hinge)
+        chains[link] = chain_to(hinge, start, along=direction)
+    one, two = (chains[x] for x in (g.links if g.kind == 1 else (g.first, g.last)))
+    b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", None if g.kind == 4 else side_of(b, hinge, g)))
+    if direction:
+        place_slider(b, pair, link, hinge, direction)
     else:
-        place_slider(b, g.last_outer, g.last, hinge, direction)
+        b.place_points(rigid_body(b, link, pair.point, hinge))
+
+
+def place_sliding(aside: Aside, g: Group, end: str, motor: str) -> None:
+    """The links of a drive that slides on the frame: all of it is carried from aside, where its hinge is at ``end``, to
+    where that is. A ``motor`` turns the other link, a cylinder turns none."""
+    b, pair, hinge = aside.bodies, g.drive, g.inner.point
+    assert pair
+    mate, root = pair.mate(g.held), b.known[g.hung[0][1].mate(g.held)].root
+    b.draft.step(Carry(at(SCHEME, aside.base), at(SCHEME, hinge), end, aside.start))
+    spot = BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.held))
+    b.place_points(Body(aside.link, BodyPoint(aside.base, aside.base), aside.axis, root, moving=spot))
+    if motor:
+        b.place_points(rigid_body(b, mate, pair.point, hinge))
+    else:
+        place_slider(b, pair, mate, hinge, b.direction_from(pair, g.held, aside.axis))
 
 
 @dataclass(frozen=True)
 class Elbow:
-    """Two links with a motor in the hinge between them, drawn aside from the ``pivot``, the first one's axis level: how
-    far the ``hinge`` is from the pivot, and the marks there."""
+    """Two links with a motor in the hinge between them, drawn ``aside``: how far the ``hinge`` is from the pivot, and
+    the marks of the motor and of the hinge there."""
 
+    aside: Aside
     group: Group
     motor: str
-    pivot: str
     hinge: str
     length: str
-    aside: tuple[str, str, str]  # the pivot, the motor, the hinge
 
-    def place(self, b: Bodies) -> None:
+    def place(self) -> None:
         """Both links where they are, by similarity with what is drawn aside."""
-        g, start, end = self.group, at(SCHEME, self.pivot), at(SCHEME, self.hinge)
+        b, g, pivot, hinge = self.aside.bodies, self.group, self.aside.base, self.group.inner.point
         assert g.drive
-        centre, motor, hinge = self.aside
-        shape = (centre, motor), (centre, hinge), (start, end)
-        b.draft.step(Image(at(SCHEME, self.motor), start, *shape))
-        first, second = g.first, g.drive.mate(g.first)
-        body = rigid_body(b, first, self.pivot, self.motor)
+        start, motor, centre = at(SCHEME, pivot), g.drive.point, self.aside.start
+        shape = (centre, self.motor), (centre, self.hinge), (start, at(SCHEME, hinge))
+        b.draft.step(Image(at(SCHEME, motor), start, *shape))
+        body = rigid_body(b, g.held, pivot, motor)
         b.place_points(body)
-        under = BodyPoint(self.hinge, moving_name(b, "", self.hinge, first))
-        body.ref, body.rigid = (BodyPoint(self.pivot, self.pivot), under), False
-        b.place_points(rigid_body(b, second, self.motor, self.hinge))
+        under = BodyPoint(hinge, moving_name(b, "", hinge, g.held))
+        body.ref, body.rigid = (BodyPoint(pivot, pivot), under), False
+        b.place_points(rigid_body(b, g.drive.mate(g.held), motor, hinge))
 
 
-def _elbow(b: Bodies, g: Group, pair: Pair, start: str) -> Elbow:
-    d, drive, second = b.draft, b.mechanism.drive, b.mechanism.link(pair.mate(g.first))
-    pivot, motor, hinge = g.first_outer.point, pair.point, g.inner.point
-    first, turn = b.mechanism.link(g.first), d.give(f"angle_x_{drive.link}", drive.position)
-    if drive.link == g.first:
-        turn = d.product(f"-angle_x_{drive.link}", -1.0, **{turn: 1})
-    level, helper = d.aim("→", 0.0, Meaning("given", g.first)), Meaning("guide", motor)
-    way = angle_deg(b.shape, OwnPlace(g.first, pivot), OwnPlace(g.first, motor))
-    one = d.turn(f"→{pivot}{motor}", level, way, Meaning("given", pivot))
-    turned = d.step(Turn(f"→{second.name}", level, 0, turn, means=Meaning("given", motor)))
-    way = angle_deg(b.shape, OwnPlace(second.name, motor), OwnPlace(second.name, hinge))
-    two = d.turn(f"→{motor}{hinge}", turned, way, Meaning("given", motor))
-    elbow = d.lay_off(SCHEME, f"{motor}°{pivot}", start, one, b.length(first, pivot, motor), helper)
-    end = d.lay_off(SCHEME, f"{hinge}°{pivot}", elbow, two, b.length(second, motor, hinge), helper)
-    return Elbow(g, motor, pivot, hinge, d.measure(f"l_{pivot}{hinge}", start, end), (start, elbow, end))
+def elbow_of(aside: Aside, g: Group, motor: str, hinge: str) -> Elbow:
+    """Two links drawn aside, measured."""
+    length = aside.bodies.draft.measure(f"l_{aside.base}{g.inner.point}", aside.start, hinge)
+    return Elbow(aside, g, motor, hinge, length)
 
 
-def cylinder(b: Bodies, pair: Pair, ends: tuple[str, str], pivot: str, start: str = "") -> tuple[str, str | None, str]:
+def cylinder(aside: Aside, pair: Pair, ends: tuple[str, str], pivot: str) -> tuple[str, str | None, str]:
     """How far its hinges, of the guide's link and of the slider, are apart along the guide and across it, and as they
-    lie, which is drawn aside from the ``start`` on the frame (the ``pivot``): names of values, SI."""
-    d, carrier, slider = b.draft, b.mechanism.link(pair.other), b.mechanism.link(pair.link)
-    guide, origin = carrier.guides[pair.guide], OwnPlace(carrier.name, guide=pair.guide)
-    foot, pin = OwnPlace(slider.name, slider.first_point), OwnPlace(slider.name, ends[1])
-    more = difference(
-        along(b.shape, foot, pin, -leaning(b.shape, slider.name)),
-        along(b.shape, origin, OwnPlace(carrier.name, ends[0]), guided(b.shape, pair.guide)),
-    )
-    reach = d.give("s", b.mechanism.drive.position)
-    if ends != (guide.through_point, slider.first_point):
-        apart = ends[1] + ends[0]
-        assert more
-        own = d.reckon(f"s_{apart}_given", more, Meaning("offset", *ends[::-1]))
-        reach = d.total(f"s_{apart}", [Product(1.0, ((reach, 1),)), Product(1.0, ((own, 1),))])
-    across = difference(b.offset(pair, slider.name, ends[1]), b.offset(pair, carrier.name, ends[0]))
+    lie, which is drawn aside (the ``pivot`` is one of them): names of values, SI."""
+    b, d = aside.bodies, aside.bodies.draft
+    reach, offset = reach_of(b, pair, ends)
     name = f"l_{pivot}{ends[1 - ends.index(pivot)]}"
-    if across is None:
+    if offset is None:
         return reach, None, d.step(SizeOf(name, reach))
-    offset, helper = d.reckon(f"e_{''.join(ends)}", across, Meaning("offset", *ends)), Meaning("guide", pair.guide)
-    level = d.aim("→", 0.0, Meaning("given", pair.guide))
-    start = start or at(SCHEME, pivot)
-    reached = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", start, level, reach, helper)
-    end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}′", reached, d.square(level), offset, helper)
-    return reach, offset, d.measure(name, start, end)
+    helper = Meaning("guide", pair.guide)
+    reached = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", aside.start, aside.axis, reach, helper)
+    end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}′", reached, d.square(aside.axis), offset, helper)
+    return reach, offset, d.measure(name, aside.start, end)

@@ -74,7 +74,7 @@ class LawValues:
     def _found(self, c: Coordinate) -> str:
         """The name of a coordinate's value."""
         if c.sort == "drive":
-            return f"angle_x_{c.of}" if c.letter == "phi" else "s"
+            return self.bodies.mechanism.drive.given
         return {"link": self._of_link, "slider": self._of_slider, "point": self._of_point}[c.sort](c)
 
     def _of_link(self, c: Coordinate) -> str:

@@ -1,8 +1,4 @@
-"""Kinematic pairs and the groups of Assur they make: class II of five kinds, class III of a basic link with leads.
-
-Sources: L. V. Assur's groups and their classes by I. I. Artobolevsky; a group of class III and order 3 is the basic
-link on three drivers (поводки), each of which hangs on a link that is solved.
-"""
+"""Kinematic pairs and the groups of Assur they make: class II of five kinds, class III of a basic link with leads."""
 
 from dataclasses import dataclass
 from typing import ClassVar, Literal
@@ -15,10 +11,8 @@ KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
 @dataclass(frozen=True)
 class Pair:
-    """A kinematic pair of ``link`` with the earlier solved ``other``; in a sliding pair ``link`` slides.
-
-    ``kind`` "R" meets at ``point``; "P" is along ``guide``, carried by ``other``.
-    """
+    """A kinematic pair of ``link`` with the earlier solved ``other``: a hinge ("R") at ``point``, or the link slides
+    ("P") along ``guide`` of the other."""
 
     kind: Literal["R", "P"]
     link: str
@@ -54,11 +48,10 @@ class Brace:
 class Group:
     """An Assur group of class II: two links, their inner pair and one outer pair each.
 
-    ``links`` stand in the order of the file. ``first`` and ``last`` are the same two in the order the method
-    takes them (RRP: connecting rod, slider; RPR: slider, guide link; RPP: hinged link, the other), with
-    outer pairs ``first_outer`` and ``last_outer``. With a ``drive`` inside (a cylinder, a motor in a hinge) ``first``
-    is the link of it that hangs on the frame, and with the drive stopped the other is one with it. Where a cylinder
-    is the ``brace`` of two links, the drive inside is the motor in their hinge that does the same.
+    ``links`` stand in the order of the file, ``first`` and ``last`` are the same two as the method takes them (RRP:
+    connecting rod, slider; RPR: slider, guide link; RPP: hinged link, the other). With a ``drive`` inside (a cylinder,
+    a motor) one of them, ``held``, is the link of it that hangs on the frame, and with the drive stopped the other is
+    one with it; of a cylinder that is the ``brace`` of two links the drive is the motor in their hinge.
     """
 
     links: tuple[str, str]
@@ -83,14 +76,25 @@ class Group:
         """The links whose forces its plan has, by which that is called."""
         return self.order or self.links
 
+    @property
+    def held(self) -> str:
+        """The one that with a drive inside is two links: of those that which hangs on the frame."""
+        return self.hung[0][0]
+
+    @property
+    def hung(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
+        """That one and the other, with their outer pairs."""
+        both = (self.first, self.first_outer), (self.last, self.last_outer)
+        return both[::-1] if self.drive and self.drive.joins(self.last) else both
+
     def parts(self, link: str) -> tuple[str, ...]:
         """The links that one of the two is made of: itself and, with a drive inside, the other of that."""
-        return (link, self.drive.mate(link)) if self.drive and link == self.first else (link,)
+        return (link, self.drive.mate(link)) if self.drive and link == self.held else (link,)
 
     def loaded(self, link: str) -> tuple[str, ...]:
         """The links whose loads one of the two has: its parts, and the cylinder that braces them."""
-        held = (*self.parts(link), *(self.brace.halves if self.brace and link == self.first else ()))
-        return tuple(x for x in self.order if x in held) or held
+        of = (*self.parts(link), *(self.brace.halves if self.brace and link == self.held else ()))
+        return tuple(x for x in self.order if x in of) or of
 
     def holder(self, link: str, pair: Pair) -> str:
         """Which of its parts has a pair."""
@@ -113,8 +117,7 @@ class Group:
 
     def reached(self, drive: Pair) -> tuple[str, ...]:
         """The links that are solved with it where the drive is inside."""
-        both = (drive.link, drive.other) if self.drive == drive else self.parts(self.first)
-        return *both, self.last
+        return *((drive.link, drive.other) if self.drive == drive else self.parts(self.held)), self.hung[1][0]
 
     @property
     def pairs(self) -> tuple[Pair, Pair, Pair]:
@@ -139,9 +142,9 @@ class Group:
     def json(self) -> Json:
         """The group as the JSON has it."""
         pair = self.brace.slide if self.brace else self.drive
-        drive: Json = {"drive": [pair.other, pair.link]} if pair else {}
-        drive |= {"across": self.drive.point} if self.brace and self.drive else {}
-        return {"links": list(self.links), "kind": self.kind, "name": self.name, **drive}
+        own: Json = {"links": list(self.links), "kind": self.kind, "name": self.name}
+        own |= {"drive": [pair.other, pair.link]} if pair else {}
+        return own | ({"across": self.drive.point} if self.brace and self.drive else {})
 
     @property
     def name(self) -> str:

@@ -14,6 +14,8 @@ from planes.plans.groups import Brace, Group, Lead, Pair, Triad
 from planes.words import Phrase
 from planes.words.errors import StructureError
 
+KINDS_OF_OUTER = {"RR": 1, "RP": 2, "PR": 2, "PP": 4}  # of a dyad with a hinge inside, by its outer pairs
+
 
 class Reached(Protocol):
     """How far the links of a mechanism are solved."""
@@ -71,7 +73,7 @@ def _braced(f: Reached, drive: Pair) -> Iterator[Group]:
 def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
     """The two links of the drive are a lead of a basic link that has two more on the frame."""
     for held, moved in permutations((drive.other, drive.link)):
-        if len(f.outer[held]) != 1 or f.outer[held][0].kind != "R" or f.outer[moved] or f.between(moved, held)[1:]:
+        if len(f.outer[held]) != 1 or f.outer[moved] or f.between(moved, held)[1:]:
             continue
         for basic in (x for x in f.left if not drive.joins(x) and not f.outer[x]):
             inner = [p for p in f.between(moved, basic) if _new(f, p)]
@@ -124,9 +126,11 @@ def _with_third(
     taken = {held, moved, *(brace.halves if brace else ())}
     for link in (x for x in f.left if x not in taken):
         inner = [p for p in f.between(link, moved) if _new(f, p)]
-        outer = f.outer[link]
-        if len(f.outer[held]) == len(outer) == len(inner) == 1 and hung.kind == "R" and not f.between(link, held):
+        if len(f.outer[held]) == len(f.outer[link]) == len(inner) == 1 and not f.between(link, held):
+            outer = f.outer[link][0]
             one, two = sorted((held, link), key=f.links.index)
-            kind = 1 if outer[0].kind == "R" else 2
             whole = tuple(x for x in f.links if x in (*taken, link))
-            yield Group((one, two), kind, held, link, inner[0], hung, outer[0], drive, brace, whole)
+            ends = (held, link, inner[0], hung, outer)
+            if hung.kind == "P" and outer.kind == "R":  # a dyad of kind 2 begins with its rod
+                ends = (link, held, inner[0], outer, hung)
+            yield Group((one, two), KINDS_OF_OUTER[hung.kind + outer.kind], *ends, drive, brace, whole)

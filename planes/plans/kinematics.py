@@ -103,14 +103,14 @@ class Rates:
         """The terms from the pole by the known point to the new one."""
         self.image(leg.link, leg.known)
         known, new = self.label(leg.known.name), self.label(leg.new.name)
-        name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.new.name)
+        name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.reached.name)
         start = Term(self.letter + name, POLE, known, drawn=True, action="=0" if known == POLE else "")
         relative = self.letter + leg.symbol
+        if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
+            grounded = Meaning("rate", leg.reached.name, link=FRAME)
+            self.bodies.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
         if leg.drive:
             return start, *driven_terms(self, leg, leg.drive)
-        if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
-            grounded = Meaning("rate", leg.new.name, link=FRAME)
-            self.bodies.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
         if not self.quick or (leg.pair and self.bodies.known[leg.link].root == FRAME):
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
         first, rest = (self.across(leg, known), "r") if leg.pair else (self.normal(leg, known), "t")
@@ -140,16 +140,19 @@ class Rates:
         if leg.pair is None and leg.turns:
             part = "^t" if self.quick else ""
             d.product(self.spin(leg.turns), **{f"{self.letter}{leg.symbol}{part}": 1, leg.length or "": -1})
-            start = driven_end(self, leg) if leg.drive else self.mark(leg.known.name)
-            self.turning[leg.turns] = (start, self.mark(leg.new.name), leg.along)
+            self.turning[leg.turns] = (self.led_from(leg), self.mark(leg.new.name), leg.along)
         elif leg.pair:
             self.slides[leg.pair.link] = self.slide_reading(leg)
         if leg.drive:
             driven_spot(self, leg, leg.drive)
 
+    def led_from(self, leg: Leg) -> str:
+        """The mark that the unknown vector of a leg begins at."""
+        return driven_end(self, leg) if leg.drive else self.mark(leg.known.name)
+
     def slide_reading(self, leg: Leg) -> SlideReading:
         """The slider against its guide, along the guide."""
-        pair, known, new = leg.pair, self.mark(leg.known.name), self.mark(leg.new.name)
+        pair, known, new = leg.pair, self.led_from(leg), self.mark(leg.new.name)
         assert pair is not None
         turns = self.quick and self.bodies.known[leg.link].root != FRAME
         middle = at(self.plan, f"k_{leg.symbol}") if turns else known

@@ -4,7 +4,7 @@
 guide and Y is the point of the mate that coincides with X. All five kinds of class II are two such legs.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from planes.drafting.steps import Turn
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
@@ -33,13 +33,19 @@ class Leg:
     turns: str | None = None
     pair: Pair | None = None
     slider_new: bool = True
-    drive: Pair | None = None  # that moves the new point against the link that turns
+    drive: Pair | None = None  # that moves the new point against the ``held`` link
+    held: str = ""
     spot: BodyPoint | None = None  # of that link, where the new point is
 
     @property
     def driven(self) -> str:
         """Letters of the new point and of that under it: "AA1"."""
         return self.new.name + self.spot.name if self.spot else ""
+
+    @property
+    def reached(self) -> BodyPoint:
+        """The point that the known one leads to: of the held link, where a drive leads on from that."""
+        return self.spot or self.new
 
 
 @dataclass(frozen=True)
@@ -59,7 +65,9 @@ class SlideReading:
 def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     """The two legs of a group, in the order the method writes them."""
     if g.drive:
-        return _driven_leg(b, g, g.drive), outer_leg(b, g.last_outer, g.last, BodyPoint(*[g.inner.point] * 2))
+        link, pair = g.hung[1]
+        driven, other = _driven_leg(b, g, g.drive), outer_leg(b, pair, link, BodyPoint(*[g.inner.point] * 2))
+        return (driven, other) if g.held == g.first else (other, driven)
     if g.kind in (1, 2, 4):
         new = BodyPoint(g.inner.point, g.inner.point)
         return outer_leg(b, g.first_outer, g.first, new), outer_leg(b, g.last_outer, g.last, new)
@@ -84,14 +92,20 @@ def inner_leg(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
 
 
 def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
-    """To the hinge of what is driven: with the link on the frame about its pivot, against that as the drive says."""
-    hinge, pivot, d = g.inner.point, g.first_outer.point, b.draft
-    ray = d.ray(SCHEME, pivot, hinge)
-    towards = d.step(Turn(f"{hinge}→{pivot}", ray, 2, means=Meaning("towards", hinge, pivot)))
-    spot = BodyPoint(hinge, moving_name(b, drive.guide, hinge, g.first))
-    new, known, mate = BodyPoint(hinge, hinge), BodyPoint(pivot, pivot), g.first_outer.mate(g.first)
-    turning = (d.square(ray), f"l_{pivot}{hinge}", towards, g.first)
-    return Leg(new, known, mate, spot.name + pivot, *turning, drive=drive, spot=spot)
+    """To the hinge of what is driven: with the link on the frame about its pivot or along its guide, against that as
+    the drive says."""
+    pair, mate, d = g.hung[0][1], g.hung[0][1].mate(g.held), b.draft
+    new = BodyPoint(g.inner.point, g.inner.point)
+    spot = BodyPoint(new.place, moving_name(b, drive.guide, new.place, g.held))
+    if pair.kind == "P":
+        leg = _sliding(b, pair, g.held, mate, spot)
+        symbol = f"{spot.name}{new.name}0" if mate == FRAME else leg.symbol
+        return replace(leg, new=new, symbol=symbol, drive=drive, held=g.held, spot=spot)
+    pivot = pair.point
+    ray = d.ray(SCHEME, pivot, new.place)
+    towards = d.step(Turn(f"{new.place}→{pivot}", ray, 2, means=Meaning("towards", new.place, pivot)))
+    turning = (d.square(ray), f"l_{pivot}{new.place}", towards, g.held)
+    return Leg(new, BodyPoint(pivot, pivot), mate, spot.name + pivot, *turning, drive=drive, held=g.held, spot=spot)
 
 
 def outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:

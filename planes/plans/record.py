@@ -79,10 +79,7 @@ class Plans:
     @property
     def drive_given(self) -> str:
         """Name of the given that moves the driver: its angle in degrees, or s in m; one that nothing reads."""
-        drive = self.mechanism.drive
-        if not self.moves:
-            return STILL
-        return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
+        return self.mechanism.drive.given if self.moves else STILL
 
     def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
         """The given of the drive at one value or many, for a program that overrides the ``known`` givens.

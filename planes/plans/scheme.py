@@ -58,7 +58,7 @@ def _place_driver(b: Bodies) -> None:
     first = link.first_point
     counted = Meaning("guide", pair.guide, first)
     start = b.shifted(f"{first}°s", counted, mark, direction, b.offset(pair, link.name, first))
-    b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
+    b.draft.lay_off(SCHEME, first, start, direction, b.draft.give(drive.given, drive.position))
     place_slider(b, pair, link.name, first, direction)
 
 

@@ -167,11 +167,12 @@ class _GroupForces:
         g = self.group
         found = {p: self.statics.react(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
         self.seat_all(found)
+        seated = {p: self.statics.reactions[r.key] for p, r in found.items()}
         for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
             if pair.mate(link) != FRAME:
-                self.statics.hand_over(self.statics.reactions[found[pair].key], pair.mate(link))
+                self.statics.hand_over(seated[pair], pair.mate(link))
         if g.drive:
-            self.statics.hand_over(found[g.inner if g.inner.joins(g.drive.link) else g.first_outer], g.drive.link)
+            self.statics.hand_over(seated[g.inner if g.inner.joins(g.drive.link) else g.hung[0][1]], g.drive.link)
 
     def on(self, pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
         """The ends of the reaction on ``link`` from start to end, turned for the pair's own first link."""

@@ -10,7 +10,7 @@ from functools import partial
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
 from planes.plans.contours import Tracked
-from planes.plans.driven_positions import driven_length
+from planes.plans.driven_positions import driven_way
 from planes.plans.groups import Lead, Triad
 from planes.plans.positions import on_line, place_slider, rigid_body
 from planes.plans.reckoned import OwnPlace, difference, own
@@ -46,9 +46,8 @@ def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
     middle, half, size = (
         d.give(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
     )
-    turning = drive.kind == "phi"
     place, turn = d.give(f"track_{g.basic}_0", 0j), d.give(f"turning_{g.basic}_0", 0.0)
-    guess = SeriesGuess(f"angle_x_{drive.link}" if turning else "s", turning, middle, half, size, (place,), (turn,))
+    guess = SeriesGuess(drive.given, drive.kind == "phi", middle, half, size, (place,), (turn,))
     side = d.give(f"sense_{g.basic}", 1.0)
     b.choices.append(TrackChoice(key, g, holds, guess, side))
     return holds, guess, mu_of(SCHEME), side
@@ -76,8 +75,10 @@ def hold_of(
     if inner.kind == "R":
         local = local_of(b, link, inner.point)
         if lead.drive:
-            length, placers[lead] = driven_length(b, lead.moving(basic), hinge or "")
-            return Hold("arc", local, place, length)
+            way, placers[lead] = driven_way(b, lead.moving(basic), hinge or "")
+            return (
+                Hold("arc", local, place, way.length) if way.length else Hold("line", local, way.start, "", way.along)
+            )
         if outer.kind == "R":
             length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
             return Hold("arc", local, place, length)

@@ -111,6 +111,12 @@ class Drive:
         return self.link if self.on == FRAME else f"{self.link}_{self.on}"
 
     @property
+    def given(self) -> str:
+        """The name of the given that moves it: the angle of its link's axis, or to that of another link; or s."""
+        turned = f"angle_x_{self.link}" if self.on == FRAME else f"angle_{self.turning}"
+        return turned if self.kind == "phi" else "s"
+
+    @property
     def letters(self) -> tuple[str, str, str]:
         """Names of its place, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1."""
         if self.kind == "phi":

@@ -257,24 +257,53 @@ class Builder:
             self.dyads.append(Dyad(kind, barrel, moved, (pivot,), hinge, hinge, lean > 0))
         return drive
 
+    def on_slider(self) -> dict[str, Any]:
+        """A cylinder or a motor on a link that slides on the frame; its part of the scene."""
+        rng, frame, kind = self.rng, self.frame, self.rng.choice(("RRP", "RRP", "PRP"))
+        for _ in range(1000):
+            (d, a, o), ways = (self.spot() for _ in range(3)), (self.direction(frame), self.direction(frame))
+            lean = math.cos(ways[0] - cmath.phase(a - o)) if kind == "RRP" else math.sin(ways[0] - ways[1])
+            if min(abs(a - d), abs(a - o)) > 0.3 * self.size and abs(lean) > 0.35:
+                break
+        hinge, foot = next(self.names), next(self.names)
+        if rng.random() < 0.5:
+            drive, carrier = self.motor(hinge, a, foot, d, ways[0])
+        else:
+            u = rng.uniform(-math.pi, math.pi)
+            rod, carrier = self.link([(hinge, a)], u), self.link([(foot, d)], ways[0])
+            drive = {"s": self.slid(rod, carrier, u)}
+        self.outer_slide(carrier, frame, ways[0])
+        if kind == "RRP":
+            pivot = self.add(frame, o)
+            self.dyads.append(
+                Dyad(kind, self.link([(pivot, o), (hinge, a)]), carrier, (pivot,), hinge, hinge, lean > 0)
+            )
+        else:
+            moved = self.link([(hinge, a)], ways[1])
+            self.outer_slide(moved, frame, ways[1])
+            self.dyads.append(Dyad(kind, carrier, moved, (), hinge))
+        return drive
+
     def brace(self) -> dict[str, Any]:
         """A cylinder across the hinge of two links, one of which hangs on the frame as the third does that they move;
         its part of the scene."""
-        rng, least = self.rng, 0.3 * self.size
+        rng, least, slides = self.rng, 0.3 * self.size, self.rng.random() < 0.3
         for _ in range(2000):
             o, a, q, p, b, d = (self.spot() for _ in range(6))
-            u2 = self.direction(self.frame)
-            kind = rng.choice(("RRR", "RRP"))
+            u2, kind = self.direction(self.frame), rng.choice(("RRR", "RRP"))
             knee, lean = self.leaning(a, p, q), self.leaning(o, b, d)
-            lean = lean if kind == "RRR" else math.cos(u2 - cmath.phase(b - o))
+            if slides:
+                lean = math.cos(u2 - cmath.phase(b - d))
+            elif kind == "RRP":
+                lean = math.cos(u2 - cmath.phase(b - o))
             sides = (p - q, a - p, a - q, o - b, o - a, a - b, b - d)
             if min(map(abs, sides)) > least and min(abs(knee), abs(lean)) > 0.35:
                 break
         else:
             raise NoSolution("no well conditioned place for a brace was drawn")
         names = [next(self.names) for _ in range(4)]
-        pivot = self.add(self.frame, o)
-        first = self.link([(pivot, o), (names[0], a), (names[1], q)])
+        pivot = next(self.names) if slides else self.add(self.frame, o)
+        first = self.link([(pivot, o), (names[0], a), (names[1], q)], u2 if slides else None)
         second = self.link([(names[0], a), (names[2], p), (names[3], b)])
         u = cmath.phase(p - q) + rng.choice((0.0, 0.0, rng.uniform(-1, 1), math.pi))
         ends = rng.sample([(names[1], q), (names[2], p)], 2)
@@ -284,7 +313,12 @@ class Builder:
         drive = {"s": self.slid(rod, barrel, u)}
         far = rod if names[2] in rod.points else barrel
         self.dyads.append(Dyad("RRR", second, far, (names[0], names[1]), names[2], names[2]))
-        if kind == "RRR":
+        if slides:
+            self.outer_slide(first, self.frame, u2)
+            pivot = self.add(self.frame, d)
+            third = self.link([(names[3], b), (pivot, d)])
+            self.dyads.append(Dyad("RRP", third, first, (pivot,), names[3], names[3], lean > 0))
+        elif kind == "RRR":
             other = self.add(self.frame, d)
             third = self.link([(names[3], b), (other, d)])
             self.dyads.append(Dyad(kind, first, third, (pivot, other), names[3], names[3]))
@@ -297,24 +331,29 @@ class Builder:
     def lead(self) -> dict[str, Any]:
         """A cylinder or a motor, in a lead of a basic link that has two more on the frame; its part of the scene."""
         rng, pins = self.rng, [next(self.names) for _ in range(3)]
-        kinds = [rng.choice(("RR", "PR")) for _ in range(2)]
+        kinds = ["PR" if rng.random() < 0.3 else "RR", *(rng.choice(("RR", "PR")) for _ in range(2))]
         for _ in range(2000):
             spots, pivots = ([self.spot() for _ in range(3)] for _ in range(2))
             ways = [rng.uniform(-math.pi, math.pi) for _ in range(3)]
             near = min(abs(a - b) for a, b in zip(spots, pivots, strict=True))
-            if three_lines(["RR", *kinds], spots, pivots, ways) > 0.35 * self.size and near > 0.3 * self.size:
+            if three_lines(kinds, spots, pivots, ways) > 0.35 * self.size and near > 0.3 * self.size:
                 break
         else:
             raise NoSolution("no well conditioned place for a lead was drawn")
-        pivot, p, a = self.add(self.frame, pivots[0]), spots[0], pivots[0]
+        p, a, along = spots[0], pivots[0], ways[0] if kinds[0] == "PR" else None
+        pivot = self.add(self.frame, a) if along is None else next(self.names)
         if rng.random() < 0.3:
-            drive, _ = self.motor(pins[0], p, pivot, a)
+            drive, held = self.motor(pins[0], p, pivot, a, along)
         else:
             u = cmath.phase(p - a) + rng.choice((0.0, 0.0, rng.uniform(-1, 1), math.pi))
-            rod, barrel = (self.link([end], u) for end in rng.sample([(pivot, a), (pins[0], p)], 2))
-            drive = {"s": self.slid(rod, barrel, u)}
+            ends = rng.sample([(pivot, a), (pins[0], p)], 2) if along is None else [(pins[0], p), (pivot, a)]
+            rod = self.link([ends[0]], u)
+            held = self.link([ends[1]], u if along is None else along)
+            drive = {"s": self.slid(rod, held, u)}
+        if along is not None:
+            self.outer_slide(held, self.frame, along)
         basic, leads = self.link(list(zip(pins, spots, strict=True))), list[Body]()
-        for name, at, base, u, kind in zip(pins[1:], spots[1:], pivots[1:], ways[1:], kinds, strict=True):
+        for name, at, base, u, kind in zip(pins[1:], spots[1:], pivots[1:], ways[1:], kinds[1:], strict=True):
             if kind == "RR":
                 leads.append(self.link([(self.add(self.frame, base), base), (name, at)]))
             else:
@@ -352,11 +391,14 @@ class Builder:
         one, two = inner - start, end - inner
         return (one.conjugate() * two).imag / (abs(one * two) or 1.0)
 
-    def motor(self, hinge: str, a: complex, pivot: str, d: complex) -> tuple[dict[str, Any], Body]:
-        """Two links with a motor in the hinge between them, either of which is the driver."""
+    def motor(
+        self, hinge: str, a: complex, pivot: str, d: complex, along: float | None = None
+    ) -> tuple[dict[str, Any], Body]:
+        """Two links with a motor in the hinge between them, either of which is the driver; and the one that hangs on
+        the frame or slides ``along`` it."""
         rng, knee, z = self.rng, next(self.names), self.spot()
-        ends = [(hinge, a), (knee, z)], [(pivot, d), (knee, z)]
-        one, two = (self.link(x) for x in rng.choice((ends, ends[::-1])))
+        ends = [([(hinge, a), (knee, z)], None), ([(pivot, d), (knee, z)], along)]
+        one, two = (self.link(*x) for x in rng.choice((ends, ends[::-1])))
         return {"on": two, "phi": math.degrees(wrapped(one.turn - two.turn))}, one if pivot in one.points else two
 
     def group(self, kind: str, ill: bool) -> None:
@@ -647,6 +689,7 @@ def attempt(
         "lead": build.lead,
         "rocked": build.rocked,
         "boom": build.on_boom,
+        "slider": build.on_slider,
         "motor": lambda: build.cylinder(True),
         True: lambda: build.cylinder(False),
     }

@@ -98,7 +98,7 @@ def test_no_balancing_moment_is_told_to_be_nothing_that_is_not(name):
     assert not found or told.plans.balancing not in found
 
 
-DYADS = ("six-link", "kind-2-rrp", "kind-4-prp", "folding-boom", "hinge-motor", "excavator")
+DYADS = ("six-link", "kind-2-rrp", "kind-4-prp", "folding-boom", "hinge-motor", "carriage", "excavator")
 MOMENTS = [ROOT / "samples" / f"{name}.yaml" for name in DYADS]
 MOMENTS += [*(ROOT / "samples" / "class-three").glob("*.yaml"), ROOT / "samples" / "class-four" / "tray.yaml"]
 

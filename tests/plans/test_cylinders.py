@@ -100,6 +100,25 @@ def test_a_motor_between_a_crank_and_a_rod() -> None:
     assert found.omega["3"] == pytest.approx(3 * rate, rel=1e-6)
 
 
+@pytest.mark.parametrize("drive", ["link: 2, on: 1", "link: 1, on: 2"])
+def test_the_motor_turns_from_nought_as_from_anywhere(drive: str) -> None:
+    """An angle of the drive that another angle equals by chance is not taken for that."""
+    text = MOTOR.replace("phi: phi, omega: 3", "phi: 0").replace("link: 2, on: 1", drive)
+    stated = text.replace("phi: 0", "phi: -80")
+    for k in (text, stated):
+        assert abs(solve(loads(k), phi=-80).r["A"]) == pytest.approx(0.3, rel=1e-13)
+    assert solve(loads(text), phi=-80).r == solve(loads(stated)).r
+    on_slider = stated.replace(
+        "1: {points: {O: 0, A: 0.3}}", "1: {points: {O: 0, A: 0.3}, slides: {guide: x-x, angle: -80}}"
+    )
+    on_slider = on_slider.replace(
+        "O: [0, 0], C: [0.5, 0]}", "C: [0.5, 0]}, guides: {x-x: {angle: 20, through: [0, 0]}}"
+    )
+    on_slider = on_slider.replace("B: left", "B: ahead")
+    moved, there = solve(loads(on_slider), phi=-70), solve(loads(on_slider.replace("phi: -80", "phi: -70")))
+    assert moved.r == pytest.approx(there.r, rel=1e-13)
+
+
 def test_the_motor_told_from_either_side() -> None:
     """What turns on what is a matter of words: angle, rates and couple change their sense, nothing else."""
     other = solve(loads(MOTOR.replace("link: 2, on: 1, phi: phi, omega: 3", "link: 1, on: 2, phi: -phi, omega: -3")))
@@ -221,6 +240,30 @@ def on_boom(seed: int) -> float | None:
     drawn = draw(case.scene)
     balanced(drawn, seed)
     return max(turned_about(drawn, case).values()) * drawn.sharpest
+
+
+def on_slider(seed: int) -> float | None:
+    """The worst number of one random mechanism whose drive stands on a slider."""
+    rng = random.Random(f"slider {seed}")
+    rubs = {"pins": seed % 4 < 2, "friction": seed % 5 == 0}
+    case = make(rng, rng.choices(KINDS, k=seed % 3), inner="slider", rest=seed % 7 == 0, **rubs)
+    if standing(case):
+        return None
+    drawn, wrong = against(case)
+    balanced(drawn, seed)
+    return max(wrong.values()) * drawn.sharpest
+
+
+def test_random_mechanisms_driven_on_a_slider() -> None:
+    found = [e for seed in range(8) if (e := on_slider(seed)) is not None]
+    assert len(found) > 5 and max(found) <= 1e-11
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("half", range(2))
+def test_more_random_mechanisms_driven_on_a_slider(half: int) -> None:
+    found = [e for seed in range(1000 + 80 * half, 1080 + 80 * half) if (e := on_slider(seed)) is not None]
+    assert len(found) > 60 and max(found) <= 1e-9
 
 
 def test_random_mechanisms_on_what_stands_still() -> None:

@@ -189,7 +189,8 @@ def test_underlines_count_what_is_known():
 TURNING = [
     n
     for n in NAMES
-    if not n.startswith("vectors") and n not in ("sliding-driver", "lift", "hinge-motor", "folding-boom", "excavator")
+    if not n.startswith("vectors")
+    and n not in ("sliding-driver", "lift", "hinge-motor", "carriage", "folding-boom", "excavator")
 ]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 

@@ -34,7 +34,7 @@ from tests.sample_oracle import (
 from tests.sample_oracle import scales as sizes
 
 PUBLISHED = ("six-link", "assignment-12", "bntu-1", "bntu-2", "bntu-3", "bntu-4", "bntu-5")
-MORE = ("shaper", "lift", "hinge-motor", "folding-boom", "excavator", "friction-circles")
+MORE = ("shaper", "lift", "hinge-motor", "carriage", "folding-boom", "excavator", "friction-circles")
 OF_ONE_GROUP = tuple(name for name in UNPUBLISHED if name not in MORE)
 NEAR = 1e-9
 
@@ -318,7 +318,7 @@ def test_both_links_of_the_five_groups_are_loaded() -> None:
         assert mechanism and mechanism.gravity == 9.81 and {load.link for load in mechanism.loads} == {"2", "3"}
         assert all(link.mass for link in mechanism.links.values())
     rubbing = [name for name in UNPUBLISHED if (m := scene(name).mechanism) and m.friction]
-    assert rubbing == ["kind-2-rrp", "friction-circles"]
+    assert rubbing == ["kind-2-rrp", "carriage", "friction-circles"]
 
 
 def test_guides_of_samples_are_lettered_so_that_a_sheet_of_either_language_can_have_them() -> None:
