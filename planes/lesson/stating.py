@@ -105,7 +105,7 @@ class Stating:
             means = (t.means for e in self.plans.equations for t in e.terms if t.means)
             hinge, guide = g.inner.point, g.drive.guide if g.drive else ""
             given = (m.of for m in means if m.quantity == "relative")
-            return {of: Under(hinge, of.removeprefix(hinge), g.first, guide) for of in given}
+            return {of: Under(hinge, of.removeprefix(hinge), g.held, guide) for of in given}
         return {}
 
     def sliding(self, term: Term) -> Under | None:

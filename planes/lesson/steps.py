@@ -14,6 +14,7 @@ from planes.lesson.false_plans import false_words
 from planes.lesson.formulas import formula, slot, unit
 from planes.plans import Plans
 from planes.plans.apart import LinkApart
+from planes.plans.bodies import SCHEME
 from planes.plans.law_words import law_said
 from planes.words import Lang, say
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
@@ -64,7 +65,8 @@ class StepWords:
             case s.Same():
                 return "same", "same", {"start": lettered(step.of)}
             case s.Carry():
-                key = "carry" if step.quarter else "carry_back"
+                aside = plan_of(step.makes) == SCHEME
+                key = "carry" if step.quarter else "carry_aside" if aside else "carry_back"
                 return key, key, {}
             case Choose():
                 return "choose", "choose", {}
