@@ -4,17 +4,16 @@ A :class:`Draft` grows a program in the order a draughtsman would draw it. Each 
 the name back; asking twice for the same direction makes one step.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from copy import copy
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
 
+from planes.drafting.dimensions import Dimension
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Aim, LayOff, Put, Step, Through, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Measure, Product
 from planes.drafting.tools import Thing
-from planes.geometry.arithmetic import Arithmetic
 from planes.scene.mechanism import Law
 from planes.words import Phrase
 from planes.words.errors import ProgramError
@@ -33,17 +32,6 @@ class Segment:
     start: str
     end: str
     name: str
-
-
-class Dimension(NamedTuple):
-    """A given number or place that is reckoned of the dimensions of links; how far off it may be."""
-
-    value: Thing
-    off: float
-    by: Callable[[Any, Arithmetic], Any]
-
-    def __neg__(self) -> "Dimension":
-        return Dimension(-self.value, self.off, lambda shape, ar: -self.by(shape, ar))
 
 
 @dataclass(frozen=True)
@@ -85,7 +73,7 @@ class Draft:
     def give(self, name: str, value: Thing, off: float = 0.0, means: Meaning | None = None) -> str:
         """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed. What is
         reckoned of the scene's numbers may be ``off``."""
-        while name in self.steps or self.given.setdefault(name, value) != value:
+        while name in self.steps or name in self.reckoned or self.given.setdefault(name, value) != value:
             name += "′"
         if means:
             self.means.setdefault(name, means)
@@ -93,9 +81,12 @@ class Draft:
         return name
 
     def reckon(self, name: str, of: Dimension, means: Meaning | None = None) -> str:
-        """State a given that is reckoned of the dimensions of links."""
-        name = self.give(name, of.value, of.off, means)
-        self.reckoned.setdefault(name, of)
+        """State a given that is reckoned of the dimensions of links; it is there already where it is of the same."""
+        while name in self.given and (name not in self.reckoned or self.reckoned[name].of != of.of):
+            name += "′"
+        if name not in self.reckoned:
+            name = self.give(name, of.value, of.off, means)
+            self.reckoned[name] = of
         return name
 
     def law(self, name: str, law: Law | None) -> None:

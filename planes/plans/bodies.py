@@ -3,7 +3,8 @@
 from copy import copy
 from dataclasses import dataclass, field
 
-from planes.drafting.draft import Dimension, Draft
+from planes.drafting.dimensions import Dimension
+from planes.drafting.draft import Draft
 from planes.drafting.steps import Similar
 from planes.drafting.steps.tracks import Hold, SeriesGuess
 from planes.plans.contours import Tracked

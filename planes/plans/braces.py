@@ -12,6 +12,7 @@ from planes.plans.asides import Aside, aside_of
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach
 from planes.plans.driven_positions import Way, cylinder, elbow_of, place_reached, place_sliding
 from planes.plans.groups import Brace, Group, Pair
+from planes.plans.positions import two_hinges
 from planes.plans.reckoned import OwnPlace, ratio
 from planes.words.names import Meaning, at, mu_of
 
@@ -33,7 +34,7 @@ def place_braced(b: Bodies, g: Group) -> None:
 
 def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
     """The braced hinge and that of what is driven, drawn aside: the cylinder's far hinge is where two arcs meet."""
-    b, second = aside.bodies, aside.bodies.mechanism.link(drive.link)
+    b, second = aside.bodies, two_hinges(aside.bodies, drive.link, drive.point, brace.far.point)
     d, (hinge, motor, near, far) = b.draft, (p.point for p in (g.inner, drive, brace.near, brace.far))
     ends = (near, far) if brace.near.link == brace.slide.other else (far, near)
     elbow, other_end = aside.spot(motor), aside.spot(near)

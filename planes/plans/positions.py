@@ -5,6 +5,7 @@ from planes.drafting.steps.crossings import Touch
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
 from planes.plans.groups import Group, Pair
 from planes.plans.reckoned import OwnPlace, angle_deg, difference
+from planes.scene.mechanism import Link
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import POLE, Meaning, at, label_of
@@ -31,13 +32,18 @@ def side_of(b: Bodies, key: str, group: Group) -> str:
     return name
 
 
-def rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
-    """A link known by two of its points; its x axis is drawn from them."""
+def two_hinges(b: Bodies, name: str, one: str, two: str) -> Link:
+    """A link, two hinges of which are not at one place (:class:`SceneError`)."""
     link = b.mechanism.link(name)
-    places = link.points[one], link.points[two]
-    if places[0] == places[1]:
+    if link.points[one] == link.points[two]:
         line = b.mechanism.where.get(("links", name), b.mechanism.where.get(("links",)))
         raise SceneError(Phrase("hinges_coincide", link=name, one=one, two=two), b.file, line)
+    return link
+
+
+def rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
+    """A link known by two of its points; its x axis is drawn from them."""
+    link = two_hinges(b, name, one, two)
     angle = angle_deg(b.shape, OwnPlace(name, one), OwnPlace(name, two))
     axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -angle, Meaning("own", name))
     spots = BodyPoint(one, one), BodyPoint(two, two)

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable
 from typing import NamedTuple, Protocol
 
-from planes.drafting.draft import Dimension
+from planes.drafting.dimensions import Dimension
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.scene.mechanism import FRAME, Link, Mechanism
 
@@ -67,27 +67,27 @@ def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
         return -b
     one, other = a.value, b.value
     off = a.off + b.off + (HALF * (abs(one) + 2 * abs(other)) if one and other else 0.0)
-    return Dimension(one - other, off, lambda shape, ar: a.by(shape, ar) - b.by(shape, ar))
+    return Dimension(one - other, off, lambda shape, ar: a.by(shape, ar) - b.by(shape, ar), ("difference", a.of, b.of))
 
 
 def own(shape: SceneDimensions, p: OwnPlace) -> Dimension:
     """The place of a point on its link."""
-    return Dimension(complex(shape.place(p)), 0.0, lambda shape, ar: shape.place(p))
+    return Dimension(complex(shape.place(p)), 0.0, lambda shape, ar: shape.place(p), ("own", p))
 
 
 def guided(shape: SceneDimensions, guide: str) -> Dimension:
     """The direction of a guide on its link, degrees."""
-    return Dimension(shape.angle(guide), 0.0, lambda shape, ar: shape.angle(guide))
+    return Dimension(shape.angle(guide), 0.0, lambda shape, ar: shape.angle(guide), ("guided", guide))
 
 
 def leaning(shape: SceneDimensions, slider: str) -> Dimension:
     """How far the axes of a slider are turned from its guide, degrees."""
-    return Dimension(shape.lean(slider), 0.0, lambda shape, ar: shape.lean(slider))
+    return Dimension(shape.lean(slider), 0.0, lambda shape, ar: shape.lean(slider), ("leaning", slider))
 
 
 def aside(shape: SceneDimensions, slider: str) -> Dimension:
     """How far to the left of its guide a slider's first point lies."""
-    return Dimension(shape.offset(slider), 0.0, lambda shape, ar: shape.offset(slider))
+    return Dimension(shape.offset(slider), 0.0, lambda shape, ar: shape.offset(slider), ("aside", slider))
 
 
 def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
@@ -95,13 +95,15 @@ def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     one, two = shape.place(p), shape.place(q)
     way = two - one
     off = _apart(one, two) + (2 * HALF * abs(way) if way.real and way.imag else 0.0)
-    return Dimension(abs(way), off, lambda shape, ar: ar.size(shape.place(q) - shape.place(p)))
+    return Dimension(abs(way), off, lambda shape, ar: ar.size(shape.place(q) - shape.place(p)), ("distance", p, q))
 
 
 def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The direction from one point to another, degrees."""
     one, two = shape.place(p), shape.place(q)
-    return Dimension(*_direction(one, two), lambda shape, ar: ar.angle_deg(shape.place(q) - shape.place(p)))
+    return Dimension(
+        *_direction(one, two), lambda shape, ar: ar.angle_deg(shape.place(q) - shape.place(p)), ("angle", p, q)
+    )
 
 
 def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
@@ -111,7 +113,7 @@ def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> D
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(q) - shape.place(p)) * ar.cis_deg(-way.by(shape, ar))).real
 
-    return Dimension(found, 4 * HALF * abs(found), by)
+    return Dimension(found, 4 * HALF * abs(found), by, ("along", p, q, way.of))
 
 
 def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dimension:
@@ -124,7 +126,7 @@ def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dime
     def by(shape: Dimensions, ar: Arithmetic) -> Point:
         return (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q))
 
-    return Dimension(found, off, by)
+    return Dimension(found, off, by, ("ratio", p, q, r))
 
 
 def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
@@ -137,7 +139,7 @@ def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> 
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(p) - shape.place(q)) * ar.cis_deg(-way.by(shape, ar))).imag
 
-    return Dimension((apart * ARITHMETIC.cis_deg(-way.value)).imag, off, by)
+    return Dimension((apart * ARITHMETIC.cis_deg(-way.value)).imag, off, by, ("height", p, q, way.of))
 
 
 def _direction(p: complex, q: complex) -> tuple[float, float]:

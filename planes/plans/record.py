@@ -6,7 +6,8 @@ from collections.abc import Container, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from planes.drafting.draft import Dimension, Moments, Segment
+from planes.drafting.dimensions import Dimension
+from planes.drafting.draft import Moments, Segment
 from planes.drafting.equations import Equation
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing

@@ -1,0 +1,20 @@
+"""A given number or place that is reckoned of the dimensions of links."""
+
+from collections.abc import Callable, Hashable
+from typing import Any, NamedTuple
+
+from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Arithmetic
+
+
+class Dimension(NamedTuple):
+    """What it is, how far off it may be, how it is reckoned anew and ``of`` what: two that are one number by chance
+    are not the same dimension."""
+
+    value: Thing
+    off: float
+    by: Callable[[Any, Arithmetic], Any]
+    of: Hashable
+
+    def __neg__(self) -> "Dimension":
+        return Dimension(-self.value, self.off, lambda shape, ar: -self.by(shape, ar), ("-", self.of))
