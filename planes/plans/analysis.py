@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
-from planes.plans.contours import AnyGroup, Tracked, contour_of, triad_of
+from planes.plans.contours import AnyGroup, Contour, Tracked, contour_of, triad_of
 from planes.plans.groups import KIND_NAMES, Group, Pair
 from planes.plans.inner_drives import driven_from_inside
 from planes.plans.structure import LEVELS, Structure
@@ -200,9 +200,11 @@ class _Finder:
         names, free = self.together()
         if free >= 0 and len(names) == 4:
             found = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
-            if found and (twice := next((lead.link for lead in found.leads if lead.name == "PP"), None)):
-                why = Phrase("lead_slides_twice", link=twice, basic=found.basic, level=found.level)
-                raise self.error(why, "links", twice)
+            twice = [lead.link for lead in found.leads if lead.name == "PP"] if found else []
+            if found and (len(twice) > 1 or (twice and isinstance(found, Contour))):
+                key = "leads_slide_twice" if len(twice) > 1 else "lead_slides_twice"
+                why = Phrase(key, link=twice[0], links=tuple(twice), basic=found.basic, level=found.level)
+                raise self.error(why, "links", twice[0])
             if found:
                 return found
         raise self.stuck(names, free)

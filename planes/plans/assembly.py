@@ -3,7 +3,7 @@
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.plans.bodies import AssemblyChoice, Bodies, TrackChoice
-from planes.plans.groups import Group
+from planes.plans.groups import Group, Triad
 from planes.plans.tracks import resolve_track
 from planes.scene.mechanism import Assembly, Mechanism
 from planes.words import Phrase
@@ -43,15 +43,15 @@ def _said(choice: AssemblyChoice, mechanism: Mechanism) -> tuple[str, Assembly |
         return choice.key, mechanism.assembly[choice.key]
     points = _new_points(choice.group, mechanism)
     for key, said in mechanism.assembly.items():
-        if key in points and (said.near is not None or choice.group.inner.point == key):
+        if key in points and (said.near is not None or any(pair.point == key for pair in choice.group.inner_pairs)):
             return key, said
     return choice.key, None
 
 
-def _new_points(group: Group, mechanism: Mechanism) -> list[str]:
+def _new_points(group: Group | Triad, mechanism: Mechanism) -> list[str]:
     """Points that move with the choice: those of the group's links but the hinges it hangs on."""
-    outer = {group.first_outer.point, group.last_outer.point}
-    points = [p for link in (group.last, group.first) for p in mechanism.links[link].points]
+    outer = {pair.point for pair in group.pairs if pair not in group.inner_pairs}
+    points = [p for link in (*group.ends, *group.links) for p in mechanism.links[link].points]
     return [p for p in dict.fromkeys(points) if p not in outer]
 
 

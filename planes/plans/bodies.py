@@ -8,7 +8,7 @@ from planes.drafting.draft import Draft
 from planes.drafting.steps import Similar
 from planes.drafting.steps.tracks import Hold, SeriesGuess
 from planes.plans.contours import Tracked
-from planes.plans.groups import Group, Lead, Pair
+from planes.plans.groups import Group, Lead, Pair, Triad
 from planes.plans.reckoned import (
     OwnPlace,
     SceneDimensions,
@@ -61,7 +61,7 @@ class AssemblyChoice:
 
     side: str
     key: str
-    group: Group
+    group: Group | Triad
     placed: bool = True  # its places can be told before other choices are made
 
 

@@ -52,16 +52,10 @@ class ContourForces(LeadForces):
 
     def hang(self, pair: Pair, link: str, reaction: Reaction, inner: list[Reaction]) -> None:
         """The couple of an outer guide by what acts on the link, and what is handed on."""
-        s = self.statics
         if pair.kind == "P":
-            own = [r for r in inner if r.pair.joins(link)]
-            forces = [*s.acting.forces[link], *(s.as_force(r, link) for r in own)]
-            slid = ((r.moment, 1 if r.pair.link == link else -1) for r in own if r.pair.kind == "P")
-            handed = (Couple(moment, link, moment, sign, True) for moment, sign in slid)
-            first = self.bodies.mechanism.links[link].first_point
-            reaction = s.seat(reaction, link, at(SCHEME, first), forces, [*self.couples[link], *handed])
+            reaction = self.seated(reaction, link, inner)
         if pair.mate(link) != FRAME:
-            s.hand_over(reaction, pair.mate(link))
+            self.statics.hand_over(reaction, pair.mate(link))
 
     def polygon(self) -> dict[Pair, Ends]:
         """Draw the polygons; the reaction of each pair on the pair's own first link."""

@@ -12,9 +12,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Carry, Image, Same
+from planes.drafting.steps import Carry, Image
 from planes.drafting.steps.crossings import Cross, CrossFalse
 from planes.plans.bodies import SCHEME, Body, BodyPoint
+from planes.plans.carrying import carried
 from planes.plans.contours import Contour
 from planes.plans.driven import driven_terms
 from planes.plans.kinematics import Rates
@@ -166,25 +167,7 @@ class ContourRates:
             far, pivot = r.mark(self.basic.known.name), self.basic.known
             shape = self.scheme(pivot, self.other.new), self.scheme(pivot, self.rod.new)
             return d.step(Image(end, far, *shape, (far, met), means=FALSE))
-        if self.body.link.name == FRAME:
-            return d.step(Same(end, met, means=FALSE))
-        if self.body.ref:
-            ends = r.mark(self.body.ref[0].name), r.mark(self.body.ref[1].name)
-            shape = self.scheme(self.rod.new, self.other.new), self.scheme(*self.body.ref)
-            return d.step(Image(end, met, *shape, ends, means=FALSE))
-        return self.swung(met, end)
-
-    def swung(self, met: str, end: str) -> str:
-        """The same where the basic link turns as a driver of one point does."""
-        r, d, name = self.rates, self.draft, self.other.new.name + self.rod.new.name
-        ray = d.ray(SCHEME, self.rod.new.place, self.other.new.place)
-        length = d.measure(f"l_{name}°", *self.scheme(self.rod.new, self.other.new))
-        across, root = d.square(ray), self.body.link.name
-        value = d.product(f"{r.letter}{name}°", **{r.spin(root): 1, length: 1})
-        if r.quick:
-            inwards = d.product(f"a_{name}°^n", -1.0, **{f"omega_{root}": 2, length: 1})
-            met = d.lay_off(r.plan, f"n_{label_of(end)}", met, ray, inwards, FALSE)
-        return d.lay_off(r.plan, label_of(end), met, across, value, FALSE)
+        return carried(r, self.body, met, self.rod.new, self.other.new, end, FALSE)
 
     def state(self, hinge: str, terms: list[Term], met: str, plan: str) -> None:
         """The equation that a false plan was drawn by."""

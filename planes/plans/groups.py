@@ -218,6 +218,22 @@ class Triad:
         return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
 
     @property
+    def slid(self) -> bool:
+        """Whether a lead slides at both ends, so that the basic link lies as what that slides on does."""
+        return any(lead.name == "PP" for lead in self.leads)
+
+    @property
+    def by_slid(self) -> tuple[Lead, Lead, Lead]:
+        """Its leads, that which slides at both ends last."""
+        one, two, three = sorted(self.leads, key=lambda lead: lead.name == "PP")
+        return one, two, three
+
+    @property
+    def kind(self) -> int:
+        """Where a lead slides at both ends: the kind of the dyad by which the others place the basic link."""
+        return {2: 1, 1: 2, 0: 4}[sum(lead.name == "RR" for lead in self.leads)]
+
+    @property
     def pairs(self) -> tuple[Pair, ...]:
         """Its pairs: of every lead the outer, then the inner one."""
         return tuple(p for lead in self.leads for p in (lead.outer, lead.inner))

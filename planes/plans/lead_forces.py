@@ -69,7 +69,7 @@ class LeadForces:
         couples = [c for part in lead.parts for c in self.couples[part]]
         key = force_name(link, outer.mate(link))
         if outer.kind == "P":
-            hinge = at(SCHEME, inner.point)
+            hinge = at(SCHEME, inner.point or self.bodies.mechanism.links[link].first_point)
             return HeldLead(
                 lead, key, self.rubbing(outer, link, hinge), d.square(f"∥{outer.guide}"), hinge, loads, couples
             )
@@ -85,10 +85,14 @@ class LeadForces:
         else:
             along = f"∥{inner.guide}"
             line, products = d.square(along), [self.along(f, along) for f in loads]
-            if inner in self.slips:
-                products.append(Product(-1.0 if link == inner.link else 1.0, ((self.slips[inner].force, 1),)))
+            products += self.rubbed(lead, inner)
         d.total(name, products)
         return HeldLead(lead, key, [Force(name, link, name, along, pivot, "tangential")], line, pivot, loads, couples)
+
+    def rubbed(self, lead: Lead, pair: Pair) -> list[Product]:
+        """What of the friction of a guide a lead has to be held against along it, if it rubs."""
+        sign = -1.0 if lead.link == pair.link else 1.0
+        return [Product(sign, ((self.slips[pair].force, 1),))] if pair in self.slips else []
 
     def rubbing(self, pair: Pair, link: str, point: str) -> list[Force]:
         """The friction of a guide on one of its links, if it rubs."""
@@ -112,14 +116,30 @@ class LeadForces:
         lead, s = held.lead, self.statics
         pairs = lead.outer, lead.inner
         found = [s.react(p, self.plan, *ends[p], rubs.grips.get(p)) for p in pairs]
+        if lead.name == "PP":  # by what acts on the basic link, too
+            return found
         for k, pair in enumerate(pairs):
             if pair.kind == "P":
                 found[k] = s.seat(found[k], lead.link, held.point, held.loads, held.couples)
-        if lead.outer.mate(lead.link) != FRAME:
-            s.hand_over(found[0], lead.outer.mate(lead.link))
+        self.handed_on(found[0], lead)
         if lead.drive:
             s.hand_over(next(r for r in found if r.pair.joins(lead.drive.link)), lead.drive.link)
         return found
+
+    def handed_on(self, outer: Reaction, lead: Lead) -> None:
+        """Let what a lead hangs on feel its reaction."""
+        if lead.outer.mate(lead.link) != FRAME:
+            self.statics.hand_over(outer, lead.outer.mate(lead.link))
+
+    def seated(self, reaction: Reaction, link: str, others: list[Reaction]) -> Reaction:
+        """A guide's reaction with its couple, by all that acts on a link; the ``others`` are those found of it."""
+        s = self.statics
+        own = [r for r in others if r.pair.joins(link)]
+        forces = [*s.acting.forces[link], *(s.as_force(r, link) for r in own)]
+        slid = ((r.moment, 1 if r.pair.link == link else -1) for r in own if r.pair.kind == "P")
+        handed = (Couple(moment, link, moment, sign, True) for moment, sign in slid)
+        first = self.bodies.mechanism.links[link].first_point
+        return s.seat(reaction, link, at(SCHEME, first), forces, [*self.couples[link], *handed])
 
     def on(self, links: tuple[str, ...], pair: Pair, ends: Ends) -> Ends:
         """A reaction on one of the links, turned for its pair's own first link."""

@@ -16,20 +16,21 @@ from planes.plans.contour_rates import ContourRates
 from planes.plans.groups import Group, Triad
 from planes.plans.kinematics import Rates
 from planes.plans.legs import Leg, lead_leg
+from planes.plans.slid_triads import SlidRates
 from planes.words.names import Meaning, at, parts_of
 
 
 def draw_rates(r: Rates) -> None:
     """The plan: the driver, then every group, then every point of every link."""
     for group in r.bodies.structure.groups:
-        if isinstance(group, Triad) and any(lead.drive for lead in group.leads):
+        if isinstance(group, Triad) and not group.slid and any(lead.drive for lead in group.leads):
             _Triad(r, group).meet()  # its special point is found on the scheme before the plan is begun
     r.start()
     for group in r.bodies.structure.groups:
         if isinstance(group, Group):
             r.dyad(group)
         elif isinstance(group, Triad):
-            _Triad(r, group).draw()
+            (SlidRates if group.slid else _Triad)(r, group).draw()
         else:
             ContourRates(r, group).draw()
 

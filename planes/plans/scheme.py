@@ -6,6 +6,7 @@ from planes.plans.contour_scheme import place_contour
 from planes.plans.driven_positions import place_driven
 from planes.plans.groups import Group, Triad
 from planes.plans.positions import PLACERS, place_slider
+from planes.plans.slid_triads import place_slid
 from planes.plans.triads import place_triad
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning
@@ -31,7 +32,7 @@ def place_all(b: Bodies) -> None:
                 for link in group.links:
                     b.known[link].root = FRAME
         elif isinstance(group, Triad):
-            place_triad(b, group)
+            (place_slid if group.slid else place_triad)(b, group)
         else:
             place_contour(b, group)
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.reckoning import Drop
+from planes.drafting.steps.reckoning import Cosine, Drop
 from planes.plans.bodies import SCHEME
 from planes.plans.groups import Pair, Triad
 from planes.plans.lead_forces import Ends, HeldLead, LeadForces
@@ -22,20 +22,24 @@ class TriadForces(LeadForces):
 
     def __init__(self, statics: Statics, group: Triad) -> None:
         super().__init__(statics, group)
-        self.group, self.special = group, at(SCHEME, self.bodies.special(group.basic))
+        self.group, self.special = group, "" if group.slid else at(SCHEME, self.bodies.special(group.basic))
 
     def draw(self) -> None:
         self.draft.pole(self.plan)
         pairs = self.group.pairs
         rubs = settled(self, lambda s: TriadForces(s, self.group), pairs, pairs)
         ends = self.polygon()
-        for held in self.drawn:
-            self.read(held, ends, rubs)
+        found = [r for held in self.drawn for r in self.read(held, ends, rubs)]
+        if self.group.slid:
+            lead, basic = self.drawn[2].lead, self.group.basic
+            inner = self.seated(found[5], basic, found[:4])
+            outer = self.seated(found[4], lead.link, [inner])
+            self.handed_on(outer, lead)
 
     def polygon(self) -> dict[Pair, Ends]:
         """Draw the polygon; the reaction of each pair on the pair's own first link."""
         self.drawn = one, two, three = tuple(self.held(lead) for lead in self.leads)
-        pushed = self.third(one, two, three)
+        pushed = self.slid(three) if self.group.slid else self.third(one, two, three)
         own = list(self.statics.acting.forces[self.group.basic])
         runs = [[*two.known, *two.loads], [*three.loads, *three.known, pushed], own, [*one.loads, *one.known]]
         ends, chain = [POLE], list[Term]()
@@ -77,3 +81,13 @@ class TriadForces(LeadForces):
         name = d.total(three.part, products)
         d.moments.append(Moments(centre, self.group.balanced, shown, name, arm))
         return Force(name, three.lead.link, name, three.line, three.point, "tangential")
+
+    def slid(self, held: HeldLead) -> Force:
+        """The reaction on a lead that slides at both ends, by what acts along its other guide: nothing else does."""
+        d, name = self.draft, held.part
+        along = f"∥{held.lead.inner.guide}"
+        over = ((d.step(Cosine(f"cos_{name}_{held.lead.inner.guide}", held.line, along)), -1),)
+        products = [self.along(f, along) for f in (*held.loads, *held.known)]
+        products += self.rubbed(held.lead, held.lead.inner)
+        d.total(name, [replace(p, factors=(*p.factors, *over)) for p in products])
+        return Force(name, held.lead.link, name, held.line, held.point, "tangential")

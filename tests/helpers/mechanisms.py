@@ -481,6 +481,13 @@ class Builder:
                 leads.append(self.link([next(names)], u))
                 self.outer_slide(leads[-1], base, u)
                 continue
+            if lead == "PP":
+                leads.append(self.link([], u))
+                own = u + rng.choice((-1, 1)) * rng.uniform(0.5, math.pi / 2)
+                carried = base is not self.frame and base.slides is None and (basic.slides or rng.random() < 0.4)
+                self.slide(*((leads[-1], basic) if carried else (basic, leads[-1])), own)
+                self.outer_slide(leads[-1], base, u)
+                continue
             outer = self.add(base, pivot), pivot
             leads.append(self.link([outer, next(names)] if lead == "RR" else [outer], u))
             if lead == "RP":
@@ -587,6 +594,9 @@ def three_lines(leads: Sequence[str], spots: list[complex], pivots: list[complex
     """How far the lines of three leads are from meeting in one point, times the sine between the first two."""
     rows = []
     for lead, spot, pivot, u in zip(leads, spots, pivots, ways, strict=True):
+        if lead == "PP":  # it holds the turning alone
+            rows.append([0.0, 0.0, abs(spots[0])])
+            continue
         at = pivot if lead == "RP" else spot
         along = (spot - pivot) / abs(spot - pivot) if lead == "RR" else 1j * cmath.rect(1.0, u)
         rows.append([along.real, along.imag, (at.conjugate() * along).imag])
