@@ -152,7 +152,7 @@ class StepWords:
             drive = self.plans.mechanism.drive
             driven = isinstance(along, s.Turn) and drive.kind == "phi" and along.of == f"x_{drive.link}"
             key = "driver" if driven else "along"
-            reason = "driver" if driven or step.length == "s" else "along"
+            reason = "moved" if step.quantity == "moved" else "driver" if driven or step.length == "s" else "along"
             return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
         if any(m.unknown == step.length for m in self.plans.moments):
             return "found", "found", shown

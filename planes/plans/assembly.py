@@ -2,8 +2,9 @@
 
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
+from planes.plans.basic_links import Triad
 from planes.plans.bodies import AssemblyChoice, Bodies, TrackChoice
-from planes.plans.groups import Group, Triad
+from planes.plans.groups import Group
 from planes.plans.tracks import resolve_track
 from planes.scene.mechanism import Assembly, Mechanism
 from planes.words import Phrase

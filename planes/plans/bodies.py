@@ -7,8 +7,9 @@ from planes.drafting.dimensions import Dimension
 from planes.drafting.draft import Draft
 from planes.drafting.steps import Similar
 from planes.drafting.steps.tracks import Hold, SeriesGuess
+from planes.plans.basic_links import Lead, Triad
 from planes.plans.contours import Tracked
-from planes.plans.groups import Group, Lead, Pair, Triad
+from planes.plans.groups import Group, Pair
 from planes.plans.reckoned import (
     OwnPlace,
     SceneDimensions,

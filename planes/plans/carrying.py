@@ -7,7 +7,9 @@ from planes.scene.mechanism import FRAME
 from planes.words.names import Meaning, at, label_of
 
 
-def carried(r: Rates, root: Body, start: str, one: BodyPoint, two: BodyPoint, end: str, means: Meaning) -> str:
+def carried(
+    r: Rates, root: Body, start: str, one: BodyPoint, two: BodyPoint, end: str, means: Meaning | None = None
+) -> str:
     """The mark ``end`` of ``two``, ``one`` of the same link being at ``start``; it turns as ``root`` does."""
     d, scheme = r.bodies.draft, (at(SCHEME, one.place), at(SCHEME, two.place))
     if root.link.name == FRAME:

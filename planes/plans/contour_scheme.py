@@ -12,9 +12,9 @@ from functools import partial
 from planes.drafting.steps import Image
 from planes.drafting.steps.reckoning import Drop
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
+from planes.plans.basic_links import Lead
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.contours import Contour
-from planes.plans.groups import Lead
 from planes.plans.positions import on_line, place_slider, rigid_body
 from planes.plans.reckoned import OwnPlace, angle_deg, difference
 from planes.plans.triads import Cut, cut_of, hold_of, local_of, place_lead

@@ -9,7 +9,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planes.plans.groups import Group, Lead, Pair, Triad
+from planes.plans.basic_links import Lead, Triad
+from planes.plans.groups import Group, Pair
 from planes.words import Phrase
 from planes.words.records import Json
 

@@ -9,8 +9,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations, product
 from typing import Protocol
 
+from planes.plans.basic_links import Lead, Triad
 from planes.plans.contours import AnyGroup, Contour
-from planes.plans.groups import Brace, Group, Lead, Pair, Triad
+from planes.plans.groups import Brace, Group, Pair
 from planes.words import Phrase
 from planes.words.errors import StructureError
 

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from planes.drafting.draft import Moments
 from planes.drafting.steps import Turn
 from planes.drafting.steps.reckoning import Cosine, Product
+from planes.plans.basic_links import Lead
 from planes.plans.bodies import SCHEME
 from planes.plans.contours import Tracked
-from planes.plans.groups import Lead, Pair
+from planes.plans.groups import Pair
 from planes.plans.hinges import Slip
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.reactions import Reaction, Statics

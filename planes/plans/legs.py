@@ -7,8 +7,9 @@ guide and Y is the point of the mate that coincides with X. All five kinds of cl
 from dataclasses import dataclass, replace
 
 from planes.drafting.steps import Turn
+from planes.plans.basic_links import Lead
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
-from planes.plans.groups import Group, Lead, Pair
+from planes.plans.groups import Group, Pair
 from planes.plans.positions import moving_name
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning

@@ -11,9 +11,10 @@ from dataclasses import replace
 from planes.drafting.equations import Term
 from planes.drafting.steps import Turn
 from planes.drafting.steps.crossings import CrossLeads
+from planes.plans.basic_links import Triad
 from planes.plans.bodies import SCHEME, BodyPoint
 from planes.plans.contour_rates import ContourRates
-from planes.plans.groups import Group, Triad
+from planes.plans.groups import Group
 from planes.plans.kinematics import Rates
 from planes.plans.legs import Leg, lead_leg
 from planes.plans.slid_triads import SlidRates

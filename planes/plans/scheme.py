@@ -1,10 +1,11 @@
 """The scheme: the frame, the driver in its position, and the groups in the order they attach."""
 
+from planes.plans.basic_links import Triad
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.braces import place_braced
 from planes.plans.contour_scheme import place_contour
 from planes.plans.driven_positions import place_driven
-from planes.plans.groups import Group, Triad
+from planes.plans.groups import Group
 from planes.plans.positions import PLACERS, place_slider
 from planes.plans.slid_triads import place_slid
 from planes.plans.triads import place_triad

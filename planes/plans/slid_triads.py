@@ -10,10 +10,10 @@ from dataclasses import replace
 from functools import partial
 
 from planes.drafting.equations import Equation, Term
+from planes.plans.basic_links import Lead, Triad
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
 from planes.plans.carrying import carried
 from planes.plans.driven_positions import driven_length
-from planes.plans.groups import Lead, Triad
 from planes.plans.kinematics import Rates
 from planes.plans.legs import Leg, lead_leg, outer_leg
 from planes.plans.positions import chain_to, on_line, place_slider
@@ -81,7 +81,7 @@ def _moved(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: str) -
     ray = d.turn(f"{hinge}{key}", axis, turned, Meaning("along", hinge, key))
     d.rays[SCHEME, hinge, key] = ray
     label, length = f"{start}°{key}", b.length(link, hinge, key)
-    return label_of(d.lay_off(SCHEME, label, at(SCHEME, start), ray, length, Meaning("guide", start, key)))
+    return label_of(d.lay_off(SCHEME, label, at(SCHEME, start), ray, length, Meaning("moved", start, key)))
 
 
 class SlidRates:
@@ -112,7 +112,7 @@ class SlidRates:
             return replace(leg, new=new)
         name = (leg.known.name if leg.known.name != POLE else leg.new.name) + "°"
         over, start, end = BodyPoint(leg.known.place, name), r.mark(leg.known.name), r.mark(name)
-        carried(r, root, start, leg.new, new, end, Meaning("guide", leg.known.name, new.name))
+        carried(r, root, start, leg.new, new, end)
         to_known = Term(r.letter + leg.known.name, POLE, label_of(start), drawn=True)
         over_it = Term(f"{r.letter}{new.name}{leg.new.name}", label_of(start), label_of(end), drawn=True)
         self.draft.conclude(Equation(r.plan, ((to_known, over_it), ()), r.letter + name))

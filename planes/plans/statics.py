@@ -11,11 +11,12 @@ from dataclasses import replace
 
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
+from planes.plans.basic_links import Triad
 from planes.plans.bodies import SCHEME
 from planes.plans.brace_forces import BraceForces
 from planes.plans.contour_forces import ContourForces
 from planes.plans.driver_forces import DriverForces
-from planes.plans.groups import Group, Pair, Triad
+from planes.plans.groups import Group, Pair
 from planes.plans.hinges import Grip
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.reactions import Reaction, Statics, chain_of, meet_with_friction

@@ -10,9 +10,9 @@ from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
 from planes.geometry.sextic import Counted, assemblies
 from planes.geometry.tracks import Pose, Tie
+from planes.plans.basic_links import Triad
 from planes.plans.bodies import SCHEME, Bodies, TrackChoice
 from planes.plans.branch import Branch, follow
-from planes.plans.groups import Triad
 from planes.scene.mechanism import Assembly
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError

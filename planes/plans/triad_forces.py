@@ -8,8 +8,9 @@ from dataclasses import replace
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Cosine, Drop
+from planes.plans.basic_links import Triad
 from planes.plans.bodies import SCHEME
-from planes.plans.groups import Pair, Triad
+from planes.plans.groups import Pair
 from planes.plans.lead_forces import Ends, HeldLead, LeadForces
 from planes.plans.loads import Force
 from planes.plans.reactions import Statics, chain_of

@@ -8,10 +8,10 @@ from collections.abc import Callable
 from functools import partial
 
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
+from planes.plans.basic_links import Lead, Triad
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
 from planes.plans.contours import Tracked
 from planes.plans.driven_positions import driven_way
-from planes.plans.groups import Lead, Triad
 from planes.plans.positions import on_line, place_slider, rigid_body
 from planes.plans.reckoned import OwnPlace, difference, own
 from planes.scene.mechanism import Link

@@ -14,13 +14,13 @@ from typing import Literal
 POLE = "p"
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
-Mark = Literal["guide", "foot", "trial", "special", "false", "normal", "coriolis", "relative"]
+Mark = Literal["guide", "moved", "foot", "trial", "special", "false", "normal", "coriolis", "relative"]
 Loading = Literal["weight", "inertia", "load", "couple", "tangential", "reaction", "arm"]
 Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]
 
-HELPERS = ("guide", "foot", "trial", "special", "false")  # drawn and never asked of anybody
+HELPERS = ("guide", "moved", "foot", "trial", "special", "false")  # drawn and never asked of anybody
 _ALIKE = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
 _PRIMES = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
 _POLES = {"π", "p", "p'", "π'", "полюс", "pole", "P"}
@@ -30,9 +30,10 @@ _POLES = {"π", "p", "p'", "π'", "полюс", "pole", "P"}
 class Meaning:
     """What a name stands for: a quantity ``of`` a thing, ``about`` another, that belongs to a ``link``.
 
-    Of marks "guide" is the place of a guide or a place beside it, "foot" stands on it, "trial" is a supposition, where
-    lines of two leads cross is a "special" point, a "false" one is of a plan that supposes something; at a "normal", a
-    "coriolis" or a "relative" (of a drive between moving links) ends that part of a vector.
+    Of marks "guide" is the place of a guide or a place beside it, "moved" a pivot moved over, "foot" stands on a guide,
+    "trial" is a supposition, where lines of two leads cross is a "special" point, a "false" one is of a plan that
+    supposes something; at a "normal", a "coriolis" or a "relative" (of a drive between moving links) ends that part of
+    a vector.
 
     Of directions "along" is a guide or the line of two points, "across" perpendicular to it and "leaning" from that by
     friction, "towards" from a point to another, "with" and "against" a vector, "given" at an angle of the scene.

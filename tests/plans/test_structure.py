@@ -13,7 +13,8 @@ import pytest
 from hypothesis import given, settings
 
 from planes.plans.analysis import analyse
-from planes.plans.groups import KIND_NAMES, Triad
+from planes.plans.basic_links import Triad
+from planes.plans.groups import KIND_NAMES
 from planes.plans.structure import Structure
 from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene import loads

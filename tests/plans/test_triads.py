@@ -13,9 +13,11 @@ from tests.helpers.mechanisms import KINDS, make
 from tests.plans.test_against_oracle import examine
 
 LEADS = ("RR", "PR", "RP")
-MIXTURES = ["-".join(m) for m in combinations_with_replacement(LEADS, 3)]
+SLID = ["-".join((*m, "PP")) for m in combinations_with_replacement(LEADS, 2)]
+MIXTURES = ["-".join(m) for m in combinations_with_replacement(LEADS, 3)] + SLID
 
 
+@pytest.mark.few(12)
 @pytest.mark.parametrize("leads", MIXTURES)
 def test_every_mixture_of_leads_with_loads_on_every_link(leads: str) -> None:
     for seed in range(4):
@@ -26,7 +28,8 @@ def test_every_mixture_of_leads_with_loads_on_every_link(leads: str) -> None:
 def rubbing(seed: int) -> float | None:
     """The worst number of a mechanism in which hinges and guides rub; None where something stands still."""
     rng = random.Random(f"rubbing {seed}")
-    kinds = ["-".join(rng.choice(LEADS) for _ in LEADS), *rng.choices(KINDS, k=seed % 2)]
+    leads = rng.choice(SLID).split("-") if seed % 4 == 1 else [rng.choice(LEADS) for _ in LEADS]
+    kinds = ["-".join(leads), *rng.choices(KINDS, k=seed % 2)]
     case = make(rng, kinds[:: rng.choice((1, -1))], friction=seed % 3 > 0, pins=seed % 3 < 2, rest=seed % 7 == 0)
     if standing(case):
         return None
@@ -65,3 +68,16 @@ def test_after_and_before_dyads() -> None:
 def test_a_special_point_is_not_taken_for_a_point_of_a_guide_under_a_slider(kind: str, seed: int) -> None:
     """Both would be called by the letter of a hinge, S, and the name of the basic link."""
     examine(make(random.Random(f"after {kind} {seed}"), ["RR-RR-PR", kind]))
+
+
+def test_two_leads_that_slide_at_both_ends_are_one_sentence() -> None:
+    frame = {"points": {"O": [0, 0], "G": [0.75, -0.32]}, "guides": {"y": {"x": 0.62}}}
+    links = {
+        "1": {"points": {"O": 0, "A": 0.08}, "slides": "w"},
+        "2": {"points": {"G": 0, "B": 0.4}},
+        "3": {"points": {"B": 0, "E": 0.3}, "slides": "x", "guides": {"v": {"through": "E", "angle": 70}}},
+        "4": {"points": {"F": 0}, "slides": "v", "guides": {"w": {"through": "F", "angle": 30}}},
+        "5": {"points": {"D": 0}, "slides": {"guide": "y", "angle": -90}, "guides": {"x": {"y": 0}}},
+    }
+    with pytest.raises(PlanesError, match=r"leads 4, 5 of a group of class III slide both on the basic link 3"):
+        draw({"planes": 1, "frame": frame, "links": links, "drive": {"link": "1", "phi": 40, "omega": 1}})
