@@ -54,7 +54,7 @@ def bench_side_by_side(benchmark, name: str, count: int, who: str) -> None:
     "name",
     [
         "kind-1-rrr",
-        *(f"class-three/{n}" for n in ("guide", "press", "rods", "slider", "stephenson")),
+        *(f"class-three/{n}" for n in ("guide", "mixtures/pp-rr-rr", "press", "rods", "slider", "stephenson")),
         "class-four/tray",
     ],
 )

@@ -21,6 +21,7 @@ from tests.sample_oracle import numeric
 
 SAMPLES = (
     *(f"class-three/{name}" for name in ("guide", "press", "rods", "slider", "stephenson", "truss")),
+    "class-three/mixtures/pp-rr-rr",
     "class-four/tray",
 )
 
