@@ -30,9 +30,9 @@ _POLES = {"π", "p", "p'", "π'", "полюс", "pole", "P"}
 class Meaning:
     """What a name stands for: a quantity ``of`` a thing, ``about`` another, that belongs to a ``link``.
 
-    Of marks "guide" is the place of a guide or one beside it, "moved" a pivot moved over, "foot" stands on a guide, "trial"
-    is a supposition, at "special" lines of two leads cross, "false" is of a plan that supposes something; at a "normal", a
-    "coriolis" or a "relative" (of a drive between moving links) ends that part of a vector.
+    Of marks "guide" is the place of a guide or one beside it, "moved" a pivot moved over, "foot" stands on a guide,
+    "trial" is a supposition, at "special" lines of two leads cross, "false" is of a plan that supposes something; at a
+    "normal", a "coriolis" or a "relative" (of a drive between moving links) ends that part of a vector.
 
     Of directions "along" is a guide or the line of two points, "across" perpendicular to it and "leaning" from that by
     friction, "towards" from a point to another, "with" and "against" a vector, "given" at an angle of the scene.
