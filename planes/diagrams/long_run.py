@@ -21,7 +21,7 @@ from planes.plans.scales import unit_scales
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.solving import failed, key_of, told
-from planes.solving.nearest import nearest
+from planes.solving.nearest import Nearest
 from planes.solving.text_tables import table
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
@@ -163,11 +163,12 @@ def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
     """Why positions cannot be drawn, a sentence for each that cannot."""
     plans, found = turn.plans, []
     given = {**plans.given, **dict.fromkeys(unit_scales(plans), 1000.0)}
+    nearest = Nearest(plans)
     for value in map(float, values):
         try:
             run(plans.program, {**given, plans.drive_given: value})
         except PlanFailure as failure:
-            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest(plans, value)).told(lang))
+            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest.to(value)).told(lang))
     return found
 
 

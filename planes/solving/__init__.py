@@ -13,7 +13,7 @@ from planes.plans.of_scene import fitted, scene_plans
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, told_of
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
-from planes.solving.nearest import nearest
+from planes.solving.nearest import Nearest
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
@@ -171,13 +171,14 @@ def solve(
     drive = plans.mechanism.drive
     asked_at = [drive.position] if values is None else list(values)
     solved = Solved(scene, plans, wanted, asked_at, instrument=instrument, lang=lang)
+    nearest = Nearest(plans)
     for value in solved.values:
         try:
             solved.positions.append(solved.at(value))
         except PlanFailure as failure:
             if not plans.moves:
                 raise SceneError(failure.phrase, scene.file) from None
-            near = nearest(plans, value) if len(solved.failed) < TOLD else None
+            near = nearest.to(value) if len(solved.failed) < TOLD else None
             solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near).told(lang)})
     return solved
 

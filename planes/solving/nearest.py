@@ -1,6 +1,7 @@
 """Where the method works again: the value of the drive nearest to one at which it fails."""
 
 import math
+from decimal import Decimal
 
 from planes.geometry.arrays import Array
 from planes.plans import Plans
@@ -26,8 +27,37 @@ def works(plans: Plans, value: float) -> bool:
 
 def nearest(plans: Plans, value: float) -> float | None:
     """The nearest value that works, with few decimals and working when it is typed so; None if there is none."""
-    found = [x for x in (_Side(plans, value, side).first() for side in (1.0, -1.0)) if x is not None]
-    return min(found, key=lambda x: abs(x - value), default=None)
+    return Nearest(plans).to(value)
+
+
+class Nearest:
+    """The nearest value that works, of one after another that do not: what was looked through once serves all."""
+
+    def __init__(self, plans: Plans) -> None:
+        self.plans = plans
+        self.gaps: list[tuple[float, float, tuple[float, ...]]] = []  # between what nothing works, and the ends that do
+
+    def to(self, value: float) -> float | None:
+        """The nearest to this one, with few decimals and working when it is typed so; None if there is none."""
+        turning = self.plans.mechanism.drive.kind == "phi"
+        for low, high, ends in self.gaps:
+            turns = (value - low) // 360.0 if turning else 0.0
+            at = value - 360.0 * turns
+            near = min((end for end in ends if low < at < high), key=lambda end: abs(end - at), default=None)
+            known = near is not None and abs(near - at) <= min(at - low, high - at)
+            if near is not None and known and works(self.plans, found := _turned(near, turns)):
+                return found
+        sides = [_Side(self.plans, value, side) for side in (1.0, -1.0)]
+        ends = tuple(x for x in (side.first() for side in sides) if x is not None)
+        low, high = value - STEPS * sides[0].step, value + STEPS * sides[0].step
+        gap = max([low, *(x for x in ends if x < value)]), min([high, *(x for x in ends if x > value)])
+        self.gaps.append((*gap, ends))
+        return min(ends, key=lambda x: abs(x - value), default=None)
+
+
+def _turned(value: float, turns: float) -> float:
+    """A value so many turns on, with the decimals it had."""
+    return float(Decimal(repr(value)) + 360 * int(turns))
 
 
 class _Side:
@@ -82,6 +112,10 @@ class _Side:
                 edges.setdefault(row, (float(offsets[row, k]), float(offsets[row, k + 1])))
             rows, k = numpy.arange(len(low)), missing.argmin(axis=1)
             low, high = offsets[rows, numpy.maximum(k - 1, 0)], offsets[rows, numpy.minimum(k + 1, FINER)]
+            first = min(edges, default=len(low))
+            if first == 0:
+                break
+            low, high = low[:first], high[:first]  # those beyond it are not asked for
         return self.halved(*edges[min(edges)]) if edges else None
 
     def halved(self, bad: float, good: float) -> tuple[float, float]:

@@ -11,7 +11,7 @@ import pytest
 
 from planes.scene import loads
 from planes.solving import plans_of, solve
-from planes.solving.nearest import nearest
+from planes.solving.nearest import Nearest, _Side, nearest
 from tests.helpers.near_limits import PRP, RPR, RRP, RRR
 
 PLACES = 1.01e-4  # degrees: the last place printed
@@ -73,6 +73,20 @@ def test_the_nearest_of_sliders_that_were_told_wrong(r: float, rod: float, e: fl
 def test_a_range_narrower_than_the_last_place_is_found_and_told() -> None:
     """The crank's top is 1e-13 of its length above where the rod begins to reach: a range of some 2e-5 degrees."""
     assert checked(slider(0.5, 0.1, 0.6 - 5e-14), -90.0) == "found"
+
+
+def test_values_between_two_that_work_are_looked_through_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As often as the gaps: two, to both sides; in any order, a turn on and back."""
+    text, works, ends = slider(0.691, 0.156, -0.234)
+    plans, looked = plans_of(loads(text))[0], list[float]()
+    first = _Side.first
+    monkeypatch.setattr(_Side, "first", lambda side: (looked.append(side.value), first(side))[1])
+    values, many = [v for v in (76.0, 100.0, 30.0, 270.0, 436.0, -284.0, 96.5) if not works(v)], Nearest(plans)
+    for value in values:
+        near = many.to(value)
+        away = min(abs(math.remainder(end - value, 360.0)) for end in ends)
+        assert near is not None and works(near) and abs(abs(near - value) - away) <= PLACES, value
+    assert len(values) == 7 and len(looked) == 4
 
 
 @pytest.mark.parametrize(
