@@ -56,14 +56,14 @@ class LengthField:
         """The steps with several places, those that hang on no track; of one link's track one."""
         found: dict[object, Step] = {}
         for step in self.plans.program.steps:
-            if isinstance(step, TwoPlaces | CutTrack) and not self._tracked(self.program(step)):
+            if isinstance(step, TwoPlaces | CutTrack) and _folds(step) and not self._tracked(self.program(step)):
                 found.setdefault(step.holds if isinstance(step, CutTrack) else step, step)
         return list(found.values())
 
     @cached_property
     def whole(self) -> bool:
         """Whether these are all."""
-        steps = [s for s in self.plans.program.steps if isinstance(s, TwoPlaces)]
+        steps = [s for s in self.plans.program.steps if isinstance(s, TwoPlaces) or not _folds(s)]
         return all(step in self.steps for step in steps)
 
     @staticmethod
@@ -200,3 +200,8 @@ def _mixed(ahead: Booleans, *axes: int) -> Booleans:
         low[axis], high[axis] = slice(None, -1), slice(1, None)
         every, some = every[tuple(low)] & every[tuple(high)], some[tuple(low)] | some[tuple(high)]
     return np.asarray(some & ~every)
+
+
+def _folds(step: Step) -> bool:
+    """Whether it is told where the step's places meet: not of two links cut by one track."""
+    return not isinstance(step, CutTrack) or len(step.holds) == 3

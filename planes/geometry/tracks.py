@@ -20,6 +20,7 @@ class Tie:
 
     "arc": it stays ``reach`` from the place. "line": ``reach`` to the left of the line through the place along
     ``turn``. "guide": the place stays ``reach`` to the left of the link's line along ``turn`` in its own axes.
+    Of two links hinged at their origins ``link`` says which it holds, 0 or 1.
     """
 
     kind: TieKind
@@ -27,6 +28,7 @@ class Tie:
     place: Point
     reach: Real
     turn: Point = 1 + 0j
+    link: int = 0
 
     def wrench(self, origin: Point, axis: Point) -> tuple[Real, Point, Real]:
         """By how much the tie is missed, the direction it pulls in, and the moment of that about the origin."""
@@ -49,7 +51,15 @@ class Tie:
         return self.place if self.kind == "guide" else origin + self.local * axis
 
 
-Pose = tuple[Point, Point]  # where the link's origin is, and the direction of its x axis
+Pose = tuple[Point, ...]  # where the origin is, and the direction of the link's x axis, or of both links'
+
+
+def advanced(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
+    """One step of Newton's from a pose, how far it went, and the determinant with its sign."""
+    if len(pose) == 2:
+        origin, axis, moved, det = newton(ties, *pose)
+        return (origin, axis), moved, det
+    return _advanced_both(ties, pose)
 
 
 def newton(ties: Sequence[Tie], origin: Point, axis: Point) -> tuple[Point, Point, Real, Real]:
@@ -60,9 +70,31 @@ def newton(ties: Sequence[Tie], origin: Point, axis: Point) -> tuple[Point, Poin
     safe = det + (det == 0)
     turn = -(f * kw + g * wn + h * nk) / safe
     shift = 1j * (f * (k * q - w * p) + g * (w * m - n * q) + h * (n * p - k * m)) / safe
-    half = 0.5 * turn
-    turned = (1 + 1j * half) * (1 + 1j * half) / (1 + half * half)
-    return origin + shift, axis * turned, abs(shift) + abs(turn), det
+    return origin + shift, axis * _turned(turn), abs(shift) + abs(turn), det
+
+
+def _turned(angle: Real) -> Point:
+    """About the direction at a small angle, radians; of length 1."""
+    half = 0.5 * angle
+    return (1 + 1j * half) * (1 + 1j * half) / (1 + half * half)
+
+
+def _advanced_both(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
+    """The same of two links hinged at their origins, on two ties each: the ties of either leave the hinge one way, and
+    it goes where both are kept."""
+    origin, *axes = pose
+    held = [[t.wrench(origin, axis) for t in ties if t.link == k] for k, axis in enumerate(axes)]
+    (a, p), (b, q) = ((n * r - k * m, f * r - g * m) for (f, n, m), (g, k, r) in held)
+    det = plane.cross(a, b)
+    safe = det + (det == 0)
+    shift = 1j * (p * b - q * a) / safe
+    moved, turned = abs(shift), list[Point]()
+    for ((f, n, m), (g, k, r)), axis in zip(held, axes, strict=True):
+        arms = m * m + r * r
+        turn = -(m * (f + plane.dot(n, shift)) + r * (g + plane.dot(k, shift))) / (arms + (arms == 0))
+        moved = moved + abs(turn)
+        turned.append(axis * _turned(turn))
+    return (origin + shift, *turned), moved, det
 
 
 def closure(ties: Sequence[Tie], axis: Point) -> Real:

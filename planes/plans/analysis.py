@@ -11,6 +11,7 @@ from typing import Literal
 from planes.plans.contours import AnyGroup, Contour, Tracked, contour_of, triad_of
 from planes.plans.groups import KIND_NAMES, Group, Pair
 from planes.plans.inner_drives import driven_from_inside
+from planes.plans.pairings import pairing_of
 from planes.plans.structure import LEVELS, Structure
 from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Drive, Mechanism
@@ -198,6 +199,8 @@ class _Finder:
     def higher(self) -> Tracked:
         """The smallest group that is solved only all together, if it is of class III and order 3 or IV and 2."""
         names, free = self.together()
+        if free >= 0 and (pairing := pairing_of(names, self.inside, self.outer)):
+            return pairing
         if free >= 0 and len(names) == 4:
             found = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
             twice = [lead.link for lead in found.leads if lead.name == "PP"] if found else []

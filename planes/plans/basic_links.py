@@ -58,6 +58,16 @@ class Triad:
         return self.whole
 
     @property
+    def basics(self) -> tuple[str, ...]:
+        """Its basic links."""
+        return (self.basic,)
+
+    @property
+    def balances(self) -> tuple[tuple[str, ...], ...]:
+        """The links of each plan of forces, which is called by them."""
+        return (self.balanced,)
+
+    @property
     def members(self) -> str:
         """Its links as a formula of structure has them."""
         mates = {lead.link: lead.parts for lead in self.leads}

@@ -83,7 +83,7 @@ class TrackChoice:
 
     key: str
     group: Tracked
-    holds: tuple[Hold, Hold, Hold]
+    holds: tuple[Hold, ...]
     guess: SeriesGuess
     side: str
 

@@ -45,13 +45,14 @@ class Branch:
     high: float
     side: float
     places: tuple[complex, ...]
-    turns: tuple[float, ...]
+    turns: tuple[tuple[float, ...], ...]  # of each link
 
     def guess(self, value: float) -> Pose:
         """The pose that the series tells, of a link of unit size."""
         part = (value - (self.low + self.high) / 2) / ((self.high - self.low) / 2)
         y = 2 * math.acos(min(1.0, max(-1.0, part))) / math.pi - 1
-        return complex(series(list(self.places), y)), cmath.exp(1j * float(series(list(self.turns), y)))
+        axes = (cmath.exp(1j * float(series(list(terms), y))) for terms in self.turns)
+        return complex(series(list(self.places), y)), *axes
 
 
 class _Way:
@@ -68,7 +69,7 @@ class _Way:
         """The spot near a foreseen pose, and its sharpness with its sign: 0 where there is none."""
         pose, _, _ = settle(ties, near, self.size, self.ar)
         pose, det, moved = settle(ties, pose, self.size, self.ar)
-        off = max(abs(pose[0] - near[0]) / self.size, abs(pose[1] - near[1]))
+        off = _off(pose, near, self.size)
         good = moved < 0.1 * SETTLED and off < BEND and abs(pose[0] - self.home) < FAR * self.size
         return Waypoint(value, ties, pose), det if good else 0.0
 
@@ -111,8 +112,14 @@ def _ahead(spots: Sequence[Waypoint], value: float) -> Pose:
 def _between(one: Waypoint, two: Waypoint, value: float) -> Pose:
     """The pose on the straight way through two spots."""
     part = (value - one.value) / (two.value - one.value)
-    (p, u), (q, w) = one.pose, two.pose
-    return p + (q - p) * part, u * cmath.exp(1j * cmath.phase(w / u) * part)
+    (p, *before), (q, *after) = one.pose, two.pose
+    axes = (u * cmath.exp(1j * cmath.phase(w / u) * part) for u, w in zip(before, after, strict=True))
+    return p + (q - p) * part, *axes
+
+
+def _off(one: Pose, two: Pose, size: float) -> float:
+    """How far two poses are apart, in sizes of the link and radians."""
+    return float(max(abs(one[0] - two[0]) / size, *(abs(u - w) for u, w in zip(one[1:], two[1:], strict=True))))
 
 
 def follow(ties: Ties, start: float, pose: Pose, size: float, turning: bool) -> Branch | None:
@@ -134,7 +141,7 @@ def _series(way: _Way, spots: list[Waypoint], count: int) -> Branch | None:
     """The series of so many terms, through as many spots on the way."""
     low, high = spots[0].value, spots[-1].value
     values = [s.value for s in spots]
-    places, turns = list[complex](), list[float]()
+    places, turns = list[complex](), [list[float]() for _ in way.start.pose[1:]]
     for j in range(count):  # from the highest value of the drive down
         tau = math.pi * (1 - math.cos(math.pi * (j + 0.5) / count)) / 2
         value = (low + high) / 2 + (high - low) / 2 * math.cos(tau)
@@ -143,10 +150,11 @@ def _series(way: _Way, spots: list[Waypoint], count: int) -> Branch | None:
         if spot is None:
             return None
         places.append(spot.pose[0] / way.size)
-        last = turns[-1] if turns else 0.0
-        turns.append(last + cmath.phase(spot.pose[1] * cmath.exp(-1j * last)))
-    terms = [_term(k, places[::-1]) for k in range(count)]
-    return Branch(low, high, way.sign, tuple(terms), tuple(_term(k, turns[::-1]).real for k in range(count)))
+        for axis, turned in zip(spot.pose[1:], turns, strict=True):
+            last = turned[-1] if turned else 0.0
+            turned.append(last + cmath.phase(axis * cmath.exp(-1j * last)))
+    terms = (tuple(_term(k, turned[::-1]).real for k in range(count)) for turned in turns)
+    return Branch(low, high, way.sign, tuple(_term(k, places[::-1]) for k in range(count)), tuple(terms))
 
 
 def _term(k: int, values: Sequence[complex]) -> complex:
@@ -160,12 +168,11 @@ def _tells(way: _Way, branch: Branch, spots: Sequence[Waypoint]) -> bool:
     """Whether the series leads to every spot of the way, and to none else."""
     edge = EDGE * (branch.high - branch.low)
     for spot in (s for s in spots if branch.low + edge <= s.value <= branch.high - edge):
-        place, axis = branch.guess(spot.value)
+        place, *axes = branch.guess(spot.value)
         try:
-            pose, det, moved = settle(spot.ties, (place * way.size, axis), way.size, way.ar)
+            pose, det, moved = settle(spot.ties, (place * way.size, *axes), way.size, way.ar)
         except ArithmeticError:
             return False
-        off = max(abs(pose[0] - spot.pose[0]) / way.size, abs(pose[1] - spot.pose[1]))
-        if not (off < SETTLED and moved < SETTLED and det * way.sign > 0):
+        if not (_off(pose, spot.pose, way.size) < SETTLED and moved < SETTLED and det * way.sign > 0):
             return False
     return True

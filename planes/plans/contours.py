@@ -11,6 +11,7 @@ from typing import ClassVar
 
 from planes.plans.basic_links import Lead, Triad
 from planes.plans.groups import Group, Pair
+from planes.plans.pairings import Pairing
 from planes.words import Phrase
 from planes.words.records import Json
 
@@ -37,6 +38,16 @@ class Contour:
     def balanced(self) -> tuple[str, ...]:
         """The links whose forces its plan has, by which that is called."""
         return self.whole
+
+    @property
+    def basics(self) -> tuple[str, ...]:
+        """Its basic links."""
+        return (self.basic,)
+
+    @property
+    def balances(self) -> tuple[tuple[str, ...], ...]:
+        """The links of each plan of forces, which is called by them."""
+        return (self.balanced,)
 
     @property
     def members(self) -> str:
@@ -96,7 +107,7 @@ class Contour:
         return {"links": list(self.links), **own, "name": self.name}
 
 
-Tracked = Triad | Contour
+Tracked = Triad | Contour | Pairing
 """A group whose basic link is found by a track."""
 AnyGroup = Group | Tracked
 Between = Callable[[str, str], Sequence[Pair]]  # the pairs of a link with another one

@@ -87,6 +87,11 @@ class Group:
         both = (self.first, self.first_outer), (self.last, self.last_outer)
         return both[::-1] if self.drive and self.drive.joins(self.last) else both
 
+    @property
+    def balances(self) -> tuple[tuple[str, ...], ...]:
+        """The links of each plan of forces, which is called by them."""
+        return (self.balanced,)
+
     def parts(self, link: str) -> tuple[str, ...]:
         """The links that one of the two is made of: itself and, with a drive inside, the other of that."""
         return (link, self.drive.mate(link)) if self.drive and link == self.held else (link,)

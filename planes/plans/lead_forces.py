@@ -52,9 +52,9 @@ class LeadForces:
 
     def __init__(self, statics: Statics, group: Tracked) -> None:
         self.statics, self.bodies, self.draft = statics, statics.bodies, statics.bodies.draft
-        self.plan = force_plan(*group.balanced)
+        self.plan = force_plan(*group.balances[0])
         self.leads = self.bodies.leads[group.basic]
-        self.couples = {x: list(statics.acting.couples[x]) for x in group.balanced}
+        self.couples = {x: list(statics.acting.couples[x]) for x in group.whole}
         self.slips: Mapping[Pair, Slip] = {}
 
     def rub(self, rubs: Rubs) -> None:

@@ -88,7 +88,7 @@ def _balanced(s: Statics) -> Iterator[Proof]:
         elif pair.joins(link):
             plan = force_plan(drive.link)
             sides.append((at(plan, force_name(drive.link, pair.other)), at(plan, POLE), sign, s.bodies.foot(pair), ""))
-        groups = [g.balanced for g in s.bodies.structure.groups if link in g.balanced]
+        groups = [plan for g in s.bodies.structure.groups for plan in g.balances if link in plan]
         plan = force_plan(*(groups[0] if groups else (link,)))
         yield Balanced(plan, link, tuple(forces), tuple(sides), tuple(couples))
 

@@ -6,6 +6,8 @@ from planes.plans.braces import place_braced
 from planes.plans.contour_scheme import place_contour
 from planes.plans.driven_positions import place_driven
 from planes.plans.groups import Group
+from planes.plans.pairing_scheme import place_pairing
+from planes.plans.pairings import Pairing
 from planes.plans.positions import PLACERS, place_slider
 from planes.plans.slid_triads import place_slid
 from planes.plans.triads import place_triad
@@ -34,6 +36,8 @@ def place_all(b: Bodies) -> None:
                     b.known[link].root = FRAME
         elif isinstance(group, Triad):
             (place_slid if group.slid else place_triad)(b, group)
+        elif isinstance(group, Pairing):
+            place_pairing(b, group)
         else:
             place_contour(b, group)
 

@@ -19,6 +19,8 @@ from planes.plans.driver_forces import DriverForces
 from planes.plans.groups import Group, Pair
 from planes.plans.hinges import Grip
 from planes.plans.loads import Couple, Force, force_name
+from planes.plans.pairing_forces import PairingForces
+from planes.plans.pairings import Pairing
 from planes.plans.reactions import Reaction, Statics, chain_of, meet_with_friction
 from planes.plans.rubbing import Rubs, settled
 from planes.plans.triad_forces import TriadForces
@@ -35,6 +37,8 @@ def draw_forces(statics: Statics) -> None:
                 _GroupForces(statics, group).draw()
             case Triad():
                 TriadForces(statics, group).draw()
+            case Pairing():
+                PairingForces(statics, group).draw()
             case _:
                 ContourForces(statics, group).draw()
     for group in structure.dyads:

@@ -1,5 +1,6 @@
 """Which assembly of a higher group is meant: all are found and counted at the drive's value, one chosen, followed."""
 
+import cmath
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -9,10 +10,12 @@ from planes.drafting.steps.tracks import CutTrack
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
 from planes.geometry.sextic import Counted, assemblies
-from planes.geometry.tracks import Pose, Tie
+from planes.geometry.tracks import Pose, Tie, advanced
+from planes.geometry.two_tracks import both_assemblies
 from planes.plans.basic_links import Triad
 from planes.plans.bodies import SCHEME, Bodies, TrackChoice
 from planes.plans.branch import Branch, follow
+from planes.plans.pairings import Pairing
 from planes.scene.mechanism import Assembly
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
@@ -50,27 +53,29 @@ class Tracks:
 
     def all(self) -> Counted:
         """Every assembly there."""
-        return assemblies(self.ties(self.start))
+        ties = self.ties(self.start)
+        return both_assemblies(ties) if isinstance(self.choice.group, Pairing) else assemblies(ties)
 
     def place(self, pose: Pose, point: str) -> complex:
         """Where a point of the group would be in an assembly."""
-        self.set(Branch(self.start - 1.0, self.start + 1.0, self.sense(pose), (pose[0] / self.size,), (turn(pose),)))
+        self.set(Branch(self.start - 1.0, self.start + 1.0, self.sense(pose), (pose[0] / self.size,), turns(pose)))
         program = Program(tuple(self.bodies.draft.steps.values())).sliced([at(SCHEME, point)])
         return complex(run(program, {**self.bodies.draft.given, mu_of(SCHEME): 1.0})[at(SCHEME, point)])
 
     def sense(self, pose: Pose) -> float:
         """The sense of the leads' lines about each other."""
-        (_, n, m), (_, k, p), (_, w, q) = (tie.wrench(*pose) for tie in self.ties(self.start))
-        return 1.0 if m * plane.cross(k, w) + p * plane.cross(w, n) + q * plane.cross(n, k) > 0 else -1.0
+        return 1.0 if advanced(self.ties(self.start), pose)[2] > 0 else -1.0
 
     def set(self, branch: Branch) -> None:
         """Give the program an assembly with its range."""
-        d, old, basic = self.bodies.draft, self.choice.guess, self.choice.group.basic
+        d, old, basics = self.bodies.draft, self.choice.guess, self.choice.group.basics
         d.given[old.middle], d.given[old.half] = (branch.low + branch.high) / 2, (branch.high - branch.low) / 2
         d.given[self.choice.side] = branch.side
-        names = [tuple(f"{what}_{basic}_{k}" for k in range(len(branch.turns))) for what in ("track", "turning")]
-        d.given |= {**dict(zip(names[0], branch.places, strict=True)), **dict(zip(names[1], branch.turns, strict=True))}
-        guess = replace(old, places=names[0], turns=names[1])
+        told = [("track", basics[0], branch.places), *(("turning", *x) for x in zip(basics, branch.turns, strict=True))]
+        places, *turned = (tuple(f"{what}_{basic}_{k}" for k in range(len(terms))) for what, basic, terms in told)
+        for names, (_, _, terms) in zip((places, *turned), told, strict=True):
+            d.given |= dict(zip(names, terms, strict=True))
+        guess = replace(old, places=places, turns=tuple(turned))
         for name, step in d.steps.items():
             if isinstance(step, CutTrack) and step.holds == self.choice.holds:
                 d.steps[name] = replace(step, guess=guess)
@@ -81,6 +86,8 @@ class Tracks:
         if branch is None:
             raise self.error(Phrase("track_not_followed", **self.named()))
         self.set(branch)
+        if isinstance(self.choice.group, Pairing):
+            return
         leads, sharp = self.choice.group.leads, self.crossings(pose)
         first = sharp.index(max(sharp))
         self.bodies.leads[self.choice.group.basic] = (*leads[first:], *leads[:first])
@@ -164,8 +171,6 @@ def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[Phrase]:
         yield Phrase("track_offer", key=key, x=place.real, y=place.imag)
 
 
-def turn(pose: Pose) -> float:
-    """The angle of a pose, radians."""
-    import cmath
-
-    return cmath.phase(pose[1])
+def turns(pose: Pose) -> tuple[tuple[float, ...], ...]:
+    """The angles of a pose, radians, each as a series of one term."""
+    return tuple((cmath.phase(axis),) for axis in pose[1:])

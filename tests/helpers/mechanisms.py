@@ -473,10 +473,46 @@ class Builder:
                 break
         else:
             raise NoSolution("no well conditioned place for a group was drawn")
-        hinges = [(next(self.names), z) for z, lead in zip(spots, kind.split("-"), strict=True) if lead[1] == "R"]
-        basic, leads = self.link(hinges), []
+        self.basic(kind.split("-"), bases, spots, pivots, ways, [])
+
+    def pairing(self, kind: str) -> None:
+        """Two basic links hinged to each other, "RR-PR+RP-RR": two leads each on earlier bodies; far from where it
+        stops: the lines from the hinge to where the leads of each cross."""
+        rng, moving = self.rng, self.bodies[1:]
+        sides = [side.split("-") for side in kind.split("+")]
+        bases = [rng.choice([moving[-1], *moving]), *rng.choices(self.bodies, k=3)]
+        for _ in range(2000):
+            pin, spots, pivots = self.spot(), [self.spot() for _ in range(4)], [self.spot() for _ in range(4)]
+            ways, pulls = [rng.uniform(-math.pi, math.pi) for _ in range(4)], list[complex]()
+            for k, leads in enumerate(sides):
+                own = slice(2 * k, 2 * k + 2)
+                pulls.append(pull_at(pin, leads, spots[own], pivots[own], ways[own]))
+            if abs((pulls[0].conjugate() * pulls[1]).imag) > 0.2 * self.size**2:
+                break
+        else:
+            raise NoSolution("no well conditioned place for a group was drawn")
+        name = next(self.names)
+        for k, leads in enumerate(sides):
+            own = slice(2 * k, 2 * k + 2)
+            self.basic(leads, bases[own], spots[own], pivots[own], ways[own], [(name, pin)])
+        second = self.triads.pop()
+        self.triads[-1] = (*self.triads[-1][:2], {name: pin, **self.triads[-1][2], **second[2]})
+
+    def basic(
+        self,
+        kinds: list[str],
+        bases: list[Body],
+        spots: list[complex],
+        pivots: list[complex],
+        ways: list[float],
+        more: list[tuple[str, complex]],
+    ) -> None:
+        """A basic link, with ``more`` points of it, and its leads."""
+        rng = self.rng
+        hinges = [(next(self.names), z) for z, lead in zip(spots, kinds, strict=True) if lead[1] == "R"]
+        basic, leads = self.link([*more, *hinges]), []
         names = iter(hinges)
-        for lead, base, pivot, u in zip(kind.split("-"), bases, pivots, ways, strict=True):
+        for lead, base, pivot, u in zip(kinds, bases, pivots, ways, strict=True):
             if lead == "PR":
                 leads.append(self.link([next(names)], u))
                 self.outer_slide(leads[-1], base, u)
@@ -603,6 +639,17 @@ def three_lines(leads: Sequence[str], spots: list[complex], pivots: list[complex
     return abs(float(np.linalg.det(np.array(rows))))
 
 
+def pull_at(pin: complex, kinds: list[str], spots: list[complex], pivots: list[complex], ways: list[float]) -> complex:
+    """In which direction two leads hold a point of their link, and how firmly: times the arm of a lead."""
+    lines = []
+    for lead, spot, pivot, u in zip(kinds, spots, pivots, ways, strict=True):
+        at = pivot if lead == "RP" else spot
+        along = (spot - pivot) / abs(spot - pivot) if lead == "RR" else 1j * cmath.rect(1.0, u)
+        lines.append((along, ((at - pin).conjugate() * along).imag))
+    (n, m), (k, p) = lines
+    return n * p - k * m
+
+
 def spelled(rng: random.Random, z: complex, size: float) -> Any:
     """A local coordinate as a number (on the x axis), [x, y] or {r, angle}."""
     if abs(z.imag) < 1e-14 * size and rng.random() < 0.8:
@@ -710,7 +757,8 @@ def attempt(
         if kind.startswith("IV"):
             build.contour(kind)
         else:
-            build.triad(kind) if "-" in kind else build.group(kind, k == blunt)
+            way = build.pairing if "+" in kind else build.triad
+            way(kind) if "-" in kind else build.group(kind, k == blunt)
     for body in build.bodies[1:]:
         for _ in range(0 if body.bare else rng.randint(0, 2)):
             build.add(body, build.spot())

@@ -240,7 +240,7 @@ def order_of_groups(
         else:
             left = [n for n in links if n not in solved]
             whole = basic_and_leads(left, outer, points, slides, known)
-            whole = whole or contour(left, outer, points, slides, known)
+            whole = whole or two_basics(left, outer, points, known) or contour(left, outer, points, slides, known)
             groups.append(whole)
             solved |= set(whole)
     return groups
@@ -335,6 +335,16 @@ def basic_and_leads(
         if len(leads) == 3:
             return basic, *leads
     return ()
+
+
+def two_basics(
+    left: list[str], outer: Mapping[str, int], points: Mapping[str, Mapping[str, complex]], known: set[str]
+) -> tuple[str, ...]:
+    """Two links on no solved one with a hinge in common, and the four others, if there are no more."""
+    basics = [n for n in left if not outer[n]]
+    if len(left) < 6 or len(basics) != 2 or not {*points[basics[0]]} & {*points[basics[1]]} - known:
+        return ()
+    return *basics, *(n for n in left if outer[n] == 1)
 
 
 def contour(

@@ -13,7 +13,8 @@ from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.sextic import assemblies
-from planes.geometry.tracks import newton
+from planes.geometry.tracks import advanced
+from planes.geometry.two_tracks import both_assemblies
 from planes.plans.groups import Group
 from planes.words import Phrase, Told, Written
 from planes.words.names import label_of, letter_of
@@ -59,13 +60,16 @@ def _reassembled(w: PlanSteps) -> Iterator[Variant]:
         things, guess = run(program, {**w.plans.given, cut.mu: 1.0}).things, cut.guess
         ties, size = [hold.tie(things, 1.0, Arithmetic()) for hold in holds], things[guess.size]
         drawn = run(w.program.sliced([cut.makes]), {**w.plans.given, cut.mu: 1.0})[cut.makes]
-        here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys((*guess.places, *guess.turns), 0.0)
-        poses = assemblies(ties).poses
-        others = [p for p in poses if abs(p[0] + p[1] * things[cut.local] - drawn) > ELSEWHERE * size]
+        terms = *guess.places, *(name for turn in guess.turns for name in turn)
+        here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys(terms, 0.0)
+        poses = (assemblies if len(holds) == 3 else both_assemblies)(ties).poses
+        local = things[cut.local] - (things[cut.hinge] if cut.hinge else 0.0)
+        others = [p for p in poses if abs(p[0] + p[1 + cut.link] * local - drawn) > ELSEWHERE * size]
         which = Phrase("assembly_another", count=len(poses), level=_level(w, cut))
-        for origin, axis in others:
-            there = here | {guess.places[0]: origin / size, guess.turns[0]: cmath.phase(axis)}
-            there[cut.side] = math.copysign(1.0, newton(ties, origin, axis)[3])
+        for pose in others:
+            turned = {turn[0]: cmath.phase(axis) for turn, axis in zip(guess.turns, pose[1:], strict=True)}
+            there = here | {guess.places[0]: pose[0] / size} | turned
+            there[cut.side] = math.copysign(1.0, advanced(ties, pose)[2])
             users, part = w.readers(guess.middle), 1 / len(others)
             yield from _marked(w, "other_assembly", users, there, part, {"which": which})
 

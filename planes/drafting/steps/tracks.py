@@ -14,7 +14,7 @@ from typing import ClassVar
 from planes.drafting.steps import Kind, Read, Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
-from planes.geometry.tracks import Pose, Tie, TieKind, newton
+from planes.geometry.tracks import Pose, Tie, TieKind, advanced
 
 BEFORE = 5  # steps from the guess, a tenth off where lengths were changed, until it is no worse than rounding makes it
 SETTLED = 1e-9  # of the link's size: the last step moves it by less
@@ -23,13 +23,16 @@ SETTLED = 1e-9  # of the link's size: the last step moves it by less
 @dataclass(frozen=True)
 class Hold:
     """A lead of the link, by names: ``local`` the point held (its place on the link), ``place`` the mark it is held
-    from, ``reach`` a length, ``turn`` the direction of a line, or the angle of a guide in the link's own axes."""
+    from, ``reach`` a length, ``turn`` the direction of a line, or the angle of a guide in the link's own axes. Of two
+    links hinged to each other, ``link`` is which it holds, and ``hinge`` the place of their hinge on that."""
 
     kind: TieKind
     local: str
     place: str
     reach: str = ""
     turn: str = ""
+    link: int = 0
+    hinge: str = ""
 
     def reads(self) -> Iterator[Read]:
         """Names of what it needs."""
@@ -38,6 +41,8 @@ class Hold:
             yield self.reach, "value"
         if self.turn:
             yield self.turn, "direction" if self.kind == "line" else "value"
+        if self.hinge:
+            yield self.hinge, "place"
 
     def tie(self, env: Env, mu: Real, ar: Arithmetic) -> Tie:
         """The lead as it lies, in mm."""
@@ -45,12 +50,14 @@ class Hold:
         turn: Point = 1 + 0j
         if self.turn:
             turn = env[self.turn] if self.kind == "line" else ar.cis_deg(env[self.turn])
-        return Tie(self.kind, env[self.local] * mu, env[self.place], reach * mu, turn)
+        local = env[self.local] - env[self.hinge] if self.hinge else env[self.local]
+        return Tie(self.kind, local * mu, env[self.place], reach * mu, turn, self.link)
 
 
 @dataclass(frozen=True)
 class SeriesGuess:
-    """Where about an assembly is: series in the drive's value, of places (over ``size``) and of the turn in radians.
+    """Where about an assembly is: series in the drive's value, of places (over ``size``) and of turns in radians, for
+    each link that is cut by one track.
 
     They go by Chebyshev's polynomials of the angle whose cosine is the drive's part of its range, so that the ends of
     it, where two assemblies meet and part at the rate of a square root, are as smooth as the middle.
@@ -62,11 +69,12 @@ class SeriesGuess:
     half: str
     size: str
     places: tuple[str, ...]
-    turns: tuple[str, ...]
+    turns: tuple[tuple[str, ...], ...]
 
     def reads(self) -> Iterator[Read]:
         """Names of what it needs."""
-        yield from ((n, "value") for n in (self.drive, self.middle, self.half, self.size, *self.turns))
+        yield from ((n, "value") for n in (self.drive, self.middle, self.half, self.size))
+        yield from ((n, "value") for terms in self.turns for n in terms)
         yield from ((n, "place") for n in self.places)
 
     def part(self, env: Env, ar: Arithmetic) -> Real:
@@ -78,8 +86,9 @@ class SeriesGuess:
         """The pose guessed."""
         inside = ar.maximum(ar.minimum(part, 1.0), -1.0)
         y = ar.angle_deg(inside + 1j * ar.sqrt(1.0 - inside * inside)) / 90.0 - 1.0
-        place, turn = series([env[n] for n in self.places], y), series([env[n] for n in self.turns], y)
-        return place * (env[self.size] * mu), ar.cis_deg(turn * 57.29577951308232)
+        turns = (series([env[n] for n in terms], y) for terms in self.turns)
+        axes = (ar.cis_deg(turn * 57.29577951308232) for turn in turns)
+        return series([env[n] for n in self.places], y) * (env[self.size] * mu), *axes
 
 
 def series(terms: list[Thing], y: Real) -> Thing:
@@ -93,23 +102,28 @@ def series(terms: list[Thing], y: Real) -> Thing:
 
 @dataclass(frozen=True)
 class CutTrack(Step):
-    """Cut the track of a link's point: the mark of the point ``local`` where all three ``holds`` are kept."""
+    """Cut the track of a link's point: the mark of the point ``local`` where all ``holds`` are kept: three, or two each
+    of two links hinged to each other, of which ``link`` has the point; the ``hinge`` is its place on that."""
 
     local: str
-    holds: tuple[Hold, Hold, Hold]
+    holds: tuple[Hold, ...]
     guess: SeriesGuess
     mu: str
     side: str
+    link: int = 0
+    hinge: str = ""
 
     def reads(self) -> tuple[Read, ...]:
         own: tuple[Read, ...] = ((self.local, "place"), (self.mu, "value"), (self.side, "value"))
+        own += ((self.hinge, "place"),) if self.hinge else ()
         held = (read for hold in self.holds for read in hold.reads())
         found: dict[Read, None] = dict.fromkeys((*held, *self.guess.reads(), *own))
         return tuple(found)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        origin, axis = self.lie(env, tool)
-        return tool.mark(origin + axis * (env[self.local] * env[self.mu]))
+        origin, *axes = self.lie(env, tool)
+        local = env[self.local] - env[self.hinge] if self.hinge else env[self.local]
+        return tool.mark(origin + axes[self.link] * (local * env[self.mu]))
 
     def lie(self, env: Env, tool: Tool) -> Pose:
         """Where the link lies."""
@@ -119,7 +133,8 @@ class CutTrack(Step):
         part = self.guess.part(env, ar)
         pose, det, moved = settle(ties, self.guess.pose(part, env, mu, ar), size, ar)
         tool.sharpen(self.makes, abs(det))
-        miss = abs(ties[2].wrench(*pose)[0])
+        last = ties[-1]
+        miss = abs(last.wrench(pose[0], pose[1 + last.link])[0])
         inside: Truth = (part <= 1.0) & (part >= -1.0)
         tool.require(inside & (moved <= SETTLED), self, "track_missed", miss_mm=miss)
         tool.require(det * env[self.side] > 0, self, "track_missed", miss_mm=miss)
@@ -133,19 +148,17 @@ class CutTurn(CutTrack):
     kind: ClassVar[Kind] = "direction"
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        return self.lie(env, tool)[1]
+        return self.lie(env, tool)[1 + self.link]
 
 
 def settle(ties: list[Tie], pose: Pose, size: Real, ar: Arithmetic) -> tuple[Pose, Real, Real]:
-    """The pose near a guessed one that keeps three ties, how sharply (with its sign), and how far the last step was.
+    """The pose near a guessed one that keeps the ties, how sharply (with its sign), and how far the last step was.
 
     All in parts of ``size``: the link's own."""
-    over = [Tie(t.kind, t.local / size, t.place / size, t.reach / size, t.turn) for t in ties]
-    origin, axis = pose[0] / size, pose[1]
+    over = [Tie(t.kind, t.local / size, t.place / size, t.reach / size, t.turn, t.link) for t in ties]
+    at: Pose = (pose[0] / size, *pose[1:])
     for _ in range(BEFORE):
-        origin, axis, _, _ = newton(over, origin, axis)
-    origin = ar.guess(origin.real) + 1j * ar.guess(origin.imag)
-    axis = ar.guess(axis.real) + 1j * ar.guess(axis.imag)
-    axis = axis / abs(axis)
-    origin, axis, moved, det = newton(over, origin, axis)
-    return (origin * size, axis), det, moved
+        at = advanced(over, at)[0]
+    origin, *axes = (ar.guess(z.real) + 1j * ar.guess(z.imag) for z in at)
+    (origin, *axes), moved, det = advanced(over, (origin, *(axis / abs(axis) for axis in axes)))
+    return (origin * size, *axes), det, moved

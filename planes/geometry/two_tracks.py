@@ -1,0 +1,193 @@
+"""All assemblies of two links hinged to each other on two ties each, none missed: both draw tracks with their hinge,
+and the tracks cross there.
+
+With the hinge at (x, y) a tie is linear in the cosine and the sine of its link's angle; so two of them give both, and
+that their squares add up to one is the equation of the track, of degree six at most. What y is left out of by the
+determinant of J. J. Sylvester is made of the ties' numbers in whole numbers, without rounding; so its real roots are
+counted exactly.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import comb, gcd, lcm
+
+from planes.geometry.arrays import Array
+from planes.geometry.real_roots import Line, caught, isolated
+from planes.geometry.sextic import Counted
+from planes.geometry.tracks import Pose, Tie, advanced
+
+SLANT = (53, 31)  # u = 53x + 31y is what is left: no two crossings of a symmetrical figure have the same
+STEPS = 40
+Plane = dict[tuple[int, int], int]  # a polynomial in x and y: whole coefficients by powers
+
+
+def both_assemblies(ties: Sequence[Tie]) -> Counted:
+    """Every pose of the two links: where their hinge is, and both axes."""
+    lengths = [x for t in ties for x in (*_parts(t.local), *_parts(t.place), Fraction(t.reach))]
+    unit = lcm(*(x.denominator for x in lengths))
+    tracks = [_slanted(_track([_row(t, unit) for t in ties if t.link == k])) for k in (0, 1)]
+    left = _left(tracks)
+    ranges = isolated(left) if left else None
+    if ranges is None:
+        return Counted((), 0, True)
+    found = [p for low, high in ranges for p in _posed(ties, tracks, caught(left, low, high), unit)]
+    return Counted(tuple(sorted(found, key=lambda pose: cmath.phase(pose[1]))), len(ranges), False)
+
+
+def _parts(z: complex) -> tuple[Fraction, Fraction]:
+    return Fraction(complex(z).real), Fraction(complex(z).imag)
+
+
+def _row(t: Tie, unit: int) -> tuple[Plane, Plane, Plane]:
+    """A tie as A cos + B sin = C."""
+    turn = _parts(t.turn)
+    whole = 1 if t.kind == "arc" else lcm(*(x.denominator for x in turn))
+    lx, ly, px, py, reach = (int(z * unit) for z in (*_parts(t.local), *_parts(t.place), Fraction(t.reach)))
+    tx, ty = (int(x * whole) for x in turn)
+    gx: Plane = {(1, 0): 1, (0, 0): -px}
+    gy: Plane = {(0, 1): 1, (0, 0): -py}
+    if t.kind == "arc":
+        size = _sum((1, _times(gx, gx)), (1, _times(gy, gy)), (lx * lx + ly * ly - reach * reach, ONE))
+        return _sum((2 * lx, gx), (2 * ly, gy)), _sum((-2 * ly, gx), (2 * lx, gy)), _sum((-1, size))
+    if t.kind == "line":
+        cos, sin = {(0, 0): tx * ly - ty * lx}, {(0, 0): tx * lx + ty * ly}
+        return cos, sin, _sum((-tx, gy), (ty, gx), (reach * whole, ONE))
+    return _sum((-tx, gy), (ty, gx)), _sum((ty, gy), (tx, gx)), {(0, 0): tx * ly - ty * lx + reach * whole}
+
+
+ONE: Plane = {(0, 0): 1}
+
+
+def _sum(*terms: tuple[int, Plane]) -> Plane:
+    found: Plane = {}
+    for factor, poly in terms:
+        for k, q in poly.items():
+            found[k] = found.get(k, 0) + factor * q
+    return {k: q for k, q in found.items() if q}
+
+
+def _times(one: Plane, two: Plane) -> Plane:
+    found: Plane = {}
+    for (i, j), p in one.items():
+        for (k, m), q in two.items():
+            found[i + k, j + m] = found.get((i + k, j + m), 0) + p * q
+    return found
+
+
+def _track(rows: list[tuple[Plane, Plane, Plane]]) -> Plane:
+    """Where the hinge can be on two ties of a link."""
+    (a, b, c), (d, e, f) = rows
+    cos, sin = _sum((1, _times(c, e)), (-1, _times(f, b))), _sum((1, _times(a, f)), (-1, _times(d, c)))
+    both = _sum((1, _times(a, e)), (-1, _times(d, b)))
+    return _sum((1, _times(cos, cos)), (1, _times(sin, sin)), (-1, _times(both, both)))
+
+
+def _degree(track: Plane) -> int:
+    return max((i + j for i, j in track), default=0)
+
+
+def _slanted(track: Plane) -> Plane:
+    """The same in u and y."""
+    along, up = SLANT
+    degree, found = _degree(track), Plane()
+    for (i, j), q in track.items():
+        for k in range(i + 1):  # x = (u − up·y) / along
+            term = q * comb(i, k) * (-up) ** (i - k) * along ** (degree - i)
+            found[k, j + i - k] = found.get((k, j + i - k), 0) + term
+    return _sum((1, found))
+
+
+def _in_y(track: Plane, u: int | Fraction) -> list[int | Fraction]:
+    """A track's polynomial in y at one u, from the lowest power; of the same length for every u."""
+    found: list[int | Fraction] = [0] * (1 + max((j for _, j in track), default=0))
+    for (k, j), q in track.items():
+        found[j] += q * u**k
+    return found
+
+
+def _left(tracks: list[Plane]) -> Line:
+    """What is left of both tracks without y: a polynomial in u, through its values."""
+    degree = _degree(tracks[0]) * _degree(tracks[1])
+    values = [_determinant(_sylvester(*(_in_y(track, u) for track in tracks))) for u in range(degree + 1)]
+    differences, table = list[Fraction](), values
+    factorial = 1
+    for k in range(degree + 1):
+        differences.append(Fraction(table[0], factorial))
+        table, factorial = [b - a for a, b in pairwise(table)], factorial * (k + 1)
+    poly: list[Fraction] = []
+    for k in reversed(range(degree + 1)):  # Newton's form, opened from within
+        shifted = [Fraction(0), *poly]
+        poly = [s - k * p for s, p in zip(shifted, [*poly, Fraction(0)], strict=True)]
+        poly[0] += differences[k]
+    while poly and not poly[-1]:
+        poly.pop()
+    below = lcm(*(q.denominator for q in poly)) if poly else 1
+    whole = [int(q * below) for q in poly]
+    common = gcd(*whole) or 1
+    return [q // common for q in whole]
+
+
+def _sylvester(one: list[int | Fraction], two: list[int | Fraction]) -> list[list[int]]:
+    m, n = len(one) - 1, len(two) - 1
+    rows = [[0] * k + one[::-1] + [0] * (n - 1 - k) for k in range(n)]
+    return [[int(q) for q in row] for row in rows + [[0] * k + two[::-1] + [0] * (m - 1 - k) for k in range(m)]]
+
+
+def _determinant(rows: list[list[int]]) -> int:
+    """Without fractions, by E. H. Bareiss."""
+    sign, last, size = 1, 1, len(rows)
+    for k in range(size - 1):
+        pivot = next((i for i in range(k, size) if rows[i][k]), None)
+        if pivot is None:
+            return 0
+        if pivot != k:
+            rows[k], rows[pivot], sign = rows[pivot], rows[k], -sign
+        for i in range(k + 1, size):
+            rows[i] = [(rows[i][j] * rows[k][k] - rows[i][k] * rows[k][j]) // last if j > k else 0 for j in range(size)]
+        last = rows[k][k]
+    return sign * rows[-1][-1] if size else 1
+
+
+def _posed(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> Iterator[Pose]:
+    """The pose where both tracks have the same u, by Newton's steps; nothing where they do not settle there."""
+    import numpy
+
+    one, two = (_roots(_in_y(track, u), unit) for track in tracks)
+    apart = numpy.abs(one[:, None] - two[None, :])
+    k, m = numpy.unravel_index(int(apart.argmin()), apart.shape)
+    y = float((one[k] + two[m]).real) / 2
+    at, size = float(u / unit), max(abs(t.place) + abs(t.local) + abs(t.reach) for t in ties)
+    hinge = complex((at - SLANT[1] * y) / SLANT[0], y)
+    pose: Pose = (hinge, *(_axis([t for t in ties if t.link == side], hinge) for side in (0, 1)))
+    for _ in range(STEPS):
+        pose, moved, det = advanced(ties, pose)
+        if not det:
+            return
+        if moved < 1e-13 * (1 + size):
+            break
+    off = SLANT[0] * pose[0].real + SLANT[1] * pose[0].imag - at
+    if moved < 1e-9 * (1 + size) and abs(off) < 1e-7 * sum(SLANT) * size:
+        yield pose
+
+
+def _roots(poly: list[int | Fraction], unit: int) -> Array:
+    import numpy
+
+    scaled = [Fraction(q) * unit**k for k, q in enumerate(poly)]
+    most = max(map(abs, scaled))
+    return numpy.asarray(numpy.roots([float(q / most) for q in reversed(scaled)]))
+
+
+def _axis(ties: Sequence[Tie], hinge: complex) -> complex:
+    """The axis of a link on two ties, its hinge being there."""
+    rows = []
+    for t in ties:
+        right, up, left, down = (float(t.wrench(hinge, axis)[0]) for axis in (1 + 0j, 1j, -1 + 0j, -1j))
+        rows.append((complex(right - left, up - down), -(right + left)))
+    (a, p), (b, q) = rows
+    z = 1j * (q * a - p * b) / ((a.conjugate() * b).imag or 1.0)
+    return z / (abs(z) or 1.0)
