@@ -75,7 +75,8 @@ class StepWords:
     def track(self, step: CutTrack) -> Words:
         """The crossing of a track with the line of the lead that is taken off; of the others, where they are then."""
         drawn = (x for x in self.made.values() if isinstance(x, CutTrack) and x.holds == step.holds)
-        key = "track" if next(drawn).makes == step.makes else "track_too"
+        first = "track" if len(step.holds) == 3 else "track_both"
+        key = first if next(drawn).makes == step.makes else "track_too"
         hold = next((h for h in step.holds if h.local == step.local), step.holds[-1])
         kept: Names = {"start": lettered(hold.place)}
         if hold.kind == "arc":

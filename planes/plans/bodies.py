@@ -121,9 +121,9 @@ class Bodies:
     def special(self, basic: str) -> str:
         """The name of the special point of a basic link, that no other point has."""
         others = (name for link, name in self.specials.items() if link != basic)
-        name, taken = "S", {*self.mechanism.names, *self.coincident, *others}
-        while name in taken:
-            name += "_" if name != "S" else basic
+        taken = {*self.mechanism.names, *self.coincident, *others}
+        names = "S", f"S{basic}", "T", "U", "W", *(f"S{basic}" + "_" * k for k in range(1, 2 + len(taken)))
+        name = next(name for name in names if name not in taken)
         return self.specials.setdefault(basic, name)
 
     def small_letter(self, name: str) -> str:
