@@ -13,7 +13,7 @@ from planes.drafting.equations import Equation, Term
 from planes.plans.basic_links import Lead, Triad
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
 from planes.plans.carrying import carried
-from planes.plans.driven_positions import driven_length
+from planes.plans.driven_positions import driven_way
 from planes.plans.kinematics import Rates
 from planes.plans.legs import Leg, lead_leg, outer_leg
 from planes.plans.positions import chain_to, on_line, place_slider
@@ -62,13 +62,14 @@ def _reaching(
         start = b.shifted(f"{key}°{inner.guide}", beside, at(SCHEME, hinge), along, apart)
         return chain_to(key, label_of(start), along=along)
     hinge = inner.point
+    if lead.drive:
+        way, placers[lead] = driven_way(b, lead.moving(basic))
+        start = _moved(b, basic, label_of(way.start), hinge, key, axis)
+        return chain_to(key, start, way.length or None, way.along or None)
     if outer.kind == "P":
         start, along = on_line(b, outer, lead.link, hinge)
         return chain_to(key, _moved(b, basic, start, hinge, key, axis), along=along)
-    if lead.drive:
-        length, placers[lead] = driven_length(b, lead.moving(basic))
-    else:
-        length = b.length(b.mechanism.links[lead.link], outer.point, hinge)
+    length = b.length(b.mechanism.links[lead.link], outer.point, hinge)
     return chain_to(key, _moved(b, basic, outer.point, hinge, key, axis), length)
 
 

@@ -197,8 +197,8 @@ def test_a_contour_that_slides_at_both_ends_is_refused() -> None:
     text = text.replace("2: {points: {B: 0, C: 0.3, D: [0.1, 0.2]}}", "2: {points: {C: 0, D: [0.1, 0.2]}, slides: u}")
     assert refusal(text) == (
         "scene.yaml:5: links 2, 3, 4, 5 form an Assur group of a high class or order, and plans are drawn of groups of "
-        "class II, of class III and order 3 (or 4, of two basic links with a hinge in common), and of class IV and order 2, "
-        "one outer pair of which at least is a hinge; "
+        "class II, of class III and order 3 (or 4, of two basic links with a hinge in common), and of class IV and "
+        "order 2, one outer pair of which at least is a hinge; "
         "take another link as the driver, the class then is lower: link 4, I(0;4) -> III(1;2;3;5)"
     )
 
