@@ -481,6 +481,8 @@ class Builder:
         rng, moving = self.rng, self.bodies[1:]
         sides = [side.split("-") for side in kind.split("+")]
         bases = [rng.choice([moving[-1], *moving]), *rng.choices(self.bodies, k=3)]
+        if all(base is bases[0] for base in bases):
+            bases[3] = self.frame
         for _ in range(2000):
             pin, spots, pivots = self.spot(), [self.spot() for _ in range(4)], [self.spot() for _ in range(4)]
             ways, pulls = [rng.uniform(-math.pi, math.pi) for _ in range(4)], list[complex]()

@@ -94,7 +94,7 @@ def test_none_is_missed() -> None:
 
 @pytest.mark.slow
 def test_none_is_missed_of_many() -> None:
-    counts = [none_is_missed(f"many {k}") for k in range(100)]
+    counts = [none_is_missed(f"many {k}") for k in range(60)]
     assert max(counts) >= 8 and not any(count % 2 for count in counts)
 
 
@@ -117,7 +117,7 @@ def test_two_basic_links_with_loads_on_every_link() -> None:
 
 @pytest.mark.slow
 def test_more_with_loads_on_every_link() -> None:
-    for seed in range(100, 130):
+    for seed in range(100, 112):
         with_loads(seed)
 
 
@@ -134,8 +134,8 @@ def rubbing(seed: int) -> float | None:
 
 @pytest.mark.slow
 def test_with_friction_in_hinges_and_guides() -> None:
-    found = [e for seed in range(24) if (e := rubbing(seed)) is not None]
-    assert len(found) > 15 and max(found) <= 1e-9
+    found = [e for seed in range(16) if (e := rubbing(seed)) is not None]
+    assert len(found) > 9 and max(found) <= 1e-9
 
 
 def test_a_scene_that_does_not_say_is_told_every_assembly() -> None:
