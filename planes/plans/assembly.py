@@ -4,6 +4,7 @@ from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.plans.basic_links import Triad
 from planes.plans.bodies import AssemblyChoice, Bodies, TrackChoice
+from planes.plans.contours import Contour
 from planes.plans.groups import Group
 from planes.plans.tracks import resolve_track
 from planes.scene.mechanism import Assembly, Mechanism
@@ -49,7 +50,7 @@ def _said(choice: AssemblyChoice, mechanism: Mechanism) -> tuple[str, Assembly |
     return choice.key, None
 
 
-def _new_points(group: Group | Triad, mechanism: Mechanism) -> list[str]:
+def _new_points(group: Group | Triad | Contour, mechanism: Mechanism) -> list[str]:
     """Points that move with the choice: those of the group's links but the hinges it hangs on."""
     outer = {pair.point for pair in group.pairs if pair not in group.inner_pairs}
     points = [p for link in (*group.ends, *group.links) for p in mechanism.links[link].points]

@@ -4,6 +4,7 @@ Sources: L. V. Assur's groups and their classes by I. I. Artobolevsky; a group o
 link on three drivers (поводки), each of which hangs on a link that is solved.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -101,7 +102,7 @@ class Triad:
     @property
     def kind(self) -> int:
         """Where a lead slides at both ends: the kind of the dyad by which the others place the basic link."""
-        return {2: 1, 1: 2, 0: 4}[sum(lead.name == "RR" for lead in self.leads)]
+        return kind_by(self.leads)
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
@@ -134,3 +135,8 @@ class Triad:
         leads = [lead.link for lead in self.leads]
         own = {"class": 3, "order": 3, "basic": self.basic, "leads": leads}
         return {"links": list(self.links), **own, "name": self.name}
+
+
+def kind_by(leads: Iterable[Lead]) -> int:
+    """The kind of the dyad that places a point as these leads do."""
+    return {2: 1, 1: 2, 0: 4}[sum(lead.name == "RR" for lead in leads)]

@@ -8,7 +8,7 @@ from planes.drafting.draft import Draft
 from planes.drafting.steps import Similar
 from planes.drafting.steps.tracks import Hold, SeriesGuess
 from planes.plans.basic_links import Lead, Triad
-from planes.plans.contours import Tracked
+from planes.plans.contours import Contour, Tracked
 from planes.plans.groups import Group, Pair
 from planes.plans.reckoned import (
     OwnPlace,
@@ -62,7 +62,7 @@ class AssemblyChoice:
 
     side: str
     key: str
-    group: Group | Triad
+    group: Group | Triad | Contour
     placed: bool = True  # its places can be told before other choices are made
 
 

@@ -47,11 +47,15 @@ class ContourForces(LeadForces):
         rubs = settled(self, lambda s: ContourForces(s, self.group), pairs, pairs)
         ends = self.polygon()
         found = [r for held in self.drawn for r in self.read(held, ends, rubs)]
-        for pair, link in zip(self.group.outer, (self.group.base, self.group.basic), strict=True):
-            self.hang(pair, link, self.statics.react(pair, self.plan, *ends[pair], rubs.grips.get(pair)), found)
+        base, basic = self.group.outer
+        felt = self.couples[self.group.base]  # its leads have handed theirs on
+        felt += [c for c in self.statics.acting.couples[self.group.base] if c not in felt]
+        for pair, link, inner in ((base, self.group.base, []), (basic, self.group.basic, found)):
+            self.hang(pair, link, self.statics.react(pair, self.plan, *ends[pair], rubs.grips.get(pair)), inner)
 
     def hang(self, pair: Pair, link: str, reaction: Reaction, inner: list[Reaction]) -> None:
-        """The couple of an outer guide by what acts on the link, and what is handed on."""
+        """The couple of an outer guide by what acts on the link, and what is handed on; the ``inner`` reactions are those
+        that the link does not feel yet."""
         if pair.kind == "P":
             reaction = self.seated(reaction, link, inner)
         if pair.mate(link) != FRAME:
@@ -118,6 +122,8 @@ class ContourForces(LeadForces):
         for held in (one, two):
             forces += [self.handed(f, held) for f in held.known]
             couples += self.turning(held) if held.slider else []
+        if g.outer[0].kind == "P":
+            forces += self.rubbing(g.outer[0], g.base, at(SCHEME, self.bodies.mechanism.links[g.base].first_point))
         return _Equilibrium(g.outer[0], (g.base,), forces, couples)
 
     def turning(self, held: HeldLead) -> list[Couple]:

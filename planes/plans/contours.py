@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planes.plans.basic_links import Lead, Triad
+from planes.plans.basic_links import Lead, Triad, kind_by
 from planes.plans.groups import Group, Pair
 from planes.plans.pairings import Pairing
 from planes.words import Phrase
@@ -54,6 +54,16 @@ class Contour:
         """Its links as a formula of structure has them."""
         mates = {lead.link: lead.parts for lead in self.leads}
         return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
+
+    @property
+    def slid(self) -> bool:
+        """Whether it hangs on two guides."""
+        return all(pair.kind == "P" for pair in self.outer)
+
+    @property
+    def kind(self) -> int:
+        """Where it hangs on two guides: the kind of the dyad by which its leads place the basic link from the base."""
+        return kind_by(self.leads)
 
     @property
     def contour(self) -> tuple[str, str, str, str]:
@@ -135,6 +145,6 @@ def contour_of(names: Sequence[str], between: Between, outer: dict[str, list[Pai
         one, two = between(rod, base), between(rod, basic)
         if len(one) == len(two) == 1:
             leads.append(Lead(rod, two[0], one[0]))
-    if len(leads) < 2 or outer[base][0].kind == "P":
+    if len(leads) < 2:
         return None
     return Contour(tuple(names), base, basic, (outer[base][0], outer[basic][0]), (leads[0], leads[1]))

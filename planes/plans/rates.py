@@ -11,6 +11,7 @@ from planes.plans.groups import Group
 from planes.plans.kinematics import Rates
 from planes.plans.legs import lead_leg
 from planes.plans.pairings import Pairing
+from planes.plans.slid_contours import SlidContourRates
 from planes.plans.slid_triads import SlidRates
 from planes.plans.special_points import SpecialPoint
 
@@ -30,7 +31,7 @@ def draw_rates(r: Rates) -> None:
             case Pairing():
                 _draw_pairing(r, group)
             case _:
-                ContourRates(r, group).draw()
+                (SlidContourRates if group.slid else ContourRates)(r, group).draw()
 
 
 class _Triad:

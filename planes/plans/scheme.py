@@ -9,6 +9,7 @@ from planes.plans.groups import Group
 from planes.plans.pairing_scheme import place_pairing
 from planes.plans.pairings import Pairing
 from planes.plans.positions import PLACERS, place_slider
+from planes.plans.slid_contours import place_slid_contour
 from planes.plans.slid_triads import place_slid
 from planes.plans.triads import place_triad
 from planes.scene.mechanism import FRAME
@@ -39,7 +40,7 @@ def place_all(b: Bodies) -> None:
         elif isinstance(group, Pairing):
             place_pairing(b, group)
         else:
-            place_contour(b, group)
+            (place_slid_contour if group.slid else place_contour)(b, group)
 
 
 def stands(b: Bodies, g: Group) -> bool:

@@ -64,16 +64,16 @@ def _reaching(
     hinge = inner.point
     if lead.drive:
         way, placers[lead] = driven_way(b, lead.moving(basic))
-        start = _moved(b, basic, label_of(way.start), hinge, key, axis)
+        start = moved_over(b, basic, label_of(way.start), hinge, key, axis)
         return chain_to(key, start, way.length or None, way.along or None)
     if outer.kind == "P":
         start, along = on_line(b, outer, lead.link, hinge)
-        return chain_to(key, _moved(b, basic, start, hinge, key, axis), along=along)
+        return chain_to(key, moved_over(b, basic, start, hinge, key, axis), along=along)
     length = b.length(b.mechanism.links[lead.link], outer.point, hinge)
-    return chain_to(key, _moved(b, basic, outer.point, hinge, key, axis), length)
+    return chain_to(key, moved_over(b, basic, outer.point, hinge, key, axis), length)
 
 
-def _moved(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: str) -> str:
+def moved_over(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: str) -> str:
     """A mark moved over by the vector from one point of the basic link to another."""
     link, d = b.mechanism.links[basic], b.draft
     if link.points[hinge] == link.points[key]:

@@ -542,9 +542,9 @@ class Builder:
         if bases[0] is bases[1]:
             bases[1] = self.frame
         rng.shuffle(bases)
-        spots = self.contour_spots([*leads, "RR" if outer == "RR" else "RP"])
+        spots = self.contour_spots([*leads, {"RR": "RR", "RP": "RP", "PP": "PP"}[outer]])
         links, rods = self.contour_links(bases, outer, leads, spots)
-        key = (self.add(links[1], self.spot()),) if outer == "RP" or all(x[1] == "P" for x in leads) else ()
+        key = (self.add(links[1], self.spot()),) if outer[1] == "P" or all(x[1] == "P" for x in leads) else ()
         inner = {k: z for k, z in links[1].points.items() if k in key or any(k in r.points for r in rods)}
         self.triads.append((links[1], [links[0], *rods], inner))
 
@@ -563,14 +563,17 @@ class Builder:
     ) -> tuple[list[Body], list[Body]]:
         """Its base and basic link, and the two between them."""
         near, far, ways = spots
+        rng = self.rng
         links, hinges, rods = list[Body](), list[list[tuple[str, complex]]](), list[Body]()
         for side, (owner, places) in enumerate(zip(bases, (near, far), strict=True)):
             hung = [(self.add(owner, places[2]), places[2])] if outer[side] == "R" else []
             hinges.append([(next(self.names), z) for z in places[:2]])
             held = [h for h, lead in zip(hinges[-1], leads, strict=True) if lead and lead[side] == "R"]
             links.append(self.link([*hung, *held], None if hung else ways[2]))
-        if outer == "RP":
+        if outer[1] == "P":
             self.outer_slide(links[1], bases[1], ways[2])
+        if outer == "PP":
+            self.outer_slide(links[0], bases[0], ways[2] + rng.choice((-1, 1)) * rng.uniform(0.5, math.pi / 2))
         for ends, lead, u in zip(zip(*hinges, strict=True), leads, ways, strict=False):
             if not lead:  # it is there
                 continue
