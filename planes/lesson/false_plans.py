@@ -27,7 +27,8 @@ def false_words(step: s.Step, made: Mapping[str, s.Step]) -> tuple[str, str, dic
     if isinstance(step, CrossFalse):
         return "false_cross", "false", {}
     if isinstance(step, Cross):
-        return "false_met", "false_met", {}
+        key = "false_still" if step.means and step.means.of == "still" else "false_met"
+        return key, key, {}
     return None
 
 

@@ -65,7 +65,7 @@ class StepWords:
             case s.Same():
                 return "same", "same", {"start": lettered(step.of)}
             case s.Carry():
-                aside = plan_of(step.makes) == SCHEME
+                aside = plan_of(step.makes) == SCHEME or self.made[step.first].quantity == "false"
                 key = "carry" if step.quarter else "carry_aside" if aside else "carry_back"
                 return key, key, {}
             case Choose():

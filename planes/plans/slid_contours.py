@@ -6,7 +6,7 @@ is supposed not to slide, and what it really does carries the basic link along t
 """
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Carry, Same
+from planes.drafting.steps import Carry
 from planes.drafting.steps.crossings import Cross
 from planes.plans.basic_links import Lead
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies
@@ -54,7 +54,7 @@ class Aside:
         d.means.setdefault(at(SCHEME, aside), Meaning("guide", key))
         start, way = on_line(b, g.outer[1], g.basic, key)
         d.draw(Equation(SCHEME, (chain_to(key, aside, along=self.along), chain_to(key, start, along=way)), f"r_{key}"))
-        d.step(Carry(at(SCHEME, self.first), at(SCHEME, self.start), at(SCHEME, aside), at(SCHEME, key)))
+        d.step(Carry(at(SCHEME, self.first), at(SCHEME, key), at(SCHEME, aside), at(SCHEME, self.start)))
         place_slider(b, g.outer[0], g.base, self.first, self.along)
         place_slider(b, g.outer[1], g.basic, key, way)
         for lead in g.leads:
@@ -111,7 +111,7 @@ class SlidContourRates(ContourRates):
         slid = Term(f"{name}^II", label_of(away), new, None, along, along)
         start = Term(f"{name}^I", POLE, label_of(away), drawn=True)
         r.solve(self.rod.new.name, (start, slid), r.chain(self.basic), (self.basic,))
-        d.step(Carry(r.mark(self.rod.known.name), still, away, r.mark(self.rod.new.name)))
+        d.step(Carry(r.mark(self.rod.known.name), r.mark(self.rod.new.name), away, still))
         self.read(self.swing)
         r.driven.append(r.mark(self.rod.known.name))
         for link in (g.base, g.basic):
@@ -125,8 +125,8 @@ class SlidContourRates(ContourRates):
         """A point of the base, and one of the basic link, were the base not to slide."""
         r, d = self.rates, self.draft
         r.image(self.swing.link, self.swing.known)
-        hinge = d.step(Same(self.mark(self.label(self.rod.known, "I")), self.fixed(self.swing), means=FALSE))
-        base, end = self.bodies.known[self.group.base], self.mark(self.label(self.other.known, "I"))
+        hinge, base = self.fixed(self.swing), self.bodies.known[self.group.base]
+        end = self.mark(self.label(self.other.known, "I"))
         if end != hinge:
             root = self.bodies.known[base.root]
             carried(r, root, hinge, self.rod.known, self.other.known, end, FALSE)

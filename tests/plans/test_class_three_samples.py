@@ -24,6 +24,7 @@ SAMPLES = (
     "class-three/mixtures/pp-rr-rr",
     "class-three/two-basic-links",
     "class-four/tray",
+    "class-four/two-guides",
 )
 
 

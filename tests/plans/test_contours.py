@@ -31,7 +31,7 @@ def test_after_and_before_other_groups() -> None:
 
 
 LEADS = ("RR RR", "RR PR", "RR RP", "PR PR", "PR RP", "RP RP")
-MIXTURES = [f"IV {outer} {leads}" for outer in ("RR", "RP") for leads in LEADS]
+MIXTURES = [f"IV {outer} {leads}" for outer in ("RR", "RP", "PP") for leads in LEADS]
 HOW: tuple[dict[str, bool], ...] = (
     {},
     {"pins": True, "friction": True},
