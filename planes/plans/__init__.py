@@ -13,7 +13,7 @@ from planes.plans.following import LawValues
 from planes.plans.kinematics import Rates
 from planes.plans.lever import draw_lever
 from planes.plans.loads import Acting
-from planes.plans.other_leads import Restating
+from planes.plans.other_leads import Restating, fitting
 from planes.plans.passive import without_passive
 from planes.plans.passive_motion import LinkValues
 from planes.plans.proving import proofs_of
@@ -66,7 +66,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     resolve(bodies)
     restating = Restating(bodies, _stated)
     stated: Plans = restating.plans(bodies.leads)
-    return replace(stated, restating=restating)
+    return fitting(replace(stated, restating=restating), mechanism.drive.position)
 
 
 def _stated(bodies: Bodies) -> Plans:

@@ -54,8 +54,8 @@ class ContourForces(LeadForces):
             self.hang(pair, link, self.statics.react(pair, self.plan, *ends[pair], rubs.grips.get(pair)), inner)
 
     def hang(self, pair: Pair, link: str, reaction: Reaction, inner: list[Reaction]) -> None:
-        """The couple of an outer guide by what acts on the link, and what is handed on; the ``inner`` reactions the link
-        does not feel yet."""
+        """The couple of an outer guide by what acts on the link, and what is handed on; of the ``inner`` reactions the
+        link feels nothing yet."""
         if pair.kind == "P":
             reaction = self.seated(reaction, link, inner)
         if pair.mate(link) != FRAME:

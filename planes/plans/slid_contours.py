@@ -5,6 +5,8 @@ then the figure is shifted along the base's guide until the basic link is on its
 is supposed not to slide, and what it really does carries the basic link along the base's guide.
 """
 
+from dataclasses import replace
+
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry
 from planes.drafting.steps.crossings import Cross
@@ -24,10 +26,10 @@ STILL = Meaning("false", "still")
 
 def place_slid_contour(b: Bodies, g: Contour) -> None:
     """Draw the base aside, the basic link by it, and both where they are."""
-    Aside(b, g).place()
+    BaseAside(b, g).place()
 
 
-class Aside:
+class BaseAside:
     """The figure with its base at the beginning of its guide."""
 
     def __init__(self, b: Bodies, g: Contour) -> None:
@@ -51,7 +53,7 @@ class Aside:
             b.choices.append(AssemblyChoice(side, key, g))
         aside = f"{key}°{self.first}"
         d.draw(Equation(SCHEME, (one, two), f"r_{aside}", side))
-        d.means.setdefault(at(SCHEME, aside), Meaning("guide", key))
+        d.steps[at(SCHEME, aside)] = replace(d.steps[at(SCHEME, aside)], means=Meaning("guide", key))
         start, way = on_line(b, g.outer[1], g.basic, key)
         d.draw(Equation(SCHEME, (chain_to(key, aside, along=self.along), chain_to(key, start, along=way)), f"r_{key}"))
         d.step(Carry(at(SCHEME, self.first), at(SCHEME, key), at(SCHEME, aside), at(SCHEME, self.start)))
