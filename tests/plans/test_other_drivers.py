@@ -25,9 +25,9 @@ frame: {points: {O: [0, 0], E: [0.5, 0.3], F: [0.9, -0.3], G: [1.3, 0.2]}}
 links:
   1: {points: {O: 0, A: 0.1}}
   2: {points: {A: 0, B: 0.3}}
-  3: {points: {B: 0, C: [0.2, 0.1], D: [0.2, -0.12]}}
+  3: {points: {B: 0, C: [0.2, 0.1]}, guides: {d: {through: [0.2, -0.12], angle: 50}}}
   4: {points: {E: 0, C: 0.25}}
-  5: {points: {D: 0, H: [0.3, 0], J: [0.2, 0.1]}}
+  5: {slides: d, points: {D: 0, H: [0.3, 0], J: [0.2, 0.1]}}
   6: {points: {F: 0, H: 0.25}}
   7: {points: {G: 0, J: 0.3}}
 drive: {link: 1, phi: 60, omega: 10}
