@@ -106,7 +106,7 @@ def _slot_by(rng: random.Random) -> tuple[str, float]:
     return RPR.format(r=r, d=r * (1 + 10.0 ** rng.uniform(-12, -2))), 0.0
 
 
-def _dead_point(rng: random.Random, kind: str) -> tuple[str, float]:
+def dead_point(rng: random.Random, kind: str) -> tuple[str, float]:
     """A group of a higher class, and an end of the range in which its assembly lasts."""
     while True:
         text = to_yaml(make(rng, [kind], sliding=False).scene)
@@ -117,11 +117,11 @@ def _dead_point(rng: random.Random, kind: str) -> tuple[str, float]:
 
 
 def _three(rng: random.Random) -> tuple[str, float]:
-    return _dead_point(rng, "-".join(rng.choices(("RR", "PR", "RP"), k=3)))
+    return dead_point(rng, "-".join(rng.choices(("RR", "PR", "RP"), k=3)))
 
 
 def _four(rng: random.Random) -> tuple[str, float]:
-    return _dead_point(rng, " ".join(["IV", rng.choice(("RR", "RP")), *rng.choices(("RR", "PR", "RP"), k=2)]))
+    return dead_point(rng, " ".join(["IV", rng.choice(("RR", "RP")), *rng.choices(("RR", "PR", "RP"), k=2)]))
 
 
 HIGHER: dict[str, Callable[[random.Random], tuple[str, float]]] = {"class III": _three, "class IV": _four}
