@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from mpmath import cos, fabs, lu_solve, matrix, mp, mpc, mpf, radians, sin
+from mpmath import cos, fabs, lu_solve, matrix, mp, mpc, mpf, nint, radians, sin
 
 DIGITS = 120
 STEP = mpf(10) ** -28  # of a slope
@@ -76,7 +76,8 @@ class Closure:
                 gap = (self.spot(q, name, first) - self.spot(q, owner, local)) * turned(-turn)
                 found += [gap.imag - mpf(said.get("offset", 0))]
                 found += [sin(self.at(q, name)[1] - turn - radians(mpf(said.get("angle", 0))))]
-        return [*found, self.at(q, str(self.drive["link"]))[1] - phi]
+        off = self.at(q, str(self.drive["link"]))[1] - phi
+        return [*found, off - (2 * mp.pi) * nint(off / (2 * mp.pi))]
 
     def slopes(self, f: Callable[[Vector], Vector], x: Vector) -> Any:
         """The matrix of slopes."""
