@@ -85,6 +85,8 @@ def test_its_papers_are_written(sample: str, lang: Lang, tmp_path: Path) -> None
     for number in (None, 1, 2):
         page = sheet(sample, lang, number=number)
         said = [w for w in page.warnings if not re.search("Примечание|Note", w)]  # it stands in the written note
+        if sample == "class-four/two-guides":  # its guides are parallel twice a turn, and that is said
+            said = [w for w in said if not re.search("особого положения|dead point", w)]
         assert not said, said
         assert not unsightly(page), unsightly(page)
         found = [str(c) for v, _, _ in page.views for c in conflicts((), v.marks) if v.figure]
