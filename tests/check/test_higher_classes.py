@@ -19,7 +19,7 @@ from planes.solving import solve
 from planes.words.names import POLE, label_of
 from tests.sample_oracle import EXPECTED, SAMPLES
 
-NAMES = ("class-three/rods", "class-three/guide", "class-four/tray", "class-four/press")
+NAMES = ("class-three/rods", "class-three/guide", "class-four/tray", "class-four/press", "class-four/two-guides")
 Row = tuple[str, complex]
 
 
@@ -66,3 +66,10 @@ def test_a_hand_drawing_is_judged(name: str, plan: str, tmp_path: Path) -> None:
     label, place = rows[k := len(rows) - 1 if plan == "acceleration" else 2]
     wrong = judged(name, plan, [*rows[:k], (label, place + 9 + 4j), *rows[k + 1 :]], tmp_path)
     assert wrong.verdict == "wrong"
+
+
+def test_a_second_polygon_may_follow_without_putting_the_pen_down(tmp_path: Path) -> None:
+    rows = forces("class-four/tray", "force:2-3-4-5")
+    listed = [rows[0], *(row for row in rows if row[0] != POLE)]
+    assert len(listed) < len(rows)
+    assert judged("class-four/tray", "force:2-3-4-5", listed, tmp_path).verdict == "right"
