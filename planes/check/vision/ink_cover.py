@@ -14,6 +14,7 @@ from operator import or_
 import numpy
 
 from planes.check.grading.handwork import Miss
+from planes.check.vision.drawn_lines import on
 from planes.check.vision.handwritten import HandWords
 from planes.check.vision.hanging import hanging
 from planes.check.vision.places import HEADED_MM, Seen
@@ -22,7 +23,7 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
 PER_MM, OVERSHOT = 0.5, 0.1  # what a millimetre of ink costs that no vector runs along, and of a line drawn too far
-OVER_MM, FAINT, TORN_OFF_MM = 30.0, 0.8, 3.0  # how far a construction line runs on, how dark to its vector; a gap in it
+OVER_MM, FAINT, TORN_OFF_MM = 30.0, 0.8, 6.0  # how far a construction line runs on, how dark to its vector; a gap in it
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 SIGN_MM = (-6.0 - 8.4j, -1.4 - 1.6j)  # where its letter is printed on a blank, from the pole
@@ -149,8 +150,8 @@ class InkCover:
 
     def _beyond(self, a: complex, b: complex) -> int:
         """The steps of a fainter line that runs straight on past b."""
-        length = abs(b - a)
-        if length < HEADED_MM or not len(self.steps):
+        length, a = abs(b - a), self._straightened(a, b)
+        if a == b or not len(self.steps):
             return 0
         s = self._along(a, b)
         own, further = (s > 0) & (s < length), numpy.flatnonzero((s > length) & (s < length + OVER_MM))
@@ -160,6 +161,18 @@ class InkCover:
         on = numpy.zeros(len(self.steps), bool)
         on[run] = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
         return _bits(on)
+
+    def _straightened(self, a: complex, b: complex) -> complex:
+        """Where a vector begins that ends at b: a short one, too short to tell its direction, on the line it is drawn
+        upon; at b where it is on none."""
+        if abs(b - a) > HEADED_MM:
+            return a
+        upon = [x for x in self.seen.lines if all(on(x, z, UPON_MM, UPON_MM) for z in (a, b))] if abs(b - a) > 1 else []
+        line = max(upon, key=lambda x: x.length, default=None)
+        if line is None:
+            return b
+        way = line.direction(line.local(b)[0])
+        return b - abs(b - a) * (way if ((b - a) * way.conjugate()).real > 0 else -way)
 
     def _heads(self, a: complex, b: complex) -> int:
         """The head nearest to b among those that point from a to b there: a vector has but one."""

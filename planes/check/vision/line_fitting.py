@@ -24,7 +24,7 @@ GAP_MM = 1.2  # of a line's ink that is nothing but a poor stroke
 TORN_MM, OWN_MM = 0.3, 0.6  # a longer gap must have so much of plainly the same line beyond it
 WHITE = 0.25  # of a pencil's darkness: where nothing is
 BEND_MM = 0.3  # σ of how far a long line's middle is off its chord
-MOST_BENT_MM = 0.7  # a line that is bent more is two that lie side by side
+MOST_BENT_MM = 1.0  # a line that is bent more is two that lie side by side
 UNSTEADY_MM = 0.05  # σ of what a hand does beside bending
 
 Number = TypeVar("Number", float, Array)

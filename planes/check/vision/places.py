@@ -29,6 +29,7 @@ TIP_MM, DIM_TIP_MM, CLOSER_MM = 0.3, 0.5, 2.0  # σ of a tip that was only looke
 HEADED_MM, HEADS = 4.5, 3  # shorter vectors have no head, twice as long ones surely do; so many tell how long all are
 BEYOND_MM, LONGER = 4.0, 0.4  # how far past its end a line is looked for, and the share of ink by which it goes on
 SAME_MM = 0.4  # places nearer than this are one
+UPON_MM = 0.4  # how far off a line the vector may be that is drawn as it
 POLE_MM, WOBBLE_MM = 0.06, 0.2  # σ of where a line from the pole begins, of what a hand's wobble does to any mark
 LOOKED_FOR = 1.7  # how much less sure a person's mark is than the tip it was told by
 
@@ -93,6 +94,11 @@ class Seen:
             self.fits[key] = head_about(self.ink, self.lines, *on_line, self.head_mm or USUAL_MM)
         tip = self.fits[key]
         return tip if tip is not None and abs(tip - end) < ABOUT_MM else None
+
+    def covered(self, a: complex, b: complex) -> float:
+        """The share of the way from ``a`` to ``b`` along which there is ink; all of it where a line runs, though bent."""
+        runs = any(all(on(x, z, UPON_MM, UPON_MM) for z in (a, b)) for x in self.lines)
+        return 1.0 if runs else self.ink.covered(a, b)
 
     def torn(self, place: Place) -> bool:
         """Whether a line that ends at a place runs under what is printed, or has ink beyond that is no line's (what is
