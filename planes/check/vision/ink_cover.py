@@ -159,8 +159,15 @@ class InkCover:
         gaps = numpy.diff(s[further], prepend=length) > TORN_OFF_MM
         run = further[~numpy.logical_or.accumulate(gaps)]
         on = numpy.zeros(len(self.steps), bool)
-        on[run] = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
+        fainter = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
+        on[run] = fainter | self._plainly_past(b, self.steps[run])
         return _bits(on)
+
+    def _plainly_past(self, b: complex, steps: Complexes) -> bool:
+        """Whether a vector has its head at b, or its start at the pole, and what runs on from there shows none."""
+        marked = abs(b - self.pole) < TIP_NEAR_MM or any(abs(tip - b) < TIP_NEAR_MM for tip, _ in self.tips)
+        further = (tip for tip, _ in self.tips if abs(tip - b) > 2 * TIP_NEAR_MM)
+        return marked and not any(bool((abs(steps - tip) < STEP_MM).any()) for tip in further)
 
     def _straightened(self, a: complex, b: complex) -> complex:
         """Where a vector begins that ends at b: a short one, too short to tell its direction, on the line it is drawn

@@ -29,6 +29,7 @@ TIP_MM, DIM_TIP_MM, CLOSER_MM = 0.3, 0.5, 2.0  # σ of a tip that was only looke
 HEADED_MM, HEADS = 4.5, 3  # shorter vectors have no head, twice as long ones surely do; so many tell how long all are
 BEYOND_MM, LONGER = 4.0, 0.4  # how far past its end a line is looked for, and the share of ink by which it goes on
 SAME_MM = 0.4  # places nearer than this are one
+BARE, INKED = 0.25, 0.5  # of a line's darkness: where none is, and where one is
 UPON_MM = 0.4  # how far off a line the vector may be that is drawn as it
 POLE_MM, WOBBLE_MM = 0.06, 0.2  # σ of where a line from the pole begins, of what a hand's wobble does to any mark
 LOOKED_FOR = 1.7  # how much less sure a person's mark is than the tip it was told by
@@ -164,19 +165,26 @@ def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
     ink = ink_of(flat, cross)
     lines = lines_of(ink)
     drawn = remaining(flat, lines or [])
-    return None if lines is None else Seen(ink, drawn, places_of(drawn), patches(ink, lines))
+    return None if lines is None else Seen(ink, drawn, places_of(drawn, ink), patches(ink, lines))
 
 
-def places_of(lines: Sequence[Fitted]) -> list[Place]:
+def places_of(lines: Sequence[Fitted], ink: Ink) -> list[Place]:
     """All places, the surest of those that are one."""
-    starts: list[complex] = []
+    starts: list[tuple[complex, frozenset[int]]] = []  # with the lines that end near by, but not there
+    parted: dict[int, set[int]] = {}
     for i, one in enumerate(lines):
-        starts += one.ends
-        for two in lines[:i]:
+        for j, two in enumerate(lines[:i]):
             z = crossing(one, two)
-            if z is not None and all(x.low - END_MM < x.local(z)[0] < x.high + END_MM for x in (one, two)):
-                starts.append(z)
-    found = [_place(lines, z) for z in starts]
+            if z is None or not all(x.low - END_MM < x.local(z)[0] < x.high + END_MM for x in (one, two)):
+                continue
+            if _parted(ink, one, two, z):
+                parted.setdefault(i, set()).add(j)
+                parted.setdefault(j, set()).add(i)
+            else:
+                starts.append((z, frozenset()))
+    for i, one in enumerate(lines):
+        starts += [(z, frozenset(parted.get(i, ()))) for z in one.ends]
+    found = [_place(lines, z, without) for z, without in starts]
     found += [Place(h.z, h.sigma, frozenset(), True) for x in lines for h in x.heads]
     kept: list[Place] = []
     for one_place in sorted(found, key=lambda p: (p.tip, -len(p.ended), p.sigma)):
@@ -187,12 +195,20 @@ def places_of(lines: Sequence[Fitted]) -> list[Place]:
     return kept
 
 
-def _place(lines: Sequence[Fitted], start: complex) -> Place:
-    """The place near ``start`` where the lines there meet best."""
+def _parted(ink: Ink, one: Fitted, two: Fitted, z: complex) -> bool:
+    """Whether two lines end before they would meet, where a short stroke leads from one end to the other."""
+    a, b = (min(x.ends, key=lambda end: abs(end - z)) for x in (one, two))
+    if not (SAME_MM < abs(a - b) < END_MM and all(SAME_MM < abs(end - z) < END_MM for end in (a, b))):
+        return False
+    return bool(ink.at(numpy.array([z]))[0] < BARE and (ink.at(numpy.linspace(a, b, 5)) > INKED).all())
+
+
+def _place(lines: Sequence[Fitted], start: complex, without: frozenset[int] = frozenset()) -> Place:
+    """The place near ``start`` where the lines there meet best, ``without`` some."""
     z, sigma, ended = start, 0.3, frozenset[tuple[int, int]]()
     for reach in (0.8, 0.45):
         eqs, ended_now = Normal(), set[tuple[int, int]]()
-        near = [k for k, x in enumerate(lines) if on(x, z, reach, END_MM)]
+        near = [k for k, x in enumerate(lines) if k not in without and on(x, z, reach, END_MM)]
         for k in near:
             line = lines[k]
             s, _ = line.local(z)
