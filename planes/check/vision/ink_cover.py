@@ -14,7 +14,6 @@ from operator import or_
 import numpy
 
 from planes.check.grading.handwork import Miss
-from planes.check.vision.drawn_lines import on
 from planes.check.vision.handwritten import HandWords
 from planes.check.vision.hanging import hanging
 from planes.check.vision.places import HEADED_MM, Seen
@@ -91,8 +90,7 @@ class InkCover:
                     self.tips.append((tip, way))
         for k, bits in enumerate(heads):
             lengths = [x.length for x, n in zip(lines, numbers, strict=False) if n == k]
-            long = sum(mm > 2 * HEADED_MM for mm in lengths)
-            self.parts.append(InkPart(_bits(parts == k), bits, long, sum(lengths)))
+            self.parts.append(InkPart(_bits(parts == k), bits, sum(mm > 2 * HEADED_MM for mm in lengths), sum(lengths)))
 
     def _stepped(self, numbers: Sequence[int]) -> tuple[Complexes, Indices]:
         """Steps of all lines, and of what is on no line; and of which part each is."""
@@ -156,29 +154,24 @@ class InkCover:
         s = self._along(a, b)
         own, further = (s > 0) & (s < length), numpy.flatnonzero((s > length) & (s < length + OVER_MM))
         further = further[numpy.argsort(s[further])]
-        gaps = numpy.diff(s[further], prepend=length) > TORN_OFF_MM
-        run = further[~numpy.logical_or.accumulate(gaps)]
-        on = numpy.zeros(len(self.steps), bool)
+        run = further[~numpy.logical_or.accumulate(numpy.diff(s[further], prepend=length) > TORN_OFF_MM)]
         fainter = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
-        on[run] = fainter | self._plainly_past(b, self.steps[run])
-        return _bits(on)
+        run = run[fainter | self._plainly_past(b, self.steps[run])]
+        return _bits(numpy.isin(numpy.arange(len(s)), run))
 
-    def _plainly_past(self, b: complex, steps: Complexes) -> bool:
-        """Whether a vector has its head at b, or its start at the pole, and what runs on from there shows none."""
-        marked = abs(b - self.pole) < TIP_NEAR_MM or any(abs(tip - b) < TIP_NEAR_MM for tip, _ in self.tips)
+    def _plainly_past(self, b: complex, steps: Complexes) -> Booleans:
+        """Which steps run on from where a vector has its head, or from the pole, if none of them shows a head."""
+        marked = any(abs(tip - b) < TIP_NEAR_MM for tip in (self.pole, *(tip for tip, _ in self.tips)))
         further = (tip for tip, _ in self.tips if abs(tip - b) > 2 * TIP_NEAR_MM)
-        return marked and not any(bool((abs(steps - tip) < STEP_MM).any()) for tip in further)
+        headed = any((abs(steps - tip) < STEP_MM).any() for tip in further)
+        return numpy.full(len(steps), marked and not headed)
 
     def _straightened(self, a: complex, b: complex) -> complex:
-        """Where a vector begins that ends at b: a short one, too short to tell its direction, on the line it is drawn
-        upon; at b where it is on none."""
+        """Where a vector begins: a short one by the line it is drawn upon, at its end b where it is on none."""
         if abs(b - a) > HEADED_MM:
             return a
-        upon = [x for x in self.seen.lines if all(on(x, z, UPON_MM, UPON_MM) for z in (a, b))] if abs(b - a) > 1 else []
-        line = max(upon, key=lambda x: x.length, default=None)
-        if line is None:
-            return b
-        way = line.direction(line.local(b)[0])
+        line = self.seen.line_upon(a, b) if abs(b - a) > 1 else None
+        way = line.direction(line.local(b)[0]) if line else 0j
         return b - abs(b - a) * (way if ((b - a) * way.conjugate()).real > 0 else -way)
 
     def _heads(self, a: complex, b: complex) -> int:

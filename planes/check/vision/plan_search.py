@@ -22,7 +22,8 @@ from planes.check.vision.ink_cover import (
     InkCover,
     sigmas_of,
 )
-from planes.check.vision.places import Place, Seen
+from planes.check.vision.line_places import Place
+from planes.check.vision.places import Seen
 from planes.check.vision.print_scale import UNLIKELY
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of, plan_of

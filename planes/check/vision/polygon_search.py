@@ -15,7 +15,8 @@ from itertools import combinations, permutations
 from planes.check.grading.handwork import Miss
 from planes.check.vision.drawn_lines import crossing, on
 from planes.check.vision.ink_cover import COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
-from planes.check.vision.places import END_MM, HEADED_MM, Place
+from planes.check.vision.line_places import END_MM, Place
+from planes.check.vision.places import HEADED_MM
 from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain
 
 TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden where two others meet
