@@ -88,7 +88,7 @@ def _parted(ink: Ink, one: Fitted, two: Fitted, z: complex) -> bool:
     a, b = (min(x.ends, key=lambda end: abs(end - z)) for x in (one, two))
     if not (SAME_MM < abs(a - b) < END_MM and all(SAME_MM < abs(end - z) < END_MM for end in (a, b))):
         return False
-    return bool(ink.at(numpy.array([z]))[0] < BARE and (ink.at(numpy.linspace(a, b, 5)) > INKED).all())
+    return bool(ink.at(numpy.array([z]))[0] < BARE and (ink.at(numpy.linspace(a, b, 5, dtype=complex)) > INKED).all())
 
 
 def _place(lines: Sequence[Fitted], start: complex, without: frozenset[int] = frozenset()) -> Place:
