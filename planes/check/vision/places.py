@@ -23,6 +23,7 @@ TIP_MM, DIM_TIP_MM, CLOSER_MM = 0.3, 0.5, 2.0  # σ of a tip that was only looke
 HEADED_MM, HEADS = 4.5, 3  # shorter vectors have no head, twice as long ones surely do; so many tell how long all are
 BEYOND_MM, LONGER = 4.0, 0.4  # how far past its end a line is looked for, and the share of ink by which it goes on
 UPON_MM = 0.4  # how far off a line the vector may be that is drawn as it
+STRAIGHT = 0.94  # the cosine between ways that are nearly one
 POLE_MM = 0.06  # σ of where a line from the pole begins
 
 
@@ -69,7 +70,16 @@ class Seen:
         if key not in self.fits:
             self.fits[key] = head_about(self.ink, self.lines, *on_line, self.head_mm or USUAL_MM)
         tip = self.fits[key]
-        return tip if tip is not None and abs(tip - end) < ABOUT_MM else None
+        if tip is None or abs(tip - end) > ABOUT_MM or self._against(tip, (end - start) / abs(end - start)):
+            return None
+        return tip
+
+    def _against(self, tip: complex, way: complex) -> bool:
+        """Whether the ink of a head that points a way is that of one seen to point back."""
+        size = self.head_mm or USUAL_MM
+        heads = ((h.z, x.direction(h.s) * h.sign) for x in self.lines for h in x.heads)
+        back = ((z - tip) / way for z, own in heads if (own / way).real < -STRAIGHT)
+        return any(abs(off.imag) < HEAD_MM and abs(off.real + size) < size - UPON_MM for off in back)
 
     def line_upon(self, a: complex, b: complex) -> Fitted | None:
         """The longest line that runs by two places."""
