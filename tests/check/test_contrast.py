@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Sequence
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
@@ -12,11 +14,13 @@ import cv2
 import numpy as np
 
 from planes.check.vision.drawn_lines import lines_of
-from planes.check.vision.ink import ink_of
-from planes.check.vision.line_fitting import Fitted, Tip
+from planes.check.vision.ink import Ink, ink_of
+from planes.check.vision.line_fitting import Fitted, Tip, _last
+from planes.check.vision.line_places import places_of
 from planes.check.vision.picture import PX_PER_MM, Flat
 from planes.check.vision.residual_ink import patches
 from planes.check.vision.rubbed_out import remaining
+from planes.geometry.arrays import Array, Complexes
 from tests.physical.paper import PX_PER_MM as FINE
 from tests.physical.paper import Paper
 from tests.physical.setting import Setting
@@ -88,6 +92,28 @@ def test_a_faint_piece_between_firm_ones_is_of_the_line() -> None:
     triangle(paper, 1.0)
     draw(paper, 10 + 8j, 90 + 12j, (1, 1, 1, 1, 0.4, 0.35, 0.4, 1, 1, 1, 1))
     assert min(off_ends(line, 10 + 8j, 90 + 12j) for line in lines_on(paper)) < 0.6
+
+
+@pytest.mark.parametrize(("lightest", "last"), [(0.3, 23), (0.1, 9)])
+def test_a_line_goes_on_into_its_dark_head_unless_it_is_torn(lightest: float, last: int) -> None:
+    """Before a head, dark by several strokes upon each other, a light line's ink seems no ink, but is no paper."""
+    core = np.array([1.0] * 10 + [lightest] * 4 + [1.0] * 10 + [0.0] * 10)
+    assert _last(core, np.arange(len(core)) < 10, 5, 1) == last
+
+
+@pytest.mark.parametrize("joined", [True, False])
+def test_ends_joined_by_a_short_stroke_are_two_places(joined: bool) -> None:
+    """Two lines that would cross half a millimetre beyond their ends are one place, unless a vector leads between."""
+    a, b = 20 + 20j, 20.9 + 20j
+    strokes = [(21 + 60j, a), (80 + 60j, b), *([(a, b)] if joined else [])]
+    lines = [Fitted(z, (w - z) / abs(w - z), (0.0, 0.0, 0.0), 0.0, abs(w - z), 0.05, 0.4) for z, w in strokes[:2]]
+
+    def at(z: Complexes) -> Array:
+        local = [((z - c) / (d - c), abs(d - c)) for c, d in strokes]
+        return np.max([(abs(k - k.real.clip(0, 1)) * mm < 0.25).astype(float) for k, mm in local], axis=0)
+
+    ended = [p.z for p in places_of(lines, cast(Ink, SimpleNamespace(at=at))) if p.ended and not p.doubtful]
+    assert all((min(abs(z - end) for z in ended) < 0.2) is joined for end in (a, b))
 
 
 @pytest.mark.parametrize("end", [90 + 70j, 20 + 70j, 30 + 66j])

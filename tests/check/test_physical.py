@@ -91,6 +91,27 @@ def test_lines_drawn_on_past_their_vectors_hide_no_plan(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    ("factor", "seed", "number"),
+    [
+        ("light .45", 91, 9),  # light lines end before the dark heads they lead to
+        ("bow", 91, 10),  # a line bent by 0.8 mm
+        ("overshoot 12 mm", 91, 11),  # a polygon that runs on past the pole, and its construction line past its head
+        ("overshoot 25 mm", 93, 6),  # forces of 3 mm with construction lines of 20 mm
+    ],
+)
+def test_what_was_misjudged_once_is_judged_rightly(factor: str, seed: int, number: int, tmp_path: Path) -> None:
+    """Drawings of counts that were looked at."""
+    drawn_ = f"{seed} {factor} {number}"
+    *_, one = corpus.works(number + 1, f"{seed} {factor}", 12 * list(FACTORS).index(factor))
+    setting = varied(Setting(), FACTORS[factor], random.Random(drawn_))
+    taken = corpus.picture(one, setting, drawn_, tmp_path / "p.jpg")
+    assert taken is not None
+    found = corpus.counted(taken)
+    assert found.named if one.mistake else found.accepted
+
+
+@pytest.mark.slow
 def test_heads_of_two_barbs_are_seen_where_vectors_meet(tmp_path: Path) -> None:
     """Of a drawing's vectors most have a head at their end, though others end there too; there are hardly others."""
     of = work(None, 1)

@@ -26,7 +26,7 @@ SLIP = 0.02  # the share of marks that are wrong for a reason of their own; so l
 MISREAD_MM = 0.7  # half of the places taken for a mark by error are no more than 1.7 times this from it
 ANYWHERE = 0.2  # the share of them that may be anywhere on the drawing
 SURE = 0.98  # what is less likely is only said to be likely
-ASKED = 0.5  # what is no likelier than its opposite is not said of a picture: it is asked
+ASKED = 0.8  # what is less likely is not said of a picture: it is asked
 
 
 def size_of(hand: Hand, marks: Iterable[str]) -> float:

@@ -22,7 +22,7 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
 PER_MM, OVERSHOT = 0.5, 0.1  # what a millimetre of ink costs that no vector runs along, and of a line drawn too far
-OVER_MM, FAINT, TORN_OFF_MM = 30.0, 0.8, 3.0  # how far a construction line runs on, how dark to its vector; a gap in it
+OVER_MM, FAINT, TORN_OFF_MM = 30.0, 0.8, 6.0  # how far a construction line runs on, how dark to its vector; a gap in it
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 SIGN_MM = (-6.0 - 8.4j, -1.4 - 1.6j)  # where its letter is printed on a blank, from the pole
@@ -90,8 +90,7 @@ class InkCover:
                     self.tips.append((tip, way))
         for k, bits in enumerate(heads):
             lengths = [x.length for x, n in zip(lines, numbers, strict=False) if n == k]
-            long = sum(mm > 2 * HEADED_MM for mm in lengths)
-            self.parts.append(InkPart(_bits(parts == k), bits, long, sum(lengths)))
+            self.parts.append(InkPart(_bits(parts == k), bits, sum(mm > 2 * HEADED_MM for mm in lengths), sum(lengths)))
 
     def _stepped(self, numbers: Sequence[int]) -> tuple[Complexes, Indices]:
         """Steps of all lines, and of what is on no line; and of which part each is."""
@@ -149,17 +148,31 @@ class InkCover:
 
     def _beyond(self, a: complex, b: complex) -> int:
         """The steps of a fainter line that runs straight on past b."""
-        length = abs(b - a)
-        if length < HEADED_MM or not len(self.steps):
+        length, a = abs(b - a), self._straightened(a, b)
+        if a == b or not len(self.steps):
             return 0
         s = self._along(a, b)
         own, further = (s > 0) & (s < length), numpy.flatnonzero((s > length) & (s < length + OVER_MM))
         further = further[numpy.argsort(s[further])]
-        gaps = numpy.diff(s[further], prepend=length) > TORN_OFF_MM
-        run = further[~numpy.logical_or.accumulate(gaps)]
-        on = numpy.zeros(len(self.steps), bool)
-        on[run] = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
-        return _bits(on)
+        run = further[~numpy.logical_or.accumulate(numpy.diff(s[further], prepend=length) > TORN_OFF_MM)]
+        fainter = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
+        run = run[fainter | self._plainly_past(b, self.steps[run])]
+        return _bits(numpy.isin(numpy.arange(len(s)), run))
+
+    def _plainly_past(self, b: complex, steps: Complexes) -> Booleans:
+        """Which steps run on from where a vector has its head, or from the pole, if none of them shows a head."""
+        marked = any(abs(tip - b) < TIP_NEAR_MM for tip in (self.pole, *(tip for tip, _ in self.tips)))
+        further = (tip for tip, _ in self.tips if abs(tip - b) > 2 * TIP_NEAR_MM)
+        headed = any((abs(steps - tip) < STEP_MM).any() for tip in further)
+        return numpy.full(len(steps), marked and not headed)
+
+    def _straightened(self, a: complex, b: complex) -> complex:
+        """Where a vector begins: a short one by the line it is drawn upon, at its end b where it is on none."""
+        if abs(b - a) > HEADED_MM:
+            return a
+        line = self.seen.line_upon(a, b) if abs(b - a) > 1 else None
+        way = line.direction(line.local(b)[0]) if line else 0j
+        return b - abs(b - a) * (way if ((b - a) * way.conjugate()).real > 0 else -way)
 
     def _heads(self, a: complex, b: complex) -> int:
         """The head nearest to b among those that point from a to b there: a vector has but one."""

@@ -24,7 +24,7 @@ GAP_MM = 1.2  # of a line's ink that is nothing but a poor stroke
 TORN_MM, OWN_MM = 0.3, 0.6  # a longer gap must have so much of plainly the same line beyond it
 WHITE = 0.25  # of a pencil's darkness: where nothing is
 BEND_MM = 0.3  # σ of how far a long line's middle is off its chord
-MOST_BENT_MM = 0.7  # a line that is bent more is two that lie side by side
+MOST_BENT_MM = 1.0  # a line that is bent more is two that lie side by side
 UNSTEADY_MM = 0.05  # σ of what a hand does beside bending
 
 Number = TypeVar("Number", float, Array)
@@ -234,15 +234,15 @@ def _extend(line: Fitted, s: Array, t: Array, dark: Array) -> None:
 
 def _last(core: Array, alone: Booleans, i: int, sign: int) -> int:
     """The last row of a line's ink; beyond a gap that is only what is plainly its own, and not another's it meets."""
-    last, white, own, torn = i, 0.0, 0, False
+    last, white, torn_mm, own, torn = i, 0.0, 0.0, 0, False
     while 0 <= i < len(core) and white < GAP_MM and abs(i - last) * STEP_MM < 2 * GAP_MM:
         if core[i] > 0.5:
             own += bool(alone[i])
             if not torn or own * STEP_MM >= OWN_MM:
-                last, white, torn = i, 0.0, False
+                last, white, torn_mm, torn = i, 0.0, 0.0, False
         else:
-            white += STEP_MM
-            if white > TORN_MM:
+            white, torn_mm = white + STEP_MM, torn_mm + STEP_MM * bool(core[i] < WHITE)
+            if torn_mm > TORN_MM:
                 torn, own = True, 0
         i += sign
     return last

@@ -13,7 +13,8 @@ from planes.check.grading.polygons import Side, loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.handwritten import words_on
 from planes.check.vision.ink_cover import ANYWHERE, InkCover
-from planes.check.vision.places import WOBBLE_MM, Place, Seen, pole_on
+from planes.check.vision.line_places import WOBBLE_MM, Place
+from planes.check.vision.places import Seen, pole_on
 from planes.check.vision.polygon_cover import Guess, LaidChain, guesses, polygon_of, seen_like, spread_of
 from planes.check.vision.polygon_search import OPEN, SoughtPolygon
 from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares

@@ -22,7 +22,8 @@ from planes.check.vision.ink_cover import (
     InkCover,
     sigmas_of,
 )
-from planes.check.vision.places import Place, Seen
+from planes.check.vision.line_places import Place
+from planes.check.vision.places import Seen
 from planes.check.vision.print_scale import UNLIKELY
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of, plan_of
@@ -157,7 +158,7 @@ class Search:
     def _led_to(self, step: Step, z: complex, places: Mapping[str, complex]) -> bool:
         """Whether a line leads to a place from where its mark is found from, or from the pole."""
         starts = [self.pole.z, *(places.get(n, self.pole.z) for n in _starts(step))]
-        return any(self.seen.ink.covered(s, z) >= COVERED for s in starts)
+        return any(self.seen.covered(s, z) >= COVERED for s in starts)
 
     def _missing(self, mark: str) -> float:
         """What it costs that a mark is nowhere."""
@@ -213,7 +214,7 @@ class Search:
         for mark in self._worth_freeing(way):
             starts = [way.found[n].z for n in _starts(self.bench.program.makers[mark]) if n in way.found]
             for place in free:
-                if any(self.seen.ink.covered(z, place.z) > COVERED for z in (*starts, self.pole.z)):
+                if any(self.seen.covered(z, place.z) > COVERED for z in (*starts, self.pole.z)):
                     yield mark, place
 
     def _worth_freeing(self, way: LaidPlan) -> list[str]:

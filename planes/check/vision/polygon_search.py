@@ -15,7 +15,8 @@ from itertools import combinations, permutations
 from planes.check.grading.handwork import Miss
 from planes.check.vision.drawn_lines import crossing, on
 from planes.check.vision.ink_cover import COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
-from planes.check.vision.places import END_MM, HEADED_MM, Place
+from planes.check.vision.line_places import END_MM, Place
+from planes.check.vision.places import HEADED_MM
 from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain
 
 TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden where two others meet
@@ -23,6 +24,7 @@ HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of 
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 CROSSED_MM = 0.5  # σ of where lines cross; what ends nearer is there
+ASLANT = 0.1  # of a line to another that is the same
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 1500
 MOST_OF_ALL = 20_000  # steps of all ways together; a polygon of six vectors takes some two thousand
@@ -51,6 +53,11 @@ class SoughtPolygon:
         return [p for p in self.ink.seen.places if p.ended]
 
     @cached_property
+    def headed(self) -> list[Place]:
+        """Where a vector has its head, though its line runs on."""
+        return [p for p in self.ink.seen.places if p.tip and not p.ended]
+
+    @cached_property
     def crossed(self) -> list[Place]:
         """Where lines cross and none of them ends, as that of a closing vector may that runs on."""
         lines, found = [x for x in self.ink.seen.lines if x.length > HEADED_MM], list[Place]()
@@ -65,7 +72,7 @@ class SoughtPolygon:
         """The share of the way that is ink (remembered)."""
         key = (a, b)
         if key not in self.ways:
-            self.ways[key] = self.ink.seen.ink.covered(a, b)
+            self.ways[key] = self.ink.seen.covered(a, b)
         return self.ways[key]
 
     def lay(self, guess: Guess, most: float) -> LaidChain | None:
@@ -152,9 +159,10 @@ class SoughtPolygon:
             return
         name, last = order[0], len(order) == 1
         u = None if len(guess.closing) == 1 and guess.known else guess.closing[name]
-        for p in [self.pole, *self.ended, *(() if last else self.crossed)]:
+        for p in [self.pole, *self.ended, *(self.headed if last else self.crossed)]:
             way, closed = p.z - z, p is self.pole or not last
-            price = self._aside(way, u) + (0.0 if closed else OPEN) + NO_END * (p is not self.pole and not p.ended)
+            shown = p is self.pole or p.ended or (p.tip and self.ink.pointed(z, p.z))
+            price = self._aside(way, u) + (0.0 if closed else OPEN) + (0.0 if shown else NO_END)
             if p is not self.pole:
                 price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
                 if last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
@@ -171,7 +179,7 @@ class SoughtPolygon:
     def _goes_on(self, z: complex, chain: LaidChain) -> bool:
         """Whether the line from z to the pole ends beyond it, where no other vector does."""
         way = self.pole.z - z
-        for end in (p.z for p in self.ended if abs(p.z - z) >= abs(way) + 2.4):
+        for end in (p.z for p in (*self.ended, *self.headed) if abs(p.z - z) >= abs(way) + 2.4 and self._along(p, way)):
             turned = (end - z) * way.conjugate()
             on = turned.real >= 0 and abs(turned.imag) < 1.2 * abs(end - z)
             apart = on and all(abs(end - other) >= GAP_MM for _, other, _ in chain.rows)
@@ -179,6 +187,14 @@ class SoughtPolygon:
             if drawn and not self.ink.runs_out(z, end):
                 return True
         return False
+
+    def _along(self, place: Place, way: complex) -> bool:
+        """Whether a line that is seen to end at a place runs a way."""
+        if place.tip:
+            return self.ink.along(self.pole.z, place.z)[1] != 0
+        ends = ((x := self.ink.seen.lines[k], x.ends[side]) for k, side in place.ended)
+        near = (x for x, end in ends if abs(end - place.z) < GAP_MM)
+        return any(abs((x.along * way.conjugate()).imag) < ASLANT * abs(way) for x in near)
 
     def _aside(self, way: complex, u: complex | None) -> float:
         """What it costs that a closing vector is not quite in its direction."""
