@@ -17,6 +17,12 @@ class Stop(NamedTuple):
     laid: LaidPlan
     lost: list[complex]
 
+    def with_mistake(self, variant: Variant | None, cost: float) -> Stop:
+        """The same where it was come to without the mistake, for whose sake a way costs so much more."""
+        if variant is self.laid.variant:
+            return self
+        return self._replace(laid=replace(self.laid, cost=self.laid.cost + cost, variant=variant))
+
 
 @dataclass
 class LaidPlan:

@@ -75,7 +75,9 @@ class Search:
             if not mark:
                 break
             tried.add((mark, id(place)))
-            trial = self.way(variant, None, cost, {**chosen, mark: place}, best.cost, best.stops[mark])
+            trial = self.way(
+                variant, None, cost, {**chosen, mark: place}, best.cost, best.stops[mark].with_mistake(variant, cost)
+            )
             if trial and trial.cost < best.cost:
                 best, chosen[mark] = trial, place
         return best
@@ -89,10 +91,7 @@ class Search:
         """Where the plan drawn so parts from the right one, as that was laid."""
         touched, plain = self.bench.touched(variant), self.plain if variant else None
         stops = [s for s in plain.stops.values() if s.drawing.step <= touched] if plain else []
-        if not stops:
-            return None
-        laid = replace(stops[-1].laid, cost=stops[-1].laid.cost + cost, variant=variant)
-        return stops[-1]._replace(laid=laid)
+        return stops[-1].with_mistake(variant, cost) if stops else None
 
     def way(
         self,

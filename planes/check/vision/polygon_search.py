@@ -26,6 +26,7 @@ CROSSED_MM = 0.5  # σ of where lines cross; what ends nearer is there
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 1500
 MOST_OF_ALL = 20_000  # steps of all ways together; a polygon of six vectors takes some two thousand
+MANY, MOST_OF_MANY = 11, 2_000  # sides of a polygon that is first read in its own order; steps in any other one
 
 End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
 
@@ -80,7 +81,7 @@ class SoughtPolygon:
     @property
     def endless(self) -> bool:
         """Whether there are more ways to lay it than can be tried, so that none is surely the best."""
-        return self.taken > MOST_OF_ALL
+        return self.taken > (MOST_OF_ALL if len(self.spread) < MANY else MOST_OF_MANY)
 
     def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, z: complex, loose: float) -> None:
         """Every order of the known vectors that the ink allows, then the closing ones."""
