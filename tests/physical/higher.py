@@ -1,4 +1,4 @@
-"""`python -m tests.physical.higher [COUNT] [WORDS]`: hand drawings of class III and IV as scans and photographs, counted.
+"""`python -m tests.physical.higher [COUNT] [WORDS]`: hand drawings of class III and IV in pictures, counted.
 
 A plan is drawn mark by mark, each with a hand's error that all later ones are drawn from: rightly, or with a mistake
 of the catalogue. Where the marks of the right one should be is held by the independent results, elsewhere.
@@ -11,8 +11,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Container, Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
@@ -125,34 +124,52 @@ def looked_at(taken: Picture) -> tuple[Outcome | str, float]:
     return found, time.process_time() - start
 
 
+def pictures(
+    condition: str, names: Iterable[str], count: int, folder: Path, chosen: Container[str] | None = None
+) -> Iterator[Picture]:
+    """Pictures of drawings of the plans whose words hold all names, ``count`` of each, by turns right and wrong."""
+    for easel in easels():
+        words = f"{condition} {easel.sample} {easel.plan}"
+        if not all(n in words for n in names) or (chosen is not None and easel.sample not in chosen):
+            continue
+        rng = random.Random(words)
+        for k, work in enumerate(works(easel, count, rng)):
+            setting = varied(Setting(), CONDITIONS[condition], rng)
+            made = corpus.picture(work, setting, f"{words} {k}", folder / "page.jpg")
+            if made is not None:
+                yield made
+
+
+def row(taken: Picture) -> tuple[str, str]:
+    """What a picture holds, and what was made of it: accepted, as seen, false, unread; found, at its step, named."""
+    found, mistake = looked_at(taken)[0], taken.work.mistake
+    verdict = "unreadable" if isinstance(found, str) else found.verdict
+    if mistake is None or verdict != "wrong" or isinstance(found, str):
+        return "wrong" if mistake else "right", verdict
+    step, named = found.first_wrong == mistake.where, found.mistake == mistake.name
+    return "wrong", "found" + " at its step" * step + " and named" * named
+
+
 def main(words: list[str]) -> None:
     """Draw, check, print each and count."""
-    count, names, table = (
-        int(next((w for w in words if w.isdigit()), "2")),
-        [w for w in words if not w.isdigit()],
-        Counter(),
-    )
-    for condition, spread in CONDITIONS.items():
-        for easel in (e for e in easels() if all(n in f"{condition} {e.sample} {e.plan}" for n in names)):
-            rng = random.Random(f"{condition} {easel.sample} {easel.plan}")
-            for work in works(easel, count, rng):
-                with tempfile.TemporaryDirectory() as folder:
-                    made = corpus.picture(
-                        work, varied(Setting(), spread, rng), str(rng.random()), Path(folder) / "p.jpg"
-                    )
-                    if made is None:
-                        continue
-                    found, seconds = looked_at(made)
-                said = found if isinstance(found, str) else f"{found.verdict} {found.first_wrong} {found.mistake}"
-                more = "" if isinstance(found, str) else found.sentence.told("en")[:90]
+    count, table = int(next((w for w in words if w.isdigit()), "2")), Counter[tuple[str, ...]]()
+    for condition in CONDITIONS:
+        with tempfile.TemporaryDirectory() as folder:
+            for taken in pictures(condition, [w for w in words if not w.isdigit()], count, Path(folder)):
+                easel, mistake = taken.work.easel, taken.work.mistake
+                made = row(taken)
                 print(
-                    f"{condition:6} {easel.sample:22} {easel.plan:16} {work.mistake and (work.mistake.name, work.mistake.where)} -> {said} {seconds:.1f} s {more}",
+                    condition,
+                    easel.sample,
+                    easel.plan,
+                    mistake and (mistake.name, mistake.where),
+                    "->",
+                    made[1],
                     flush=True,
                 )
-                verdict = "refused" if isinstance(found, str) else found.verdict
-                table[condition, kind_of(easel.plan), "wrong" if work.mistake else "right", verdict] += 1
-    for row, times in sorted(table.items()):
-        print(*row, times)
+                table[condition, kind_of(easel.plan), *made] += 1
+    for found, times in sorted(table.items()):
+        print(*found, times)
 
 
 if __name__ == "__main__":

@@ -72,6 +72,7 @@ class InkCover:
     tips: list[tuple[complex, complex]] = field(default_factory=list)  # and the unit way they point
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
     overshot: dict[tuple[complex, complex], int] = field(default_factory=dict)
+    _faint: dict[tuple[complex, complex], bool] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         lines = self.seen.lines
@@ -179,7 +180,13 @@ class InkCover:
         return bool(self.along(a, b)[1] or self.seen.closer(a, b))
 
     def runs_out(self, a: complex, b: complex) -> bool:
-        """Whether what seems a vector has no head and grows faint towards b: its end may be its construction line's."""
+        """Whether what seems a vector has no head and grows faint towards b: its end may be its construction line's
+        (remembered)."""
+        if (a, b) not in self._faint:
+            self._faint[a, b] = self._runs_out(a, b)
+        return self._faint[a, b]
+
+    def _runs_out(self, a: complex, b: complex) -> bool:
         length = abs(b - a)
         if not self.headed or length < 2 * HEADED_MM or self.pointed(a, b):
             return False

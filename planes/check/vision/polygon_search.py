@@ -158,12 +158,12 @@ class SoughtPolygon:
             price = self._aside(way, u) + (0.0 if closed else OPEN) + NO_END * (p is not self.pole and not p.ended)
             if p is not self.pole:
                 price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
-                if last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
-                    continue
-            elif last and abs(way) > 2 and self._goes_on(z, chain):
-                price += OPEN
             if price + chain.cost >= self.most or price > 12 + OPEN:
                 continue
+            if p is not self.pole and last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
+                continue
+            if p is self.pole and last and abs(way) > 2 and self._goes_on(z, chain):
+                price += OPEN
             if abs(way) < 1 or self.covered(z, p.z) > COVERED:
                 self._lay_closing(guess, order[1:], self._longer(chain, z, price, (name, p.z, p.sigma)), p.z)
         if not last:  # a closing vector of no length
