@@ -10,7 +10,7 @@ import pytest
 
 from planes.check import Outcome, check
 from planes.check.grading.paper import Known
-from planes.check.grading.prepared_plan import Asked
+from planes.check.grading.prepared_plan import Asked, Begun, prepare, redrawn, variants_of
 from planes.check.handed_in import read_paper
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.crossings import Cross
@@ -66,3 +66,11 @@ def test_a_hand_drawing_is_judged(name: str, plan: str, tmp_path: Path) -> None:
     label, place = rows[k := len(rows) - 1 if plan == "acceleration" else 2]
     wrong = judged(name, plan, [*rows[:k], (label, place + 9 + 4j), *rows[k + 1 :]], tmp_path)
     assert wrong.verdict == "wrong"
+
+
+def test_what_no_mistake_touches_is_not_drawn_anew() -> None:
+    """Drawn from where a mistake begins, a plan is the same as drawn from the beginning, with every mistake."""
+    bench = prepare(Asked(load(SAMPLES / "class-three/guide.yaml"), "acceleration"))
+    for variant in [None, *variants_of(bench, {}, bench.said_mu)][::7]:
+        whole = redrawn(bench, variant, lambda step, made: made, Begun(0, dict(bench.given)))
+        assert redrawn(bench, variant, lambda step, made: made) == whole, variant
