@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from planes.check import Outcome, report
@@ -11,7 +12,7 @@ from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
-from planes.check.vision.photograph import blank_pole
+from planes.check.vision.photograph import blank_pole, roomy
 from planes.plans.measuring import lettering, say_plan
 from planes.scene import Scene
 from planes.scene.files import keep
@@ -40,7 +41,8 @@ def write_blank(asked: Asked, output: str, lang: Lang) -> None:
 def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
     """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it. Its code says whose it
     is, by the names of the scene if ``mark`` does not tell; a name nobody knows is written by hand."""
-    bench, mark = prepare(asked), mark or SheetMark.of(asked)
+    bench = roomy(prepare(asked))
+    asked, mark = bench.asked, replace(mark, mu=mark.mu or bench.asked.mu) if mark else SheetMark.of(bench.asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang, asked.scene.mu_convention), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]

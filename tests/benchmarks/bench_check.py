@@ -12,12 +12,15 @@ import cv2
 import numpy as np
 import pytest
 from conftest import peak_of
+from PIL import Image
 
 from planes.check import check
 from planes.check.grading.paper import Known
 from planes.check.handed_in import read_paper
+from planes.cli import main
 from planes.words.errors import PlanesError
 from tests import confusion
+from tests.physical import higher
 from tests.physical.corpus import Picture, picture, works
 from tests.physical.factors import PHONE
 from tests.physical.setting import Setting, varied
@@ -46,6 +49,29 @@ def bench_check_of_a_page(benchmark, page: str, tmp_path: Path) -> None:
     benchmark.group, benchmark.extra_info["what"] = "a page checked", page
     benchmark.extra_info |= {"positions": 1, "memory": peak_of(words)}
     benchmark.pedantic(lambda: check(asked, read_paper(str(made.file), asked, Known())), rounds=2)
+
+
+@pytest.mark.parametrize("plan", ["acceleration", "force:2-3-4-5"])
+@pytest.mark.parametrize("sample", ["class-four/tray", "class-three/slider"])
+def bench_check_of_a_page_of_class_three_and_four(benchmark, sample: str, plan: str, tmp_path: Path) -> None:
+    made = next(higher.pictures("scan", [plan], 1, tmp_path, [sample]))
+    asked = confusion.bench(sample, plan).asked
+    benchmark.group, benchmark.extra_info["what"] = "a page of class III or IV checked", f"{sample} {plan}"
+    benchmark.extra_info |= {"positions": 1}
+    benchmark.pedantic(lambda: check(asked, read_paper(str(made.file), asked, Known())), rounds=2)
+
+
+@pytest.mark.parametrize("count", [1, 40])
+def bench_pages_of_a_file(benchmark, count: int, tmp_path: Path) -> None:
+    """A class's sheets in one PDF: as many times the time of one page, and hardly more memory."""
+    page = Image.open(taken("scan 200", tmp_path).file)
+    file, out = tmp_path / "class.pdf", tmp_path / "out.json"
+    page.save(file, save_all=True, append_images=[page] * (count - 1), resolution=200, quality=80)
+    easel = next(works(1)).easel
+    words = ["check", confusion.bench(easel.sample, easel.plan).asked.scene.file, str(file), "--plan", easel.plan]
+    benchmark.group, benchmark.extra_info["what"] = "pages of a file checked", count
+    benchmark.extra_info |= {"positions": count, "memory": peak_of([*words, "-o", str(out)])}
+    benchmark.pedantic(lambda: main([*words, "-o", str(out)]), rounds=1)
 
 
 PLAIN: dict[str, Callable[[], np.ndarray]] = {

@@ -10,7 +10,7 @@ import pytest
 
 from planes.check import Outcome, check
 from planes.check.grading.paper import Known
-from planes.check.grading.prepared_plan import Asked
+from planes.check.grading.prepared_plan import Asked, Begun, prepare, redrawn, variants_of
 from planes.check.handed_in import read_paper
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.crossings import Cross
@@ -73,3 +73,11 @@ def test_a_second_polygon_may_follow_without_putting_the_pen_down(tmp_path: Path
     listed = [rows[0], *(row for row in rows if row[0] != POLE)]
     assert len(listed) < len(rows)
     assert judged("class-four/tray", "force:2-3-4-5", listed, tmp_path).verdict == "right"
+
+
+def test_what_no_mistake_touches_is_not_drawn_anew() -> None:
+    """Drawn from where a mistake begins, a plan is the same as drawn from the beginning, with every mistake."""
+    bench = prepare(Asked(load(SAMPLES / "class-three/guide.yaml"), "acceleration"))
+    for variant in [None, *variants_of(bench, {}, bench.said_mu)][::7]:
+        whole = redrawn(bench, variant, lambda step, made: made, Begun(0, dict(bench.given)))
+        assert redrawn(bench, variant, lambda step, made: made) == whole, variant

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import random
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -353,6 +354,27 @@ def test_right_plans_without_heads_are_not_called_wrong(middle: bool, tmp_path: 
     found = [as_lines(one, middle, tmp_path / "t.svg").verdict for one in easels()]
     print("without heads", middle, found.count("right"), found.count("wrong"), len(found))
     assert found.count("right") >= 0.88 * len(found) and found.count("wrong") <= 0.02 * len(found)
+
+
+def overshot(strokes: list[line_drawings.Stroke], words: list[tuple[str, complex]], twice: bool) -> str:
+    """Vectors without heads that run on past their ends; or with construction lines under them that run on."""
+    rng, lines = random.Random(len(strokes)), list[line_drawings.Stroke]()
+    for a, b in strokes:
+        u = (b - a) / abs(b - a)
+        lines += [(a, b)] if twice else []
+        lines.append((a - u * rng.uniform(0, 6) * twice, b + u * rng.uniform(3, 15) * (twice or rng.random() < 0.7)))
+    return headless(lines, words, True)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("twice", [False, True])
+def test_lines_that_run_past_each_other_show_no_wrong_mark_by_themselves(twice: bool, tmp_path: Path) -> None:
+    found, file = Counter[str](), tmp_path / "t.svg"
+    for one in (e for e in easels() if not e.plan.startswith("force")):
+        file.write_text(overshot(*test_check.sketch_of(one, None), twice), encoding="utf-8")
+        asked = confusion.bench(one.sample, one.plan).asked
+        found[check(asked, read_paper(str(file), asked, Known())).verdict] += 1
+    assert found["wrong"] <= (0 if twice else 3) and (not twice or found["right"] >= 0.85 * found.total()), found
 
 
 HEADS = {f.__name__: f for f in (solids, hatches, narrowing, leaders, hollow, blocks_of_autocad)}

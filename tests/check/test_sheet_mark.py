@@ -20,13 +20,15 @@ from tests.helpers import ROOT
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
+from planes.check import check  # noqa: E402
 from planes.check.sheet_mark import mark_on  # noqa: E402
 from planes.check.vision.decoding import load as picture_of  # noqa: E402
 from planes.check.vision.ink import ink_of, printed_on  # noqa: E402
-from planes.check.vision.photograph import blank_pole  # noqa: E402
+from planes.check.vision.photograph import blank_pole, roomy  # noqa: E402
 from planes.check.vision.picture import Flat, flatten  # noqa: E402
 from planes.check.vision.places import sheet_of  # noqa: E402
 from tests.helpers.class_pictures import scanned  # noqa: E402
+from tests.helpers.line_drawings import head  # noqa: E402
 from tests.physical import corpus, page  # noqa: E402
 from tests.physical.factors import FACTORS  # noqa: E402
 from tests.physical.paper import PX_PER_MM  # noqa: E402
@@ -188,3 +190,23 @@ def test_a_line_that_runs_under_what_is_printed_is_not_seen_to_its_end(coded: bo
     for z, hidden in zip(ends, (True, coded), strict=True):
         near = [p for p in seen.within(z, 25) if p.ended]
         assert near and all(seen.torn(p) == hidden for p in near)
+
+
+@pytest.mark.slow
+def test_a_picture_of_a_blank_is_read_at_the_scale_its_code_tells(tmp_path: Path) -> None:
+    """The right plan drawn on the blank that is printed for half of the scene's μ."""
+    asked, file = Asked(SIX, "acceleration"), tmp_path / "p.jpg"
+    bench = roomy(prepare(asked))
+    marks, title = blank_marks(asked, "ru")
+    page = cv2.imdecode(np.frombuffer(pdf.write_png(marks, SHEET_MM, title, dpi=200), np.uint8), cv2.IMREAD_GRAYSCALE)
+    places, pole, k = {"p": 0j, **bench.true_marks}, blank_pole(bench), 200 / 25.4
+    for a, b in ((places[a] + pole, places[b] + pole) for a, b in bench.vectors):
+        if abs(b - a) > 0.3:
+            ends = [(round(z.real * k * 16), round((SHEET_MM[1] - z.imag) * k * 16)) for z in head(a, b)]
+            start = round(a.real * k * 16), round((SHEET_MM[1] - a.imag) * k * 16)
+            cv2.line(page, start, ends[0], 60, 3, cv2.LINE_AA, 4)
+            cv2.fillPoly(page, [np.array(ends, np.int32)], 60, cv2.LINE_AA, 4)
+    cv2.imwrite(str(file), cv2.GaussianBlur(page, (0, 0), 0.7))
+    assert check(asked, read_paper(str(file), asked, Known())).verdict == "right"
+    own = Asked(SIX, "acceleration", mu=2.0)  # told otherwise, that holds
+    assert check(own, read_paper(str(file), own, Known())).verdict != "right"

@@ -12,9 +12,10 @@ import pytest
 from planes.check import check
 from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre
 from planes.check.grading.paper import Known
-from planes.check.grading.prepared_plan import Asked
+from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
 from planes.check.sheet_mark import SheetMark
+from planes.check.vision.photograph import blank_pole, roomy
 from planes.cli import main
 from planes.documents.check import blank_marks
 from planes.scene import load
@@ -52,6 +53,18 @@ def test_what_the_scene_does_not_say_stands_on_the_blank() -> None:
     assert any(re.search("140", text) for text in said(Asked(SIX, "velocity", 140.0)))
     own = replace(SIX, sheet={"student": "Ким Анна", "group": "М-31"})
     assert "Студент: Ким Анна, группа М-31." in said(Asked(own, "velocity"))
+
+
+@pytest.mark.parametrize(("plan", "mu"), [("acceleration", 1.0), ("velocity", None)])
+def test_a_pole_in_the_middle_tells_nobody_where_the_plan_goes(plan: str, mu: float | None) -> None:
+    """The six-link's acceleration plan, 183 mm at the scene's μ, is drawn on its blank at half of that."""
+    bench = roomy(prepare(Asked(SIX, plan)))
+    assert bench.asked.mu == mu and SheetMark.of(bench.asked).mu == mu
+    middle, ends = complex(165, 105), [*bench.true_marks.values()]
+    assert abs(blank_pole(bench) - middle) < 13
+    if mu:  # turned any way it stays on the sheet, and away from what is printed above and below
+        assert max(map(abs, ends)) < SHEET_MM[1] / 2 - 10
+        assert any("= 1" in text for text in said(Asked(SIX, plan)))
 
 
 @pytest.mark.parametrize(

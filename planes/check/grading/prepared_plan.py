@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import NamedTuple
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.mistakes import motion_variants
@@ -49,6 +50,17 @@ class Asked:
         return [*words, f"--{drive.kind}={self.value:g}"] if drive else words
 
 
+class Begun(NamedTuple):
+    """How far a program was drawn: the number of the step that comes next, and what is there."""
+
+    step: int
+    things: Env
+
+    def copied(self, step: int | None = None) -> Begun:
+        """The same, to draw on, or come to another step."""
+        return Begun(self.step if step is None else step, dict(self.things))
+
+
 @dataclass
 class PreparedPlan:
     """All that does not depend on the drawing's scale."""
@@ -76,6 +88,39 @@ class PreparedPlan:
         """Vectors of a motion plan by the labels of their ends."""
         own = (s for s in self.plans.segments_of.get(self.asked.plan, ()) if s.start != s.end)
         return list(dict.fromkeys((s.start, s.end) for s in own))
+
+    @cached_property
+    def _before_marks(self) -> Begun:
+        """The program drawn up to the plan's first mark."""
+        own = (k for k, step in enumerate(self.program.steps) if step.makes in self.marks)
+        begun = Begun(next(own, 0), dict(self.given))
+        try:
+            draw_steps(self.program.steps[: begun.step], begun.things, Tool(Arithmetic()))
+        except PlanesError:
+            return Begun(0, dict(self.given))
+        return begun
+
+    def begun(self, variant: Variant | None) -> Begun:
+        """The program drawn as far as neither the plan's marks nor what a mistake touches is reached."""
+        return self._before_marks.copied(min(self._before_marks.step, self.touched(variant)))
+
+    def touched(self, variant: Variant | None) -> int:
+        """The number of the first step that a mistake touches; that of all steps, if none does."""
+        swaps, givens = (variant.swaps, variant.givens) if variant else ({}, {})
+        first = [self.number[n] for n in swaps if n in self.number]
+        first += [self._first_read[n] for n in givens if n in self._first_read]
+        return min(first, default=len(self.program.steps))
+
+    @cached_property
+    def number(self) -> dict[str, int]:
+        """Which step makes a thing, from 0."""
+        return {step.makes: k for k, step in enumerate(self.program.steps)}
+
+    @cached_property
+    def _first_read(self) -> dict[str, int]:
+        """By thing the first step that reads it."""
+        steps = [*enumerate(self.program.steps)]
+        return {name: k for k, step in reversed(steps) for name, _ in step.reads()}
 
     def mu_said(self, mu: float) -> Written:
         """A scale of the plan as a sentence has it."""
@@ -168,11 +213,18 @@ class _Snapping(Tool):
         return made
 
 
-def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Point], Point]) -> Env | None:
-    """The program drawn exactly, each thing passed through ``snap``; None where that cannot be done, or is given up."""
-    things = {**bench.given, **(variant.givens if variant else {})}
+def redrawn(
+    bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Point], Point], begun: Begun | None = None
+) -> Env | None:
+    """The program drawn exactly, each thing passed through ``snap``, which leaves all but the plan's marks as they are;
+    None where that cannot be done, or is given up. What nothing changes is not drawn anew; what was ``begun`` is gone
+    on with."""
+    begun = begun or bench.begun(variant)
+    things = begun.things
+    things |= variant.givens if variant else {}
+    tool, swaps = _Snapping(Arithmetic(), snap=snap), variant.swaps if variant else {}
     try:
-        draw_steps(bench.program.steps, things, _Snapping(Arithmetic(), snap=snap), variant.swaps if variant else {})
+        draw_steps(bench.program.steps[begun.step :], things, tool, swaps)
     except (PlanesError, GivenUp):
         return None
     return things

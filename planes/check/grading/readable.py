@@ -43,8 +43,9 @@ def _unsure_marks(grading: Grading) -> list[str]:
     found = grading.judgement
     wrong = grading.chance_wrong if grading.fault else 1 - grading.chance_wrong
     doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
-    if wrong > ASKED or not doubted:
-        return []
+    loose = found.named is None and any(grading.hand.taken[m].doubt > ASKED for m in doubted)
+    if (wrong > ASKED and not (loose and grading.fault)) or not doubted:
+        return []  # a mark of lines that do not show where they end is not called wrong for a cause of its own
     odd = sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))
     return [m for m in odd if m in found.wrong or found.misses[m].sigmas > WARN][:MOST_ASKED] or odd[:1]
 

@@ -11,15 +11,45 @@ MEETING = 0.5  # of the ends of lines that are drawn from end to end, how many m
 ALONG_MM = 0.9  # a stroke no farther off runs along a way
 NAMED_MM = 6.0  # a word is nearer to the end it names
 CONFUSED = 0.0005  # for which share of the marks of such lines, without heads, another place is taken
+LOOSE = 0.9  # the same of lines that run past each other, or of which three and more lie upon each other
+PAST_MM, PAST = 20.0, 2  # how far lines run past where they meet; so many ends tell that they do
 
 
 def doubt_of(sketch: ReadDrawing) -> float:
-    """For which share of the marks of a drawing of lines another place is taken: hardly any where arrowheads tell."""
+    """For which share of the marks of a drawing of lines another place is taken: hardly any where arrowheads tell; of
+    those without heads that end beyond where they meet, or lie in rows, so many that a mark by itself tells of none."""
     if any(sketch.ways):
         return 0.0
     ends = [(k, z) for k in vectors_of(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
     met = sum(_met(sketch.strokes, z, (k,), FARTHEST_MM) for k, z in ends if len(ends) < CROSSINGS)
+    if len(ends) < CROSSINGS and (_in_rows(sketch.strokes) or _past(sketch.strokes, ends) >= PAST):
+        return LOOSE
     return CONFUSED if met >= MEETING * len(ends) else MISREAD
+
+
+def _past(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]]) -> int:
+    """How many ends lie a little past where another stroke crosses theirs, or ends upon it, and meet none."""
+    count = 0
+    for k, z in ends:
+        other = next(w for w in strokes[k] if w != z)
+        length, u = abs(other - z), (other - z) / abs(other - z)
+        if _met(strokes, z, (k,), SNAPPED_MM):
+            continue
+        for i, (a, b) in enumerate(strokes):
+            p, q = (a - z) / u, (b - z) / u
+            if i == k or _along((a, b), strokes[k]) or p.imag * q.imag > SNAPPED_MM**2:
+                continue
+            at = (p + (q - p) * p.imag / (p.imag - q.imag)).real if p.imag != q.imag else p.real
+            if SNAPPED_MM < at < min(PAST_MM, length - SNAPPED_MM):
+                count += 1
+                break
+    return count
+
+
+def _in_rows(strokes: Sequence[Stroke]) -> bool:
+    """Whether three strokes and more lie upon a longer one, so that nothing tells which of them are vectors."""
+    few = len(strokes) < CROSSINGS
+    return few and any(sum(upon(one, line) for one in strokes if one is not line) > 2 for line in strokes)
 
 
 def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:

@@ -69,6 +69,13 @@ class Ink:
         held: Booleans = self.letters[down, across]
         return held
 
+    def bare(self, z: complex, reach: float) -> bool:
+        """Whether there is no ink at all in a square about a place, ``reach`` mm to each side."""
+        x, y = self.flat.px(z)
+        half = reach * self.flat.scale
+        part = self.even[max(int(y - half), 0) : max(int(y + half), 0), max(int(x - half), 0) : max(int(x + half), 0)]
+        return part.size == 0 or int(part.min()) >= EDGE
+
     def covered(self, a: complex, b: complex, reach: float = 0.45) -> float:
         """The share of the way from ``a`` to ``b`` along which there is ink, ``reach`` mm to either side."""
         length = abs(b - a)

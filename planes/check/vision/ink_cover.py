@@ -7,13 +7,12 @@ among it; a table, a name or another plan that stands apart asks for no reason.
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
 
 import numpy
 
-from planes.check.grading.handwork import Miss
 from planes.check.vision.handwritten import HandWords
 from planes.check.vision.hanging import hanging
 from planes.check.vision.places import HEADED_MM, Seen
@@ -29,22 +28,7 @@ SIGN_MM = (-6.0 - 8.4j, -1.4 - 1.6j)  # where its letter is printed on a blank, 
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
 UPON_MM = 0.6  # lines whose heads are farther aside are two vectors
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
-GATE = 4.5  # σ of drafting and reading within which a mark is looked for
-NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
-WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
-VAGUE = 3.0  # what a place costs that is known to a millimetre
-DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
 COVERED, STRANGE_MM = 0.75, 10.0  # the share of a vector that must be drawn; of its end, what tells a strange one
-
-
-def slip(count: int) -> float:
-    """What each of some mistakes of the catalogue costs: that it is just this one that was made."""
-    return max(math.log(max(count, 1) / WRONG), SLIP)
-
-
-def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
-    """How far off a place is, in σ of drawing and of reading."""
-    return replace(miss.blurred(sigma), off=off).sigmas
 
 
 @dataclass(frozen=True)
@@ -72,6 +56,7 @@ class InkCover:
     tips: list[tuple[complex, complex]] = field(default_factory=list)  # and the unit way they point
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
     overshot: dict[tuple[complex, complex], int] = field(default_factory=dict)
+    _faint: dict[tuple[complex, complex], bool] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         lines = self.seen.lines
@@ -192,7 +177,13 @@ class InkCover:
         return bool(self.along(a, b)[1] or self.seen.closer(a, b))
 
     def runs_out(self, a: complex, b: complex) -> bool:
-        """Whether what seems a vector has no head and grows faint towards b: its end may be its construction line's."""
+        """Whether what seems a vector has no head and grows faint towards b: its end may be its construction line's
+        (remembered)."""
+        if (a, b) not in self._faint:
+            self._faint[a, b] = self._runs_out(a, b)
+        return self._faint[a, b]
+
+    def _runs_out(self, a: complex, b: complex) -> bool:
         length = abs(b - a)
         if not self.headed or length < 2 * HEADED_MM or self.pointed(a, b):
             return False

@@ -44,9 +44,10 @@ class LoneHeads:
         length = abs(end - start)
         if length < SHORT_MM:
             return None
-        way, found = (end - start) / length, list[complex]()
-        for piece in (*self.pieces, *(_without_shaft(piece, way) for piece in self.left)):
-            tip = self._tip(piece, way) if abs(piece.mean() - end) < self.usual_mm + ABOUT_MM else None
+        way, found, reach = (end - start) / length, list[complex](), self.usual_mm + ABOUT_MM
+        near = (piece for piece in self.left if abs(piece - end).min() < reach)
+        for piece in (*self.pieces, *(_without_shaft(piece, way) for piece in near)):
+            tip = self._tip(piece, way) if abs(piece.mean() - end) < reach else None
             if tip is not None and abs(tip - end) < ABOUT_MM and self._led(start, tip):
                 found.append(tip)
         return min(found, key=lambda z: abs(z - end), default=None)

@@ -6,17 +6,19 @@ tells the names. Where a mistake explains it nearly as well as the right plan, w
 
 import math
 from collections.abc import Sequence
-from dataclasses import InitVar, dataclass, field, replace
+from dataclasses import InitVar, dataclass, replace
 
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.vision.costs import ANYWHERE
 from planes.check.vision.handwritten import words_on
-from planes.check.vision.ink_cover import ANYWHERE, InkCover
+from planes.check.vision.ink_cover import InkCover
 from planes.check.vision.line_places import WOBBLE_MM, Place
+from planes.check.vision.match_in_order import read_in_order
 from planes.check.vision.places import Seen, pole_on
-from planes.check.vision.polygon_cover import Guess, LaidChain, guesses, polygon_of, seen_like, spread_of
-from planes.check.vision.polygon_search import OPEN, SoughtPolygon
+from planes.check.vision.polygon_cover import Guess, LaidChain, ReadPolygon, guesses, polygon_of, seen_like, spread_of
+from planes.check.vision.polygon_search import MANY, OPEN, SoughtPolygon
 from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares
 from planes.words.names import POLE
 
@@ -66,23 +68,12 @@ class LaidPolygon:
         return tuple(n for n in self.right.known if n in found or self.polygon.endless)
 
 
-@dataclass(frozen=True)
-class ReadPolygon:
-    """Rows of a polygon, none where it cannot surely be told what was drawn; whether nothing can have been overlooked;
-    the share of ink explained; ends not seen; vectors that a mistake puts elsewhere and explains the ink as well;
-    whether it was drawn with a mistake, and no right one explains the ink nearly as well."""
-
-    spots: list[ReadMark] = field(default_factory=list)
-    whole: bool = False
-    explained: float = 0.0
-    hidden: tuple[str, ...] = ()
-    untold: tuple[str, ...] = ()
-    apart: bool = False
-
-
 def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     """The polygon drawn on a sheet about a place."""
-    sides, pole = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan), pole_on(seen, near)
+    every = sides_of(bench.plans, bench.asked.plan)
+    if len(every) >= MANY and (read := read_in_order(bench, every, seen, near)):
+        return read
+    sides, pole = polygon_of(every, bench.asked.plan), pole_on(seen, near)
     shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()], words=words_on(seen, [s.name for s in sides]))
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=LaidPolygon.cost)

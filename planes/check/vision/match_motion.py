@@ -13,9 +13,11 @@ from dataclasses import replace
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.vision.ink_cover import ANYWHERE, InkCover, slip
+from planes.check.vision.costs import ANYWHERE, slip
+from planes.check.vision.ink_cover import InkCover
+from planes.check.vision.laid_plan import LaidPlan
 from planes.check.vision.places import Seen, pole_on
-from planes.check.vision.plan_search import LaidPlan, Search
+from planes.check.vision.plan_search import CLOSE, Search
 from planes.check.vision.print_scale import by_ruler, measured_by, shares_of
 from planes.words import Phrase
 from planes.words.names import POLE, label_of
@@ -27,15 +29,29 @@ def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
     ways = [(s, w) for s in searches if 0 in s.drawn for w in (s.settled(None),) if w]
     best, count = min(ways, key=_cost, default=None), len(variants_of(bench, {}, bench.said_mu))
     if best is None or len(best[1].found) < len(bench.marks) or best[1].cost > slip(count):
-        for search in searches:
+        for search in _likely(searches, best):
             variants = variants_of(search.bench, {}, search.bench.said_mu)
             for variant in (v for k, v in enumerate(variants) if k + 1 in search.drawn):
                 most = min((w.cost for _, w in ways), default=math.inf)
                 ways += [(search, w) for w in (search.settled(variant, slip(len(variants)), most),) if w]
         best = min(ways, key=_cost, default=None)
-        if best and best[1].cost > ANYWHERE + 4.0 + len(bench.marks):
+        if best and best[1].cost > fair(bench.marks):
             ways += [(best[0], w) for w in best[0].free_ways(best[1])]
     return min(ways, key=_cost, default=None)
+
+
+def _likely(searches: Sequence[Search], best: tuple[Search, LaidPlan] | None) -> Sequence[Search]:
+    """The sizes a sheet may have been printed at; where the right plan fits well at one, not those at which it is out
+    of the question."""
+    marks = searches[0].bench.marks
+    if best is None or len(best[1].found) < len(marks) or best[1].cost > fair(marks):
+        return searches
+    return [s for s in searches if s.plain is None or s.plain.cost < best[1].cost + CLOSE]
+
+
+def fair(marks: Sequence[str]) -> float:
+    """What a plan may cost that explains a picture."""
+    return ANYWHERE + 4.0 + len(marks)
 
 
 def _cost(found: tuple[Search, LaidPlan]) -> float:

@@ -12,11 +12,13 @@ from itertools import combinations
 
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.vision.ink_cover import ANYWHERE, COVERED, NO_MARK, InkCover, slip
+from planes.check.vision.costs import ANYWHERE, NO_MARK, slip
+from planes.check.vision.ink_cover import COVERED, InkCover
+from planes.check.vision.laid_plan import LaidPlan
 from planes.check.vision.line_places import SAME_MM, Place
 from planes.check.vision.match_symbols import signs
 from planes.check.vision.places import Seen, pole_on
-from planes.check.vision.plan_search import LaidPlan, Search
+from planes.check.vision.plan_search import Search
 from planes.check.vision.print_scale import by_ruler, likely_shares, measured_by, seen_from
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of

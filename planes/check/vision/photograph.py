@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from planes.check.fiducials import SHEET_MM, pole_place
+from planes.check.fiducials import OTHER_MM, SHEET_MM, pole_place
 from planes.check.grading.paper import MISREAD, Box, Known, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan, known_plans
 from planes.check.reading.as_planned import worth
@@ -21,11 +21,13 @@ from planes.check.vision.places import Seen, pole_on, sheet_of
 from planes.check.vision.pole_guess import pole_found
 from planes.check.vision.print_scale import printed_share
 from planes.geometry.arrays import Greys
+from planes.plans.scales import fitting
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
 from planes.words.names import POLE, Names, kind_of, label_of
 
+ASIDE_MM = 12.0  # how far from a blank's middle its pole tells nobody where the plan goes
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
 
@@ -64,6 +66,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     picture = load(file, known.page or 0)
     paper, best, pole = ReadPaper(file, whole=False), None, known.pole
     for flat, named in _flats(bench, picture, known):
+        bench = _as_printed(bench, flat)
         look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
         if best is None or look.explained > best.explained:
             best, paper.scale_mark = look, None if flat.by_file else named
@@ -86,7 +89,8 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
     else:
         pointed = bench.pointed(known.marks, best.flat.place) if best.spots else {}
-        paper.spots, paper.whole, paper.mu = with_told(best.spots, pointed, MISREAD), best.whole, best.mu
+        paper.spots, paper.whole = with_told(best.spots, pointed, MISREAD), best.whole
+        paper.mu = best.mu or bench.asked.mu
         if best.mu and best.mu != bench.said_mu:
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
@@ -95,6 +99,12 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
+
+
+def _as_printed(bench: PreparedPlan, flat: Flat) -> PreparedPlan:
+    """The plan at the scale that the code of its blank tells, where nobody told another."""
+    code = mark_of(flat) if flat.by == "marks" and not bench.asked.mu else None
+    return bench.at(code.mu, told=True) if code and code.mu and code.plan == bench.asked.plan else bench
 
 
 def _nothing_to_measure_by(grey: Greys) -> PlanesError:
@@ -191,6 +201,16 @@ def _by_hand(
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
     return by_points(picture.grey, pole, where, bench.true_marks[name], name, picture.scale), name
+
+
+def roomy(bench: PreparedPlan) -> PreparedPlan:
+    """A plan of motion as a blank has it: at the largest standard scale, no larger than the scene's, at which the pole
+    stands in the middle of the sheet, and with it any plan of that size, whichever way it goes."""
+    aside = abs(blank_pole(bench) - pole_place([])) > ASIDE_MM
+    if bench.asked.mu or not aside or kind_of(bench.asked.plan) in ("position", "force"):
+        return bench
+    reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
+    return bench.at(fitting(bench.asked.plan, reach, SHEET_MM[1] / 2 - OTHER_MM), told=True)
 
 
 def blank_pole(bench: PreparedPlan) -> complex:

@@ -49,7 +49,8 @@ class Seen:
         """The tip of the head a vector from start to end has about its end, looked for along it (remembered)."""
         key = rounded(start), rounded(end)
         if key not in self.looked:
-            found, sigma = self._headed(start, end) if abs(end - start) > HEADED_MM else (None, TIP_MM)
+            drawn = abs(end - start) > HEADED_MM and not self.all_ink.bare(end, CLOSER_MM)
+            found, sigma = self._headed(start, end) if drawn else (None, TIP_MM)
             self.looked[key] = Place(found, sigma, frozenset(), True, self._short(start, found)) if found else None
         return self.looked[key]
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Collection, Container, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import accumulate
 from types import MappingProxyType
 from typing import Any, Self
@@ -10,39 +11,19 @@ from typing import Any, Self
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import GivenUp, PreparedPlan, redrawn
-from planes.check.vision.ink_cover import (
-    ANYWHERE,
-    COVERED,
-    DOUBTFUL,
-    GATE,
-    NO_END,
-    NO_LINE,
-    NO_MARK,
-    VAGUE,
-    InkCover,
-    sigmas_of,
-)
+from planes.check.vision.costs import ANYWHERE, DOUBTFUL, GATE, NO_END, NO_LINE, NO_MARK, VAGUE, sigmas_of
+from planes.check.vision.ink_cover import COVERED, InkCover
+from planes.check.vision.laid_plan import LaidPlan, Stop
 from planes.check.vision.line_places import Place
 from planes.check.vision.places import Seen
 from planes.check.vision.print_scale import UNLIKELY
 from planes.drafting.steps import Step
-from planes.words.names import POLE, at, label_of, plan_of
+from planes.words.names import POLE, at, label_of
 
 NEARLY, CLOSE = 3.0, 16.0  # how much dearer a place may be, and a whole way, to be looked at again
 FAR = 1.5  # a place that costs more may be another mark's, its own not seen
 ASTRAY_MM = 10.0  # a mark anywhere is the less likely the farther it is from where it should be
 EVEN_MM = 0.9  # marks nearer than this may be one
-
-
-@dataclass
-class LaidPlan:
-    """One way the plan may have been drawn, laid on the picture."""
-
-    cost: float
-    found: dict[str, Place] = field(default_factory=dict)  # by mark
-    variant: Variant | None = None
-    vanished: bool = False  # whether a mark that should be elsewhere came to the pole, where it leaves no trace
-    others: list[tuple[str, Place | None]] = field(default_factory=list)  # nearly as likely places of marks, or nowhere
 
 
 @dataclass
@@ -60,6 +41,7 @@ class Search:
     drawn: Container[int] = (0,)  # in which ways the plan may have been drawn there: 0 rightly, then with each mistake
     closely: bool = True  # whether heads are looked for that no line shows by itself
     near: dict[tuple[object, ...], list[tuple[float, Place]]] = field(default_factory=dict)  # what was looked up before
+    plain: LaidPlan | None = None  # the plan drawn rightly, each mark at its likeliest place
 
     @classmethod
     def of(
@@ -73,17 +55,34 @@ class Search:
 
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
         """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
-        best, chosen = self.way(variant, None, cost, most=most + CLOSE), dict[str, Place | None]()
+        begun = self._shared(variant, cost)
+        if begun and begun.laid.cost > most:
+            return None
+        best, chosen = self.way(variant, None, cost, most=most + CLOSE, begun=begun), dict[str, Place | None]()
+        self.plain = best if variant is None else self.plain
         tried = set[tuple[str, int]]()
         while best and best.cost < most + CLOSE:
             mark, place = next(((m, p) for m, p in best.others if (m, id(p)) not in tried), ("", None))
             if not mark:
                 break
             tried.add((mark, id(place)))
-            trial = self.way(variant, None, cost, {**chosen, mark: place}, best.cost)
+            trial = self.way(
+                variant, None, cost, {**chosen, mark: place}, best.cost, best.stops[mark].with_mistake(variant, cost)
+            )
             if trial and trial.cost < best.cost:
                 best, chosen[mark] = trial, place
         return best
+
+    def _at_least(self, cost: float) -> float:
+        """What a way costs before any mark is laid."""
+        flat = self.seen.ink.flat
+        return cost + UNLIKELY * (self.share != flat.printed and not flat.told)
+
+    def _shared(self, variant: Variant | None, cost: float) -> Stop | None:
+        """Where the plan drawn so parts from the right one, as that was laid."""
+        touched, plain = self.bench.touched(variant), self.plain if variant else None
+        stops = [s for s in plain.stops.values() if s.drawing.step <= touched] if plain else []
+        return stops[-1].with_mistake(variant, cost) if stops else None
 
     def way(
         self,
@@ -92,16 +91,18 @@ class Search:
         cost: float = 0.0,
         chosen: Mapping[str, Place | None] = MappingProxyType({}),
         most: float = math.inf,
+        begun: Stop | None = None,
     ) -> LaidPlan | None:
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected. None where it
-        cannot be drawn, or would cost more than ``most``."""
-        flat = self.seen.ink.flat
-        out = LaidPlan(cost + UNLIKELY * (self.share != flat.printed and not flat.told), {}, variant)
-        places, lost = dict[str, complex](), list[complex]()
+        cannot be drawn, or would cost more than ``most``. What was ``begun`` so is gone on with."""
+        begun = begun or Stop(self.bench.begun(variant), LaidPlan(self._at_least(cost), {}, variant), [])
+        out, lost, drawing = begun.laid.copy(), [*begun.lost], begun.drawing.copied()
+        places = {m: p.z for m, p in out.found.items()}
 
         def snap(step: Step, drawn: Any) -> Any:
             if step.makes not in self.own or drawn != drawn or any(abs(drawn - z) < 1e-9 for z in lost):
                 return drawn  # the same place is looked for but once
+            out.stops[step.makes] = Stop(drawing.copied(self.bench.number[step.makes]), out.copy(), [*lost])
             goal = self.pole.z + complex(drawn)
             if fixed and step.makes == fixed[0]:
                 found: Place | None = fixed[1]
@@ -122,7 +123,7 @@ class Search:
             out.vanished |= found is self.pole and abs(drawn) > EVEN_MM and abs(self.true[step.makes]) > 3
             return found.z - self.pole.z
 
-        if redrawn(self.bench, variant, snap) is None:
+        if redrawn(self.bench, variant, snap, drawing) is None:
             return None
         out.cost += NO_LINE * out.vanished + self.ink.price(self.routes(out))
         return out if out.cost <= most else None
@@ -152,8 +153,15 @@ class Search:
 
     def _before(self, step: Step) -> list[str]:
         """The marks that a line to a step's mark may come from."""
-        mark = step.makes
-        return [*_starts(step), *(at(plan_of(mark), a) for a, b in self.vectors if b == label_of(mark))]
+        return [*_starts(step), *self._starts_of.get(step.makes, ())]
+
+    @cached_property
+    def _starts_of(self) -> dict[str, list[str]]:
+        """By mark those that the vectors to it come from."""
+        found, plan = dict[str, list[str]](), self.bench.asked.plan
+        for start, end in self.vectors:
+            found.setdefault(at(plan, end), []).append(at(plan, start))
+        return found
 
     def _led_to(self, step: Step, z: complex, places: Mapping[str, complex]) -> bool:
         """Whether a line leads to a place from where its mark is found from, or from the pole."""
@@ -166,10 +174,9 @@ class Search:
 
     def _closer(self, mark: str, goal: complex, places: Mapping[str, complex]) -> Iterator[Place]:
         """Heads about a goal that the vectors to a mark may have."""
-        for start, end in self.vectors if self.closely else ():
-            z = self.pole.z if start == POLE else places.get(at(plan_of(mark), start))
-            found = self.seen.closer(z, goal) if end == label_of(mark) and z is not None else None
-            if found:
+        for start in self._starts_of.get(mark, ()) if self.closely else ():
+            z = self.pole.z if label_of(start) == POLE else places.get(start)
+            if z is not None and (found := self.seen.closer(z, goal)):
                 yield found
 
     def _doubt(self, place: Place, goal: complex, used: Collection[int]) -> float:

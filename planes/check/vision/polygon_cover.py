@@ -7,10 +7,12 @@ from itertools import pairwise
 from typing import Self
 
 from planes.check.grading.handwork import Hand, Miss, Variant
+from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.vision.costs import slip
 from planes.check.vision.handwritten import HandWords
-from planes.check.vision.ink_cover import COVERED, slip
+from planes.check.vision.ink_cover import COVERED
 from planes.check.vision.places import Seen
 from planes.check.vision.print_scale import seen_from
 from planes.drafting.steps import Step
@@ -66,6 +68,20 @@ class LaidChain:
         """Whether a known vector of some length is laid with none: nobody drew it."""
         drawn, true = abs(self.vectors(pole)[name]), abs(right.known.get(name, 0j))
         return true > 1 and drawn < min(0.4 * true, 0.8)
+
+
+@dataclass(frozen=True)
+class ReadPolygon:
+    """Rows of a polygon, none where it cannot surely be told what was drawn; whether nothing can have been overlooked;
+    the share of ink explained; ends not seen; vectors that a mistake puts elsewhere and explains the ink as well;
+    whether it was drawn with a mistake, and no right one explains the ink nearly as well."""
+
+    spots: list[ReadMark] = field(default_factory=list)
+    whole: bool = False
+    explained: float = 0.0
+    hidden: tuple[str, ...] = ()
+    untold: tuple[str, ...] = ()
+    apart: bool = False
 
 
 def polygon_of(sides: Iterable[Side], plan: str) -> list[Side]:

@@ -13,8 +13,9 @@ from functools import cached_property
 from itertools import combinations, permutations
 
 from planes.check.grading.handwork import Miss
+from planes.check.vision.costs import DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
 from planes.check.vision.drawn_lines import crossing, on
-from planes.check.vision.ink_cover import COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
+from planes.check.vision.ink_cover import COVERED, InkCover
 from planes.check.vision.line_places import END_MM, Place
 from planes.check.vision.places import HEADED_MM
 from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain
@@ -28,6 +29,7 @@ ASLANT = 0.1  # of a line to another that is the same
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 1500
 MOST_OF_ALL = 20_000  # steps of all ways together; a polygon of six vectors takes some two thousand
+MANY, MOST_OF_MANY = 11, 2_000  # sides of a polygon that is first read in its own order; steps in any other one
 
 End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
 
@@ -87,7 +89,7 @@ class SoughtPolygon:
     @property
     def endless(self) -> bool:
         """Whether there are more ways to lay it than can be tried, so that none is surely the best."""
-        return self.taken > MOST_OF_ALL
+        return self.taken > (MOST_OF_ALL if len(self.spread) < MANY else MOST_OF_MANY)
 
     def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, z: complex, loose: float) -> None:
         """Every order of the known vectors that the ink allows, then the closing ones."""
@@ -165,12 +167,12 @@ class SoughtPolygon:
             price = self._aside(way, u) + (0.0 if closed else OPEN) + (0.0 if shown else NO_END)
             if p is not self.pole:
                 price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
-                if last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
-                    continue
-            elif last and abs(way) > 2 and self._goes_on(z, chain):
-                price += OPEN
             if price + chain.cost >= self.most or price > 12 + OPEN:
                 continue
+            if p is not self.pole and last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
+                continue
+            if p is self.pole and last and abs(way) > 2 and self._goes_on(z, chain):
+                price += OPEN
             if abs(way) < 1 or self.covered(z, p.z) > COVERED:
                 self._lay_closing(guess, order[1:], self._longer(chain, z, price, (name, p.z, p.sigma)), p.z)
         if not last:  # a closing vector of no length

@@ -1,0 +1,36 @@
+"""Pictures of hand drawings of class III and IV, as scanners and telephones give them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("cv2")
+from tests.physical import higher
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("condition", "sample", "plan"),
+    [
+        ("scan", "class-four/tray", "acceleration"),
+        ("phone", "class-three/guide", "velocity"),
+        ("scan", "class-three/slider", "force:2-3-4-5"),
+    ],
+)
+def test_a_right_one_is_right_and_a_mistake_is_found(condition: str, sample: str, plan: str, tmp_path: Path) -> None:
+    made = [higher.row(one) for one in higher.pictures(condition, [plan], 2, tmp_path, [sample])]
+    assert made[0] == ("right", "right")
+    if plan.startswith("force"):  # of so many vectors a mistake is often unreadable, never right
+        assert made[1] == ("wrong", "unreadable") or made[1][1].startswith("found")
+    else:
+        assert made[1][1].startswith("found at its step"), made
+
+
+@pytest.mark.slow
+def test_a_polygon_nobody_can_read_is_told_so_in_seconds(tmp_path: Path) -> None:
+    """It took 53 s of processor time; three on an idle core, as many more beside others' work."""
+    taken = next(higher.pictures("scan", ["force:2-3-4-5"], 1, tmp_path, ["class-three/press"]))
+    found, seconds = higher.looked_at(taken)
+    assert seconds < 8.0 and (isinstance(found, str) or found.verdict != "wrong")

@@ -1,0 +1,176 @@
+"""`python -m tests.physical.higher [COUNT] [WORDS]`: hand drawings of class III and IV in pictures, counted.
+
+A plan is drawn mark by mark, each with a hand's error that all later ones are drawn from: rightly, or with a mistake
+of the catalogue. Where the marks of the right one should be is held by the independent results, elsewhere.
+"""
+
+from __future__ import annotations
+
+import random
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Container, Iterable, Iterator, Mapping
+from functools import cache
+from pathlib import Path
+
+from planes.check import Outcome, check
+from planes.check.grading.handwork import Variant
+from planes.check.grading.paper import Known
+from planes.check.grading.polygons import sides_of
+from planes.check.grading.prepared_plan import PreparedPlan, prepare, redrawn, variants_of
+from planes.check.handed_in import read_paper
+from planes.drafting.steps import Step
+from planes.geometry.arithmetic import Point
+from planes.words.errors import PlanesError
+from planes.words.names import POLE, at, kind_of, label_of
+from tests import confusion
+from tests.confusion import Easel
+from tests.helpers import line_drawings
+from tests.helpers.drawings import Mistake
+from tests.helpers.line_drawings import Stroke
+from tests.physical import corpus
+from tests.physical.corpus import Picture, Work
+from tests.physical.factors import PHONE
+from tests.physical.setting import Setting, Spread, varied
+from tests.picture_corpus import ROOM, Drawn, pole_of
+from tests.sample_oracle import HIGHER
+
+HAND_MM, MOVED_MM, SEEN_MM = 0.15, 4.0, 0.3
+CONDITIONS: dict[str, Spread] = {"scan": {}, "phone": PHONE}
+
+
+@cache
+def easels() -> tuple[Easel, ...]:
+    """The plans of velocity, acceleration and forces of every sample of class III and IV."""
+    found = []
+    for sample in HIGHER:
+        plans = prepare(confusion.bench(sample, "velocity").asked).plans.drawn
+        kinds = [p for p in plans if kind_of(p) in ("velocity", "acceleration", "force")]
+        found += [confusion.easel(sample, plan) for plan in kinds]
+    return tuple(found)
+
+
+def mistakes(bench: PreparedPlan) -> list[Variant]:
+    """The mistakes of the catalogue that move a mark as far as anybody would see, one of a name and place."""
+    right, found = redrawn(bench, None, _as_made) or {}, dict[tuple[str, str], Variant]()
+    for one in variants_of(bench, {}, bench.said_mu):
+        wrong = redrawn(bench, one, _as_made) or {}
+        moved = max((abs(wrong[m] - right[m]) for m in bench.marks if m in wrong), default=0.0)
+        if MOVED_MM < moved < ROOM[1] - ROOM[0]:
+            found.setdefault((one.mistake, one.blames), one)
+    return [*found.values()]
+
+
+def _as_made(step: Step, made: Point) -> Point:
+    return made
+
+
+def drawn(easel: Easel, mistake: Variant | None, rng: random.Random) -> Drawn | None:
+    """One drawing by a hand; None where it leads off the sheet."""
+    bench = confusion.bench(easel.sample, easel.plan)
+
+    def by_hand(step: Step, made: Point) -> Point:
+        shaky = step.makes in bench.marks
+        return made + HAND_MM * complex(rng.gauss(0, 1), rng.gauss(0, 1)) if shaky else made
+
+    things = redrawn(bench, mistake, by_hand)
+    if things is None:
+        return None
+    ends = {label_of(m): complex(things[m]) for m in bench.marks}
+    if kind_of(easel.plan) == "force":
+        strokes, words = _polygon(bench, things)
+    else:
+        marks = {POLE: 0j, **ends}
+        strokes = [(marks[a], marks[b]) for a, b in bench.vectors if a in marks and b in marks]
+        words = line_drawings.labels(marks, rng)
+    strokes = [(a, b) for a, b in strokes if abs(b - a) > SEEN_MM]
+    pole, (left, right, lower, upper) = pole_of(easel), ROOM
+    fits = all(left < (z + pole).real < right and lower < (z + pole).imag < upper for s in strokes for z in s)
+    return Drawn(strokes, line_drawings.beside_lines(words, strokes), ends) if fits and strokes else None
+
+
+def _polygon(bench: PreparedPlan, things: Mapping[str, Point]) -> tuple[list[Stroke], list[tuple[str, complex]]]:
+    """The vectors of a force polygon and their names."""
+    strokes, words = list[Stroke](), [("p", -3 - 3j)]
+    for side in sides_of(bench.plans, bench.asked.plan):
+        a, b = (0j if n == POLE else complex(things[at(bench.asked.plan, n)]) for n in (side.start, side.end))
+        if abs(b - a) > SEEN_MM:
+            strokes.append((a, b))
+            words.append((side.name, (a + b) / 2 + 2j))
+    return strokes, words
+
+
+def works(easel: Easel, count: int, rng: random.Random) -> Iterator[Work]:
+    """Drawings of a plan, by turns right and with a mistake."""
+    every = mistakes(confusion.bench(easel.sample, easel.plan))
+    for k in range(count):
+        rng.shuffle(every)
+        for one in every if k % 2 else [None]:
+            made = drawn(easel, one, rng)
+            if made is not None:
+                yield Work(easel, Mistake(one.mistake, one.blames) if one else None, made)
+                break
+
+
+def looked_at(taken: Picture) -> tuple[Outcome | str, float]:
+    """What the checker makes of a picture, or says of one it refuses; and the seconds of processor time it took."""
+    bench, start = confusion.bench(taken.work.easel.sample, taken.work.easel.plan), time.process_time()
+    try:
+        found: Outcome | str = check(bench.asked, read_paper(str(taken.file), bench.asked, Known()))
+    except PlanesError as e:
+        found = str(e)
+    return found, time.process_time() - start
+
+
+def pictures(
+    condition: str, names: Iterable[str], count: int, folder: Path, chosen: Container[str] | None = None
+) -> Iterator[Picture]:
+    """Pictures of drawings of the plans whose words hold all names, ``count`` of each, by turns right and wrong."""
+    for easel in easels():
+        words = f"{condition} {easel.sample} {easel.plan}"
+        if not all(n in words for n in names) or (chosen is not None and easel.sample not in chosen):
+            continue
+        rng = random.Random(words)
+        for k, work in enumerate(works(easel, count, rng)):
+            setting = varied(Setting(), CONDITIONS[condition], rng)
+            made = corpus.picture(work, setting, f"{words} {k}", folder / "page.jpg")
+            if made is not None:
+                yield made
+
+
+def row(taken: Picture) -> tuple[str, str]:
+    """What a picture holds, and what was made of it: accepted, as seen, false, unread; found, at its step, named."""
+    found, mistake = looked_at(taken)[0], taken.work.mistake
+    verdict = "unreadable" if isinstance(found, str) else found.verdict
+    if mistake is None or verdict != "wrong" or isinstance(found, str):
+        return "wrong" if mistake else "right", verdict
+    step, named = found.first_wrong == mistake.where, found.mistake == mistake.name
+    return "wrong", "found" + " at its step" * step + " and named" * named
+
+
+def main(words: list[str]) -> None:
+    """Draw, check, print each and count."""
+    count, table = int(next((w for w in words if w.isdigit()), "2")), Counter[tuple[str, ...]]()
+    for condition in CONDITIONS:
+        with tempfile.TemporaryDirectory() as folder:
+            for taken in pictures(condition, [w for w in words if not w.isdigit()], count, Path(folder)):
+                easel, mistake = taken.work.easel, taken.work.mistake
+                made = row(taken)
+                print(
+                    condition,
+                    easel.sample,
+                    easel.plan,
+                    mistake and (mistake.name, mistake.where),
+                    "->",
+                    made[1],
+                    flush=True,
+                )
+                table[condition, kind_of(easel.plan), *made] += 1
+    for found, times in sorted(table.items()):
+        print(*found, times)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
