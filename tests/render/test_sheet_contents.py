@@ -22,7 +22,7 @@ from render.paper.typeset import plain
 from render.sheet.composer import Composer
 from render.sheet.module import Module
 from render.sheet.sizes import Sizes, grown
-from render.views.diagrams import DiagramCurve, cut_off
+from render.views.curve_pieces import cut_off
 from tests.helpers import ROOT, sheets
 
 SAMPLES = ROOT / "samples"
@@ -120,8 +120,7 @@ def test_the_range_of_a_rocking_driver_ends_where_it_stops():
 
 
 def test_ends_of_a_range_are_cut_off_and_peaks_within_are_kept():
-    curve = DiagramCurve("ω", "rad/s", (90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0))
-    assert cut_off(curve).values == (None, 1.0, 2.0, 12.0, 2.0, 1.0, None, None)
+    assert cut_off((90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0)) == (None, 1.0, 2.0, 12.0, 2.0, 1.0, None, None)
 
 
 @pytest.mark.slow
