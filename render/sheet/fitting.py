@@ -151,12 +151,18 @@ def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | N
 
 
 def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
-    """The same with as many of the views that wait for room as there is some for, with plans no smaller; for a note no
-    block is torn."""
-    for one in contents.extra(*how):
+    """The same with as many of the views that wait for room as there is some for, with plans no smaller; for a note
+    blocks are torn only where it has no place else."""
+    waiting = contents.extra(*how)
+    notes = [v for v in waiting if shaped(v.key) == NOTE]
+    tried = [
+        *((v, False) for v in waiting if v not in notes),
+        *((v, upright) for upright in (True, False) for v in notes),
+    ]
+    for one, upright in tried:
         if shaped(one.key) not in map(shaped, contents.extras):  # in no other shape yet
             more = replace(contents, extras=(*contents.extras, one.key))
-            other = ways(more, how[0], name, whole, how, upright=one.key.startswith(NOTE))
+            other = ways(more, how[0], name, whole, how, upright)
             contents, how = (more, other) if other else (contents, how)
     return contents, how
 

@@ -124,7 +124,7 @@ class Project:
         lines += [say("passive_link", c.lang, links=passive)] if passive else []
         high = LARGER[letter]
         marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
-        whole = stacked("structure", [beside(parts), view("formula", "", marks)])
+        whole = stacked("structure", [beside(parts), view("formula", "", marks)], 5.0)
         return view("structure", say("structure", c.lang), whole.marks, figure=True)
 
     def self_aligning(self, position: Position, letter: float) -> View | None:

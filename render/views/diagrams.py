@@ -154,7 +154,9 @@ class Diagrams:
         for curve, style in zip(panel, cycle(LINES), strict=False):
             rows = zip(curve.places or self.angles, curve.values, strict=True)
             path = [None if v is None else axes.at(self.x(a), v) for a, v in rows]
-            marks += (Line(tuple(z), "dash" if jump else style, "plan") for z, jump in runs(path, JUMP_MM))
+            marks += (
+                Line(tuple(z), "dash" if jump else style, "plan", name=curve.letter) for z, jump in runs(path, JUMP_MM)
+            )
         marks += self.round_values(axes) if self.to_read else ()
         return self.with_values(panel[0], axes, marks) if len(panel) == 1 else tuple(marks)
 

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from render.paper import symbols
 from render.paper.ink import head as ink_head
@@ -18,9 +19,11 @@ _SENSES = {"↺": 1.0, "↻": -1.0}
 
 @dataclass(frozen=True)
 class TableGrid:
-    """A table in the making: letters of ``letter`` mm, the head's names in the first row."""
+    """A table in the making: letters of ``letter`` mm, the head's names in the first row; where it is ``spanned`` a
+    cell reaches down over empty ones."""
 
     letter: float = 3.5
+    spanned: bool = False
 
     def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
         """The marks of a table whose upper left corner is the origin."""
@@ -35,7 +38,12 @@ class TableGrid:
         marks: list[Mark] = []
         for level in range(len(lines) + 1):
             style = "rule" if level == 1 and any(head) else "thin"
-            marks.append(Line((complex(0, -level * high), complex(edges[-1], -level * high)), style, "table"))
+            row = lines[level] if self.spanned and 1 < level < len(lines) else head
+            shut = [k for k, cell in enumerate(row) if cell or row is head]
+            for _, run in groupby(enumerate(shut), key=lambda two: two[1] - two[0]):
+                ks = [k for _, k in run]
+                ends = complex(edges[ks[0]], -level * high), complex(edges[ks[-1] + 1], -level * high)
+                marks.append(Line(ends, style, "table"))
         for edge in edges:
             marks.append(Line((complex(edge, 0), complex(edge, -len(lines) * high)), "thin", "table"))
         for level, row in enumerate(lines):
@@ -71,7 +79,7 @@ class TableGrid:
         sense = _SENSES.get(cell[-1:])
         text = cell.rstrip("↺↻")
         if sense is None:
-            return (Text(text, left, self.letter),) if text else ()
+            return (Text(text, left, self.letter),) if text.strip() else ()
         radius = 0.48 * self.letter
         turn = left + self.wide(cell) - radius + 0.5j * self.letter
         low, high = (-60.0, 180.0) if sense > 0 else (0.0, 240.0)

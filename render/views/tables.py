@@ -62,14 +62,16 @@ class Tables:
         """Millimetres, or degrees."""
         return fixed(value, 1, self.naming.lang)
 
-    def table(self, key: str, title: str, head: Row, rows: Sequence[Row], notes: Sequence[str] = ()) -> View | None:
+    def table(
+        self, key: str, title: str, head: Row, rows: Sequence[Row], notes: Sequence[str] = (), spanned: bool = False
+    ) -> View | None:
         """A table as a view, or nothing when it has no rows; ``notes`` stand beneath it."""
         if not rows:
             return None
         head, rows = folded(head, rows)
 
         def make() -> View:
-            marks = TableGrid(self.letter).drawn(head, rows)
+            marks = TableGrid(self.letter, spanned).drawn(head, rows)
             for note in notes:
                 marks = (*marks, *remark(note, marks))
             return view(key, title, marks)
@@ -104,9 +106,11 @@ class Tables:
         for k, plan in reversed([*enumerate(plans)]):  # in the order of the accelerations
             for of, row in self.measured_rows(plan):
                 found.setdefault(of, ([], []))[k].append(row)
-        pairs = (two for both in found.values() for two in zip_longest(*both, fillvalue=[""] * 4))
+        sides = (tuple(rows or [[" "] * 4] for rows in both) for both in found.values())
+        pairs = (two for both in sides for two in zip_longest(*both, fillvalue=[""] * 4))
         head = [cell for plan in plans for cell in self.measured_head(plan)]
-        return [self.table("rates-table", self.say("by_plans"), head, [[*one, *other] for one, other in pairs])]
+        rows = [[*one, *other] for one, other in pairs]
+        return [self.table("rates-table", self.say("by_plans"), head, rows, spanned=True)]
 
     def measured_head(self, plan: str) -> Row:
         """The head over what was measured on a plan."""
