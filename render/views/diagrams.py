@@ -161,7 +161,8 @@ class Diagrams:
         return self.with_values(panel[0], axes, marks) if len(panel) == 1 else tuple(marks)
 
     def ends(self, curve: DiagramCurve) -> list[tuple[complex, tuple[float, float]]]:
-        """Where a curve is least and where greatest, beneath it and above it; those told, or those that are seen."""
+        """Where a curve is least and where greatest, beneath it and above it, at the ends of the axis beside it; those
+        told, or those that are seen."""
         if curve.ends or self.to_read:
             return [*zip((-1j, 1j), curve.ends, strict=False)]
         count, values = len(self.angles) - 1, curve.values
@@ -170,7 +171,8 @@ class Diagrams:
         for side, (value, k) in zip((-1j, 1j), (min(known), max(known)), strict=True) if known else ():
             beside = [(k - 1) % count, (k + 1) % count] if self.whole else [max(k - 1, 0), min(k + 1, count)]
             if k not in beside and all(values[j] is not None for j in beside):  # it goes no farther unseen
-                found.append((side, (self.angles[k], value)))
+                inwards = (SECTIONS * k < count) - (SECTIONS * (count - k) < count)
+                found.append((side + 2 * inwards, (self.angles[k], value)))
         return found
 
     def heading(self, panel: Sequence[DiagramCurve], mu: float, place: complex) -> list[Mark]:
