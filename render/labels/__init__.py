@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import replace
 
-from render.labels.board import Board
+from render.labels.board import FAR_PLACES, Board
 from render.labels.candidates import BETWEEN, CLEAR_MM, Label, Placed, liked
 from render.labels.footprints import Bounds, ink
 from render.labels.surroundings import Surroundings
@@ -20,6 +20,7 @@ from render.paper.typeset import box_of
 __all__ = ["Label", "Placed", "place", "rough", "roughly"]
 
 SMALLER = {larger: mm for mm, larger in LARGER.items() if larger <= 5.0}  # 2.5 mm are the least that are read
+MOST_WIDE = len(FAR_PLACES)
 _rough = ContextVar("rough", default=False)
 
 
@@ -52,20 +53,23 @@ def place(
     marks = list(marks)
     standing = [m for m in marks if isinstance(m, Text)]
     around = Surroundings(ink([*marks, *map(_beside, standing)]), ink(yielding), ink(standing), field)
-    smaller = [replace(x, height=SMALLER.get(x.height, x.height)) for x in labels]
-    tried = (settled(some, around) for some in ((larger, labels) if large() else (larger, smaller)))
-    best = next(tried)
-    if best.unhappy():
-        best = min(best, next(tried), key=lambda board: len(board.unhappy()))
-    return best.placed()
+    if large() and not (board := settled(larger, around, 1)).unhappy():
+        return board.placed()
+    board = settled(labels, around)
+    if board.unhappy():
+        smaller = settled([replace(x, height=SMALLER.get(x.height, x.height)) for x in labels], around)
+        board = min(board, smaller, key=lambda one: len(one.unhappy()))
+    return board.placed()
 
 
-def settled(labels: Sequence[Label], around: Surroundings) -> Board:
-    """A board on which labels have found their places, as far as there are any."""
+def settled(labels: Sequence[Label], around: Surroundings, farther: int = MOST_WIDE) -> Board:
+    """A board on which labels have found their places, as far as there are any; those that have none near looked
+    ``farther`` off so many times."""
     board = Board(labels, around)
     board.choose()
     board.repair()
-    while board.widen():
+    while farther and board.widen():
+        farther -= 1
         board.repair()
     if board.excuse():
         board.repair()
