@@ -18,6 +18,7 @@ from render.views import View
 LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304
 APART = 0.6  # of a letter between names that stand side by side
 LARGEST_MM = 7.0
+SAME_MM = 0.1
 BESIDE_MM, ASKEW = 4.0, 0.05  # two arrows on one line may share no more; lines that only cross, in radians
 
 
@@ -77,7 +78,9 @@ def out_of_rank(sheet: Sheet) -> Iterator[str]:
     drawn = [(v, bounds([m for m in v.marks if m.layer == "scheme"])) for v, _, _ in sheet.views if v.figure]
     sizes = [(v, hypot(x1 - x0, y1 - y0)) for v, (x0, y0, x1, y1) in drawn]
     largest = next((size for v, size in sizes if v.key == "loaded"), inf)
-    yield from (f"{v.title!r} is larger than the scheme" for v, size in sizes if v.key == "group" and size > largest)
+    yield from (
+        f"{v.title!r} is larger than the scheme" for v, size in sizes if v.key == "group" and size > largest + SAME_MM
+    )
 
 
 def unsightly(sheet: Sheet) -> list[str]:
