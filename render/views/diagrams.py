@@ -171,6 +171,7 @@ class Diagrams:
         for side, (value, k) in zip((-1j, 1j), (min(known), max(known)), strict=True) if known else ():
             beside = [(k - 1) % count, (k + 1) % count] if self.whole else [max(k - 1, 0), min(k + 1, count)]
             if k not in beside and all(values[j] is not None for j in beside):  # it goes no farther unseen
+                k = k or count  # of a whole turn: its end has more room than its beginning
                 inwards = (SECTIONS * k < count) - (SECTIONS * (count - k) < count)
                 found.append((side + 2 * inwards, (self.angles[k], value)))
         return found
