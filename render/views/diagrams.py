@@ -32,6 +32,7 @@ SAMPLE_MM = 18.0  # of a line beside the name of its curve, on which all its das
 JUMP_MM = 0.01  # a curve that goes on no farther along the axis jumps there
 BETWEEN_MM = 12.0
 NAME_MM = 3.5  # letters of axes and numbers
+HEADING = 14.0  # letters: no name of a curve with its μ is wider
 FULL = 360.0
 
 
@@ -53,14 +54,15 @@ class DiagramCurve:
 
 @dataclass(frozen=True)
 class Axes:
-    """Axes of curves on paper: μ, the height of the driver's axis and the value there, and from where to where the
-    curves go over it, mm."""
+    """Axes of curves on paper: μ, the height of the driver's axis and the value there, from where to where the curves
+    go over it, and how much higher than usual their names stand, mm."""
 
     mu: float
     zero: float
     base: float
     bottom: float
     top: float
+    lift: float = 0.0
 
     def at(self, x: float, value: float) -> complex:
         """The place of a value."""
@@ -133,8 +135,11 @@ class Diagrams:
         step = round_step(mu, ROUND_MM)
         base = step * math.floor(low / step) if afar else 0.0
         top = mu * (high - base)
-        zero = 0.0 if above is None else above - BETWEEN_MM - 7.0 - top
-        return Axes(mu, zero, base, mu * min(0.0, low - base), top)
+        ends = self.ends(panel[0]) if len(panel) == 1 and not self.to_read else []
+        under = any(side.imag > 0 and self.x(place) < HEADING * self.letter for side, (place, _) in ends)
+        lift = self.letter + 1.0 if under else 0.0  # room for the greatest value
+        zero = 0.0 if above is None else above - BETWEEN_MM - 7.0 - lift - top
+        return Axes(mu, zero, base, mu * min(0.0, low - base), top, lift)
 
     def one(self, panel: Sequence[DiagramCurve], axes: Axes) -> tuple[Mark, ...]:
         """Curves on their axes, with thin verticals at the numbered positions."""
@@ -145,11 +150,11 @@ class Diagrams:
         marks: list[Mark] = [
             *(Line((complex(x, low - 1.5), complex(x, high + 1.5)), "construction", "construction") for x in sides),
             Arrow(complex(0, zero), complex(self.wide + 9, zero), "thin", "dimension"),
-            Arrow(complex(0, low if self.to_read else zero), complex(0, high + 8), "thin", "dimension"),
+            Arrow(complex(0, low if self.to_read else zero), complex(0, high + axes.lift + 8), "thin", "dimension"),
             Text(
                 with_unit(abscissa, key if self.to_read else "", lang), complex(self.wide + 10.5, zero - 1), self.letter
             ),
-            *self.heading(panel, axes.mu, complex(2.5, high + 5)),
+            *self.heading(panel, axes.mu, complex(2.5, high + axes.lift + 5)),
         ]
         for curve, style in zip(panel, cycle(LINES), strict=False):
             rows = zip(curve.places or self.angles, curve.values, strict=True)
