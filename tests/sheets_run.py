@@ -2,7 +2,7 @@
 
     python -m tests.sheets_run --samples --assignments --processes 2
     python -m tests.sheets_run samples/kind-3-rpr.yaml --lang en --pictures FOLDER
-    python -m tests.sheets_run --random 100
+    python -m tests.sheets_run --random 100 --first 1000
 
 Run by hand it goes through every sample in twelve positions and sheets 1, 2 and the single page of all assignments,
 prints each fault in a line, then how full the sheets are, and ends with 1 where anything was wrong. --random draws the
@@ -294,10 +294,10 @@ def jobs(
     return found + [Job(path, n, lang=lang) for path in (ASSIGNMENTS if assignments else []) for n in NUMBERS]
 
 
-def at_random(count: int, folder: Path) -> list[Job]:
+def at_random(count: int, folder: Path, first: int = 0) -> list[Job]:
     """Every sheet of random mechanisms of one to three groups, all with loads, some with friction."""
     found = []
-    for seed in range(count):
+    for seed in range(first, first + count):
         rng = random.Random(f"sheets {seed}")
         made = make(rng, rng.choices(KINDS, k=1 + seed % 3), friction=seed % 4 == 0)
         (path := folder / f"random-{seed}.yaml").write_text(to_yaml(made.scene), encoding="utf-8")
@@ -327,10 +327,11 @@ def main() -> int:
     parser.add_argument("--seed", type=int, help="only some of them, drawn at random")
     parser.add_argument("--count", type=int, default=100, help="how many, with --seed")
     parser.add_argument("--random", type=int, default=0, help="of so many random mechanisms")
+    parser.add_argument("--first", type=int, default=0, help="the number of the first of them")
     args = parser.parse_args()
     with TemporaryDirectory() as folder:
         wanted = jobs(args.samples, args.assignments, args.scenes, not args.one, args.lang)
-        wanted += at_random(args.random, Path(folder))
+        wanted += at_random(args.random, Path(folder), args.first)
         if args.seed is not None:
             wanted = random.Random(args.seed).sample(wanted, min(args.count, len(wanted)))
         found = []
@@ -354,7 +355,7 @@ def report(found: Sequence[Looked]) -> int:
         some = [one for one in drawn if one.job.number == number]
         if some:
             filled = [one.full for one in some]
-            papers = {name: sum(one.paper == name for one in some) for name in ("A4", "A3", "A2", "A1")}
+            papers = {name: sum(one.paper == name for one in some) for name in ("A4", "A3", "A2", "A1", "A0")}
             print(
                 f"{f'sheet {number}' if number else 'one page'}: {len(some)} drawn on {papers}, full "
                 f"{min(filled):.2f} … {statistics.median(filled):.2f} … {max(filled):.2f}, largest empty rectangle "

@@ -29,13 +29,12 @@ from planes.words.names import kind_of
 from render.paper.hues import coloured
 from render.paper.marks import lettered
 from render.paper.outlines import face_of
-from render.sheet import Contents, Sheet, compose
-from render.sheet.composer import Composer
+from render.sheet import Contents, Held, Sheet, compose
+from render.sheet.composer import Composer, Together
 from render.sheet.force_sheet import ForceSheet
 from render.sheet.frame import form_of
 from render.sheet.project import Project
 from render.sheet.sizes import Sizes
-from render.views import View
 from render.views.diagrams import SECTIONS, DiagramCurve, section_mm
 from render.views.many import Numbered, PlacedMechanism
 
@@ -54,7 +53,7 @@ def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: 
     if number:
         return _numbered(drawn, composer, number)
 
-    def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
+    def views(sizes: Sizes, letter: float, together: Together) -> Held:
         now = drawn.at(sizes)
         return composer.views(now, letter, together), [v for v in (composer.moments(now, letter),) if v]
 
@@ -68,7 +67,7 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
         turned = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions", True)))
         project = replace(turned, reduced=drawn.reduced)
 
-    def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
+    def views(sizes: Sizes, letter: float, together: Together) -> Held:
         if number == 2:
             return forces.views(drawn.at(sizes), letter), []
         return project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), []
@@ -78,7 +77,8 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
         grows = number == 1 and project.turn
         return {"diagrams": section_mm(sizes.of("diagrams")) * SECTIONS} if grows else {}
 
-    return compose(scene, Contents(views, extents, free=drawn.free), composer.lang, number)
+    together = Contents.together if number == 1 else (Together(),)
+    return compose(scene, Contents(views, extents, free=drawn.free, together=together), composer.lang, number)
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,9 @@ _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°
 
 @dataclass(frozen=True)
 class Naming:
-    """How this sheet names things: language, number of the frame, order of a reaction's indices, the driver, vectors
-    that end at a point of the frame under a slider, the convention of μ."""
+    """How this sheet names things: language, number of the frame, the convention of reactions (``from_on``: R_12 from 1
+    on 2, its tangential part R^τ, its arm H_12), the driver, vectors that end at a point of the frame under a slider,
+    the convention of μ."""
 
     lang: Lang = "ru"
     frame: str = "0"
@@ -58,6 +59,7 @@ class Naming:
             return f"{decimal(times, self.lang)}·{self.vector(whole)}"
         base, _, part = name.partition("^")
         letter, _, index = base.partition("_")
+        part = "τ" if self.from_on and part == "t" else part
         if letter == "MR":
             return f"M({self.vector(index)})"
         if letter == "arm":
@@ -66,7 +68,7 @@ class Naming:
             letter, part = letter[0], say("lever_letter", self.lang)
         letter, analogue = rate_of(letter)
         if letter in ("F", "R") and index:
-            index = self.reaction(index)
+            letter, index = "R" if self.from_on else letter, self.reaction(index)
         elif letter == "I":
             letter = "Φ"
         elif letter in ("MI", "MP"):
@@ -83,9 +85,13 @@ class Naming:
         return letter + (f"_{{{index.replace('_', ',')}}}" if index else "") + (f"^{{{part}}}" if part else "")
 
     def arm(self, force: str, arm: str) -> str:
-        """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2}."""
+        """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2};
+        of a reaction R_12 from 1 on 2 H_{12}."""
         about = arm.removeprefix(f"{arm[0]}_{force}").partition("^")[2]
-        return f"{arm[0]}_{{{flat(self.vector(force))}}}" + (f"^{{{flat(self.point(about))}}}" if about else "")
+        of, letter = flat(self.vector(force)), arm[0]
+        if self.from_on and force.startswith("F_"):
+            of, letter = of.removeprefix("R"), "H"
+        return f"{letter}_{{{of}}}" + (f"^{{{flat(self.point(about))}}}" if about else "")
 
     def reaction(self, index: str) -> str:
         """The two links of a reaction in the order of this sheet."""
@@ -162,7 +168,7 @@ def lettered_curve(name: str, naming: Naming) -> str:
     if head in ("M", "MZ", "Fb", "FbZ"):
         return naming.balancing(head.startswith("M")) + ("^{Ж}" if head.endswith("Z") else "")
     if head == "F":
-        letter = {"arm": "h", "moment": "M"}.get(last, "F")
+        letter = {"arm": "h", "moment": "M"}.get(last, "R" if naming.from_on else "F")
         return f"{letter}_{{{naming.reaction('_'.join(index))}{axis}}}"
     letter, analogue = ("a^{k}", "") if head == "coriolis" else rate_of(head)
     return f"{letter}_{{{analogue}{of}{axis}}}"

@@ -7,16 +7,20 @@ places.  A label that finds no room beside what it names goes farther away, with
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import replace
 
-from render.labels.board import Board
+from render.labels.board import FAR_PLACES, Board
 from render.labels.candidates import BETWEEN, CLEAR_MM, Label, Placed, liked
 from render.labels.footprints import Bounds, ink
 from render.labels.surroundings import Surroundings
 from render.paper.marks import Line, Mark, Text
+from render.paper.style import LARGER, large, tall
 from render.paper.typeset import box_of
 
 __all__ = ["Label", "Placed", "place", "rough", "roughly"]
 
+SMALLER = {larger: mm for mm, larger in LARGER.items() if larger <= 5.0}  # 2.5 mm are the least that are read
+MOST_WIDE = len(FAR_PLACES)
 _rough = ContextVar("rough", default=False)
 
 
@@ -38,23 +42,38 @@ def roughly() -> Iterator[None]:
 def place(
     labels: Sequence[Label], marks: Iterable[Mark] = (), field: Bounds | None = None, yielding: Iterable[Mark] = ()
 ) -> Placed:
-    """Find a place for every label among the marks, inside the field (x0, y0, x1, y1) if one is given.
+    """Find a place for every label among the marks, inside the field (x0, y0, x1, y1) if one is given; in letters a
+    step smaller where some find none.
 
     ``yielding`` are thin lines that whoever asked will break where a label stands on them.
     """
+    larger = [replace(x, height=tall(x.height)) for x in labels]
     if not labels or rough():
-        return liked(labels)
+        return liked(larger)
     marks = list(marks)
     standing = [m for m in marks if isinstance(m, Text)]
-    ground = ink([*marks, *map(_beside, standing)])
-    board = Board(labels, Surroundings(ground, ink(yielding), ink(standing), field))
+    around = Surroundings(ink([*marks, *map(_beside, standing)]), ink(yielding), ink(standing), field)
+    if large() and not (board := settled(larger, around, 1)).unhappy():
+        return board.placed()
+    board = settled(labels, around)
+    if board.unhappy():
+        smaller = settled([replace(x, height=SMALLER.get(x.height, x.height)) for x in labels], around)
+        board = min(board, smaller, key=lambda one: len(one.unhappy()))
+    return board.placed()
+
+
+def settled(labels: Sequence[Label], around: Surroundings, farther: int = MOST_WIDE) -> Board:
+    """A board on which labels have found their places, as far as there are any; those that have none near looked
+    ``farther`` off so many times."""
+    board = Board(labels, around)
     board.choose()
     board.repair()
-    while board.widen():
+    while farther and board.widen():
+        farther -= 1
         board.repair()
     if board.excuse():
         board.repair()
-    return board.placed()
+    return board
 
 
 def _beside(text: Text) -> Line:

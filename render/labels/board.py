@@ -9,6 +9,7 @@ import numpy as np
 from planes.geometry.arrays import Array, Booleans, Indices
 from render.labels.candidates import (
     APART_MM,
+    BETWEEN,
     FAR,
     NEAR,
     Label,
@@ -24,10 +25,14 @@ from render.labels.candidates import (
 )
 from render.labels.footprints import close
 from render.labels.surroundings import HARD, Surroundings
+from render.paper.style import LARGER
 
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
 CLOSE = 3.0  # cost of standing beside another label, farther off than it must
 PATIENCE = 1000  # how often labels of one board are asked to make room for others
+REACH_MM = max(
+    APART_MM, BETWEEN[0] * max(LARGER.values())
+)  # how far off a label may be that has anything to do with one
 FAR_PLACES = 160, 1000  # of a label that needs a leader line: the nearest free ones; more where those are not enough
 AWAY = 150.0  # cost of leaving a label out that is told elsewhere, too: less than an overlap, more than all else
 _SWEEPS = 8
@@ -80,7 +85,7 @@ class Board:
 
     def _effect(self, k: int, option: int) -> Effect:
         row = self.rows[k].start + option
-        reached = close(self.reach, self.reach[row : row + 1], APART_MM, APART_MM / 2)[:, 0]
+        reached = close(self.reach, self.reach[row : row + 1], REACH_MM, REACH_MM / 2)[:, 0]
         reached[self.rows[k]] = False
         at = np.flatnonzero(reached)
         clashes, near = met(self.every.some(at), self.every.some(np.array([row])))

@@ -79,6 +79,11 @@ def with_unit(name: str, key: str, lang: Lang) -> str:
     return ", ".join(filter(None, (name, unit(key, lang))))
 
 
+def of_unit(value: str, key: str, lang: Lang) -> str:
+    """A printed number with its unit, a degree's close to it."""
+    return " ".join(filter(None, (value, unit(key, lang)))).replace(" °", "°")
+
+
 def scale(mu: float, key: str, naming: Naming) -> str:
     """μ with its unit: 20 mm/(m/s), or the inverse; that of plain numbers in mm."""
     per, lang, inverse = unit(key, naming.lang), naming.lang, naming.convention == "unit_per_mm"

@@ -3,12 +3,19 @@
 Nothing here is ever scaled by a plan's μ.  A mark names its style; this table turns the name into a pen.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import get_args
 
 from planes.drafting.pens import MEDIUM, SHAPES, THICK, THIN
 from render.paper.marks import Layer
+
+LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
+"""Letter heights of ГОСТ 2.304, mm, by the next smaller one."""
+_large = ContextVar("large", default=False)
 
 BLACK = "#000000"
 PAPER = "#ffffff"
@@ -67,6 +74,26 @@ LEG_MM = 6.5  # from a fixed hinge down to its base line
 BASE_MM = 11.0  # length of that base line
 HATCH_MM = 2.2  # depth of the hatching under a base line
 HATCH_GAP_MM = 1.6  # between its strokes
+
+
+def large() -> bool:
+    """Whether figures are drawn for a large format, to be read from farther off."""
+    return _large.get()
+
+
+def tall(mm: float) -> float:
+    """The height of letters of figures that are so high on usual formats."""
+    return LARGER[mm] if large() else mm
+
+
+@contextmanager
+def lettered_for(large: bool) -> Iterator[None]:
+    """Within it figures are drawn for a ``large`` format, or a usual one."""
+    token = _large.set(large)
+    try:
+        yield
+    finally:
+        _large.reset(token)
 
 
 @lru_cache

@@ -10,12 +10,24 @@ from planes.words import Lang, say
 from planes.words.errors import SceneError
 from render.files import Page
 from render.paper.typeset import plain
-from render.sheet.fitting import LETTERS, Contents, attempts, fitted, laid, packed, stacking_of, stacking_on
+from render.sheet.fitting import (
+    LETTERS,
+    NOTE,
+    Contents,
+    Held,
+    attempts,
+    fitted,
+    laid,
+    packed,
+    shaped,
+    stacking_of,
+    stacking_on,
+)
 from render.sheet.frame import FORMATS, Paper, said_cells
 from render.sheet.sizes import Sizes
 from render.views import View
 
-__all__ = ["Contents", "Sheet", "compose", "stacking_of", "unseen"]
+__all__ = ["Contents", "Held", "Sheet", "compose", "stacking_of", "unseen"]
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -44,7 +56,10 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
             for tried, how, order in attempts(contents, name, factor, whole):
                 if places := laid(tried, how, order, whole, Paper(name)):
                     wanted, spare = tried.lettered(*how)
-                    missing = [*tried.extra(*how), *(() if whole else spare)]
+                    waiting = {shaped(v.key): v for v in reversed(tried.extra(*how))}
+                    if NOTE in waiting and name != formats[-1]:
+                        break  # a larger format holds it
+                    missing = [*reversed(waiting.values()), *(() if whole else spare)]
                     left_out = (without(missing, wanted, Paper(name), number, lang),) if missing else ()
                     smaller = (say("smaller_mu", lang, format=name),) if factor < 1 else ()
                     return finished(scene, Paper(name), places, lang, number, left_out + smaller)
@@ -82,7 +97,7 @@ def unseen(one: View, lang: Lang) -> list[str]:
 
 def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
     """Which view is too large, or that all of them together are; and which format holds them, if one was found to."""
-    views = contents.lettered(Sizes(contents.factors[-1]), LETTERS[paper.name[:2]][-1], False, ())[0]
+    views = contents.lettered(Sizes(contents.factors[-1]), LETTERS[paper.name[:2]][-1], contents.together[-1], ())[0]
     largest = max(views, key=lambda v: v.width * v.height)
     key = "no_room" if not packed([largest], paper) else "no_room_together"
     tried = product(larger_than(paper), contents.factors)

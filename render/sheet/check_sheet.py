@@ -12,7 +12,7 @@ from render.paper.photo import Box, Photo, faded, ink_of
 from render.paper.photo import moved as shifted
 from render.paper.typeset import ink_width, wrapped
 from render.sheet.frame import framed
-from render.views.tables import TableGrid, folded
+from render.views.table_grid import TableGrid, folded
 
 Vector = tuple[complex, complex]
 Table = tuple[Sequence[str], Sequence[Sequence[str]]]  # head and rows

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import cached_property
-from typing import Any, TypeVar
+from functools import cached_property, partial
+from typing import Any, NamedTuple, TypeVar
 
 from planes.plans import Plans
 from planes.plans.measuring import lettering
@@ -13,6 +13,7 @@ from planes.words import Lang, say
 from planes.words.lettering import Naming, indexed
 from planes.words.names import kind_of, links_of, mu_of
 from render.labels import rough
+from render.paper.style import LARGER, large
 from render.sheet.module import GAP_MM, MODULE_MM
 from render.views import REMARK_MM, View, paragraph, stacked, view
 from render.views.formulas import Formulas
@@ -25,11 +26,18 @@ from render.views.tables import Tables
 
 RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1}
 """Of kinds of plans that are shown beside the scheme: rates first."""
-LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
-"""Letter height of equations beside that of tables, mm."""
+NOTE_MM = tuple(share * MODULE_MM - GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4))
+"""How wide the lines of a note may be, the shape liked best first."""
 
 
 Shown = TypeVar("Shown", bound=View | None)
+
+
+class Together(NamedTuple):
+    """What stands together on a sheet: ``equations`` with their plans, ``rates`` of both plans in one table."""
+
+    equations: bool = True
+    rates: bool = True
 
 
 @dataclass
@@ -49,6 +57,7 @@ class Composer:
 
     def once(self, key: tuple[object, ...], make: Callable[[], Shown]) -> Shown:
         """The view of that key, made the first time it is asked for."""
+        key = (large(), *key)
         if rough() and key not in self.made:
             key = ("roughly", *key)
         if key not in self.made:
@@ -60,29 +69,33 @@ class Composer:
         there = [v for v in views if v]
         return self.once(("stack", key, *map(id, there)), lambda: stacked(key, there, gap))
 
-    def views(self, position: Position, letter: float, together: bool) -> list[View]:
-        """Every view of one position, in the order they are read; ``together``: equations under their plans."""
+    def views(self, position: Position, letter: float, together: Together) -> list[View]:
+        """Every view of one position, in the order they are read."""
         plotted = of_position(position)
         found = [self.scheme(position)] if position.plans.moves else []
-        found += self.plans(plotted, drawn_plans(plotted, position), letter, together)
-        found += [*self.tables(position, letter).all(), self.note(letter)]
+        found += self.plans(plotted, drawn_plans(plotted, position), letter, together.equations)
+        found += [*self.tables(position, letter).all(together.rates), *self.notes(letter)]
         return [v for v in found if v]
 
-    def note(self, letter: float) -> View | None:
-        """What the scene adds in words, as wide as the title block, where there is room for it."""
+    def notes(self, letter: float) -> list[View]:
+        """What the scene adds in words, where there is room for it: as wide as the title block, or in another shape."""
         text = indexed(self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""))
         high, title = max(0.7 * letter, REMARK_MM), say("sheet_note", self.lang)
-        made = lambda: replace(paragraph("note", title, text, MODULE_MM - GAP_MM, high), extra=True)  # noqa: E731
-        return self.once(("note", high), made) if text else None
+
+        def made(key: str, width: float) -> View:
+            return replace(paragraph(key, title, text, width, high), extra=True)
+
+        shapes = enumerate(NOTE_MM if text else ())
+        return [self.once((f"note {k}", high), partial(made, f"note {k}", wide)) for k, wide in shapes]
 
     def tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
         return Tables(position, self.naming, letter, self.scene.parameters, self.once)
 
-    def plans(self, plotted: Plotted, plans: list[str], letter: float, together: bool) -> list[View | None]:
-        """Plans with their equations: beneath each, or all of a kind in one view."""
+    def plans(self, plotted: Plotted, plans: list[str], letter: float, beneath: bool) -> list[View | None]:
+        """Plans with their equations: ``beneath`` each, or all of a kind in one view."""
         drawn = [self.plan(plotted, plan) for plan in plans]
-        if together:
+        if beneath:
             written = [self.formulas(plotted, (plan,), letter, "") for plan in plans]
             return [self.stack(d.key, d, w) for d, w in zip(drawn, written, strict=True)]
         forces = tuple(p for p in plans if kind_of(p) == "force")

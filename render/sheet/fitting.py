@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
-from itertools import accumulate, product
+from itertools import accumulate, product, starmap
+from typing import NamedTuple
 
 from render.labels import rough, roughly
+from render.paper.style import LARGER, lettered_for
 from render.sheet.columns import OVER, Columns, Item
-from render.sheet.composer import LARGER
+from render.sheet.composer import Together
 from render.sheet.frame import Paper
 from render.sheet.module import GAP_MM, Module
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown
@@ -18,8 +20,22 @@ from render.views import View, plumbed
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
 """How small, against the scene's choice, plans may become where μ is open and no paper holds them; it is said."""
-LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5, 2.5), "A1": (5.0, 3.5), "A0": (5.0, 3.5)}
-"""Letter heights of tables to try on a format, or on several of it side by side, in mm; equations are a step larger."""
+
+
+class Letters(NamedTuple):
+    """Letter heights of tables, in mm, and whether those of figures are a step larger than usual."""
+
+    tables: float
+    large: bool = False
+
+
+LARGE = (Letters(5.0, True), Letters(3.5, True), Letters(3.5))
+LETTERS = {"A4": (Letters(2.5),), "A3": (Letters(3.5), Letters(2.5)), "A1": LARGE, "A0": LARGE}
+LETTERS["A2"] = LETTERS["A3"]
+"""What to try on a format, or on several of it side by side; equations are a step larger than tables."""
+NOTE = "note"
+Held = tuple[list[View], list[View]]
+"""The views that a sheet must hold, and those that may be left out."""
 Upright = tuple[str, ...]
 UPRIGHT: tuple[Upright, ...] = (("motion", "rates"), ("motion",), ("rates",), ())
 """Blocks of views that are to stand beneath each other: as many as a format has room for."""
@@ -30,29 +46,27 @@ class Contents:
     """What a sheet shows.
 
     ``views`` are those it must hold, and those that may be left out, for sizes of plans, a letter height of tables,
-    and whether equations stand under their plans; ``extents`` what may grow, with its size in mm; ``free``: the μ of
-    some plans is open.
+    and what stands ``together``; ``extents`` what may grow, with its size in mm; ``free``: the μ of some plans is open.
     """
 
-    views: Callable[[Sizes, float, bool], tuple[list[View], list[View]]]
+    views: Callable[[Sizes, float, Together], Held]
     extents: Extents = lambda sizes: {}
     extras: tuple[str, ...] = ()  # those of the views that wait for room that have found some
     free: bool = False
-    known: dict[tuple[object, ...], tuple[list[View], list[View]]] = field(default_factory=dict, repr=False)
+    together: Sequence[Together] = tuple(starmap(Together, product((True, False), repeat=2)))
+    known: dict[tuple[object, ...], Held] = field(default_factory=dict, repr=False)
 
     @property
     def factors(self) -> tuple[float, ...]:
         """How large plans may be, against the scene's choice."""
         return (1.0, *SMALLER) if self.free else (1.0,)
 
-    def lettered(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> tuple[list[View], list[View]]:
+    def lettered(self, sizes: Sizes, letters: Letters, together: Together, upright: Upright) -> Held:
         """The views with titles as high as their equations, in blocks if those stand ``upright``."""
-        key = self.extras, sizes, letter, together, upright
-        return self.once(key, lambda: self._lettered(sizes, letter, together, upright))
+        key = self.extras, sizes, letters, together, upright
+        return self.once(key, lambda: self._lettered(sizes, letters, together, upright))
 
-    def once(
-        self, key: tuple[object, ...], made: Callable[[], tuple[list[View], list[View]]]
-    ) -> tuple[list[View], list[View]]:
+    def once(self, key: tuple[object, ...], made: Callable[[], Held]) -> Held:
         """Views as they were made for this key before; those but roughly made are forgotten once others are made
         wholly."""
         key = (rough(), *key)
@@ -63,41 +77,53 @@ class Contents:
             self.known[key] = made()
         return self.known[key]
 
-    def _lettered(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> tuple[list[View], list[View]]:
-        wanted, spare = self.every(sizes, letter, together)
+    def _lettered(self, sizes: Sizes, letters: Letters, together: Together, upright: Upright) -> Held:
+        wanted, spare = self.every(sizes, letters, together)
         wanted = [v for v in wanted if v.key in self.extras or not v.extra]
 
         def shown(v: View) -> View:
-            return replace(v, heading=LARGER[letter], block=v.block if v.block in upright else "")
+            return replace(v, heading=LARGER[letters.tables], block=v.block if v.block in upright else "")
 
         return list(map(shown, wanted)), list(map(shown, spare))
 
-    def extra(self, sizes: Sizes, letter: float, together: bool, upright: Upright) -> list[View]:
-        """The views that wait for room."""
-        return [v for v in self.every(sizes, letter, together)[0] if v.extra and v.key not in self.extras]
+    def extra(self, sizes: Sizes, letters: Letters, together: Together, upright: Upright) -> list[View]:
+        """The views that wait for room, in every shape they may have."""
+        held = {shaped(key) for key in self.extras}
+        return [v for v in self.every(sizes, letters, together)[0] if v.extra and shaped(v.key) not in held]
 
-    def every(self, sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
+    def every(self, sizes: Sizes, letters: Letters, together: Together) -> Held:
         """All views, whatever room there is."""
-        return self.once((sizes, letter, together), lambda: self.views(sizes, letter, together))
+        with lettered_for(letters.large):
+            return self.once((sizes, letters, together), lambda: self.views(sizes, letters.tables, together))
 
 
-Way = tuple[Sizes, float, bool, Upright]
-"""Sizes of plans, a letter height, whether equations stand under their plans, and which blocks stand upright."""
+def shaped(key: str) -> str:
+    """What a view shows, whatever its shape: "note" of "note 2"."""
+    return key.partition(" ")[0]
+
+
+Way = tuple[Sizes, Letters, Together, Upright]
+"""Sizes of plans, letters, what stands together, and which blocks stand upright."""
 
 
 def ways(
-    sizes: Sizes, name: str, fits: Callable[[Way], bool], best: Way | None = None, upright: bool = False
+    contents: Contents, sizes: Sizes, name: str, whole: bool, best: Way | None = None, upright: bool = False
 ) -> Way | None:
     """The best looking way to fill a format, but none better than ``best``, nor with fewer blocks ``upright``; large
     letters only where small ones fit."""
-    fit, how = cache(fits), [*product(LETTERS[name[:2]], (True, False))]
-    levels = [[(sizes, *h, upright) for h in how] for upright in UPRIGHT]
+
+    @cache
+    def fit(how: Way) -> bool:
+        return bool(whole or contents.lettered(*how)[1]) and packed(shown(contents, how, whole), Paper(name))
+
+    least = len(contents.together)
+    levels = [[(sizes, *h, u) for h in product(LETTERS[name[:2]], contents.together)] for u in UPRIGHT]
     if best:
         k = UPRIGHT.index(best[-1])
         levels = [levels[k][levels[k].index(best) :], *([] if upright else levels[k + 1 :])]
-    if not any(map(fit, levels[-1][-2:])):
+    if not any(map(fit, levels[-1][-least:])):
         return None
-    return next(filter(fit, next(level for level in levels if any(map(fit, level[-2:])))))
+    return next(filter(fit, next(level for level in levels if any(map(fit, level[-least:])))))
 
 
 def attempts(
@@ -121,24 +147,23 @@ def attempts(
 
 def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | None:
     """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
-
-    def fits(how: Way) -> bool:
-        return bool(whole or contents.lettered(*how)[1]) and packed(shown(contents, how, whole), Paper(name))
-
-    return ways(Sizes(factor), name, fits)
+    return ways(contents, Sizes(factor), name, whole)
 
 
 def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
-    """The same with as many of the views that wait for room as there is some for, with plans no smaller; for a note no
-    block is torn."""
-    for key in [v.key for v in contents.extra(*how)]:
-        more = replace(contents, extras=(*contents.extras, key))
-
-        def fits(how: Way, more: Contents = more) -> bool:
-            return packed(shown(more, how, whole), Paper(name))
-
-        other = ways(how[0], name, fits, how, upright=key == "note")
-        contents, how = (more, other) if other else (contents, how)
+    """The same with as many of the views that wait for room as there is some for, with plans no smaller; for a note
+    blocks are torn only where it has no place else."""
+    waiting = contents.extra(*how)
+    notes = [v for v in waiting if shaped(v.key) == NOTE]
+    tried = [
+        *((v, False) for v in waiting if v not in notes),
+        *((v, upright) for upright in (True, False) for v in notes),
+    ]
+    for one, upright in tried:
+        if shaped(one.key) not in map(shaped, contents.extras):  # in no other shape yet
+            more = replace(contents, extras=(*contents.extras, one.key))
+            other = ways(more, how[0], name, whole, how, upright)
+            contents, how = (more, other) if other else (contents, how)
     return contents, how
 
 
@@ -175,7 +200,9 @@ def laid(
     drawn too small for its letters."""
     views = shown(contents, how, whole)
     stacking = stacking_of(views, paper)
-    order, best = columns_of(views, stacking).arranged(order)
+    begun = (order, ()) if order else ((),)  # the order that was found roughly may lead nowhere
+    tried = map(columns_of(views, stacking).arranged, begun)
+    order, best = next((one for one in tried if one[1].cost < OVER), ((), columns_of(views, stacking)))
     knotted = whole and how[0].factor < 1 and contents.lettered(*how)[1] and any(v.crowded for v in views)
     found, every = list[tuple[View, float, float]](), blocks(views)
     for k, spot in zip(order, best.spots, strict=True) if best.cost < OVER and not knotted else ():

@@ -44,7 +44,7 @@ class ForceSheet:
             found += [replace(v, step=plan) for v in step if v]
         found.append(self.lever(position, letter))
         tables = c.tables(position, letter)
-        return [v for v in (*found, tables.given(), tables.reactions(), tables.check(), c.note(letter)) if v]
+        return [v for v in (*found, tables.given(), tables.reactions(), tables.check(), *c.notes(letter)) if v]
 
     def loaded(self, position: Position) -> View:
         """The scheme with all outer loads."""

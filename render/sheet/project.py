@@ -14,8 +14,9 @@ from planes.words.errors import PlanesError
 from planes.words.names import kind_of, mu_of
 from render.labels.footprints import bounds
 from render.paper.marks import Mark, Text
+from render.paper.style import LARGER
 from render.paper.typeset import plain
-from render.sheet.composer import LARGER, Composer, drawn_plans
+from render.sheet.composer import Composer, Together, drawn_plans
 from render.sheet.module import GAP_MM, MODULE_MM
 from render.views import View, beside, remark, stacked, view
 from render.views.alignment import alignment_told
@@ -48,30 +49,23 @@ class Project:
     loops: Sequence[Hodograph] = ()
     reduced: Callable[[float], Position] | None = None
 
-    def kinematics(self, position: Position, size: float, letter: float, together: bool) -> list[View]:
+    def kinematics(self, position: Position, size: float, letter: float, together: Together) -> list[View]:
         """Sheet 1: scheme in many positions, groups, plans of rates, tables, diagrams."""
         c, plotted = self.composer, of_position(position)
         rates = [p for p in drawn_plans(plotted, position) if kind_of(p) != "force"]
-        t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together)
+        t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together.equations)
         for k, (plan, v) in enumerate(zip(rates, plans, strict=False)):
             if v:
                 plans[k] = replace(v, block="rates", plumb=v.inked[0] - c.plan(plotted, plan).inked[0])  # of its pole
         motion = [v and replace(v, block="motion") for v in (self.many(position), self.diagrams(position, size))]
         steps = {
             "motion": (*motion, self.hodographs()),
-            "rates": (
-                *plans,
-                t.plan("velocity"),
-                t.plan("acceleration"),
-                t.links(),
-                self.directions(position, letter),
-                t.transfers(),
-            ),
+            "rates": (*plans, *t.rates(together.rates), t.links(), self.directions(position), t.transfers()),
             "structure": (
                 self.groups(position, letter),
                 self.self_aligning(position, letter),
                 t.given(),
-                c.note(letter),
+                *c.notes(letter),
             ),
         }
         return [replace(v, step=step) for step, views in steps.items() for v in views if v]
@@ -99,12 +93,10 @@ class Project:
 
         return c.once(("many", mu), make)
 
-    def directions(self, position: Position, letter: float) -> View | None:
-        """The small figures of directions, with letters no smaller than those of tables."""
-        c, high = self.composer, max(3.5, letter)
-        return c.once(
-            ("directions", high), lambda: Directions(position, c.naming, high).view(say("directions", c.lang))
-        )
+    def directions(self, position: Position) -> View | None:
+        """The small figures of directions."""
+        c = self.composer
+        return c.once(("directions",), lambda: Directions(position, c.naming).view(say("directions", c.lang)))
 
     def groups(self, position: Position, letter: float) -> View | None:
         """The structure: its figures have no μ, and are drawn smaller where they are wider than the title block."""
@@ -132,7 +124,7 @@ class Project:
         lines += [say("passive_link", c.lang, links=passive)] if passive else []
         high = LARGER[letter]
         marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
-        whole = stacked("structure", [beside(parts), view("formula", "", marks)])
+        whole = stacked("structure", [beside(parts), view("formula", "", marks)], 5.0)
         return view("structure", say("structure", c.lang), whole.marks, figure=True)
 
     def self_aligning(self, position: Position, letter: float) -> View | None:
@@ -153,7 +145,7 @@ class Project:
     def part(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""
         drawn = view("part", "", Scheme(position, self.composer.naming, links, framed).drawn(False))
-        return stacked("part", [drawn, view("part", "", [Text(text, 0j, LARGER[letter] * 0.7, "middle")])], 3.0, True)
+        return stacked("part", [drawn, view("part", "", [Text(text, 0j, letter, "middle")])], 3.0, True)
 
     def diagrams(self, position: Position, size: float = 1.0) -> View | None:
         """Diagrams of motion over the driver's range."""

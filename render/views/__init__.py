@@ -6,11 +6,12 @@ from functools import cached_property
 
 from render.labels.footprints import Bounds, bounds, overprinted
 from render.paper.marks import Mark, Text, moved
+from render.paper.style import tall
 from render.paper.typeset import extent, plain, wrapped
 
 TITLE_MM = 5.0  # letter height of titles
 REMARK_MM = 2.5
-REMARK_WIDE_MM = 60.0  # of a line of remarks beneath what is narrower
+REMARK_WIDE = 24.0  # letters: a line of remarks beneath what is narrower
 TITLE_GAP = 4.0  # from a title to its view
 SET_IN_MM = 35.0  # no view begins farther to the right of its title
 
@@ -82,9 +83,9 @@ def view(key: str, title: str, marks: Iterable[Mark], figure: bool = False, unse
 
 def remark(text: str, marks: Iterable[Mark]) -> list[Text]:
     """What must be known of the marks, in small letters beneath them, from their left edge, no wider than they are."""
-    x0, y0, x1, _ = bounds(tuple(marks))
-    lines = wrapped(text, max(x1 - x0, REMARK_WIDE_MM), REMARK_MM)
-    return [Text(t, complex(x0, y0 - 5.0 - 1.7 * REMARK_MM * k), REMARK_MM, name="remark") for k, t in enumerate(lines)]
+    (x0, y0, x1, _), high = bounds(tuple(marks)), tall(REMARK_MM)
+    lines = wrapped(text, max(x1 - x0, REMARK_WIDE * high), high)
+    return [Text(t, complex(x0, y0 - 2.5 - high - 1.7 * high * k), high, name="remark") for k, t in enumerate(lines)]
 
 
 def paragraph(key: str, title: str, text: str, width: float, letter: float) -> View:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from render import labels
 from render.labels.footprints import bounds
 from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
+from render.paper.style import tall
 from render.views import TITLE_GAP
 
 SHORT_MM = 3.0  # a vector shorter than this is drawn again
@@ -72,7 +73,7 @@ class Detail:
         ground += [part for mark in marks for part in self.part(mark)]
         ground += labels.place([self.label(x) for x in named if self.shows(x)], ground).marks
         top = bounds(ground)[3]
-        return (*ground, Text(self.title, complex(0, top + TITLE_GAP), LETTER_MM, "middle", name=self.title))
+        return (*ground, Text(self.title, complex(0, top + TITLE_GAP), tall(LETTER_MM), "middle", name=self.title))
 
     def part(self, mark: Mark) -> list[Mark]:
         """What is seen of one mark."""

@@ -8,13 +8,16 @@ from itertools import cycle
 from planes.diagrams.curves import driven
 from planes.plans import Plans
 from planes.words import say
-from planes.words.lettering import Naming
+from planes.words.lettering import Naming, flat
+from planes.words.read_off import measured
 from planes.words.units import number, standard_mu
 from render import labels
-from render.paper.letters import scale, unit, with_unit
+from render.paper.letters import of_unit, scale, with_unit
 from render.paper.marks import Arrow, Line, Mark, Text
+from render.paper.style import tall
 from render.paper.symbols import dot
 from render.paper.typeset import ink_width
+from render.views.curve_pieces import cut_off, round_between, round_step, runs
 from render.views.senses import labelled
 
 SECTIONS = 12
@@ -28,9 +31,9 @@ LINES = ("thick", "dash", "thin", "axis", "phantom", "construction")  # of curve
 SAMPLE_MM = 18.0  # of a line beside the name of its curve, on which all its dashes are seen
 JUMP_MM = 0.01  # a curve that goes on no farther along the axis jumps there
 BETWEEN_MM = 12.0
+NAME_MM = 3.5  # letters of axes and numbers
+HEADING = 14.0  # letters: no name of a curve with its μ is wider
 FULL = 360.0
-STEEP = 5.0  # ordinates are cut at so many times their median at the ends of a range, which are dead positions
-WILD = 30.0  # and at so many anywhere
 
 
 @dataclass(frozen=True)
@@ -51,14 +54,15 @@ class DiagramCurve:
 
 @dataclass(frozen=True)
 class Axes:
-    """Axes of curves on paper: μ, the height of the driver's axis and the value there, and from where to where the
-    curves go over it, mm."""
+    """Axes of curves on paper: μ, the height of the driver's axis and the value there, from where to where the curves
+    go over it, and how much higher than usual their names stand, mm."""
 
     mu: float
     zero: float
     base: float
     bottom: float
     top: float
+    lift: float = 0.0
 
     def at(self, x: float, value: float) -> complex:
         """The place of a value."""
@@ -99,6 +103,11 @@ class Diagrams:
         return ("φ", "°") if self.plans.mechanism.drive.kind == "phi" else ("s", "m")
 
     @property
+    def letter(self) -> float:
+        """The height of names and numbers."""
+        return tall(NAME_MM)
+
+    @property
     def wide(self) -> float:
         """The length of the driver's range, mm."""
         return self.section * SECTIONS
@@ -108,11 +117,11 @@ class Diagrams:
         marks: list[Mark] = []
         lowest = 0.0
         for panel in self.panels:
-            curves = panel if self.whole or self.to_read else [cut_off(curve) for curve in panel]
+            curves = panel if self.whole or self.to_read else [replace(c, values=cut_off(c.values)) for c in panel]
             axes = self.axes(curves, lowest if marks else None)
             marks += self.one(curves, axes)
             lowest = axes.zero + axes.bottom
-        return (*marks, *self.numbers(lowest - (11.5 if self.to_read else 6.5)))
+        return (*marks, *self.numbers(lowest - 8.0 - self.letter))
 
     def axes(self, panel: Sequence[DiagramCurve], above: float | None) -> Axes:
         """Axes of curves, beneath those that end ``above``; that of places far from zero stands beneath them."""
@@ -126,8 +135,11 @@ class Diagrams:
         step = round_step(mu, ROUND_MM)
         base = step * math.floor(low / step) if afar else 0.0
         top = mu * (high - base)
-        zero = 0.0 if above is None else above - BETWEEN_MM - 7.0 - top
-        return Axes(mu, zero, base, mu * min(0.0, low - base), top)
+        ends = self.ends(panel[0]) if len(panel) == 1 and not self.to_read else []
+        under = any(side.imag > 0 and self.x(place) < HEADING * self.letter for side, (place, _) in ends)
+        lift = self.letter + 1.0 if under else 0.0  # room for the greatest value
+        zero = 0.0 if above is None else above - BETWEEN_MM - 7.0 - lift - top
+        return Axes(mu, zero, base, mu * min(0.0, low - base), top, lift)
 
     def one(self, panel: Sequence[DiagramCurve], axes: Axes) -> tuple[Mark, ...]:
         """Curves on their axes, with thin verticals at the numbered positions."""
@@ -138,15 +150,36 @@ class Diagrams:
         marks: list[Mark] = [
             *(Line((complex(x, low - 1.5), complex(x, high + 1.5)), "construction", "construction") for x in sides),
             Arrow(complex(0, zero), complex(self.wide + 9, zero), "thin", "dimension"),
-            Arrow(complex(0, low if self.to_read else zero), complex(0, high + 8), "thin", "dimension"),
-            Text(with_unit(abscissa, key if self.to_read else "", lang), complex(self.wide + 10.5, zero - 1), 3.5),
-            *self.heading(panel, axes.mu, complex(2.5, high + 5)),
+            Arrow(complex(0, low if self.to_read else zero), complex(0, high + axes.lift + 8), "thin", "dimension"),
+            Text(
+                with_unit(abscissa, key if self.to_read else "", lang), complex(self.wide + 10.5, zero - 1), self.letter
+            ),
+            *self.heading(panel, axes.mu, complex(2.5, high + axes.lift + 5)),
         ]
         for curve, style in zip(panel, cycle(LINES), strict=False):
             rows = zip(curve.places or self.angles, curve.values, strict=True)
             path = [None if v is None else axes.at(self.x(a), v) for a, v in rows]
-            marks += (Line(tuple(z), "dash" if jump else style, "plan") for z, jump in runs(path, JUMP_MM))
-        return self.with_values(panel, axes, marks) if self.to_read else tuple(marks)
+            marks += (
+                Line(tuple(z), "dash" if jump else style, "plan", name=curve.letter) for z, jump in runs(path, JUMP_MM)
+            )
+        marks += self.round_values(axes) if self.to_read else ()
+        return self.with_values(panel[0], axes, marks) if len(panel) == 1 else tuple(marks)
+
+    def ends(self, curve: DiagramCurve) -> list[tuple[complex, tuple[float, float]]]:
+        """Where a curve is least and where greatest, beneath it and above it, at the ends of the axis beside it; those
+        told, or those that are seen."""
+        if curve.ends or self.to_read:
+            return [*zip((-1j, 1j), curve.ends, strict=False)]
+        count, values = len(self.angles) - 1, curve.values
+        known = [(v, k) for k, v in enumerate(values[:count] if self.whole else values) if v is not None]
+        found = []
+        for side, (value, k) in zip((-1j, 1j), (min(known), max(known)), strict=True) if known else ():
+            beside = [(k - 1) % count, (k + 1) % count] if self.whole else [max(k - 1, 0), min(k + 1, count)]
+            if k not in beside and all(values[j] is not None for j in beside):  # it goes no farther unseen
+                k = k or count  # of a whole turn: its end has more room than its beginning
+                inwards = (SECTIONS * k < count) - (SECTIONS * (count - k) < count)
+                found.append((side + 2 * inwards, (self.angles[k], value)))
+        return found
 
     def heading(self, panel: Sequence[DiagramCurve], mu: float, place: complex) -> list[Mark]:
         """The names of the curves, each with a piece of its line where there are several, and their scale."""
@@ -154,28 +187,40 @@ class Diagrams:
         names = [curve.name or f"{curve.letter}_{{{link}}}" for curve in panel]
         if self.to_read:
             names = [with_unit(name, curve.unit, lang) for name, curve in zip(names, panel, strict=True)]
-        scales = ", ".join(dict.fromkeys(f"μ_{{{c.letter}}} = {scale(mu, c.unit, self.naming)}" for c in panel))
+        letters = {c.letter + ("" if c.name else link): c.unit for c in panel}  # plans have a μ_v of their own
+        scales = ", ".join(f"μ_{{{letter}}} = {scale(mu, unit, self.naming)}" for letter, unit in letters.items())
         if len(panel) == 1:
-            return [Text(f"{names[0]}, {scales}", place, 3.5)]
+            return [Text(f"{names[0]}, {scales}", place, self.letter)]
         marks: list[Mark] = []
         for name, style in zip(names, cycle(LINES), strict=False):
             marks.append(Line((place + 1.2j, place + complex(SAMPLE_MM, 1.2)), style, "plan"))
-            marks.append(Text(name, place + SAMPLE_MM + 2, 3.5))
-            place += SAMPLE_MM + 8 + ink_width(name, 3.5)
-        return [*marks, Text(scales, place, 3.5)]
+            marks.append(Text(name, place + SAMPLE_MM + 2, self.letter))
+            place += SAMPLE_MM + 8 + ink_width(name, self.letter)
+        return [*marks, Text(scales, place, self.letter)]
 
-    def with_values(self, panel: Sequence[DiagramCurve], axes: Axes, marks: Sequence[Mark]) -> tuple[Mark, ...]:
-        """The same with round values on the ordinate, and, of a curve alone, dots at the least and the greatest."""
-        lang, added, named = self.naming.lang, list(marks), list[labels.Label]()
+    def round_values(self, axes: Axes) -> list[Mark]:
+        """Round values on the ordinate."""
+        lang, added = self.naming.lang, list[Mark]()
         low, high = (axes.base + y / axes.mu for y in (axes.bottom, axes.top))
         for value in round_between(low, high, round_step(axes.mu, ROUND_MM)):
             z = axes.at(0.0, value)
             added.append(Line((z - STROKE_MM, z), "thin", "dimension"))
             added.append(Text(number(value, lang, 6), z - complex(STROKE_MM + 1, 1.25), 2.5, "end"))
-        for side, (place, value) in zip((-1j, 1j), panel[0].ends if len(panel) == 1 else (), strict=False):
-            z, text = axes.at(self.x(place), value), number(value if abs(axes.mu * value) > 1e-6 else 0.0, lang)
-            added += dot(z, 0.6, "plan")
-            named.append(labels.Label(text, z, 2.5, side, 0.8, name=text))
+        return added
+
+    def with_values(self, curve: DiagramCurve, axes: Axes, marks: Sequence[Mark]) -> tuple[Mark, ...]:
+        """The same with dots and values at the least and the greatest."""
+        lang, added, named = self.naming.lang, list(marks), list[labels.Label]()
+        for side, (place, value) in self.ends(curve):
+            z, seen = axes.at(self.x(place), value), abs(axes.mu * value) > 1e-6
+            if seen or self.to_read:
+                added += dot(z, 0.6, "plan")
+                text = (
+                    number(value if seen else 0.0, lang)
+                    if self.to_read
+                    else of_unit(measured(value, lang), curve.unit, lang)
+                )
+                named.append(labels.Label(text, z, 2.5, side, 0.8, name=text))
         return labelled(named, added)
 
     def x(self, angle: float) -> float:
@@ -185,10 +230,11 @@ class Diagrams:
     def numbers(self, level: float) -> list[Mark]:
         """Numbers of the positions beneath, the driver's place in the first, or in each, and the scale of the axis."""
         places = [complex(self.section * k, level) for k in range(SECTIONS + 1)]
-        found: list[Mark] = [Text(str(k), z, 3.5, "middle") for k, z in enumerate(places)]
+        found: list[Mark] = [Text(str(k), z, self.letter, "middle") for k, z in enumerate(places)]
         (letter, key), lang = self.driver, self.naming.lang
         turning = key == "°"
-        text = f"μ_{{{letter}}} = {scale(self.wide / (self.angles[-1] - self.angles[0]), key, self.naming)}"
+        drive = flat(self.naming.vector(self.plans.mechanism.drive.letters[0]))
+        text = f"μ_{{{drive}}} = {scale(self.wide / (self.angles[-1] - self.angles[0]), key, self.naming)}"
         if self.to_read:
             told = [round(a, 1 if turning else 3) for a in self.angles]
             told = [a % FULL for a in told] if turning and self.whole else told
@@ -196,44 +242,5 @@ class Diagrams:
             level -= 5.5
         else:
             first = round(self.angles[0], 6) % FULL if turning else self.angles[0]
-            text = f"{letter}_{{0}} = {number(first, lang)}{'' if turning else ' '}{unit(key, lang)},  {text}"
-        return [*found, Text(text, complex(self.wide / 2, level - 7.0), 3.5, "middle")]
-
-
-def round_step(mu: float, apart_mm: float) -> float:
-    """The least round step of values that stand so far apart on a scale."""
-    return 1.0 / standard_mu(apart_mm, mu)
-
-
-def round_between(low: float, high: float, step: float) -> list[float]:
-    """The round values between two."""
-    return [step * k for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
-
-
-def cut_off(curve: DiagramCurve) -> DiagramCurve:
-    """A curve without ordinates far beyond the rest, which grow without bounds beside dead positions."""
-    sizes = sorted(abs(v) for v in curve.values if v is not None)
-    usual = sizes[len(sizes) // 2] if sizes else 0.0
-    calm = [k for k, v in enumerate(curve.values) if v is not None and abs(v) <= STEEP * usual]
-    low, high = (calm[0], calm[-1]) if calm else (0, 0)
-    near = [v is not None and abs(v) <= WILD * usual for v in curve.values]
-    kept = (v if near[k] and low <= k <= high else None for k, v in enumerate(curve.values))
-    return replace(curve, values=tuple(kept))
-
-
-def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple[list[complex], bool]]:
-    """Runs of a path, with the jumps over its single gaps, those that go no farther across."""
-    found: list[tuple[list[complex], bool]] = []
-    run: list[complex] = []
-    gap = 0
-    for z in path:
-        if z is None:
-            gap += 1
-            continue
-        if gap and run:
-            found.append((run, False))
-        if gap == 1 and run and abs(z.real - run[-1].real) <= across:
-            found.append(([run[-1], z], True))
-        run = [z] if gap else [*run, z]
-        gap = 0
-    return [(piece, jump) for piece, jump in [*found, (run, False)] if len(piece) > 1]
+            text = f"{letter}_{{0}} = {of_unit(number(first, lang), key, lang)},  {text}"
+        return [*found, Text(text, complex(self.wide / 2, level - 2 * self.letter), self.letter, "middle")]

@@ -13,13 +13,14 @@ from render.labels import Label
 from render.labels.footprints import Bounds
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark, Text
+from render.paper.style import tall
 from render.paper.typeset import ink_width
 from render.views.plotted import Places, degrees
 
 PAST_MM = 1.5  # of a leading line beyond the arrow
 OVER_MM = 0.9  # of the size over the line of its arrows
 LETTER_MM = 3.5
-APART_MM, BESIDE_MM = 7.0, 10.0  # of sizes from each other, and from what is drawn
+BESIDE_MM = 10.0  # of sizes from what is drawn
 HEADS_MM = 8.0  # of the arrows beside the text
 ANGLE_MM, AXIS_MM = 16.0, 21.0  # the radius at which the driver's angle is shown, and the axis it is measured from
 PARTING = (0.5, 0.42, 0.58, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85)  # of a size's length, where its text may stand
@@ -39,7 +40,7 @@ class Size:
     @property
     def fits(self) -> bool:
         """Whether it is long enough for its text and the heads beside that."""
-        return abs(self.ends[1] - self.ends[0]) > ink_width(self.text, LETTER_MM) + HEADS_MM
+        return abs(self.ends[1] - self.ends[0]) > ink_width(self.text, tall(LETTER_MM)) + HEADS_MM
 
     def leading(self) -> list[Line]:
         """The lines that lead to its arrows from what is measured."""
@@ -56,7 +57,15 @@ class Size:
         return [
             *self.leading(),
             *arrows,
-            Text(self.text, place, LETTER_MM, anchor="middle", turn_deg=self.turn, layer="dimension", name=self.name),
+            Text(
+                self.text,
+                place,
+                tall(LETTER_MM),
+                anchor="middle",
+                turn_deg=self.turn,
+                layer="dimension",
+                name=self.name,
+            ),
         ]
 
     @property
@@ -67,8 +76,8 @@ class Size:
 
     def clear(self, z: complex, others: Iterable[Line]) -> bool:
         """Whether a text over a place is clear of other lines."""
-        half, way = ink_width(self.text, LETTER_MM) / 2 + OVER_MM, symbols.unit(self.turn)
-        box = shapely.box(-half, -LETTER_MM, half, LETTER_MM + 2 * OVER_MM)
+        half, way = ink_width(self.text, tall(LETTER_MM)) / 2 + OVER_MM, symbols.unit(self.turn)
+        box = shapely.box(-half, -tall(LETTER_MM), half, tall(LETTER_MM) + 2 * OVER_MM)
         turned = ([(w - z) / way for w in line.points] for line in others)
         return not any(box.intersects(shapely.LineString([(w.real, w.imag) for w in line])) for line in turned)
 
@@ -98,7 +107,7 @@ def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Si
         plain = ((base, ways[t], in_mm(abs(t) / mu, lang)) for t in sorted(ways, key=abs))
         feet = (Size((a, b), ((a / way).real * way, (b / way).real * way), aside, text) for a, b, text in plain)
         for k, one in enumerate(x for x in feet if x.fits):
-            off = (edge + BESIDE_MM + k * APART_MM) * aside
+            off = (edge + BESIDE_MM + k * 2 * tall(LETTER_MM)) * aside
             found.append(replace(one, ends=(one.ends[0] + off, one.ends[1] + off)))
     return found
 

@@ -13,6 +13,7 @@ from planes.words.names import label_of, parts_of
 from render.labels import Label
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
+from render.paper.style import tall
 from render.views import View, beside, stacked, view
 from render.views.formulas import NOISE_MM
 from render.views.plotted import degrees
@@ -21,14 +22,19 @@ from render.views.senses import labelled
 ROD, ARROW, SENSE = 3.7, 2.3, 1.6  # of a figure: its rod, its vectors, the radius of its curved arrow, in its letters
 SWEEP_DEG, FROM_DEG = 65.0, 15.0  # of a curved arrow, and from its rod
 A_ROW = 5  # figures
+LETTER_MM = 3.5
 
 
 @dataclass(frozen=True)
 class Directions(Reckoned):
-    """The figures of a position, with letters of so many mm."""
+    """The figures of a position."""
 
     naming: Naming
-    letter: float = 3.5
+
+    @property
+    def letter(self) -> float:
+        """The height of their letters, by which all is measured."""
+        return tall(LETTER_MM)
 
     def view(self, title: str) -> View | None:
         """All figures in rows; none where nothing turns."""
@@ -62,7 +68,7 @@ class Directions(Reckoned):
         tip = ROD * self.letter * self.way(rod.start, rod.end)
         ground = [*symbols.bar(0j, tip), *symbols.hinge(0j), *symbols.hinge(tip)]
         ends = ((rod.start, 0j), (rod.end, tip))
-        letters = [Label(self.naming.point(label_of(x)), z, self.letter, clear=1.6, name=x) for x, z in ends]
+        letters = [Label(self.naming.point(label_of(x)), z, LETTER_MM, clear=1.6, name=x) for x, z in ends]
         vectors = [Arrow(tip, tip + ARROW * self.letter * way, "vector", "plan", vector)]
         return self.figure(ground, vectors, rate, degrees(tip), letters)
 
@@ -93,7 +99,7 @@ class Directions(Reckoned):
         middle = SENSE * self.letter * symbols.unit(from_deg + sense * (FROM_DEG + SWEEP_DEG / 2))
         rates = f"{'ω' if kind == 'omega' else 'ε'}_{{{self.naming.link(link)}}}"
         named = [
-            Label(self.naming.vector(a.name), (a.end, (a.start + a.end) / 2), self.letter, name=a.name) for a in vectors
+            Label(self.naming.vector(a.name), (a.end, (a.start + a.end) / 2), LETTER_MM, name=a.name) for a in vectors
         ]
-        turns = Label(rates, middle, self.letter, side=middle, clear=0.5, name=rate)
+        turns = Label(rates, middle, LETTER_MM, side=middle, clear=0.5, name=rate)
         return labelled([*letters, *named, turns], [*ground, *vectors, *turning])

@@ -13,7 +13,7 @@ from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.symbols import dot
 from render.paper.typeset import ink_width
 from render.views import View, beside, view
-from render.views.diagrams import round_between, round_step, runs
+from render.views.curve_pieces import round_between, round_step, runs
 from render.views.senses import labelled
 
 WIDE_MM = 70.0  # the larger side of a hodograph

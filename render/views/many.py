@@ -161,14 +161,18 @@ class ManyPositions:
         """Numbers of the positions at the end of the crank, or beneath a sliding driver, and where links end that turn
         about the frame or slide on it."""
         drive, pair = self.plans.mechanism.drive, self.plans.structure.drive_pair
-        points = self.plans.mechanism.links[drive.link].points
-        ends = [p for p in points if p != pair.point or drive.kind == "s"]
-        found = []
-        for one, result in self.shown() if ends else ():
-            z = self.place(result, ends[0])
+        link, found = self.plans.mechanism.links[drive.link], list[Label]()
+        ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
+        for one, result in self.shown():
+            z = self.place(result, ends[0]) if ends else self.tip(link, self.place(result, pair.point), result)
             side = -1j if drive.kind == "s" else z - self.place(result, pair.point)
             found.append(Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
         return [*found, *(label for link, point in self.followers() for label in self.stations(link, point))]
+
+    def tip(self, link: Link, pivot: complex, result: PlacedMechanism) -> complex:
+        """Where what is drawn of a link ends that has no point but its pivot."""
+        drawn = (z for shape in self.outlines(link, result) for z in shape)
+        return max(drawn, key=lambda z: abs(z - pivot), default=pivot)
 
     def followers(self) -> Iterator[tuple[Link, str]]:
         """The links but the driver that slide on the frame or turn about it, each with its farthest point."""

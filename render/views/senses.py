@@ -3,14 +3,13 @@
 import cmath
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from functools import partial
 from itertools import compress
 
 from planes.scene.mechanism import FRAME
 from planes.words.lettering import Naming
 from render import labels
-from render.labels.footprints import ink, overprinted, polygons
+from render.labels.footprints import ink, polygons
 from render.paper import symbols
 from render.paper.ink import cut
 from render.paper.marks import Hatch, Line, Mark, Shape, Text
@@ -18,7 +17,6 @@ from render.paper.typeset import layout
 from render.views.plotted import Places
 
 LETTER_MM = 5.0
-SMALLER = {5.0: 3.5, 3.5: 2.5}  # letters by those of a figure that has no room for them
 CLEAR_MM = 0.6  # between a letter and the thin line that is broken for it
 
 
@@ -64,16 +62,8 @@ def freest(
 
 
 def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:
-    """Marks with their letters in places found for them, in letters a step smaller where some find none."""
-    found = _labelled(named, marks)
-    if labels.rough() or not (crowded := overprinted(found)):
-        return found
-    smaller = _labelled([replace(x, height=SMALLER.get(x.height, x.height)) for x in named], marks)
-    return smaller if len(overprinted(smaller)) < len(crowded) else found
-
-
-def _labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:
-    """The same in letters as they are; construction lines and hatching are broken where a letter stands on them."""
+    """Marks with their letters in places found for them; construction lines and hatching are broken where a letter
+    stands on them."""
     gives = [isinstance(m, Hatch) or (isinstance(m, Line) and m.layer == "construction") for m in marks]
     thin, rest = list(compress(marks, gives)), [m for m, way in zip(marks, gives, strict=True) if not way]
     placed = labels.place(named, rest, None, thin)

@@ -1,10 +1,10 @@
-"""Tables of given and found values as marks: a title, a head, rows between thin lines."""
+"""Tables of given and found values."""
 
 import cmath
 import math
-import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import zip_longest
 
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.loads import force_name
@@ -13,97 +13,13 @@ from planes.solving.given import GivenTable
 from planes.solving.tables import difference
 from planes.words import say
 from planes.words.lettering import Naming
-from planes.words.names import kind_of, plan_of
+from planes.words.names import kind_of, parts_of, plan_of
 from planes.words.read_off import fixed, measured
 from planes.words.units import RATES, UNIT, number
-from render.paper import symbols
-from render.paper.ink import head as ink_head
-from render.paper.marks import Arc, Line, Mark, Shape, Text
-from render.paper.typeset import extent, ink_width
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
 from render.views.plotted import of_position
-
-Row = Sequence[str]
-CLEAR_MM = 0.65  # least distance of a text from the middle of the lines above and beneath it
-MOST_ROWS = 18  # of a table in one column
-_NUMBER = re.compile(r"([−-]?\d+)(?:[.,]\d*)?(?:·10.*)?[↺↻]?$")
-_SENSES = {"↺": 1.0, "↻": -1.0}
-
-
-@dataclass(frozen=True)
-class TableGrid:
-    """A table in the making: letters of ``letter`` mm, the head's names in the first row."""
-
-    letter: float = 3.5
-
-    def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
-        """The marks of a table whose upper left corner is the origin."""
-        lines = [head, *rows] if any(head) else list(rows)
-        (high, drop), pad = self.rows(lines), 0.5 * self.letter
-        columns = [self.aligned([row[k] for row in lines], any(head)) for k in range(len(lines[0]))]
-        widths = [
-            max(x + self.wide(row[k]) for x, row in zip(left, lines, strict=True)) + 2 * pad
-            for k, left in enumerate(columns)
-        ]
-        edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
-        marks: list[Mark] = []
-        for level in range(len(lines) + 1):
-            style = "rule" if level == 1 and any(head) else "thin"
-            marks.append(Line((complex(0, -level * high), complex(edges[-1], -level * high)), style, "table"))
-        for edge in edges:
-            marks.append(Line((complex(edge, 0), complex(edge, -len(lines) * high)), "thin", "table"))
-        for level, row in enumerate(lines):
-            base = -(level + 0.5) * high - drop
-            for k, cell in enumerate(row):
-                marks += self.cell(cell, complex(edges[k] + pad + columns[k][level], base))
-        return tuple(marks)
-
-    def aligned(self, column: Row, alike: bool) -> list[float]:
-        """Where the cells of a column begin: numbers of one unit with their decimal signs in one line, others in the
-        middle."""
-        wide = list(map(self.wide, column))
-        whole = [ink_width(m[1], self.letter) if alike and (m := _NUMBER.match(cell)) else 0.0 for cell in column]
-        most = max(whole)
-        block = max((most - x + w for x, w in zip(whole, wide, strict=True) if x), default=0.0)
-        room = max(block, *wide)
-        return [(room - block) / 2 + most - x if x else (room - w) / 2 for x, w in zip(whole, wide, strict=True)]
-
-    def rows(self, lines: Sequence[Row]) -> tuple[float, float]:
-        """Height of the rows: two letters, more where indices would come near a line; the base line beneath their
-        middle."""
-        boxes = [extent(cell.rstrip("↺↻"), self.letter) for row in lines for cell in row]
-        low, top = min(b[1] for b in boxes), max(b[3] for b in boxes)
-        high = max(2.0 * self.letter, top - low + 2 * CLEAR_MM)
-        return high, min(max(0.35 * self.letter, top + CLEAR_MM - high / 2), high / 2 - CLEAR_MM + low)
-
-    def wide(self, cell: str) -> float:
-        """Width of a cell's ink."""
-        return ink_width(cell.rstrip("↺↻"), self.letter) + (self.letter * 1.5 if cell[-1:] in _SENSES else 0.0)
-
-    def cell(self, cell: str, left: complex) -> tuple[Mark, ...]:
-        """A text that begins at a place, a curved arrow after it for a sense of turning."""
-        sense = _SENSES.get(cell[-1:])
-        text = cell.rstrip("↺↻")
-        if sense is None:
-            return (Text(text, left, self.letter),) if text else ()
-        radius = 0.48 * self.letter
-        turn = left + self.wide(cell) - radius + 0.5j * self.letter
-        low, high = (-60.0, 180.0) if sense > 0 else (0.0, 240.0)
-        tip = turn + radius * symbols.unit(high if sense > 0 else low)
-        head = ink_head(tip, -1j, 0.5 * self.letter, 0.3 * self.letter)
-        return (Text(text, left, self.letter), Arc(turn, radius, low, high, "thin", "table"), Shape(head, "table"))
-
-
-def folded(head: Row, rows: Sequence[Row]) -> tuple[Row, list[Row]]:
-    """A long table in two or more columns side by side."""
-    columns = -(-len(rows) // MOST_ROWS)
-    if columns < 2:
-        return head, list(rows)
-    high = -(-len(rows) // columns)
-    parts = [[*rows[k * high : (k + 1) * high]] for k in range(columns)]
-    parts[-1] += [[""] * len(head)] * (high - len(parts[-1]))
-    return [*head] * columns, [[cell for row in line for cell in row] for line in zip(*parts, strict=True)]
+from render.views.table_grid import Row, TableGrid, folded
 
 
 @dataclass(frozen=True)
@@ -146,26 +62,27 @@ class Tables:
         """Millimetres, or degrees."""
         return fixed(value, 1, self.naming.lang)
 
-    def table(self, key: str, title: str, head: Row, rows: Sequence[Row], notes: Sequence[str] = ()) -> View | None:
+    def table(
+        self, key: str, title: str, head: Row, rows: Sequence[Row], notes: Sequence[str] = (), spanned: bool = False
+    ) -> View | None:
         """A table as a view, or nothing when it has no rows; ``notes`` stand beneath it."""
         if not rows:
             return None
         head, rows = folded(head, rows)
 
         def make() -> View:
-            marks = TableGrid(self.letter).drawn(head, rows)
+            marks = TableGrid(self.letter, spanned).drawn(head, rows)
             for note in notes:
                 marks = (*marks, *remark(note, marks))
             return view(key, title, marks)
 
         return self.once(("table", key, self.letter, *map(tuple, rows)), make)
 
-    def all(self) -> list[View]:
-        """Every table that has something to say."""
+    def all(self, joined: bool = True) -> list[View]:
+        """Every table that has something to say; what was measured on both plans of rates ``joined`` in one."""
         if not self.position.plans.moves:
             return [t for t in (self.given(), self.vectors(), self.values()) if t]
-        rates = self.plan("velocity"), self.plan("acceleration")
-        return [t for t in (self.given(), *rates, self.links(), self.reactions(), self.check()) if t]
+        return [t for t in (self.given(), *self.rates(joined), self.links(), self.reactions(), self.check()) if t]
 
     def given(self) -> View | None:
         """What the scene gives, each thing once."""
@@ -176,17 +93,38 @@ class Tables:
 
     def plan(self, plan: str) -> View | None:
         """What was measured on a plan: vector, segment, mm, value."""
-        measured = self.position.results.get("plans", {}).get(plan)
-        if not measured:
-            return None
-        unit, rows = self.say(UNIT[kind_of(plan)]), []
-        if max((s["mm"] for s in measured["segments"].values()), default=0.0) <= NOISE_MM:
-            return None
+        rows = [row for _, row in self.measured_rows(plan)]
+        return self.table(f"{plan}-table", self.say(f"by_{plan}"), self.measured_head(plan), rows)
+
+    def rates(self, joined: bool) -> list[View | None]:
+        """What was measured on the plans of rates: a table each, or ``joined`` with the vectors of one point, or of one
+        link, side by side."""
+        plans = [plan for plan in ("velocity", "acceleration") if any(self.measured_rows(plan))]
+        if not joined or len(plans) < 2:
+            return [self.plan(plan) for plan in plans]
+        found: dict[str, tuple[list[Row], ...]] = {}
+        for k, plan in reversed([*enumerate(plans)]):  # in the order of the accelerations
+            for of, row in self.measured_rows(plan):
+                found.setdefault(of, ([], []))[k].append(row)
+        sides = (tuple(rows or [[" "] * 4] for rows in both) for both in found.values())
+        pairs = (two for both in sides for two in zip_longest(*both, fillvalue=[""] * 4))
+        head = [cell for plan in plans for cell in self.measured_head(plan)]
+        rows = [[*one, *other] for one, other in pairs]
+        return [self.table("rates-table", self.say("by_plans"), head, rows, spanned=True)]
+
+    def measured_head(self, plan: str) -> Row:
+        """The head over what was measured on a plan."""
+        return ["", "", self.say("mm"), self.say(UNIT[kind_of(plan)])]
+
+    def measured_rows(self, plan: str) -> Iterator[tuple[str, Row]]:
+        """What was measured on a plan, with what each vector is of: a point, two points of a link, a guide."""
+        known = self.position.results.get("plans", {}).get(plan, {"segments": {}})["segments"]
+        if max((s["mm"] for s in known.values()), default=0.0) <= NOISE_MM:
+            return
         for vector, segment, found in self.position.measured_on(plan):
             ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
             value = self.number(found["value"] if found["mm"] > NOISE_MM else 0.0)
-            rows.append([self.naming.vector(vector), ends, self.tenths(found["mm"]), value])
-        return self.table(f"{plan}-table", self.say(f"by_{plan}"), ["", "", self.say("mm"), unit], rows)
+            yield parts_of(vector)[1], [self.naming.vector(vector), ends, self.tenths(found["mm"]), value]
 
     def links(self) -> View | None:
         """ω and ε of every link with their senses; nothing where the driver stands."""

@@ -20,7 +20,8 @@ from planes.documents.cycle import Turned, over_cycle
 from planes.plans import plans_of
 from planes.scene import load, loads
 from planes.words.lettering import Naming, lettered_curve
-from render.views.diagrams import DiagramCurve, runs
+from render.views.curve_pieces import runs
+from render.views.diagrams import DiagramCurve
 from tests.diagrams.test_diagrams import ROCKER, crank
 from tests.helpers import ROOT
 

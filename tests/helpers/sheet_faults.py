@@ -1,13 +1,15 @@
 """What a teacher would circle on a sheet though nothing overlaps: small letters, names that read as one word, figures
-out of the order of the calculation, forces drawn upon each other."""
+out of the order of the calculation or of their rank, forces drawn upon each other."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import combinations
+from math import hypot, inf
 
 import shapely
 
+from render.labels.footprints import bounds
 from render.paper.marks import Arrow, Text
 from render.paper.typeset import layout, plain
 from render.sheet import Sheet
@@ -16,6 +18,7 @@ from render.views import View
 LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304
 APART = 0.6  # of a letter between names that stand side by side
 LARGEST_MM = 7.0
+SAME_MM = 0.1
 BESIDE_MM, ASKEW = 4.0, 0.05  # two arrows on one line may share no more; lines that only cross, in radians
 
 
@@ -70,6 +73,17 @@ def _upon(view: View) -> Iterator[str]:
             yield f"{one.name} and {two.name} are drawn upon each other in {view.key}"
 
 
+def out_of_rank(sheet: Sheet) -> Iterator[str]:
+    """Groups whose links are drawn larger than the scheme with loads: at its μ none can be."""
+    drawn = [(v, bounds([m for m in v.marks if m.layer == "scheme"])) for v, _, _ in sheet.views if v.figure]
+    sizes = [(v, hypot(x1 - x0, y1 - y0)) for v, (x0, y0, x1, y1) in drawn]
+    largest = next((size for v, size in sizes if v.key == "loaded"), inf)
+    yield from (
+        f"{v.title!r} is larger than the scheme" for v, size in sizes if v.key == "group" and size > largest + SAME_MM
+    )
+
+
 def unsightly(sheet: Sheet) -> list[str]:
     """All of them."""
-    return [*small_letters(sheet), *one_word(sheet), *out_of_order(sheet), *superposed(sheet)]
+    found = small_letters, one_word, out_of_order, superposed, out_of_rank
+    return [fault for of_kind in found for fault in of_kind(sheet)]

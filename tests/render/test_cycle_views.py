@@ -17,7 +17,8 @@ from render.files import Page
 from render.paper.letters import scale, unit, with_unit
 from render.paper.marks import Arc, Line, Text
 from render.paper.typeset import plain
-from render.views.diagrams import SAMPLE_MM, runs
+from render.views.curve_pieces import runs
+from render.views.diagrams import SAMPLE_MM
 from render.views.graphical import Graphical, cropped, smooth
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts

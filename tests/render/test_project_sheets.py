@@ -22,7 +22,7 @@ from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Shape, Text
 from render.paper.style import BASE_MM
 from render.paper.typeset import plain
-from render.views.diagrams import runs
+from render.views.curve_pieces import runs
 from render.views.dimensions import Size, sizes_drawn
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.scheme import Scheme

@@ -17,12 +17,14 @@ from planes.solving import plans_of, solve
 from planes.solving.given import GivenTable
 from planes.words.lettering import Naming
 from planes.words.names import force_plan, links_of
+from render.labels import Label, place
 from render.paper.marks import Arrow, Line, Text
+from render.paper.style import lettered_for
 from render.paper.typeset import plain
 from render.sheet.composer import Composer
 from render.sheet.module import Module
 from render.sheet.sizes import Sizes, grown
-from render.views.diagrams import DiagramCurve, cut_off
+from render.views.curve_pieces import cut_off
 from tests.helpers import ROOT, sheets
 
 SAMPLES = ROOT / "samples"
@@ -63,16 +65,37 @@ def test_a_place_is_told_by_what_is_shorter():
     assert (hanging["l_{KS5}"][0], hanging["∠KS5"][0]) == ("0,15", "30")
 
 
-def test_the_note_of_a_scene_stands_where_there_is_room_or_is_told():
+def test_the_note_of_a_scene_stands_in_some_shape_or_is_told():
     first, second = (sheet("six-link", number) for number in (1, 2))
-    (note,) = (v for v, _, _ in second.views if v.key == "note")
+    (note,) = (v for v, _, _ in second.views if v.key.startswith("note"))
     lines = [m.text for m in note.marks if isinstance(m, Text)]
     assert "Верное значение M1 = 287,2 Н·м" in " ".join(lines) and "v_{H}" in " ".join(lines)
-    assert {"note", "self-aligning"} & {v.key for v, _, _ in first.views} == {"self-aligning"}
-    assert first.paper.name == "A2" and any("Примечание" in said for said in first.warnings)
-    six = load(SAMPLES / "six-link.yaml")
-    large = sheet_of(replace(six, sheet={"format": "A1"}), None, "ru", 1)  # a format that is asked for
-    assert {"note", "self-aligning"} <= {v.key for v, _, _ in large.views} and "Примечание" not in str(large.warnings)
+    assert first.paper.name == "A2" and not any("Примечание" in said for said in first.warnings)
+    assert {"self-aligning", "note"} <= {v.key.partition(" ")[0] for v, _, _ in first.views}
+    six = load(SAMPLES / "six-link.yaml")  # a format that is asked for, and too much for it
+    told = sheet_of(replace(six, sheet={"format": "A2"}, note={"ru": 8 * six.note["ru"]}), None, "ru", 1)
+    assert not any(v.key.startswith("note") for v, _, _ in told.views) and "Примечание" in str(told.warnings)
+
+
+def test_diagrams_tell_their_extremes_and_one_table_what_is_measured_on_both_plans():
+    scene = load(SAMPLES / "kind-2-rrp.yaml")
+    position = solve(scene).positions[0]
+    composer = Composer(scene, "ru", position.plans)
+    drawn = turned_once(scene, position.plans, composer, False).diagrams(position)
+    found = [v for v in (drawn, *composer.tables(position, 3.5).rates(True)) if v]
+    views = {v.key: [m for m in v.marks if isinstance(m, Text)] for v in found}
+    stroke = (0.26**2 - 0.015**2) ** 0.5 - (0.14**2 - 0.015**2) ** 0.5  # of an offset slider-crank
+    assert f"{stroke:.3f} м".replace(".", ",") in {m.text for m in views["diagrams"]}
+    rows = {m.text: round(m.place.imag, 3) for m in views["rates-table"]}
+    assert rows["v_{CB}"] == rows["a_{CB}^{n}"] > rows["a_{CB}^{t}"] and rows["v_{C}"] == rows["a_{C}"]
+
+
+def test_letters_of_large_formats_are_larger_where_there_is_room():
+    fence = [Line((complex(-40, y), complex(40, y)), "thin", "scheme") for y in (-3.3, 3.3)]
+    for marks, field, height in (((), None, 7.0), (fence, (-40.0, -3.3, 40.0, 3.3), 5.0)):
+        with lettered_for(True):
+            (text,) = place([Label("B", 0j, 5.0)], marks, field).texts
+        assert text.height == height
 
 
 @pytest.mark.slow
@@ -120,8 +143,7 @@ def test_the_range_of_a_rocking_driver_ends_where_it_stops():
 
 
 def test_ends_of_a_range_are_cut_off_and_peaks_within_are_kept():
-    curve = DiagramCurve("ω", "rad/s", (90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0))
-    assert cut_off(curve).values == (None, 1.0, 2.0, 12.0, 2.0, 1.0, None, None)
+    assert cut_off((90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0)) == (None, 1.0, 2.0, 12.0, 2.0, 1.0, None, None)
 
 
 @pytest.mark.slow

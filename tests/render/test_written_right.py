@@ -29,7 +29,7 @@ from render.paper.marks import Line, Text
 from render.paper.typeset import layout, plain
 from render.views.arms import Arms
 from render.views.loading import Arrows
-from render.views.tables import TableGrid
+from render.views.table_grid import TableGrid
 from tests.helpers import ROOT
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}

@@ -1,0 +1,47 @@
+"""Curves before they are drawn: round values on their axes, what is cut off, the runs between gaps."""
+
+import math
+from collections.abc import Sequence
+
+from planes.words.units import standard_mu
+
+STEEP = 5.0  # ordinates are cut at so many times their median at the ends of a range, which are dead positions
+WILD = 30.0  # and at so many anywhere
+
+
+def round_step(mu: float, apart_mm: float) -> float:
+    """The least round step of values that stand so far apart on a scale."""
+    return 1.0 / standard_mu(apart_mm, mu)
+
+
+def round_between(low: float, high: float, step: float) -> list[float]:
+    """The round values between two."""
+    return [step * k for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
+
+
+def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple[list[complex], bool]]:
+    """Runs of a path, with the jumps over its single gaps, those that go no farther across."""
+    found: list[tuple[list[complex], bool]] = []
+    run: list[complex] = []
+    gap = 0
+    for z in path:
+        if z is None:
+            gap += 1
+            continue
+        if gap and run:
+            found.append((run, False))
+        if gap == 1 and run and abs(z.real - run[-1].real) <= across:
+            found.append(([run[-1], z], True))
+        run = [z] if gap else [*run, z]
+        gap = 0
+    return [(piece, jump) for piece, jump in [*found, (run, False)] if len(piece) > 1]
+
+
+def cut_off(values: Sequence[float | None]) -> tuple[float | None, ...]:
+    """A curve without ordinates far beyond the rest, which grow without bounds beside dead positions."""
+    sizes = sorted(abs(v) for v in values if v is not None)
+    usual = sizes[len(sizes) // 2] if sizes else 0.0
+    calm = [k for k, v in enumerate(values) if v is not None and abs(v) <= STEEP * usual]
+    low, high = (calm[0], calm[-1]) if calm else (0, 0)
+    near = [v is not None and abs(v) <= WILD * usual for v in values]
+    return tuple(v if near[k] and low <= k <= high else None for k, v in enumerate(values))

@@ -1,0 +1,99 @@
+"""A table as marks: a head, rows between thin lines, numbers of one unit with their decimal signs in one line."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from render.paper import symbols
+from render.paper.ink import head as ink_head
+from render.paper.marks import Arc, Line, Mark, Shape, Text
+from render.paper.typeset import extent, ink_width
+
+Row = Sequence[str]
+CLEAR_MM = 0.65  # least distance of a text from the middle of the lines above and beneath it
+MOST_ROWS = 18  # of a table in one column
+_NUMBER = re.compile(r"([−-]?\d+)(?:[.,]\d*)?(?:·10.*)?[↺↻]?$")
+_SENSES = {"↺": 1.0, "↻": -1.0}
+
+
+@dataclass(frozen=True)
+class TableGrid:
+    """A table in the making: letters of ``letter`` mm, the head's names in the first row; where it is ``spanned`` a
+    cell reaches down over empty ones."""
+
+    letter: float = 3.5
+    spanned: bool = False
+
+    def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
+        """The marks of a table whose upper left corner is the origin."""
+        lines = [head, *rows] if any(head) else list(rows)
+        (high, drop), pad = self.rows(lines), 0.5 * self.letter
+        columns = [self.aligned([row[k] for row in lines], any(head)) for k in range(len(lines[0]))]
+        widths = [
+            max(x + self.wide(row[k]) for x, row in zip(left, lines, strict=True)) + 2 * pad
+            for k, left in enumerate(columns)
+        ]
+        edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
+        marks: list[Mark] = []
+        for level in range(len(lines) + 1):
+            style = "rule" if level == 1 and any(head) else "thin"
+            row = lines[level] if self.spanned and 1 < level < len(lines) else head
+            shut = [k for k, cell in enumerate(row) if cell or row is head]
+            for _, run in groupby(enumerate(shut), key=lambda two: two[1] - two[0]):
+                ks = [k for _, k in run]
+                ends = complex(edges[ks[0]], -level * high), complex(edges[ks[-1] + 1], -level * high)
+                marks.append(Line(ends, style, "table"))
+        for edge in edges:
+            marks.append(Line((complex(edge, 0), complex(edge, -len(lines) * high)), "thin", "table"))
+        for level, row in enumerate(lines):
+            base = -(level + 0.5) * high - drop
+            for k, cell in enumerate(row):
+                marks += self.cell(cell, complex(edges[k] + pad + columns[k][level], base))
+        return tuple(marks)
+
+    def aligned(self, column: Row, alike: bool) -> list[float]:
+        """Where the cells of a column begin: numbers of one unit with their decimal signs in one line, others in the
+        middle."""
+        wide = list(map(self.wide, column))
+        whole = [ink_width(m[1], self.letter) if alike and (m := _NUMBER.match(cell)) else 0.0 for cell in column]
+        most = max(whole)
+        block = max((most - x + w for x, w in zip(whole, wide, strict=True) if x), default=0.0)
+        room = max(block, *wide)
+        return [(room - block) / 2 + most - x if x else (room - w) / 2 for x, w in zip(whole, wide, strict=True)]
+
+    def rows(self, lines: Sequence[Row]) -> tuple[float, float]:
+        """Height of the rows: two letters, more where indices would come near a line; the base line beneath their
+        middle."""
+        boxes = [extent(cell.rstrip("↺↻"), self.letter) for row in lines for cell in row]
+        low, top = min(b[1] for b in boxes), max(b[3] for b in boxes)
+        high = max(2.0 * self.letter, top - low + 2 * CLEAR_MM)
+        return high, min(max(0.35 * self.letter, top + CLEAR_MM - high / 2), high / 2 - CLEAR_MM + low)
+
+    def wide(self, cell: str) -> float:
+        """Width of a cell's ink."""
+        return ink_width(cell.rstrip("↺↻"), self.letter) + (self.letter * 1.5 if cell[-1:] in _SENSES else 0.0)
+
+    def cell(self, cell: str, left: complex) -> tuple[Mark, ...]:
+        """A text that begins at a place, a curved arrow after it for a sense of turning."""
+        sense = _SENSES.get(cell[-1:])
+        text = cell.rstrip("↺↻")
+        if sense is None:
+            return (Text(text, left, self.letter),) if text.strip() else ()
+        radius = 0.48 * self.letter
+        turn = left + self.wide(cell) - radius + 0.5j * self.letter
+        low, high = (-60.0, 180.0) if sense > 0 else (0.0, 240.0)
+        tip = turn + radius * symbols.unit(high if sense > 0 else low)
+        head = ink_head(tip, -1j, 0.5 * self.letter, 0.3 * self.letter)
+        return (Text(text, left, self.letter), Arc(turn, radius, low, high, "thin", "table"), Shape(head, "table"))
+
+
+def folded(head: Row, rows: Sequence[Row]) -> tuple[Row, list[Row]]:
+    """A long table in two or more columns side by side."""
+    columns = -(-len(rows) // MOST_ROWS)
+    if columns < 2:
+        return head, list(rows)
+    high = -(-len(rows) // columns)
+    parts = [[*rows[k * high : (k + 1) * high]] for k in range(columns)]
+    parts[-1] += [[""] * len(head)] * (high - len(parts[-1]))
+    return [*head] * columns, [[cell for row in line for cell in row] for line in zip(*parts, strict=True)]
