@@ -14,7 +14,7 @@ import numpy as np
 from planes.geometry.arithmetic import Point
 from planes.geometry.arrays import Array
 from planes.plans import Plans
-from planes.plans.groups import Pair
+from planes.plans.assur.groups import Pair
 from planes.scene.mechanism import FRAME
 
 TOLERANCE, MOST = 1e-12, 50

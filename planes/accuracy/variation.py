@@ -6,11 +6,11 @@ from dataclasses import replace
 from planes.drafting.draft import Draft
 from planes.drafting.tools import Thing
 from planes.plans import Plans, plans_of
-from planes.plans.assembly import WORDS_OF_KIND
-from planes.plans.bodies import Bodies
-from planes.plans.groups import Group
+from planes.plans.assur.groups import Group
+from planes.plans.position.assembly import WORDS_OF_KIND
+from planes.plans.position.bodies import Bodies
+from planes.plans.position.scheme import place_all
 from planes.plans.scales import drawn_in_si
-from planes.plans.scheme import place_all
 from planes.scene.mechanism import Assembly, Link, Mechanism
 from planes.words.names import at
 

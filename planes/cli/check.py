@@ -14,7 +14,7 @@ from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
 from planes.course.handed_out import handed_out, is_course
 from planes.course.ledger import MANIFEST
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.words import Phrase, say
 from planes.words.errors import PlanesError

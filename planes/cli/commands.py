@@ -101,8 +101,8 @@ def _survey(args: Namespace) -> int:
 def structure(args: Namespace) -> int:
     """Links, pairs, groups of Assur, and the self-aligning variant."""
     from planes.plans import structure_of
-    from planes.plans.alignment import aligned
-    from planes.plans.of_scene import scene_plans
+    from planes.plans.assur.alignment import aligned
+    from planes.plans.statements.of_scene import scene_plans
     from planes.solving.structure_text import alignment_report, structure_report
 
     scene = scene_of(args)

@@ -94,7 +94,7 @@ def _table(args: Namespace, scene: Scene, span: Span | None) -> int:
     if args.show is None:
         return write_cycle(scene, span, args.output, args.lang, fast, args.errors)
     from planes.diagrams.turn import turn_of
-    from planes.plans.of_scene import scene_plans
+    from planes.plans.statements.of_scene import scene_plans
 
     turn = turn_of(scene_plans(scene), _names(args), file=scene.file, slopes=False)
     return write_curves(turn, span, args.output, args.lang, fast)
@@ -103,7 +103,7 @@ def _table(args: Namespace, scene: Scene, span: Span | None) -> int:
 def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.long_run import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
-    from planes.plans.of_scene import scene_plans
+    from planes.plans.statements.of_scene import scene_plans
 
     plans = scene_plans(scene)
     chosen = span or Span(plans.mechanism.drive.position, 0.0, 1)
@@ -124,7 +124,7 @@ def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
     from planes.diagrams.turn import reach
-    from planes.plans.of_scene import scene_plans
+    from planes.plans.statements.of_scene import scene_plans
 
     plans = scene_plans(scene)
     turning = plans.mechanism.drive.kind == "phi"

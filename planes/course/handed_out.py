@@ -16,7 +16,7 @@ from planes.check.sheet_mark import SheetMark
 from planes.course.ledger import MANIFEST
 from planes.course.reading import NAME, scenes_in
 from planes.course.students import FILES
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
 from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError

@@ -12,7 +12,7 @@ from planes.course import Course, ParameterChoice
 from planes.course.ledger import fingerprint
 from planes.course.random_numbers import choices_of, dice, draw_numbers
 from planes.course.students import Share
-from planes.plans.derived import unit_of_value
+from planes.plans.force.derived import unit_of_value
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
 from planes.scene.parameters import names_of, reached

@@ -14,8 +14,8 @@ import numpy
 
 from planes.course import ParameterChoice
 from planes.plans import Plans
-from planes.plans.of_scene import scene_plans
 from planes.plans.scales import drawn_in_si
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.reader import entries_of
 from planes.scene.source import SourceScalar, SourceTable

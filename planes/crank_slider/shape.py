@@ -3,8 +3,8 @@
 import math
 from dataclasses import dataclass
 
-from planes.plans.analysis import analyse
-from planes.plans.structure import Structure
+from planes.plans.assur.analysis import analyse
+from planes.plans.assur.structure import Structure
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words import Phrase

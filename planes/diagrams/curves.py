@@ -16,7 +16,7 @@ from planes.drafting.tools import AskedFor
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
-from planes.plans.loads import force_name
+from planes.plans.force.loads import force_name
 from planes.plans.quantities import MOTION, results_of
 from planes.plans.transfers import analogue_units, ratio_name, turning
 from planes.scene.mechanism import FRAME

@@ -7,7 +7,7 @@ from planes.diagrams.graphical import Construction, Stage, differentiated, integ
 from planes.diagrams.motion import motion_of
 from planes.drafting.drawing import Drawing
 from planes.drafting.instruments import Exact, Pencil
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, say

@@ -16,8 +16,8 @@ from planes.diagrams.curves import Curve
 from planes.diagrams.turn import WholeTurn
 from planes.drafting.drawing import proved, run
 from planes.plans import Plans
-from planes.plans.of_scene import scene_plans
 from planes.plans.scales import unit_scales
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.solving import failed, key_of, told

@@ -14,7 +14,7 @@ from planes.diagrams.turn import WholeTurn, grid, turn_of, unwound
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.words import Lang, Phrase

@@ -18,7 +18,7 @@ from planes.documents import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
 from planes.drafting.instruments import Instrument
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import asked_of_drive
 from planes.solving import Position, Solved, plans_of, position

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 
 from planes.diagrams.graphical_text import constructed
-from planes.plans.alignment import aligned
+from planes.plans.assur.alignment import aligned
 from planes.scene import Scene
 from planes.solving import Position
 from planes.words import say

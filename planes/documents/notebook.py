@@ -13,7 +13,7 @@ from planes.check import Outcome
 from planes.check.report import heads, numbers_of, rows_of
 from planes.documents import picture, shown
 from planes.plans import structure_of
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position, told
 from planes.words import Lang, Phrase, decimal, home_lang, say

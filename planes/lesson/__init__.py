@@ -21,8 +21,8 @@ from planes.lesson.stating import Stating
 from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole
 from planes.plans import Plans
 from planes.plans.apart import links_apart
-from planes.plans.derived import unit_of_value
-from planes.plans.reactions import Reaction
+from planes.plans.force.derived import unit_of_value
+from planes.plans.force.reactions import Reaction
 from planes.words import Lang, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, letter_of, lettered, mu_of, plan_of
 from planes.words.units import Convention

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
+from planes.plans.force.loads import load_names
 from planes.plans.law_words import law_said
-from planes.plans.loads import load_names
 from planes.scene.mechanism import Drive, Load, LoadLaw, Mechanism
 from planes.words import Lang, say
 from planes.words.units import number

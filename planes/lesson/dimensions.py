@@ -15,7 +15,7 @@ from planes.batch.tracing import given_on, given_values
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans import Plans
-from planes.plans.reckoned import Dimensions, OwnPlace, SceneDimensions
+from planes.plans.position.reckoned import Dimensions, OwnPlace, SceneDimensions
 from planes.scene.mechanism import FRAME
 from planes.words.names import Meaning, given_of
 

@@ -13,8 +13,8 @@ from planes.lesson.conditions import conditions
 from planes.lesson.formulas import NOISE, fill, mu_said, unit
 from planes.lesson.frame import Frame
 from planes.lesson.transfers import TransferFunctions
-from planes.plans.alignment import aligned
 from planes.plans.apart import links_apart
+from planes.plans.assur.alignment import aligned
 from planes.plans.law_words import law_said
 from planes.plans.measuring import counted, lettering, say_plan
 from planes.plans.quantities import Measured

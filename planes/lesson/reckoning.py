@@ -8,7 +8,7 @@ from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.drafting.steps.settling import Fed, Settle
 from planes.lesson.formulas import SIGNS, SLOT, by_sense, formula, slot, unit
 from planes.plans import Plans
-from planes.plans.loads import load_names
+from planes.plans.force.loads import load_names
 from planes.words import Lang, say
 
 _FOUND = re.compile(r"(?:^|[:;.] )⟨([^⟩]+)⟩ =")  # a sentence, or a part of one, that says what a value is

@@ -9,7 +9,7 @@ from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
 from planes.plans import Plans
-from planes.plans.loads import force_name
+from planes.plans.force.loads import force_name
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words.names import at, parts_of, plan_of
 from planes.words.records import Json

@@ -12,7 +12,7 @@ from planes.lesson.formulas import slot
 from planes.lesson.frame import Frame
 from planes.lesson.steps import Names, whole
 from planes.plans import Plans
-from planes.plans.loads import force_name
+from planes.plans.force.loads import force_name
 from planes.words import Lang, say
 from planes.words.names import at, kind_of, links_of, parts_of
 

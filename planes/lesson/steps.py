@@ -14,8 +14,8 @@ from planes.lesson.false_plans import false_words
 from planes.lesson.formulas import formula, slot, unit
 from planes.plans import Plans
 from planes.plans.apart import LinkApart
-from planes.plans.bodies import SCHEME
 from planes.plans.law_words import law_said
+from planes.plans.position.bodies import SCHEME
 from planes.words import Lang, say
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
 from planes.words.units import number

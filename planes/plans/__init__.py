@@ -6,23 +6,23 @@ from planes.drafting.draft import Draft
 from planes.drafting.drawing import proved
 from planes.drafting.program import Program
 from planes.drafting.steps.reckoning import Protractor
-from planes.plans.analysis import analyse
-from planes.plans.assembly import resolve
-from planes.plans.bodies import SCHEME, Bodies, Body
-from planes.plans.following import LawValues
-from planes.plans.kinematics import Rates
-from planes.plans.lever import draw_lever
-from planes.plans.loads import Acting
+from planes.plans.assur.analysis import analyse
+from planes.plans.assur.structure import Structure
+from planes.plans.force.following import LawValues
+from planes.plans.force.lever import draw_lever
+from planes.plans.force.loads import Acting
+from planes.plans.force.reactions import Statics
+from planes.plans.force.statics import draw_forces
+from planes.plans.motion.kinematics import Rates
+from planes.plans.motion.rates import draw_rates
 from planes.plans.other_leads import Restating, fitting
 from planes.plans.passive import without_passive
 from planes.plans.passive_motion import LinkValues
+from planes.plans.position.assembly import resolve
+from planes.plans.position.bodies import SCHEME, Bodies, Body
+from planes.plans.position.scheme import place_all
 from planes.plans.proving import proofs_of
-from planes.plans.rates import draw_rates
-from planes.plans.reactions import Statics
 from planes.plans.record import STILL, Plans, PointMarks, sliced, with_passive
-from planes.plans.scheme import place_all
-from planes.plans.statics import draw_forces
-from planes.plans.structure import Structure
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError, StructureError

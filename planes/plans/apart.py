@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
 from planes.plans import Plans
-from planes.plans.loads import force_name
-from planes.plans.reactions import Reaction
+from planes.plans.force.loads import force_name
+from planes.plans.force.reactions import Reaction
 from planes.words.names import POLE, end_of, force_plan, links_of, mu_of
 
 

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans
+from planes.plans.assur.structure import Structure
 from planes.plans.columns import Column
 from planes.plans.quantities import Measured, Quantity
-from planes.plans.structure import Structure
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.words import Lang

@@ -10,8 +10,8 @@ from typing import Any, TypeVar
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.drafting.steps.crossings import FAIR, ByLeads
-from planes.plans.basic_links import Lead
-from planes.plans.bodies import SCHEME, Bodies
+from planes.plans.assur.basic_links import Lead
+from planes.plans.position.bodies import SCHEME, Bodies
 from planes.words.errors import PlanFailure
 from planes.words.names import mu_of
 

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 from planes.drafting.steps.reckoning import Protractor
-from planes.plans.bodies import SCHEME, Bodies
-from planes.plans.kinematics import Rates
-from planes.plans.reckoned import OwnPlace, angle_deg
+from planes.plans.motion.kinematics import Rates
+from planes.plans.position.bodies import SCHEME, Bodies
+from planes.plans.position.reckoned import OwnPlace, angle_deg
 from planes.scene.mechanism import Link
 from planes.words.names import Meaning
 

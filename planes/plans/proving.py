@@ -10,10 +10,10 @@ from planes.drafting.draft import Draft
 from planes.drafting.link_proofs import Balanced, LinkMotion, Point, Rigid, Slid
 from planes.drafting.proofs import Proof, Twofold, VectorProof
 from planes.drafting.steps.reckoning import Calculate
-from planes.plans.bodies import SCHEME
-from planes.plans.kinematics import Rates
-from planes.plans.loads import force_name
-from planes.plans.reactions import Statics
+from planes.plans.force.loads import force_name
+from planes.plans.force.reactions import Statics
+from planes.plans.motion.kinematics import Rates
+from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, force_plan
 

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from planes.plans import Plans
 from planes.plans.columns import Column
-from planes.plans.derived import Derived, derived, of_laws
-from planes.plans.loads import force_name
-from planes.plans.reactions import Reaction
+from planes.plans.force.derived import Derived, derived, of_laws
+from planes.plans.force.loads import force_name
+from planes.plans.force.reactions import Reaction
 from planes.plans.transfers import transfers
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase

@@ -12,12 +12,12 @@ from planes.drafting.equations import Equation
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Real
-from planes.plans.legs import SlideReading
-from planes.plans.loads import Loads
+from planes.plans.assur.structure import Structure
+from planes.plans.force.loads import Loads
+from planes.plans.force.reactions import Reaction
+from planes.plans.motion.legs import SlideReading
 from planes.plans.other_leads import Leads, Restating
 from planes.plans.passive_motion import LinkValues, values_of
-from planes.plans.reactions import Reaction
-from planes.plans.structure import Structure
 from planes.scene.mechanism import Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of

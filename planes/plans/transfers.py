@@ -10,7 +10,7 @@ from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate
 from planes.plans import Plans
 from planes.plans.columns import DriverVector
-from planes.plans.derived import Derived
+from planes.plans.force.derived import Derived
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, as_indexed, at, label_of
 

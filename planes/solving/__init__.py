@@ -9,9 +9,9 @@ from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import Instrument, Pencil, is_exact
 from planes.plans import Plans, sliced
 from planes.plans.measuring import DrawingReader, polar
-from planes.plans.of_scene import fitted, scene_plans
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, told_of
 from planes.plans.scales import fits_on, scales
+from planes.plans.statements.of_scene import fitted, scene_plans
 from planes.scene import Scene
 from planes.solving.nearest import Nearest
 from planes.solving.scatter import scatter_mm

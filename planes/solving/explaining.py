@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 
 from planes.drafting.steps import Step
 from planes.drafting.steps.tracks import CutTrack
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import plans_of
 from planes.words import Lang, say

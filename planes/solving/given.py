@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from planes.plans.force.loads import load_names
 from planes.plans.law_words import law_said
-from planes.plans.loads import load_names
 from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
 from planes.solving import Position
 from planes.words import say

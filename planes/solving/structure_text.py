@@ -1,8 +1,8 @@
 """The structure of a mechanism as text: mobility, groups, the self-aligning variant."""
 
-from planes.plans.alignment import Aligned
+from planes.plans.assur.alignment import Aligned
+from planes.plans.assur.structure import Structure
 from planes.plans.measuring import counted
-from planes.plans.structure import Structure
 from planes.scene.mechanism import FRAME
 from planes.words import Lang, say
 from planes.words.lettering import flat

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from planes.plans.alignment import aligned
+from planes.plans.assur.alignment import aligned
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
 from render import charts

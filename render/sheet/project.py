@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from planes.plans.alignment import aligned
+from planes.plans.assur.alignment import aligned
 from planes.plans.measuring import counted
 from planes.solving import Position
 from planes.solving.structure_text import ways_told

@@ -3,8 +3,8 @@
 import math
 from dataclasses import dataclass, replace
 
-from planes.plans.alignment import Aligned, Sign
-from planes.plans.groups import Pair
+from planes.plans.assur.alignment import Aligned, Sign
+from planes.plans.assur.groups import Pair
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
 from planes.words import say

@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Moments
-from planes.plans.bodies import SCHEME
-from planes.plans.loads import force_name
+from planes.plans.force.loads import force_name
+from planes.plans.position.bodies import SCHEME
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming

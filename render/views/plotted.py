@@ -13,7 +13,7 @@ from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
 from planes.plans.apart import LinkApart, links_apart
-from planes.plans.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.words.names import at, kind_of, label_of, mu_of, plan_of

@@ -1,7 +1,7 @@
 """Assur's special points on a scheme: where the lines of two leads of a basic link cross."""
 
 from planes.drafting.steps.crossings import Cross
-from planes.plans.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME
 from planes.solving import Position
 from planes.words.lettering import Naming
 from planes.words.names import at, label_of

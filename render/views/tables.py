@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from itertools import zip_longest
 
 from planes.lesson.transfers import TransferFunctions
-from planes.plans.loads import force_name
+from planes.plans.force.loads import force_name
 from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.tables import difference

@@ -12,7 +12,7 @@ from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json
 from planes.documents.sheets import sheet_of
 from planes.plans import plans_of
-from planes.plans.analysis import analyse
+from planes.plans.assur.analysis import analyse
 from planes.scene import loads
 from tests.diagrams.test_degenerate import chain
 

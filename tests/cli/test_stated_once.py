@@ -9,7 +9,8 @@ import pytest
 
 import planes
 from planes.cli import main
-from planes.plans import Plans, of_scene
+from planes.plans import Plans
+from planes.plans.statements import of_scene
 from tests.helpers import ROOT
 
 RRR = str(ROOT / "samples" / "kind-1-rrr.yaml")

@@ -15,7 +15,7 @@ from planes.cli import main
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json, report
 from planes.plans import plans_of
-from planes.plans.analysis import analyse
+from planes.plans.assur.analysis import analyse
 from planes.scene import loads
 from planes.words.errors import SceneError
 from tests.helpers import ROOT

@@ -9,7 +9,7 @@ import pytest
 from planes.documents.lesson import note
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
 from planes.solving import Position, plans_of, position
 from planes.words.lettering import Naming

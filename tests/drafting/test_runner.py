@@ -10,8 +10,8 @@ import pytest
 from planes.drafting.drawing import reached
 from planes.drafting.steps import Step
 from planes.drafting.tools import Tool
-from planes.plans.of_scene import scene_plans
 from planes.plans.scales import unit_scales
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load
 from tests.helpers import ROOT
 

@@ -11,7 +11,8 @@ import numpy as np
 from planes.accuracy.digits import Long
 from planes.batch import Cycle
 from planes.batch.tracing import given_values
-from planes.plans import plans_of, reckoned
+from planes.plans import plans_of
+from planes.plans.position import reckoned
 from planes.scene.mechanism import Mechanism
 from tests.helpers.double_double import Two, read_long
 

@@ -19,7 +19,7 @@ import numpy as np
 from planes.accuracy.baselines import differences
 from planes.accuracy.comparison import Comparison, OtherProgram, Triple
 from planes.plans import Plans
-from planes.plans.groups import Group, Pair
+from planes.plans.assur.groups import Group, Pair
 from planes.scene.mechanism import FRAME, Mechanism
 
 Near = Callable[[int], dict[str, complex]]

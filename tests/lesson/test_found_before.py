@@ -13,7 +13,7 @@ from planes.lesson import Teller
 from planes.lesson.formulas import SLOT, fill
 from planes.lesson.note import Note
 from planes.lesson.told import Told
-from planes.plans.loads import load_names
+from planes.plans.force.loads import load_names
 from planes.scene import load
 from planes.solving import solve
 from planes.solving.document import DocumentTable, Paragraph

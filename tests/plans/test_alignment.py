@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from planes.plans import Plans, plans_of
-from planes.plans.alignment import CHOICES, FREEDOMS, _places, aligned, determinant, firm, steadily
-from planes.plans.groups import Pair
+from planes.plans.assur.alignment import CHOICES, FREEDOMS, _places, aligned, determinant, firm, steadily
+from planes.plans.assur.groups import Pair
 from planes.scene import load
 from tests.diagrams.test_diagrams import ROCKER, plans_from
 from tests.helpers import ROOT

@@ -12,7 +12,7 @@ import pytest
 
 from planes import cycle, solve
 from planes.plans import plans_of, structure_of
-from planes.plans.alignment import aligned
+from planes.plans.assur.alignment import aligned
 from planes.scene import loads
 from planes.words.errors import PlanesError, SceneError, StructureError
 from tests.helpers.comparing import balanced, draw, standing, turned_about

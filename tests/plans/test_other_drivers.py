@@ -9,7 +9,7 @@ import pytest
 
 from planes.cli import main
 from planes.plans import structure_of
-from planes.plans.analysis import analyse
+from planes.plans.assur.analysis import analyse
 from planes.scene import load, loads
 from planes.scene.mechanism import Drive, Mechanism
 from planes.words.errors import StructureError

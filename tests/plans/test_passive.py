@@ -12,7 +12,7 @@ from planes import solve
 from planes.batch import Cycle
 from planes.documents.lesson import note
 from planes.documents.sheets import sheet_of
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import loads
 from planes.words.errors import StructureError
 from render.paper.marks import Text

@@ -19,9 +19,10 @@ from planes.drafting.steps import Carry, Similar
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic
-from planes.plans import lever, plans_of
-from planes.plans.kinematics import Rates
-from planes.plans.reactions import Statics
+from planes.plans import plans_of
+from planes.plans.force import lever
+from planes.plans.force.reactions import Statics
+from planes.plans.motion.kinematics import Rates
 from planes.scene import loads
 from planes.solving import solve
 from planes.words.errors import Contradiction, PlanFailure

@@ -17,7 +17,7 @@ import pytest
 import planes
 from planes.cli import main
 from planes.drafting.instruments import Pencil
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load, loads
 from planes.solving import Position, solve
 from planes.words.errors import SceneError

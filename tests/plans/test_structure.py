@@ -12,11 +12,11 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from planes.plans.analysis import analyse
-from planes.plans.basic_links import Triad
-from planes.plans.groups import KIND_NAMES
-from planes.plans.structure import Structure
-from planes.plans.unsolvable import Joint, freedom, unsolvable
+from planes.plans.assur.analysis import analyse
+from planes.plans.assur.basic_links import Triad
+from planes.plans.assur.groups import KIND_NAMES
+from planes.plans.assur.structure import Structure
+from planes.plans.assur.unsolvable import Joint, freedom, unsolvable
 from planes.scene import loads
 from planes.solving import solve
 from planes.words.errors import SceneError, StructureError

@@ -14,7 +14,7 @@ import shapely
 from planes.diagrams.turn import unwound
 from planes.documents import draw_sheet
 from planes.documents.cycle import known
-from planes.plans.analysis import analyse
+from planes.plans.assur.analysis import analyse
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from planes.plans.of_scene import scene_plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load
 from planes.solving.explaining import explain
 from planes.words import Lang

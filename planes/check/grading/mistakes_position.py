@@ -15,7 +15,7 @@ from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.sextic import assemblies
 from planes.geometry.tracks import advanced
 from planes.geometry.two_tracks import both_assemblies
-from planes.plans.groups import Group
+from planes.plans.assur.groups import Group
 from planes.words import Phrase, Told, Written
 from planes.words.names import label_of, letter_of
 

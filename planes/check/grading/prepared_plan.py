@@ -20,9 +20,9 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.plans import Plans
-from planes.plans.of_scene import scene_plans
 from planes.plans.other_leads import fitting
 from planes.plans.scales import fits_on, scales
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, choices

@@ -1,0 +1,1 @@
+"""How the links of a mechanism make groups of Assur: structure, class, order, what drives what."""

@@ -1,0 +1,221 @@
+"""The self-aligning variant: which pairs to loosen so that no constraint is redundant (q = 0).
+
+Somov–Malyshev: W = 6n − 5p₅ − 4p₄ − 3p₃. A planar group of one-freedom pairs holds its n links by 5p constraints where
+6n are enough; turning pairs may become cylindrical (2ц) or spherical (3с), sliding ones cylindrical. Counting is not
+enough: a rod between two spheres counts right and still spins. So the constraints out of the plane are written down at
+the mechanism's own places, and only a variant whose matrix has full rank is taken: no freedom is left in the group,
+and no constraint too many.
+"""
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import product
+from typing import Literal
+
+from planes.drafting.tools import Thing
+from planes.plans import Plans
+from planes.plans.assur.contours import AnyGroup
+from planes.plans.assur.groups import Group, Pair
+from planes.plans.scales import drawn_in_si
+from planes.scene.mechanism import FRAME
+from planes.words import Phrase
+from planes.words.errors import PlanFailure, StructureError
+from planes.words.records import Json
+
+Sign = Literal["R", "P", "C", "S"]
+FREEDOMS: Mapping[Sign, int] = {"R": 1, "P": 1, "C": 2, "S": 3}
+"""How a pair may move: revolute, prismatic, cylindrical, spherical, with as many freedoms."""
+CHOICES: Mapping[str, tuple[Sign, ...]] = {"R": ("R", "S", "C"), "P": ("P", "C")}
+FIRM = 1e-6  # a smaller determinant holds some link loosely
+POSITIONS = 24  # of the cycle that are looked at
+
+
+@dataclass(frozen=True)
+class Aligned:
+    """A variant with q = 0: every pair of the mechanism with what it becomes, and the numbers of Somov and Malyshev."""
+
+    n: int
+    freedom: int  # the mechanism's own W, in its plane
+    pairs: tuple[tuple[Pair, Sign], ...]
+
+    @property
+    def counts(self) -> tuple[int, int, int]:
+        """How many pairs there are of the fifth, fourth and third class."""
+        return tuple(sum(FREEDOMS[sign] == f for _, sign in self.pairs) for f in (1, 2, 3))  # type: ignore[return-value]
+
+    @property
+    def W(self) -> int:
+        """The degree of freedom by Somov and Malyshev."""
+        p5, p4, p3 = self.counts
+        return 6 * self.n - 5 * p5 - 4 * p4 - 3 * p3
+
+    @property
+    def q(self) -> int:
+        """What is redundant, by Malyshev: as much as the count falls short of the mechanism's own freedom."""
+        return self.freedom - self.W
+
+    def sign(self, pair: Pair) -> Sign:
+        """What a pair becomes."""
+        return next(sign for p, sign in self.pairs if p == pair)
+
+    def json(self) -> Json:
+        """The variant as ``planes structure --json`` has it."""
+        p5, p4, p3 = self.counts
+        kinds = {"R": "revolute", "P": "prismatic", "C": "cylindrical", "S": "spherical"}
+        rows = [
+            {"pair": p.point or p.guide, "links": [p.other, p.link], "kind": kinds[s], "freedoms": FREEDOMS[s]}
+            for p, s in self.pairs
+        ]
+        return {"W": self.W, "q": self.q, "p5": p5, "p4": p4, "p3": p3, "pairs": rows}
+
+
+def aligned(plans: Plans, file: str = "") -> Aligned:
+    """The self-aligning variant of a mechanism; :class:`StructureError` where a group has none or nothing assembles."""
+    cycle = _places(plans, file)
+    found: list[tuple[Pair, Sign]] = [(plans.structure.drive_pair, plans.structure.drive_pair.kind)]
+    for group in (g for g in plans.structure.groups if not plans.structure.is_drive(g)):
+        ways = list(_variants(group))
+        steady = (w for w in ways if steadily(plans, group, w, cycle))
+        signs = next(steady, None) or next((w for w in ways if steadily(plans, group, w, cycle[:1])), None)
+        if signs is None:
+            raise StructureError(Phrase("no_alignment", links=group.links), file)
+        found += zip(pairs_of(group), signs, strict=True)
+    return Aligned(len(plans.mechanism.links), plans.structure.W, tuple(found))
+
+
+def pairs_of(group: AnyGroup) -> tuple[Pair, ...]:
+    """The pairs that are loosened together: those of a group, and of a cylinder that braces it."""
+    if isinstance(group, Group) and group.brace and group.drive:
+        return *group.pairs, group.drive, group.brace.near, group.brace.far
+    return group.pairs
+
+
+def bodies_of(group: AnyGroup) -> tuple[tuple[str, ...], ...]:
+    """What these pairs hold: its links, those that are one with the drive stopped together."""
+    if not isinstance(group, Group):
+        mates = {lead.link: lead.parts for lead in group.leads}
+        return tuple(mates.get(link, (link,)) for link in group.solved)
+    if group.brace:
+        return *((link,) for link in group.whole), group.brace.halves
+    return tuple(group.parts(link) for link in group.links)
+
+
+def _variants(group: AnyGroup) -> Iterator[tuple[Sign, ...]]:
+    """Ways to loosen a group's pairs by as much as is redundant: those that change least and keep bearings first."""
+    pairs = pairs_of(group)
+    excess = 5 * len(pairs) - 6 * len(bodies_of(group))
+    ways = [w for w in product(*(CHOICES[p.kind] for p in pairs)) if sum(FREEDOMS[s] - 1 for s in w) == excess]
+
+    def awkward(way: tuple[Sign, ...]) -> tuple[int, int, int]:
+        changed = sum(FREEDOMS[s] > 1 for s in way)
+        grounded = sum(FREEDOMS[s] > 1 for p, s in zip(pairs, way, strict=True) if p.joins(FRAME))
+        sphere_inside = sum(s == "S" for p, s in zip(pairs, way, strict=True) if p in group.inner_pairs)
+        return changed, grounded, -sphere_inside
+
+    return iter(sorted(ways, key=awkward))
+
+
+# what a pair holds out of the plane
+
+Line = tuple[complex, complex]  # a point of it, and its direction
+
+
+@dataclass(frozen=True)
+class PairPlaces:
+    """Where every pair is in one position of the mechanism."""
+
+    lines: Mapping[Pair, Line]
+
+    @cached_property
+    def size(self) -> float:
+        """The distance of the two pairs farthest apart."""
+        points = [point for point, _ in self.lines.values()]
+        return max(abs(a - b) for a in points for b in points) or 1.0
+
+
+def _places(plans: Plans, file: str) -> list[PairPlaces]:
+    """Where every pair is (for a hinge the direction means nothing), through the cycle: in the drive's own position
+    first, where that assembles."""
+    wanted = [v.angle for v in plans.links.values() if v.angle] + [m.position for m in plans.points.values()]
+    program = plans.program.sliced(wanted)
+    drive = plans.mechanism.drive
+    turn = [drive.position + 360.0 * k / POSITIONS for k in range(1, POSITIONS)] if drive.kind == "phi" else []
+    found = []
+    for value in (drive.position, *turn):
+        with suppress(PlanFailure):
+            things = drawn_in_si(plans, value, program).things
+            found.append(PairPlaces({p: _line(plans, p, things) for p in plans.structure.pairs}))
+    if not found:
+        raise StructureError(Phrase("no_working"), file)
+    return found
+
+
+def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
+    if pair.kind == "R":
+        return complex(things[plans.points[pair.point].position]), 1 + 0j
+    m = plans.mechanism
+    guide, owner = m.guide(pair.guide), m.link(pair.other)
+    turn, base, own = 1 + 0j, 0j, 0j
+    if owner.name != FRAME:
+        turn = cmath.exp(1j * math.radians(things[plans.links[owner.name].angle]))
+        base, own = complex(things[plans.points[owner.first_point].position]), owner.points[owner.first_point]
+    along = turn * cmath.exp(1j * math.radians(guide.angle_deg))
+    through = base + (guide.through - own) * turn
+    slider = complex(things[plans.points[m.link(pair.link).first_point].position])
+    return through + along * ((slider - through) * along.conjugate()).real, along
+
+
+def steadily(plans: Plans, group: AnyGroup, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
+    """Whether the pairs hold the group's links out of the plane exactly, neither loosely nor twice over, everywhere."""
+    firmness = [firm(group, signs, places) for places in cycle]
+    return all(f > FIRM for f in firmness) or all(f < -FIRM for f in firmness)
+
+
+def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
+    """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
+    bodies = bodies_of(group)
+    column = {link: 3 * k for k, body in enumerate(bodies) for link in body}
+    rows: list[list[float]] = []
+    for pair, sign in zip(pairs_of(group), signs, strict=True):
+        for held in holds(sign, pair.kind, *places.lines[pair], places.size):
+            row = [0.0] * (3 * len(bodies))
+            for link, side in ((pair.link, 1.0), (pair.other, -1.0)):
+                if link in column:
+                    row[column[link] : column[link] + 3] = [side * x for x in held]
+            length = math.hypot(*row)
+            rows.append([x / length for x in row])
+    return determinant(rows) if len(rows) == 3 * len(bodies) else 0.0
+
+
+def determinant(rows: list[list[float]]) -> float:
+    """Of a small square matrix, by elimination with the largest pivots."""
+    left, found = [row[:] for row in rows], 1.0
+    for k in range(len(left)):
+        best = max(range(k, len(left)), key=lambda i: abs(left[i][k]))
+        if left[best][k] == 0.0:
+            return 0.0
+        if best != k:
+            left[k], left[best], found = left[best], left[k], -found
+        found *= left[k][k]
+        for i in range(k + 1, len(left)):
+            part = left[i][k] / left[k][k]
+            left[i] = [x - part * y for x, y in zip(left[i], left[k], strict=True)]
+    return found
+
+
+def holds(sign: Sign, kind: str, place: complex, along: complex, size: float) -> list[tuple[float, float, float]]:
+    """What a pair forbids of a motion out of the plane (z, turn about x, turn about y; lengths over ``size``)."""
+    z = place / size
+    level = (1.0, z.imag, -z.real)  # the pair's place stays in the plane
+    about_x, about_y = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+    if sign in ("R", "P"):
+        return [level, about_x, about_y]
+    if sign == "S":
+        return [level]
+    if kind == "R":  # a pin in a bushing: it may move along its axis
+        return [about_x, about_y]
+    return [level, (0.0, -along.imag, along.real)]  # a round rod: it may turn about itself

@@ -1,0 +1,233 @@
+"""Pairs and the Assur groups of a mechanism, in the order they are attached; and the drives that make lighter groups.
+
+Sources: Chebyshev's W = 3n - 2p₁, Reshetov's q = W - 6n + 5p₁ for one-freedom pairs; the five kinds of Artobolevsky.
+The class of a mechanism is that of its heaviest group, and another driver may lower it (Assur).
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Literal
+
+from planes.plans.assur.contours import AnyGroup, Contour, Tracked, contour_of, triad_of
+from planes.plans.assur.groups import KIND_NAMES, Group, Pair
+from planes.plans.assur.inner_drives import driven_from_inside
+from planes.plans.assur.pairings import pairing_of
+from planes.plans.assur.structure import LEVELS, Structure
+from planes.plans.assur.unsolvable import Joint, freedom, unsolvable
+from planes.scene.mechanism import FRAME, Drive, Mechanism
+from planes.words import Phrase
+from planes.words.errors import StructureError
+
+
+def analyse(mechanism: Mechanism, file: str = "") -> Structure:
+    """Find W, q and the groups, and which other drivers make lighter ones; :class:`StructureError` names the links
+    where the method cannot go on, and the drivers with which it can."""
+    try:
+        found = _found(mechanism, file)
+    except StructureError as error:
+        why = error.phrase
+        if not isinstance(why, Phrase) or why.key != "higher_class" or not (ways := _lighter(mechanism, len(LEVELS))):
+            raise
+        others = tuple(Phrase("other_driver", link=w.driver, formula=w.formula) for w in ways)
+        raise StructureError(Phrase("higher_class_driven", **why.parts, ways=others), error.file, error.line) from None
+    return replace(found, ways=_lighter(mechanism, found.heaviness))
+
+
+TRIED = 8  # other drivers: few mechanisms have more links on the frame, and each is taken apart anew
+
+
+def _lighter(mechanism: Mechanism, heaviness: int) -> tuple[Structure, ...]:
+    """The same driven by another link on the frame, wherever its heaviest group is of a lower class; the lightest
+    first."""
+    finder, found = _Finder(mechanism, ""), []
+    others = [(x, finder.between(x, FRAME)) for x in mechanism.links if heaviness and x != mechanism.drive.link]
+    for link, (pair,) in [(x, pairs) for x, pairs in others if len(pairs) == 1][:TRIED]:
+        try:
+            drive = Drive(link, "phi" if pair.kind == "R" else "s", 0.0)
+            found.append(_found(replace(mechanism, drive=drive), ""))
+        except StructureError:
+            continue
+    return tuple(sorted((s for s in found if s.heaviness < heaviness), key=lambda s: s.heaviness))
+
+
+def _found(mechanism: Mechanism, file: str) -> Structure:
+    """W, q and the groups."""
+    finder = _Finder(mechanism, file)
+    pair_count = finder.pair_count()
+    freedom = 3 * len(mechanism.links) - 2 * pair_count
+    if freedom != 1:
+        hint = Phrase("freedom_more") if freedom > 1 else Phrase("freedom_less", count=1 - freedom)
+        counted = {"links": len(mechanism.links), "pairs": pair_count, "freedom": freedom}
+        why = Phrase("wrong_freedom", **counted, hint=hint, listed=finder.pair_words())
+        raise finder.error(why, "links", finder.suspect(freedom > 1))
+    drive_pair = finder.drive_pair()
+    groups = finder.groups(drive_pair)
+    redundant = freedom - 6 * len(mechanism.links) + 5 * pair_count
+    return Structure(freedom, redundant, drive_pair, groups, mechanism.drive.link)
+
+
+class _Finder:
+    """Walks the links from the frame outwards, taking the earliest dyad of the file each time."""
+
+    def __init__(self, mechanism: Mechanism, file: str) -> None:
+        self.mechanism, self.file = mechanism, file
+        self.links = list(mechanism.links)
+        self.holders: dict[str, list[str]] = {}
+        for link in (mechanism.frame, *mechanism.links.values()):
+            for point in link.points:
+                self.holders.setdefault(point, []).append(link.name)
+        self.slides = [
+            Pair("P", link.name, mechanism.owner(link.slides.guide), guide=link.slides.guide)
+            for link in mechanism.links.values()
+            if link.slides
+        ]
+        self.slid: dict[str, list[Pair]] = {}
+        for slide in self.slides:
+            for name in dict.fromkeys((slide.link, slide.other)):
+                self.slid.setdefault(name, []).append(slide)
+        self.left = {link: place for place, link in enumerate(self.links)}  # not solved yet, in the order of the file
+        self.reached: set[str] = set()  # points of solved links
+        self.outer: dict[str, list[Pair]] = {link: [] for link in self.links}  # pairs with solved links
+
+    def error(self, phrase: Phrase, *path: str) -> StructureError:
+        """A refusal that points at the line of what it speaks of."""
+        where = self.mechanism.where
+        return StructureError(phrase, self.file, where.get(path, where.get(("links",))))
+
+    def pair_count(self) -> int:
+        """Number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
+        return sum(len(h) - 1 for h in self.holders.values()) + len(self.slides)
+
+    def suspect(self, loose: bool) -> str:
+        """The link a wrong W is put down to: that of the fewest pairs, or of the most; of equals the last."""
+        count = {name: sum(name in h for h in self.holders.values() if len(h) > 1) for name in self.links}
+        for slide in self.slides:
+            for name in {slide.link, slide.other} - {FRAME}:
+                count[name] += 1
+        return (min if loose else max)(reversed(self.links), key=lambda name: count[name])
+
+    def pair_words(self) -> tuple[Phrase, ...]:
+        """The pairs in words, for the sentence of a wrong W."""
+        hinges = [Phrase("hinge_pair", point=p, links=tuple(h)) for p, h in self.holders.items() if len(h) > 1]
+        slides = [Phrase("slide_pair", link=s.link, guide=s.guide, owner=s.other) for s in self.slides]
+        return (*hinges, *slides) or (Phrase("none"),)
+
+    def drive_pair(self) -> Pair:
+        """The pair of the driver with the frame that the drive's motion is given in."""
+        drive = self.mechanism.drive
+        slides = self.mechanism.links[drive.link].slides
+        if drive.kind == "s" and slides and self.mechanism.owner(slides.guide) != FRAME:
+            return next(s for s in self.slides if s.link == drive.link)
+        found = self.between(drive.link, drive.on)
+        wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
+        fitting = [p for p in found if p.kind == wanted]
+        if len(found) != 1 or not fitting:
+            need = Phrase("need_hinge" if wanted == "R" else "need_guide")
+            have = tuple(Phrase("a_hinge" if p.kind == "R" else "a_slide", name=p.point or p.guide) for p in found)
+            told = {"link": drive.link, "kind": drive.kind, "need": need, "have": have or Phrase("none")}
+            key = "driver_pair" if drive.on == FRAME else "motor_pair"
+            raise self.error(Phrase(key, on=drive.on, **told), "drive")
+        return fitting[0]
+
+    def between(self, link: str, other: str) -> list[Pair]:
+        """Pairs of a link with another one."""
+        points = (p for p in self.mechanism.link(link).points if other in self.holders[p])
+        slides = (slide for slide in self.slid.get(link, ()) if slide.mate(link) == other)
+        return [*(Pair("R", link, other, point=point) for point in points), *slides]
+
+    def solve(self, link: str) -> None:
+        """Note a link as solved: each hinge of its that was not reached yet, and each slide, is an outer pair of the
+        others there."""
+        self.left.pop(link, None)
+        for point in [p for p in self.mechanism.link(link).points if p not in self.reached]:
+            self.reached.add(point)
+            for other in self.holders[point]:
+                if other in self.left:
+                    self.outer[other].append(Pair("R", other, link, point=point))
+        for slide in self.slid.get(link, ()):
+            if slide.mate(link) in self.left:
+                self.outer[slide.mate(link)].append(slide)
+
+    def groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
+        """Dyads in the order they attach, a higher group where none does; refuses what is left when none attaches."""
+        found: list[AnyGroup] = []
+        solved: tuple[str, ...] = (FRAME, drive.link)
+        if drive.other != FRAME:
+            self.solve(FRAME)
+            still, driven = driven_from_inside(self, drive)
+            found += [*still, driven]
+            solved = driven.reached(drive)
+        while True:
+            for link in solved:
+                self.solve(link)
+            if not self.left:
+                return tuple(found)
+            group = next((g for g in map(self.dyad, self.meeting()) if g), None) or self.higher()
+            found.append(group)
+            solved = group.solved
+
+    def meeting(self) -> Iterator[tuple[str, str]]:
+        """Two links that hang on one solved link each and have a hinge or a guide in common, in the order of the
+        file."""
+        place = {link: k for link, k in self.left.items() if len(self.outer[link]) == 1}
+        for one in place:
+            points = (p for p in self.mechanism.link(one).points if p not in self.reached)
+            mates = {h for point in points for h in self.holders[point]}
+            mates |= {slide.mate(one) for slide in self.slid.get(one, ())}
+            yield from ((one, self.links[k]) for k in sorted(place[m] for m in mates if place.get(m, -1) > place[one]))
+
+    def dyad(self, links: tuple[str, str]) -> Group | None:
+        """The two links as a dyad on what is solved, or None."""
+        one, two = links
+        inner = self.inside(two, one)
+        return self.classified(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
+
+    def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
+        """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""
+        letters = a.kind + inner.kind + b.kind
+        one, two = links
+        if letters == "PPP":
+            raise self.error(Phrase("three_slides", one=one, two=two), "links", one)
+        if letters == "PRP" and a.mate(one) == b.mate(two):
+            raise self.error(Phrase("locked_slides", one=one, two=two, owner=a.mate(one)), "links", two)
+        swap = letters in ("PRR", "PPR") or (letters == "RPR" and inner.other == one)
+        if swap:
+            one, two, a, b = two, one, b, a
+        kind = KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
+        return Group(links, kind, one, two, inner, a, b)
+
+    def higher(self) -> Tracked:
+        """The smallest group that is solved only all together, if it is of class III and order 3 or IV and 2."""
+        names, free = self.together()
+        if free >= 0 and (pairing := pairing_of(names, self.inside, self.outer)):
+            return pairing
+        if free >= 0 and len(names) == 4:
+            found = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
+            twice = [lead.link for lead in found.leads if lead.name == "PP"] if found else []
+            if found and (len(twice) > 1 or (twice and isinstance(found, Contour))):
+                key = "leads_slide_twice" if len(twice) > 1 else "lead_slides_twice"
+                why = Phrase(key, link=twice[0], links=tuple(twice), basic=found.basic, level=found.level)
+                raise self.error(why, "links", twice[0])
+            if found:
+                return found
+        raise self.stuck(names, free)
+
+    def inside(self, link: str, other: str) -> list[Pair]:
+        """Pairs of two links that are not solved."""
+        return [p for p in self.between(link, other) if p.kind == "P" or p.point not in self.reached]
+
+    def together(self) -> tuple[tuple[str, ...], int]:
+        """The links that keep what is left from being solved, and their freedom."""
+        holders = [*self.holders.values(), *([s.link, s.other] for s in self.slides)]
+        here = [tuple(x for x in links if x in self.left) for links in holders]
+        joints = [Joint(some, len(some) < len(all_)) for some, all_ in zip(here, holders, strict=True)]
+        names = unsolvable(list(self.left), joints)
+        return names, freedom(names, joints)
+
+    def stuck(self, names: tuple[str, ...], free: int) -> StructureError:
+        """The error for links that form a group of a higher class, or are over- or under-constrained."""
+        if free < 0:
+            why = Phrase("overconstrained", names=names, count=(1 - free) // 2, freedom=free)
+        else:
+            why = Phrase("higher_class" if names else "loose_links", names=names or tuple(self.left))
+        return self.error(why, "links", (names or tuple(self.left))[0])

@@ -1,0 +1,142 @@
+"""A basic link with its leads: the groups of Assur of class III.
+
+Sources: L. V. Assur's groups and their classes by I. I. Artobolevsky; a group of class III and order 3 is the basic
+link on three drivers (поводки), each of which hangs on a link that is solved.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planes.plans.assur.groups import Group, Pair
+from planes.words import Phrase
+from planes.words.records import Json
+
+
+@dataclass(frozen=True)
+class Lead:
+    """A driver (поводок) of a basic link: its ``inner`` pair with that, its ``outer`` one with a solved link; with a
+    ``drive`` inside it is of two links, ``link`` that with the outer pair."""
+
+    link: str
+    inner: Pair
+    outer: Pair
+    drive: Pair | None = None
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """The links it is made of."""
+        return (self.link, self.drive.mate(self.link)) if self.drive else (self.link,)
+
+    def moving(self, basic: str) -> Group:
+        """It with the basic link, as a dyad that is driven from inside would be."""
+        return Group((self.link, basic), 1, self.link, basic, self.inner, self.outer, self.outer, self.drive)
+
+    @property
+    def name(self) -> str:
+        """The letters of its pairs, the outer one first: "RR", "PR", "RP"."""
+        return self.outer.kind + self.inner.kind
+
+
+@dataclass(frozen=True)
+class Triad:
+    """An Assur group of class III and order 3: the ``basic`` link and its three leads, all in the order of the file."""
+
+    links: tuple[str, ...]
+    basic: str
+    leads: tuple[Lead, Lead, Lead]
+    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
+    level: ClassVar[str] = "III"
+
+    @property
+    def whole(self) -> tuple[str, ...]:
+        """All its links, both of a drive inside among them."""
+        return self.order or self.links
+
+    @property
+    def balanced(self) -> tuple[str, ...]:
+        """The links whose forces its plan has, by which that is called."""
+        return self.whole
+
+    @property
+    def basics(self) -> tuple[str, ...]:
+        """Its basic links."""
+        return (self.basic,)
+
+    @property
+    def balances(self) -> tuple[tuple[str, ...], ...]:
+        """The links of each plan of forces, which is called by them."""
+        return (self.balanced,)
+
+    @property
+    def members(self) -> str:
+        """Its links as a formula of structure has them."""
+        mates = {lead.link: lead.parts for lead in self.leads}
+        return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """The links that may be what the mechanism drives, the likeliest first."""
+        return tuple(lead.link for lead in reversed(self.leads))
+
+    @property
+    def solved(self) -> tuple[str, ...]:
+        """Its links in the order of solving."""
+        return self.basic, *(lead.link for lead in self.leads)
+
+    def reached(self, drive: Pair) -> tuple[str, ...]:
+        """The links that are solved with it where the drive is inside."""
+        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+
+    @property
+    def slid(self) -> bool:
+        """Whether a lead slides at both ends, so that the basic link lies as what that slides on does."""
+        return any(lead.name == "PP" for lead in self.leads)
+
+    @property
+    def by_slid(self) -> tuple[Lead, Lead, Lead]:
+        """Its leads, that which slides at both ends last."""
+        one, two, three = sorted(self.leads, key=lambda lead: lead.name == "PP")
+        return one, two, three
+
+    @property
+    def kind(self) -> int:
+        """Where a lead slides at both ends: the kind of the dyad by which the others place the basic link."""
+        return kind_by(self.leads)
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Its pairs: of every lead the outer, then the inner one."""
+        return tuple(p for lead in self.leads for p in (lead.outer, lead.inner))
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs between its own links."""
+        return tuple(lead.inner for lead in self.leads)
+
+    @property
+    def name(self) -> str:
+        """The letters of its leads, e.g. "RR-RR-PR"."""
+        return "-".join(lead.name for lead in self.leads)
+
+    @property
+    def said(self) -> Phrase:
+        """Its class, order, basic link and leads in words."""
+        leads = tuple(lead.link for lead in self.leads)
+        return Phrase("class_three", basic=self.basic, leads=leads, name=self.name)
+
+    @property
+    def brief(self) -> Phrase:
+        """The same without letters."""
+        return Phrase("class_three_brief")
+
+    def json(self) -> Json:
+        """The group as the JSON has it."""
+        leads = [lead.link for lead in self.leads]
+        own = {"class": 3, "order": 3, "basic": self.basic, "leads": leads}
+        return {"links": list(self.links), **own, "name": self.name}
+
+
+def kind_by(leads: Iterable[Lead]) -> int:
+    """The kind of the dyad that places a point as these leads do."""
+    return {2: 1, 1: 2, 0: 4}[sum(lead.name == "RR" for lead in leads)]

@@ -1,0 +1,150 @@
+"""A group of class IV: a closed contour of four links, two of which hang on links that are solved.
+
+Source: I. I. Artobolevsky's classes of Assur's groups; the class is the number of links in the closed contour, and the
+order that of the group's outer pairs. Of the two links of the contour that hang on others one, by a hinge, is the
+``base``, from which the ``basic`` one is found as a basic link of class III is from what it hangs on.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planes.plans.assur.basic_links import Lead, Triad, kind_by
+from planes.plans.assur.groups import Group, Pair
+from planes.plans.assur.pairings import Pairing
+from planes.words import Phrase
+from planes.words.records import Json
+
+
+@dataclass(frozen=True)
+class Contour:
+    """An Assur group of class IV and order 2: ``base`` and ``basic`` on their outer pairs, the base on a hinge, and the
+    two links between them, as leads from the base to the basic link."""
+
+    links: tuple[str, ...]
+    base: str
+    basic: str
+    outer: tuple[Pair, Pair]  # of the base, of the basic link
+    leads: tuple[Lead, Lead]
+    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
+    level: ClassVar[str] = "IV"
+
+    @property
+    def whole(self) -> tuple[str, ...]:
+        """All its links, both of a drive inside among them."""
+        return self.order or self.links
+
+    @property
+    def balanced(self) -> tuple[str, ...]:
+        """The links whose forces its plan has, by which that is called."""
+        return self.whole
+
+    @property
+    def basics(self) -> tuple[str, ...]:
+        """Its basic links."""
+        return (self.basic,)
+
+    @property
+    def balances(self) -> tuple[tuple[str, ...], ...]:
+        """The links of each plan of forces, which is called by them."""
+        return (self.balanced,)
+
+    @property
+    def members(self) -> str:
+        """Its links as a formula of structure has them."""
+        mates = {lead.link: lead.parts for lead in self.leads}
+        return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
+
+    @property
+    def slid(self) -> bool:
+        """Whether it hangs on two guides."""
+        return all(pair.kind == "P" for pair in self.outer)
+
+    @property
+    def kind(self) -> int:
+        """Where it hangs on two guides: the kind of the dyad by which its leads place the basic link from the base."""
+        return kind_by(self.leads)
+
+    @property
+    def contour(self) -> tuple[str, str, str, str]:
+        """Its links in the order of the closed contour."""
+        one, two = self.leads
+        return self.base, one.link, self.basic, two.link
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """The links that may be what the mechanism drives, the likeliest first."""
+        return self.basic, self.base
+
+    @property
+    def solved(self) -> tuple[str, ...]:
+        """Its links in the order of solving."""
+        return self.base, self.basic, *(lead.link for lead in self.leads)
+
+    def reached(self, drive: Pair) -> tuple[str, ...]:
+        """The links that are solved with it where the drive is inside."""
+        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Its pairs: the outer ones, then both of each rod."""
+        return (*self.outer, *self.inner_pairs)
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs between its own links."""
+        return tuple(p for lead in self.leads for p in (lead.outer, lead.inner))
+
+    @property
+    def name(self) -> str:
+        """The letters of its pairs: of the outer ones, then of the contour."""
+        return "-".join(("".join(p.kind for p in self.outer), "".join(p.kind for p in self.inner_pairs)))
+
+    @property
+    def said(self) -> Phrase:
+        """Its class, order and contour in words."""
+        outer = tuple(p.point or p.guide for p in self.outer)
+        return Phrase("class_four", contour=self.contour, outer=outer, name=self.name)
+
+    @property
+    def brief(self) -> Phrase:
+        """The same without letters."""
+        return Phrase("class_four_brief")
+
+    def json(self) -> Json:
+        """The group as the JSON has it."""
+        own = {"class": 4, "order": 2, "contour": list(self.contour), "outer": [self.base, self.basic]}
+        return {"links": list(self.links), **own, "name": self.name}
+
+
+Tracked = Triad | Contour | Pairing
+"""A group whose basic link is found by a track."""
+AnyGroup = Group | Tracked
+Between = Callable[[str, str], Sequence[Pair]]  # the pairs of a link with another one
+
+
+def triad_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Triad | None:
+    """Four links as a basic link on three leads, if they are that."""
+    for basic in (n for n in names if not outer[n]):
+        held = [(n, between(n, basic), outer[n]) for n in names if n != basic]
+        leads = [Lead(n, inner[0], own[0]) for n, inner, own in held if len(inner) == 1 == len(own)]
+        if len(leads) == 3:
+            return Triad(tuple(names), basic, (leads[0], leads[1], leads[2]))
+    return None
+
+
+def contour_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Contour | None:
+    """Four links as a closed contour, if they are one that is drawn."""
+    hung = [n for n in names if len(outer[n]) == 1]
+    rods = [n for n in names if not outer[n]]
+    if len(hung) != 2 or len(rods) != 2 or between(*hung) or between(*rods):
+        return None
+    base, basic = sorted(hung, key=lambda link: outer[link][0].kind == "P")
+    leads = []
+    for rod in rods:
+        one, two = between(rod, base), between(rod, basic)
+        if len(one) == len(two) == 1:
+            leads.append(Lead(rod, two[0], one[0]))
+    if len(leads) < 2:
+        return None
+    return Contour(tuple(names), base, basic, (outer[base][0], outer[basic][0]), (leads[0], leads[1]))

@@ -1,0 +1,137 @@
+"""The group that a drive between two moving links moves: with the drive stopped its links are one.
+
+Of a cylinder or a motor one link hangs on the frame and the other has a hinge with a third; or a cylinder is the brace
+of two links, across their hinge: it holds that as a motor in it would. Or the two links of the drive are one of three
+leads of a basic link. What groups hold still on the frame (a boom on a cylinder that is shut) is as good as the frame.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import combinations, permutations, product
+from typing import Protocol
+
+from planes.plans.assur.basic_links import Lead, Triad
+from planes.plans.assur.contours import AnyGroup, Contour
+from planes.plans.assur.groups import Brace, Group, Pair
+from planes.words import Phrase
+from planes.words.errors import StructureError
+
+KINDS_OF_OUTER = {"RR": 1, "RP": 2, "PR": 2, "PP": 4}  # of a dyad with a hinge inside, by its outer pairs
+
+
+class Reached(Protocol):
+    """How far the links of a mechanism are solved."""
+
+    @property
+    def links(self) -> Sequence[str]: ...
+    @property
+    def left(self) -> Mapping[str, int]: ...
+    @property
+    def reached(self) -> set[str]: ...
+    @property
+    def outer(self) -> Mapping[str, list[Pair]]: ...
+    def between(self, link: str, other: str) -> list[Pair]: ...
+    def meeting(self) -> Iterator[tuple[str, str]]: ...
+    def dyad(self, links: tuple[str, str]) -> Group | None: ...
+    def solve(self, link: str) -> None: ...
+    def error(self, phrase: Phrase, *path: str) -> StructureError: ...
+
+
+def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], AnyGroup]:
+    """The group that the drive moves, after the dyads that stand still and that it hangs on; :class:`StructureError` if
+    it is none that is drawn."""
+    still = list[Group]()
+    while found := next((g for two in f.meeting() if not any(map(drive.joins, two)) and (g := f.dyad(two))), None):
+        still.append(found)
+        for link in found.solved:
+            f.solve(link)
+    ways: tuple[Callable[[Reached, Pair], Iterator[AnyGroup]], ...] = (_direct, _braced, _leading, _contour)
+    for group in (g for way in ways for g in way(f, drive)):
+        return still, group
+    raise f.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")
+
+
+def _direct(f: Reached, drive: Pair) -> Iterator[Group]:
+    """Of the two links of the drive one hangs on the frame by a hinge, and the other has a hinge with a third."""
+    for held, moved in permutations((drive.other, drive.link)):
+        if f.between(moved, held)[1:] or f.outer[moved]:
+            continue
+        for hung in f.outer[held]:
+            yield from _with_third(f, held, moved, hung, drive)
+
+
+def _braced(f: Reached, drive: Pair) -> Iterator[Group]:
+    """The cylinder has a hinge with each of two links, and they have one with each other."""
+    if drive.kind == "R" or f.outer[drive.link] or f.outer[drive.other]:
+        return
+    for pins in product(_hinges(f, drive.link, drive), _hinges(f, drive.other, drive)):
+        for near, far in permutations(pins):
+            between, hung = f.between(far.other, near.other), f.outer[near.other]
+            if len(between) == 1 == len(hung) and _new(f, between[0]) and not f.outer[far.other]:
+                motor = Pair("R", far.other, near.other, point=between[0].point)
+                yield from _with_third(f, near.other, far.other, hung[0], motor, Brace(drive, near, far))
+
+
+def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
+    """The two links of the drive are a lead of a basic link that has two more on the frame."""
+    for held, moved in permutations((drive.other, drive.link)):
+        if len(f.outer[held]) != 1 or f.outer[moved] or f.between(moved, held)[1:]:
+            continue
+        for basic in (x for x in f.left if not drive.joins(x) and not f.outer[x]):
+            inner = [p for p in f.between(moved, basic) if _new(f, p)]
+            others = [x for x in f.left if not drive.joins(x) and x != basic and len(f.outer[x]) == 1]
+            found = [(x, [p for p in f.between(x, basic) if p.kind == "P" or _new(f, p)]) for x in others]
+            leads = [Lead(x, pairs[0], f.outer[x][0]) for x, pairs in found if len(pairs) == 1]
+            if len(inner) == 1 and len(leads) == 2 and not any(lead.name == "PP" for lead in leads):
+                driven = Lead(held, inner[0], f.outer[held][0], drive)
+                names = tuple(x for x in f.links if x in (basic, held, *(lead.link for lead in leads)))
+                whole = tuple(x for x in f.links if x in (*names, moved))
+                yield Triad(names, basic, (driven, leads[0], leads[1]), whole)
+
+
+def _contour(f: Reached, drive: Pair) -> Iterator[Contour]:
+    """The two links of the drive are between two links on the frame that have another link between them."""
+    if f.outer[drive.link] or f.outer[drive.other]:
+        return
+    others = [x for x in f.left if not drive.joins(x)]
+    hung = sorted((x for x in others if len(f.outer[x]) == 1), key=lambda x: f.outer[x][0].kind == "P")
+    for (base, basic), (near, far) in product(combinations(hung, 2), permutations((drive.link, drive.other))):
+        ends, wrong = (f.between(far, basic), f.between(near, base)), (f.between(near, basic), f.between(far, base))
+        if any(wrong) or f.between(base, basic) or not all(len(e) == 1 and _new(f, e[0]) for e in ends):
+            continue
+        for rod in (x for x in others if not f.outer[x]):
+            pairs = [[p for p in f.between(rod, x) if p.kind == "P" or _new(f, p)] for x in (basic, base)]
+            if all(len(p) == 1 for p in pairs) and f.outer[base][0].kind == "R":
+                own, driven = Lead(rod, pairs[0][0], pairs[1][0]), Lead(near, ends[0][0], ends[1][0], drive)
+                whole = tuple(x for x in f.links if x in (base, basic, near, far, rod))
+                one, two = sorted((own, driven), key=lambda lead: f.links.index(lead.link))
+                names = tuple(x for x in whole if x != far)
+                if own.name != "PP":
+                    yield Contour(names, base, basic, (f.outer[base][0], f.outer[basic][0]), (one, two), whole)
+
+
+def _hinges(f: Reached, half: str, drive: Pair) -> list[Pair]:
+    """The hinges of one half of a cylinder with links that are left."""
+    others = (x for x in f.left if not drive.joins(x))
+    return [p for x in others for p in f.between(half, x) if _new(f, p)]
+
+
+def _new(f: Reached, pair: Pair) -> bool:
+    """Whether it is a hinge that no solved link has."""
+    return pair.kind == "R" and pair.point not in f.reached
+
+
+def _with_third(
+    f: Reached, held: str, moved: str, hung: Pair, drive: Pair, brace: Brace | None = None
+) -> Iterator[Group]:
+    """The dyad of what is one with the drive stopped and of a link that hangs on the frame."""
+    taken = {held, moved, *(brace.halves if brace else ())}
+    for link in (x for x in f.left if x not in taken):
+        inner = [p for p in f.between(link, moved) if _new(f, p)]
+        if len(f.outer[held]) == len(f.outer[link]) == len(inner) == 1 and not f.between(link, held):
+            outer = f.outer[link][0]
+            one, two = sorted((held, link), key=f.links.index)
+            whole = tuple(x for x in f.links if x in (*taken, link))
+            ends = (held, link, inner[0], hung, outer)
+            if hung.kind == "P" and outer.kind == "R":  # a dyad of kind 2 begins with its rod
+                ends = (link, held, inner[0], outer, hung)
+            yield Group((one, two), KINDS_OF_OUTER[hung.kind + outer.kind], *ends, drive, brace, whole)

@@ -1,0 +1,84 @@
+"""What the structure of a mechanism is: freedom, redundant constraints, pairs, groups of Assur in order."""
+
+from dataclasses import dataclass
+
+from planes.plans.assur.contours import AnyGroup
+from planes.plans.assur.groups import Group, Pair
+from planes.scene.mechanism import FRAME
+from planes.words.records import Json
+
+LEVELS = ("II", "III", "IV")
+"""The classes of groups that are drawn, from the lightest."""
+
+
+@dataclass(frozen=True)
+class Structure:
+    """What the structure of a mechanism is: freedom, redundant constraints, pairs, groups in order."""
+
+    W: int
+    q: int
+    drive_pair: Pair
+    groups: tuple[AnyGroup, ...]
+    driver: str
+    passive: tuple[str, ...] = ()  # links it is found without, which hold what is held already
+    ways: tuple["Structure", ...] = ()  # of the same driven by other links, where that makes a lower class
+
+    @property
+    def heaviness(self) -> int:
+        """Where the class of the mechanism, that of its heaviest group, stands among ``LEVELS``."""
+        return max((LEVELS.index(g.level) for g in self.groups), default=0)
+
+    @property
+    def level(self) -> str:
+        """The class of the mechanism."""
+        return LEVELS[self.heaviness]
+
+    @property
+    def inner_drive(self) -> bool:
+        """Whether the drive is between two moving links."""
+        return self.drive_pair.other != FRAME
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Every pair once: the drive's, then each group's outer, inner, outer; a hinge that a cylinder braces last."""
+        braced = (g.drive for g in self.dyads if g.brace and g.drive)
+        return tuple(dict.fromkeys((self.drive_pair, *(p for g in self.groups for p in g.pairs), *braced)))
+
+    @property
+    def drives(self) -> tuple[Pair, ...]:
+        """The drive's pair, and the hinge it works on from across."""
+        return (self.drive_pair, *(g.drive for g in self.dyads if g.brace and g.drive))
+
+    def is_drive(self, group: AnyGroup) -> bool:
+        """Whether a group is the cylinder that drives."""
+        return isinstance(group, Group) and group.inner == self.drive_pair
+
+    def json(self) -> Json:
+        """W, q, formula and groups as the JSON has them."""
+        found = {"W": self.W, "q": self.q, "formula": self.formula, "groups": [g.json() for g in self.groups]}
+        ways = [{"link": s.driver, "class": s.heaviness + 2, "formula": s.formula} for s in self.ways]
+        return found | ({"passive": list(self.passive)} if self.passive else {}) | ({"drivers": ways} if ways else {})
+
+    @property
+    def formula(self) -> str:
+        """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"; of a cylinder of 1 and 2 that moves 3,
+        "I(1;2) -> II(1-2;3)"."""
+        return self.formula_as(FRAME)
+
+    def formula_as(self, frame: str, kinds: bool = False) -> str:
+        """The same with the frame's number; ``kinds``: lettered, the kind of every group lowered."""
+        kind = {id(g): f"_{{{g.kind}}}" for g in self.dyads if kinds}
+        groups = (f"{g.level}{kind.get(id(g), '')}({g.members})" for g in self.groups if not self.is_drive(g))
+        base = self.drive_pair.other if self.inner_drive else frame
+        return (" → " if kinds else " -> ").join([f"I({base};{self.driver})", *groups])
+
+    @property
+    def driven(self) -> tuple[Group, ...]:
+        """What is driven from inside, as dyads: groups, and a lead with the basic link."""
+        leads = ((g.basic, lead) for g in self.groups if not isinstance(g, Group) for lead in g.leads)
+        return *(g for g in self.dyads if g.drive), *(x.moving(basic) for basic, x in leads if x.drive)
+
+    @property
+    def dyads(self) -> tuple[Group, ...]:
+        """The groups of class II."""
+        return tuple(g for g in self.groups if isinstance(g, Group))

@@ -1,0 +1,1 @@
+"""Loads, reactions and plans of forces; Zhukovsky's lever."""

@@ -1,0 +1,90 @@
+"""The forces of a cylinder across a hinge: its own plan and that of the link it turns.
+
+Across itself it is held by moments about its near hinge; along itself by moments of the far link about the hinge that
+it braces, in which nothing else is unknown. Then its polygon is closed, and that of the far link.
+"""
+
+from planes.drafting.draft import Moments
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps.reckoning import Drop
+from planes.plans.assur.groups import Brace, Pair
+from planes.plans.force.loads import Force, force_name
+from planes.plans.force.reactions import Reaction, Statics, chain_of
+from planes.plans.force.rubbing import Rubs, settled
+from planes.plans.position.bodies import SCHEME
+from planes.words.names import POLE, Meaning, at, end_of, force_plan, mu_of
+
+
+class BraceForces:
+    """The plans of a cylinder that drives, and of the link on its far side."""
+
+    def __init__(self, statics: Statics, hinge: Pair, brace: Brace) -> None:
+        self.statics, self.hinge, self.brace = statics, hinge, brace
+        self.bodies, self.draft = statics.bodies, statics.bodies.draft
+        links = self.bodies.mechanism.links
+        self.plans = force_plan(*(x for x in links if x in brace.halves)), force_plan(hinge.link)
+        self.couples = {x: list(statics.acting.couples[x]) for x in (*brace.halves, hinge.link)}
+
+    def draw(self) -> None:
+        for plan in self.plans:
+            self.draft.pole(plan)
+        s, pairs, driver = self.statics, (self.brace.far, self.brace.near, self.hinge), self.bodies.mechanism.drive.link
+        rubs = settled(self, lambda s: BraceForces(s, self.hinge, self.brace), pairs)
+        ends = self.polygon()
+        for pair, plan in zip(pairs, (self.plans[0], *self.plans), strict=True):
+            found = s.react(pair, plan, *ends[pair], rubs.grips.get(pair))
+            if pair == self.hinge:
+                continue
+            s.hand_over(found, pair.other)
+            if pair.joins(driver):
+                s.hand_over(found, driver)
+
+    def rub(self, rubs: Rubs) -> None:
+        """Let the cylinder and the far link feel the couples of hinges."""
+        for link, couples in self.couples.items():
+            couples += rubs.couples(link)
+
+    def polygon(self) -> dict[Pair, tuple[str, str]]:
+        """Draw both polygons: the cylinder's, which is closed by the reaction of its near hinge, and that of the far
+        link, by that of the hinge that is braced."""
+        s, (near, far), (plan, last) = self.statics, self.brace.halves, self.plans
+        along, across = self.held()
+        chain = chain_of([along, across, *s.acting.forces[far], *s.acting.forces[near]], POLE)
+        self.close(plan, chain, force_name(near, self.brace.near.other))
+        held = at(plan, POLE), at(plan, end_of(across.name))
+        found = Reaction(force_name(far, self.brace.far.other), plan, *held, self.brace.far)
+        own = chain_of([*s.acting.forces[self.hinge.link], s.as_force(found, self.hinge.link)], POLE)
+        self.close(last, own, force_name(self.hinge.link, self.hinge.other))
+        return {
+            self.brace.far: held,
+            self.brace.near: (at(plan, chain[-1].end), at(plan, POLE)),
+            self.hinge: (at(last, own[-1].end), at(last, POLE)),
+        }
+
+    def held(self) -> tuple[Force, Force]:
+        """The reaction of the far hinge on the cylinder: across it and along it."""
+        d, s, (near, far) = self.draft, self.statics, (self.brace.near.point, self.brace.far.point)
+        half, other = self.brace.far.link, self.brace.far.other
+        line, length = d.ray(SCHEME, near, far), d.measure(f"l_{near}{far}", at(SCHEME, near), at(SCHEME, far))
+        forces = [f for x in self.brace.halves for f in s.acting.forces[x]]
+        couples = [c for x in self.brace.halves for c in self.couples[x]]
+        products, shown = s.moment_terms(at(SCHEME, near), forces, couples, -1.0, length)
+        name, pin = force_name(half, other), at(SCHEME, far)
+        d.total(f"{name}^t", products)
+        d.moments.append(Moments(near, self.brace.halves, shown, f"{name}^t", length))
+        across = Force(f"{name}^t", half, f"{name}^t", d.square(line), pin, "tangential")
+        back = force_name(other, half)
+        pushed = Force(f"{back}^t", other, f"{name}^t", d.reversed(across.along), pin, "tangential")
+        about, means = at(SCHEME, self.hinge.point), Meaning("arm", f"{name}^n", at(SCHEME, self.hinge.point), half)
+        arm = d.step(Drop(f"h_{name}^n_{self.hinge.point}", pin, line, about, mu_of(SCHEME), means=means))
+        forces = [*s.acting.forces[other], pushed]
+        products, shown = s.moment_terms(about, forces, self.couples[other], 1.0, arm)
+        d.total(f"{name}^n", products)
+        d.moments.append(Moments(self.hinge.point, (other,), shown, f"{name}^n", arm))
+        return Force(f"{name}^n", half, f"{name}^n", line, pin, "tangential"), across
+
+    def close(self, plan: str, chain: tuple[Term, ...], name: str) -> None:
+        """Lay the known vectors off; the one of that name closes them."""
+        for term in chain:
+            self.draft.lay(plan, term)
+        self.draft.conclude(Equation(plan, ((*chain, Term(name, chain[-1].end, POLE)), ())))

@@ -1,0 +1,184 @@
+"""The force plan of a group of class IV: the forces along its two leads by a false supposition, then closed polygons.
+
+Moments of the basic link with its leads about its outer hinge (where it slides: what acts along its guide), and of the
+base about its own, leave two unknowns, the forces along the leads. First the second lead is supposed to bear nothing
+along itself: the first equation then gives the first lead's force, as it is supposed. The second equation with that
+gives what the second lead really bears, its arm being what its force and that which it calls forth in the first lead
+have together. Then the first is found again.
+"""
+
+from dataclasses import dataclass, replace
+
+from planes.drafting.draft import Moments
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps.crossings import CosineFalse, DropFalse
+from planes.drafting.steps.reckoning import Cosine, Drop, Product
+from planes.plans.assur.contours import Contour
+from planes.plans.assur.groups import Pair
+from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
+from planes.plans.force.loads import Couple, Force, force_name
+from planes.plans.force.reactions import Reaction, Statics, chain_of
+from planes.plans.force.rubbing import settled
+from planes.plans.position.bodies import SCHEME
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, Meaning, at, label_of, mu_of, parts_of
+
+
+@dataclass(frozen=True)
+class _Equilibrium:
+    """What is in equilibrium on an outer pair: its links, and what acts on them but for the forces along the leads."""
+
+    pair: Pair
+    links: tuple[str, ...]
+    forces: list[Force]
+    couples: list[Couple]
+
+
+class ContourForces(LeadForces):
+    """The plan of one contour."""
+
+    def __init__(self, statics: Statics, group: Contour) -> None:
+        super().__init__(statics, group)
+        self.group = group
+
+    def draw(self) -> None:
+        self.draft.pole(self.plan)
+        pairs = self.group.pairs
+        rubs = settled(self, lambda s: ContourForces(s, self.group), pairs, pairs)
+        ends = self.polygon()
+        found = [r for held in self.drawn for r in self.read(held, ends, rubs)]
+        base, basic = self.group.outer
+        felt = self.couples[self.group.base]  # its leads have handed theirs on
+        felt += [c for c in self.statics.acting.couples[self.group.base] if c not in felt]
+        for pair, link, inner in ((base, self.group.base, []), (basic, self.group.basic, found)):
+            self.hang(pair, link, self.statics.react(pair, self.plan, *ends[pair], rubs.grips.get(pair)), inner)
+
+    def hang(self, pair: Pair, link: str, reaction: Reaction, inner: list[Reaction]) -> None:
+        """The couple of an outer guide by what acts on the link, and what is handed on; of the ``inner`` reactions the
+        link feels nothing yet."""
+        if pair.kind == "P":
+            reaction = self.seated(reaction, link, inner)
+        if pair.mate(link) != FRAME:
+            self.statics.hand_over(reaction, pair.mate(link))
+
+    def polygon(self) -> dict[Pair, Ends]:
+        """Draw the polygons; the reaction of each pair on the pair's own first link."""
+        d, g = self.draft, self.group
+        self.drawn = one, two = tuple(self.held(lead) for lead in self.leads)
+        both = self.pushed(one, two)
+        acting = self.statics.acting.forces
+        runs = [one.loads, [*one.known, both[0]], [both[1], *two.known], two.loads, list(acting[g.basic])]
+        ends, chain = [POLE], list[Term]()
+        for run in runs:
+            chain += chain_of(run, ends[-1])
+            ends.append(chain[-1].end if chain else POLE)
+        for term in chain:
+            d.lay(self.plan, term)
+        basic, base = (force_name(x, pair.mate(x)) for x, pair in zip((g.basic, g.base), g.outer[::-1], strict=True))
+        d.conclude(Equation(self.plan, ((*chain, Term(basic, ends[-1], POLE)), ())))
+        loads = chain_of(list(acting[g.base]), ends[1])
+        for term in loads:
+            d.lay(self.plan, term)
+        last = loads[-1].end if loads else ends[1]
+        back = [force_name(held.lead.outer.mate(held.lead.link), held.lead.link) for held in (two, one)]
+        handed = [Term(name, ends[k], ends[k - 1], drawn=True) for name, k in zip(back, (3, 2), strict=True)]
+        d.conclude(Equation(self.plan, ((*handed, *loads, Term(base, last, ends[3])), ())))
+        sides = (one, (ends[1], ends[2]), (ends[2], POLE)), (two, (ends[2], ends[3]), (ends[4], ends[2]))
+        found = {g.outer[0]: self.on((g.base,), g.outer[0], (last, ends[3]))}
+        found |= {g.outer[1]: self.on((g.basic,), g.outer[1], (ends[-1], POLE))}
+        for held, outer, inner in sides:
+            found |= {held.lead.outer: self.on(held.lead.parts, held.lead.outer, outer)}
+            found |= {held.lead.inner: self.on(held.lead.parts, held.lead.inner, inner)}
+        return found
+
+    def pushed(self, one: HeldLead, two: HeldLead) -> tuple[Force, Force]:
+        """The forces along both leads, on them from the base."""
+        g = self.group
+        basic, base = self.basic_side(one, two), self.base_side(one, two)
+        arms = [self.arm(one, basic, (one, two)), *(self.arm(*x) for x in ((two, basic), (one, base), (two, base)))]
+        supposed = self.along_lead(one, self.balance(f"{one.key}^I", basic, [], -1.0, arms[0]))
+        reduced = [Product(1.0, ((arms[3], 1),)), Product(-1.0, ((arms[1], 1), (arms[2], 1), (arms[0], -1)))]
+        arm = self.draft.total(f"h_{two.key}^0", reduced, Meaning("arm", two.key, at(SCHEME, g.outer[0].point), g.base))
+        second = self.along_lead(two, self.balance(two.part, base, [self.handed(supposed, one)], 1.0, arm))
+        first = self.balance(one.part, basic, [second], -1.0, arms[0])
+        return self.along_lead(one, first), second
+
+    def basic_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
+        """The basic link with both leads: loads of one that slides on the base pass its hinge."""
+        g, s = self.group, self.statics
+        forces, couples = list(s.acting.forces[g.basic]), list(self.couples[g.basic])
+        for held in (one, two):
+            at_hinge = [replace(f, point=held.point) for f in held.loads] if held.slider else held.loads
+            forces += [*at_hinge, *held.known]
+            couples += [] if held.slider else held.couples
+        if g.outer[1].kind == "P":
+            forces += self.rubbing(g.outer[1], g.basic, at(SCHEME, self.bodies.mechanism.links[g.basic].first_point))
+        return _Equilibrium(g.outer[1], (g.basic, *one.lead.parts, *two.lead.parts), forces, couples)
+
+    def base_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
+        """The base: what slides on it presses in its own hinge, and with the couple of what acts on it about that."""
+        g, s = self.group, self.statics
+        forces, couples = list(s.acting.forces[g.base]), list(self.couples[g.base])
+        for held in (one, two):
+            forces += [self.handed(f, held) for f in held.known]
+            couples += self.turning(held) if held.slider else []
+        if g.outer[0].kind == "P":
+            forces += self.rubbing(g.outer[0], g.base, at(SCHEME, self.bodies.mechanism.links[g.base].first_point))
+        return _Equilibrium(g.outer[0], (g.base,), forces, couples)
+
+    def turning(self, held: HeldLead) -> list[Couple]:
+        """The moment of what acts on a slider about its hinge, which its guide hands on; none of what acts in that."""
+        d, key = self.draft, force_name(self.group.base, held.lead.link)
+        products, shown = self.statics.moment_terms(held.point, held.loads, held.couples, 1.0)
+        if not products:
+            return []
+        name = d.total(f"MR_{key}", products, Meaning("couple", key))
+        d.moments.append(Moments(label_of(held.point), held.lead.parts, shown, name, ""))
+        return [Couple(name, self.group.base, name, 1, True)]
+
+    def arm(self, held: HeldLead, side: _Equilibrium, choice: tuple[HeldLead, HeldLead] | None = None) -> str:
+        """The arm of a lead's line about an outer hinge; or how much of its force is along an outer guide."""
+        d, pair, about = self.draft, side.pair, at(SCHEME, side.pair.point)
+        means, lines = Meaning("arm", held.key, about, self.group.basic), ("", "", "", "")
+        if choice:
+            one, two = choice
+            lines = one.line, self.radius(one), two.line, self.radius(two)
+            means = replace(means, of=self.group.basic)
+        if pair.kind == "P":
+            along = f"cos_{held.part}_{pair.guide}", held.line, f"∥{pair.guide}"
+            return d.step(CosineFalse(*along, lines=lines, means=means) if choice else Cosine(*along))
+        own = f"h_{held.key}^n_{label_of(about)}", held.point, held.line, about, mu_of(SCHEME)
+        return d.step(DropFalse(*own, lines=lines, means=means) if choice else Drop(*own, means=means))
+
+    def radius(self, held: HeldLead) -> str:
+        """The line along which a force on the basic link, through its end of a lead, would not move it."""
+        outer, inner = self.group.outer[1], held.lead.inner
+        if outer.kind == "P":
+            return self.draft.square(f"∥{outer.guide}")
+        return self.draft.ray(SCHEME, outer.point, inner.point or held.lead.outer.point)
+
+    def balance(self, name: str, side: _Equilibrium, more: list[Force], sign: float, arm: str) -> str:
+        """What an equation of moments about an outer hinge gives, or one of forces along an outer guide."""
+        forces = [*side.forces, *more]
+        if side.pair.kind == "P":
+            way, over = f"∥{side.pair.guide}", ((arm, -1),)
+            return self.draft.total(
+                name, [Product(sign, ((f.size, 1), (self.cosine(f, way), 1), *over)) for f in forces]
+            )
+        about = at(SCHEME, side.pair.point)
+        products, shown = self.statics.moment_terms(about, forces, side.couples, sign, arm)
+        found = self.draft.total(name, products)
+        self.draft.moments.append(Moments(label_of(about), side.links, shown, found, arm))
+        return found
+
+    def along_lead(self, held: HeldLead, size: str) -> Force:
+        """A force along it, on it from the base."""
+        return Force(size, held.lead.link, size, held.line, held.point, "tangential")
+
+    def handed(self, force: Force, held: HeldLead) -> Force:
+        """A force on a lead as the base feels it, reversed."""
+        lead, part = held.lead, parts_of(force.name)[2]
+        back = force_name(lead.outer.mate(lead.link), lead.link) + (f"^{part}" if part else "")
+        if force.quantity == "reaction":  # of friction
+            back = f"{force.name}′"
+        return replace(force, name=back, link=self.group.base, along=self.draft.reversed(force.along))

@@ -1,0 +1,57 @@
+"""What is reckoned on the way to the reactions and is a result too: weights, inertia, loads that are laws, friction."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from planes.plans import Plans
+from planes.plans.columns import DriverVector
+from planes.plans.force.loads import pair_index
+from planes.words.units import unit_of_parameter
+
+
+class Derived(NamedTuple):
+    """A value of the program, or the size of a segment by its ``ends``, that can be asked for by any of its
+    ``names``; the first is its key in the JSON. ``per``: to the driver's rate."""
+
+    names: tuple[str, ...]
+    unit: str
+    value: str
+    group: str
+    ends: tuple[str, str] = ("", "")
+    per: DriverVector | None = None
+
+
+def derived(plans: Plans) -> Iterator[Derived]:
+    """Weights, inertia forces and couples of every link, then normal force, friction and its power in every pair; in a
+    hinge the couple of friction and its power."""
+    loads = plans.acting
+    for link in plans.mechanism.links:
+        for f in (f for f in loads.forces[link] if f.quantity in ("weight", "inertia")):
+            names = (f"G_{link}",) if f.quantity == "weight" else (f"I_{link}", f"Φ_{link}")
+            yield Derived(names, "N", f.size, "loads")
+        for couple in (c for c in loads.couples[link] if c.inertia):
+            yield Derived((f"MI_{link}", f"M_I{link}", f"M_Φ{link}"), "N·m", couple.value, "loads")
+    for r in (r for r in plans.reactions.values() if r.friction):
+        index = pair_index(r.pair.link, r.pair.other)
+        if r.pair.kind == "R":
+            yield Derived((f"M_T{index}",), "N·m", r.friction, "friction")
+        else:
+            yield Derived((f"N_{index}",), "N", r.normal, "friction")
+            yield Derived((f"T_{index}",), "N", r.friction, "friction")
+        yield Derived((f"P_T{index}",), "W", r.power, "friction")
+
+
+def of_laws(plans: Plans) -> Iterator[Derived]:
+    """Loads that are laws, each what it is in the position; values that are reckoned from stated vectors."""
+    for name, value in plans.values.items():
+        yield Derived((name,), unit_of_value(name), value, "values")
+
+    for name in plans.acting.laws:
+        load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
+        if unit and load in plans.program.made:
+            yield Derived((load,), unit, load, "loads")
+
+
+def unit_of_value(name: str) -> str:
+    """The key of the unit of a stated value, "" where its name does not tell; P_T is a power of friction."""
+    return "W" if name.startswith("P_T") else unit_of_parameter(name)

@@ -1,0 +1,58 @@
+"""The force plan of the primary mechanism: what the frame holds it with, and what balances it."""
+
+from planes.drafting.draft import Moments
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps.settling import Fed
+from planes.plans.force.hinges import grip_of
+from planes.plans.force.loads import force_name
+from planes.plans.force.reactions import Statics, chain_of, meet_with_friction
+from planes.plans.position.bodies import SCHEME
+from planes.words.names import POLE, at, force_plan
+
+
+class DriverForces:
+    """The primary mechanism: the frame's reaction and the balancing moment (or force)."""
+
+    def __init__(self, statics: Statics) -> None:
+        self.statics, self.bodies, self.draft = statics, statics.bodies, statics.bodies.draft
+        self.link = self.bodies.mechanism.drive.link
+        self.pair = self.bodies.structure.drive_pair
+        self.plan = force_plan(self.link)
+        self.forces = statics.acting.forces[self.link]
+        self.couples = statics.acting.couples[self.link]
+
+    def draw(self) -> None:
+        """Draw the driver's polygon and find what balances it."""
+        self.draft.pole(self.plan)
+        terms, key = chain_of(self.forces, POLE), force_name(self.link, self.pair.other)
+        for term in terms:
+            self.draft.lay(self.plan, term)
+        balance = self.turning if self.pair.kind == "R" else self.sliding
+        balance(terms, terms[-1].end if terms else POLE, key)
+
+    def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
+        """F_10 closes the polygon; the balancing moment by moments about the pivot."""
+        self.draft.conclude(Equation(self.plan, ((*terms, Term(key, start, POLE)), ())))
+        ends = at(self.plan, start), at(self.plan, POLE)
+        if grip := grip_of(self.statics.acting, self.pair):
+            self.draft.step(Fed(grip.couple, grip.factor, self.draft.measure(f"|{key}|", *ends)))
+        self.statics.react(self.pair, self.plan, *ends, grip)
+        about, couples = at(SCHEME, self.pair.point), [*self.couples, *([grip.on(self.link)] if grip else ())]
+        products, shown = self.statics.moment_terms(about, self.forces, couples, -1.0)
+        self.statics.balancing = self.draft.total(f"M_{self.link}", products)
+        self.draft.moments.append(Moments(self.pair.point, (self.link,), shown, self.statics.balancing, ""))
+
+    def sliding(self, terms: tuple[Term, ...], start: str, key: str) -> None:
+        """The guide's reaction crosses the balancing force, which acts along the guide."""
+        guide = f"∥{self.pair.guide}"
+        normal = self.draft.square(guide)
+        reaction = Term(key, start, key, None, normal, normal)
+        force = Term(f"Fb_{self.link}", POLE, key, length=None, direction=guide, action=guide, drawn=False, sign=-1)
+        if self.pair.guide in self.bodies.mechanism.friction:
+            leant = meet_with_friction(self.statics.acting, self.plan, [reaction, force], key, [self.pair])
+            self.draft.conclude(Equation(self.plan, ((*terms, leant[key]), (force,))))
+        else:
+            self.draft.draw(Equation(self.plan, ((*terms, reaction), (force,))))
+        self.statics.balancing = force.name
+        found = self.statics.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
+        self.statics.seat(found, self.link, self.bodies.foot(self.pair), self.forces, self.couples)

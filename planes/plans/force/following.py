@@ -1,0 +1,101 @@
+"""What the laws of loads are worked out from: values of the motion, drawn before any force is."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from planes.drafting.steps.laws import ByStroke, Follow
+from planes.drafting.steps.reckoning import Protractor, Sense
+from planes.plans.motion.kinematics import Rates
+from planes.plans.position.bodies import SCHEME, Bodies
+from planes.scene.expressions import names_in
+from planes.scene.load_laws import Coordinate, check_law, coordinates
+from planes.scene.mechanism import FRAME, Amount, Load, LoadLaw, StrokeLoad
+from planes.words import Phrase
+from planes.words.errors import ExpressionError, SceneError, choices
+from planes.words.names import POLE, Meaning, at
+
+
+@dataclass(frozen=True)
+class LawValues:
+    """Makes values of loads; ``motion`` tells the strokes, even of a driver at rest; ``said`` are the laws by name."""
+
+    bodies: Bodies
+    motion: Rates
+    velocity: Rates
+    accelerations: Rates
+    said: dict[str, LoadLaw | StrokeLoad] = field(default_factory=dict)
+
+    def value(self, name: str, load: Load, means: Meaning) -> str:
+        """The name of a load's value: given, or found in every position."""
+        value = load.value
+        if not isinstance(value, StrokeLoad):
+            return self.amount(name, load, value, means)
+        self.said[name] = value
+        slid = self.motion.slides.get(value.slider)
+        if slid is None:
+            what = Phrase("load", number=self.numbers[id(load)] + 1)
+            why = Phrase("law_slider", what=what, link=value.slider, valid=choices("", self.motion.slides))
+            raise SceneError(why, self.bodies.file, self._line(load))
+        sense = 1 if value.stroke == "ahead" else -1
+        stroke = self.bodies.draft.step(
+            Sense(f"moves_{value.slider}", *slid.ends, slid.along, tuple(self.motion.driven))
+        )
+        working = self.amount(f"‖{name}", load, value.working, means, stroke, sense)
+        idle = self.amount(f"|{name}", load, value.idle, means, stroke, -sense)
+        return self.bodies.draft.step(ByStroke(name, stroke, sense, working, idle, means=means))
+
+    def amount(self, name: str, load: Load, amount: Amount, means: Meaning, stroke: str = "", sense: int = 1) -> str:
+        """A given number, or a law at work in the stroke it belongs to."""
+        if not isinstance(amount, LoadLaw):
+            return self.bodies.draft.give(name, amount, means=None if stroke else means)
+        if not stroke:
+            self.said[name] = amount
+        try:  # what was not read of a file is as anybody made it
+            check_law(amount.text, self.known)
+        except ExpressionError as error:
+            raise SceneError(error.phrase, self.bodies.file, self._line(load)) from None
+        of = tuple((n, self._found(self.known[n][0])) for n in dict.fromkeys(names_in(amount.text)))
+        line, told = str(self._line(load) or ""), None if stroke else means
+        return self.bodies.draft.step(Follow(name, amount, of, stroke, sense, line, means=told))
+
+    @cached_property
+    def known(self) -> dict[str, list[Coordinate]]:
+        """The names a law may use."""
+        return coordinates(self.bodies.mechanism.links, self.bodies.mechanism.drive)
+
+    @cached_property
+    def numbers(self) -> dict[int, int]:
+        """Where each load stands among the loads."""
+        return {id(load): k for k, load in enumerate(self.bodies.mechanism.loads)}
+
+    def _line(self, load: Load) -> int | None:
+        return self.bodies.mechanism.where.get(("loads", str(self.numbers[id(load)])))
+
+    def _found(self, c: Coordinate) -> str:
+        """The name of a coordinate's value."""
+        if c.sort == "drive":
+            return self.bodies.mechanism.drive.given
+        return {"link": self._of_link, "slider": self._of_slider, "point": self._of_point}[c.sort](c)
+
+    def _of_link(self, c: Coordinate) -> str:
+        body = self.bodies.known[c.of]
+        if c.letter == "phi":
+            return self.bodies.draft.step(Protractor(f"phi_{c.of}", body.axis))
+        rates = self.velocity if c.letter == "omega" else self.accelerations
+        return self.bodies.draft.give(f"still_{c.of}", 0.0) if body.root == FRAME else rates.spin(body.root)
+
+    def _of_slider(self, c: Coordinate) -> str:
+        if c.letter != "s":
+            return (self.velocity if c.letter == "v" else self.accelerations).slides[c.of].value
+        pair = next(p for p in self.bodies.structure.pairs if p.link == c.of and p.kind == "P")
+        start, along = self.bodies.line(pair, pair.other)
+        first = at(SCHEME, self.bodies.mechanism.links[c.of].first_point)
+        return self.bodies.draft.measure(f"s_{c.of}", start, first, along)
+
+    def _of_point(self, c: Coordinate) -> str:
+        d, name = self.bodies.draft, f"|{c.letter}_{c.of}|"
+        if c.letter in ("x", "y"):
+            along = d.aim(f"→{c.letter}", 0.0 if c.letter == "x" else 90.0, Meaning("along", c.letter))
+            return d.measure(name, d.pole(SCHEME), at(SCHEME, c.of), along)
+        rates = self.velocity if c.letter == "v" else self.accelerations
+        return d.measure(name, at(rates.plan, POLE), rates.mark(c.of))

@@ -1,0 +1,95 @@
+"""Friction in pairs. In hinges the reaction is tangent to the friction circle: it has a couple against the turning.
+
+The radius of the friction circle is that of the pin times the coefficient of friction (on a guide along a circle, the
+circle's times the sine of the angle of friction). The couple of a group's hinge is the reaction times that radius, and
+the reaction is known once the plan is drawn with the couple: plans are drawn one after another until they settle. So
+is, in groups of class III, the force of friction on a guide, by the normal force.
+"""
+
+from dataclasses import dataclass
+
+from planes.drafting.draft import Draft
+from planes.drafting.steps import Step
+from planes.drafting.steps.reckoning import Product, Sense, SenseBetween
+from planes.drafting.steps.settling import Fed, Settle
+from planes.plans.assur.groups import Pair
+from planes.plans.force.loads import Acting, Couple, force_name
+from planes.plans.position.bodies import Bodies
+from planes.plans.position.reckoned import HALF
+from planes.scene.mechanism import FRAME
+from planes.words.names import Meaning
+
+
+@dataclass(frozen=True)
+class Grip:
+    """What rubs in a hinge: the names of its couple on the link of the pair, of what that is to the reaction, and of
+    the speed at which the link turns against the other."""
+
+    pair: Pair
+    couple: str
+    factor: str
+    speed: str
+
+    def on(self, link: str) -> Couple:
+        """Its couple on one of the two links."""
+        return Couple(self.couple, link, self.couple, 1 if link == self.pair.link else -1, True)
+
+
+def grip_of(acting: Acting, pair: Pair) -> Grip | None:
+    """How a hinge rubs; None where it does not, or where its links never turn against each other."""
+    b, d = acting.bodies, acting.bodies.draft
+    name, roots = _rubbing(b, pair), [b.known[x].root for x in (pair.link, pair.other)]
+    if name is None or roots[0] == roots[1]:
+        return None
+    key, journal = force_name(pair.link, pair.other), b.mechanism.journals[name]
+    circle = d.give(f"rho_{name}", journal.circle, 2 * HALF * journal.circle, Meaning("circle", name))
+    for field in ((), ("coefficient",), ("radius",)):
+        d.law(circle, b.mechanism.laws.get(("friction", name, *field)))
+    rates = [("", "") if root == FRAME else (acting.motion.spin(root), acting.turning(root, False)) for root in roots]
+    sense = d.step(SenseBetween(f"turns_{key}", *rates[0], *rates[1]))
+    signed = zip((1.0, -1.0), rates, strict=True)
+    speed = d.total(acting.motion.spin(key), [Product(sign, ((rate, 1),)) for sign, (rate, _) in signed if rate])
+    factor = d.product(f"ρ_{key}", -1.0, **{circle: 1, sense: 1})
+    return Grip(pair, f"MT_{key}", factor, speed)
+
+
+@dataclass(frozen=True)
+class Slip:
+    """What rubs on a guide: the names of the force along it, on the link that slides, and of what that is to the normal
+    force."""
+
+    pair: Pair
+    force: str
+    factor: str
+
+
+def slip_of(acting: Acting, pair: Pair) -> Slip | None:
+    """How a guide rubs; None where it does not."""
+    if pair.kind != "P" or pair.guide not in acting.bodies.mechanism.friction:
+        return None
+    key, factor = force_name(pair.link, pair.other), dict.fromkeys(sliding(acting, pair), 1)
+    return Slip(pair, f"T_{key}", acting.bodies.draft.product(f"f_{pair.link}", -1.0, **factor))
+
+
+def sliding(acting: Acting, pair: Pair) -> tuple[str, str]:
+    """The coefficient of friction of a guide, and which way along it the link slides."""
+    d, m, reading = acting.bodies.draft, acting.bodies.mechanism, acting.motion.slides[pair.link]
+    coefficient = d.give(f"f_{pair.guide}", m.friction[pair.guide])
+    d.law(coefficient, m.laws.get(("friction", pair.guide)))
+    return coefficient, d.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(acting.motion.driven)))
+
+
+def settle(acting: Acting, fed: tuple[Fed, ...], trial: Draft) -> None:
+    """What is ``fed`` to a plan, so that the one drawn in ``trial`` gives it again by the sizes of its reactions."""
+    d = acting.bodies.draft
+    needed, steps = {f.size for f in fed}, list[Step]()
+    for step in reversed([s for name, s in trial.steps.items() if name not in d.steps]):
+        if step.makes in needed:
+            needed.update(name for name, _ in step.reads())
+            steps.append(step)
+    for f in fed:
+        d.step(Settle(f.makes, tuple(reversed(steps)), fed))
+
+
+def _rubbing(b: Bodies, pair: Pair) -> str | None:
+    return b.mechanism.rubs(pair.point, pair.link, pair.other) if pair.kind == "R" else None

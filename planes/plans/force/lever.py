@@ -1,0 +1,70 @@
+"""Zhukovsky's lever: the velocity plan turned by 90°, loaded with the outer forces at the images of their points.
+
+N. E. Zhukovsky's theorem: the moments of the forces about the pole, with each couple M replaced by M·ω·μ_v, balance;
+the check shares the loads and the velocity plan with the force plans, and none of their reactions but friction.
+"""
+
+from dataclasses import replace
+
+from planes.drafting.draft import Moments
+from planes.drafting.steps import Carry
+from planes.drafting.steps.reckoning import Drop, Product
+from planes.plans.force.loads import Force
+from planes.plans.force.reactions import Statics
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, at, mu_of
+
+
+def draw_lever(s: Statics) -> str:
+    """Draw the lever and balance it; the name of its balancing moment (or force)."""
+    acting, b = s.acting, s.bodies
+    drive = b.mechanism.drive
+    rate = acting.motion.drive_rate
+    b.draft.pole("lever")
+    products, shown = [], []
+    for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # of no reaction
+        arm = _arm(s, force)
+        products.append(Product(1.0, ((force.size, 1), (arm, 1), (rate, -1))))
+        shown.append((force.name, arm))
+    for link, couples in acting.couples.items():
+        root = b.known[link].root
+        for couple in couples:
+            if root != FRAME and not couple.handed:
+                spin = acting.motion.spin(root)
+                products.append(Product(-1.0, ((couple.value, 1), (spin, 1), (rate, -1))))
+                shown.append((couple.name, spin))
+    for value, speed in rubbing(s):
+        products.append(Product(-1.0, ((value, 1), (speed, 1), (rate, -1))))
+        shown.append((value, speed))
+    name = b.draft.total(f"{'M' if drive.kind == 'phi' else 'F'}Z_{drive.link}", products)
+    b.draft.moments.append(Moments(POLE, ("lever",), tuple(shown), name, ""))
+    return name
+
+
+def rubbing(s: Statics) -> list[tuple[str, str]]:
+    """Names of each friction force along its guide, or couple of its hinge, and of the speed of what rubs; its power is
+    a result."""
+    found = []
+    for key, reaction in list(s.reactions.items()):
+        guide, force, speed = reaction.pair.guide, reaction.friction, s.acting.motion.spin(key)
+        if guide in s.bodies.mechanism.friction:
+            force = f"T_{key}"
+            if force not in s.bodies.draft.steps:  # no plan was drawn with it
+                force = s.bodies.draft.measure(force, reaction.start, reaction.end, f"∥{guide}")
+            speed = s.acting.motion.slides[reaction.pair.link].value
+        if force:
+            power = s.bodies.draft.product(f"PT_{key}", **{force: 1, speed: 1})
+            s.reactions[key] = replace(reaction, friction=force, power=power)
+            found.append((force, speed))
+    return found
+
+
+def _arm(s: Statics, force: Force) -> str:
+    motion = s.acting.motion
+    assert force.spot
+    label = motion.label(force.spot.name)
+    mark = at("lever", POLE)
+    if label != POLE:
+        ends = at(motion.plan, POLE), motion.mark(force.spot.name)
+        mark = s.bodies.draft.step(Carry(at("lever", label), mark, *ends, 1))
+    return s.bodies.draft.step(Drop(f"H_{force.name}", mark, force.along, at("lever", POLE), mu_of("lever")))

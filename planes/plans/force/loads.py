@@ -1,0 +1,183 @@
+"""What acts on the links from outside the pairs: weights, inertia, and the scene's forces and couples."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from planes.drafting.steps import Aim, Turn
+from planes.drafting.steps.reckoning import Sense, SenseOf
+from planes.plans.force.following import LawValues
+from planes.plans.motion.kinematics import Rates
+from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
+from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism, StrokeLoad
+from planes.words.names import POLE, Meaning, Quantity, at
+
+
+@dataclass(frozen=True)
+class Force:
+    """A force on ``link`` at a mark of the scheme: names of its size (N) and direction. ``spot`` is its point."""
+
+    name: str
+    link: str
+    size: str
+    along: str
+    point: str
+    quantity: Quantity
+    spot: BodyPoint | None = None
+
+    @property
+    def means(self) -> Meaning:
+        """What its mark on a force plan stands for."""
+        return Meaning(self.quantity, self.name, link=self.link)
+
+
+@dataclass(frozen=True)
+class Couple:
+    """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``; ``handed`` over by
+    a sliding pair, or of ``inertia``, or from outside."""
+
+    name: str
+    link: str
+    value: str
+    sign: int = 1
+    handed: bool = False
+    inertia: bool = False
+
+
+def load_names(mechanism: Mechanism) -> list[str]:
+    """What the loads are called, in their order: P_5, a second force on that link P_5_2; couples M_3, on the driver
+    MP_1."""
+    found, counts = [], Counter[tuple[str, str]]()
+    for load in mechanism.loads:
+        counts[key := (load.link, load.kind)] += 1
+        letter = "P" if load.kind == "force" else "MP" if load.link == mechanism.drive.link else "M"
+        found.append(f"{letter}_{load.link}" + (f"_{counts[key]}" if counts[key] > 1 else ""))
+    return found
+
+
+def force_name(on: str, by: str) -> str:
+    """F_21 acts on 2 from 1; longer names are parted: F_11_10."""
+    return f"F_{pair_index(on, by)}"
+
+
+def pair_index(on: str, by: str) -> str:
+    """The index of what acts on a link from another."""
+    return on + by if len(on) == len(by) == 1 else f"{on}_{by}"
+
+
+@dataclass(frozen=True)
+class Loads:
+    """All forces and couples by link, by name the loads that are laws, and the ``motion`` they were sensed by."""
+
+    forces: Mapping[str, Sequence[Force]] = field(default_factory=dict)
+    couples: Mapping[str, Sequence[Couple]] = field(default_factory=dict)
+    laws: Mapping[str, LoadLaw | StrokeLoad] = field(default_factory=dict)
+    motion: Rates | None = None
+
+
+@dataclass
+class Acting:
+    """All forces and couples on each link, those of pairs joining as they are found."""
+
+    bodies: Bodies
+    motion: Rates  # the velocities that tell "along" from "against" motion
+    accelerations: Rates
+    laws: LawValues
+    forces: dict[str, list[Force]] = field(default_factory=dict)
+    couples: dict[str, list[Couple]] = field(default_factory=dict)
+
+    def gather(self) -> None:
+        """Weights, inertia and loads of every link, in this order on each."""
+        for link in self.bodies.mechanism.links.values():
+            self.forces[link.name], self.couples[link.name] = [], []
+            self._weight(link)
+            self._inertia(link)
+        m = self.bodies.mechanism
+        for number, (name, load) in enumerate(zip(load_names(m), m.loads, strict=True)):
+            name = self._force(load, name) if load.kind == "force" else self._couple(load, name)
+            for path, law in self.bodies.mechanism.laws.items():
+                if path[:2] == ("loads", str(number)):
+                    self.bodies.draft.law(name, law)
+
+    @property
+    def loads(self) -> Loads:
+        """What was found."""
+        return Loads(self.forces, self.couples, self.laws.said, self.motion)
+
+    def _weight(self, link: Link) -> None:
+        if link.mass is None or self.bodies.mechanism.gravity is None:
+            return
+        d = self.bodies.draft
+        gravity, mass = d.give("g", self.bodies.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
+        size = d.product(f"G_{link.name}", **{mass: 1, gravity: 1})
+        down = d.aim("↓", -90.0, Meaning("down"))
+        self.forces[link.name].append(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
+
+    def _centre(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, BodyPoint]:
+        return at(SCHEME, link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
+
+    def _inertia(self, link: Link) -> None:
+        d, rates = self.bodies.draft, self.accelerations
+        root = self.bodies.known[link.name].root
+        if link.inertia is not None and root != FRAME:
+            moment = d.give(f"J_{link.name}", link.inertia)
+            value = d.product(f"MI_{link.name}", -1.0, **{moment: 1, rates.spin(root): 1})
+            self.couples[link.name].append(Couple(f"MI_{link.name}", link.name, value, inertia=True))
+        mark = rates.mark(link.mass_centre)
+        pole = at(rates.plan, POLE)
+        if link.mass is None or mark == pole:
+            return
+        rate = d.measure(f"a_{link.mass_centre}", pole, mark)
+        size = d.product(f"I_{link.name}", **{d.give(f"m_{link.name}", link.mass): 1, rate: 1})
+        back = d.through(f"-a_{link.mass_centre}", mark, pole, Meaning("against", f"a_{link.mass_centre}"))
+        self.forces[link.name].append(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
+
+    def _force(self, load: Load, name: str) -> str:
+        d, point = self.bodies.draft, load.point or ""
+        size = self.laws.value(f"{name}_given", load, Meaning("load", name, link=load.link))
+        if load.sense:
+            ends = at(self.motion.plan, POLE), self.motion.mark(point)
+            moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
+            ends = ends if load.sense == "along" else (ends[1], ends[0])
+            means = Meaning("with" if load.sense == "along" else "against", f"v_{point}")
+            along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends, means)
+            size = d.product(name, **{size: 1, moving: 1})
+        else:
+            along = self._direction(name, load)
+        if not load.sense:
+            size = d.product(name, **{size: 1})
+        acting = Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point))
+        self.forces[load.link].append(acting)
+        return size
+
+    def _direction(self, name: str, load: Load) -> str:
+        d, means, angle = self.bodies.draft, Meaning("given", name), load.direction_deg or 0.0
+        turned = bool(load.direction_link) and load.direction_link != FRAME
+        axis = self.bodies.known[load.direction_link or FRAME].axis
+        if isinstance(angle, LoadLaw):
+            found = self.laws.amount(f"∠{name}_given", load, angle, Meaning("angle", name, link=load.link))
+            return d.step(
+                Turn(f"∠{name}", axis, 0, found, means=means) if turned else Aim(f"∠{name}", found, means=means)
+            )
+        return d.turn(f"∠{name}", axis, angle, means) if turned else d.aim(f"∠{name}", angle, means)
+
+    def _couple(self, load: Load, name: str) -> str:
+        d, link = self.bodies.draft, load.link
+        value = self.laws.value(f"{name}_given", load, Meaning("couple", name, link=link))
+        if not load.sense:
+            self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
+            return name
+        root = self.bodies.known[link].root
+        if root == FRAME:
+            return name  # a link that never turns has no motion for a couple to go along with or against
+        sense = self.turning(root)
+        sign = 1.0 if load.sense == "along" else -1.0
+        self.couples[link].append(Couple(name, link, d.product(name, sign, **{value: 1, sense: 1})))
+        return name
+
+    def turning(self, root: str, told: bool = True) -> str:
+        """Which way a link turns; that it stands still is ``told`` as a warning."""
+        if root in self.motion.turning:
+            ends = (*self.motion.turning[root], tuple(self.motion.driven))
+            return self.bodies.draft.step(Sense(f"turns_{root}" if told else f"way_{root}", *ends, told))
+        return self.bodies.draft.step(SenseOf(f"turns_{root}", self.motion.spin(root)))

@@ -1,0 +1,169 @@
+"""Reactions as they are found: segments of the force plans, arms and couples of sliders, handed from link to link.
+
+With Coulomb friction in a sliding pair its reaction leans by arctan f against the sliding, on the side that bears.
+Which side of the guide bears is known only once the plan is drawn; so each supposition is drawn and the one that comes
+true is kept. None, or two different ones, is self-locking.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from itertools import product
+
+from planes.drafting.draft import Moments
+from planes.drafting.equations import Term
+from planes.drafting.steps.crossings import Cross
+from planes.drafting.steps.reckoning import Choose, Drop, Lean, Product, Trial
+from planes.plans.assur.groups import Pair
+from planes.plans.force.hinges import Grip, sliding
+from planes.plans.force.loads import Acting, Couple, Force, force_name
+from planes.plans.position.bodies import SCHEME, Bodies
+from planes.words.names import Meaning, at, end_of, label_of, mu_of
+
+
+@dataclass(frozen=True)
+class Reaction:
+    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot;
+    where it rubs the names of the friction force along the guide and of its power. In a hinge that rubs the couple is
+    that of friction, and the arm is about its centre: the line of action is tangent to the friction circle."""
+
+    key: str
+    plan: str
+    start: str
+    end: str
+    pair: Pair
+    normal: str = ""
+    arm: str = ""
+    moment: str = ""
+    friction: str = ""
+    power: str = ""
+
+
+@dataclass
+class Statics:
+    """What force plans share: the loads, the reactions found so far, and how one link hands them to the next."""
+
+    bodies: Bodies
+    acting: Acting
+    reactions: dict[str, Reaction] = field(default_factory=dict)
+    balancing: str = ""
+    centres: dict[str, str] = field(default_factory=dict)  # about which point each force's arm was taken first
+
+    def moment_terms(
+        self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
+    ) -> tuple[list[Product], tuple[tuple[str, str], ...]]:
+        """The sum of moments about a mark, times ``sign``, divided by the value ``over``; and its terms by name."""
+        d, tail = self.bodies.draft, ((over, -1),) if over else ()
+        products, shown = [], []
+        for f in forces:
+            if f.point == about:
+                continue
+            centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
+            if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
+                name += f"^{centre.lstrip('°')}"
+            means = Meaning("arm", f.name, about, f.link)
+            arm = d.step(Drop(name, f.point, f.along, about, mu_of(SCHEME), means=means))
+            products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
+            shown.append((f.name, arm))
+        for c in couples:
+            products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
+            shown.append((c.name, ""))
+        return products, tuple(shown)
+
+    def apart(self) -> Statics:
+        """The same for a trial on a draft of its own, of which this one feels nothing."""
+        b = replace(self.bodies, draft=self.bodies.draft.apart())
+        return Statics(b, replace(self.acting, bodies=b), centres=dict(self.centres))
+
+    def react(self, pair: Pair, plan: str, start: str, end: str, grip: Grip | None = None) -> Reaction:
+        """Note the reaction on ``pair.link``, with the ``grip`` of a hinge that rubs; both links feel it from now on.
+        Slider's couple comes later."""
+        key = force_name(pair.link, pair.other)
+        found = Reaction(key, plan, start, end, pair)
+        if grip:
+            found = replace(found, arm=grip.factor, moment=grip.couple, friction=grip.couple)
+        self.reactions[key] = found
+        self.bodies.draft.show(plan, label_of(start), label_of(end), key)
+        return found
+
+    def as_force(self, r: Reaction, on: str) -> Force:
+        """The reaction as a force on one of its links, at the hinge or at the foot of the slider's first point."""
+        d = self.bodies.draft
+        ends = (r.start, r.end) if on == r.pair.link else (r.end, r.start)
+        name = force_name(on, r.pair.mate(on))
+        size = d.measure(f"|{r.key}|", r.start, r.end)
+        along = d.through(f"→{name}", *ends, Meaning("own", name))
+        point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.bodies.foot(r.pair)
+        return Force(name, on, size, along, point, "reaction")
+
+    def seat(self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]) -> Reaction:
+        """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
+        d, pair = self.bodies.draft, r.pair
+        side = -1.0 if link == pair.link else 1.0
+        products, shown = self.moment_terms(about, [*forces, self.as_force(r, link)], couples, side)
+        moment = d.total(f"MR_{r.key}", products, Meaning("couple", r.key))
+        normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"∥{pair.guide}"))
+        arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
+        d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
+        self.reactions[r.key] = seated = replace(r, normal=normal, arm=arm, moment=moment)
+        return seated
+
+    def hand_over(self, r: Reaction, to: str) -> None:
+        """Let the mate of a pair feel the reaction (and, of a slider, its couple), reversed."""
+        self.acting.forces[to].append(self.as_force(r, to))
+        if r.moment:
+            sign = 1 if to == r.pair.link else -1
+            self.acting.couples[to].append(Couple(r.moment, to, r.moment, sign, True))
+
+
+def chain_of(forces: list[Force], start: str) -> tuple[Term, ...]:
+    """Forces as known terms of a chain, each ending at a mark of its own name."""
+    terms = []
+    for f in forces:
+        end = end_of(f.name)
+        terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
+        start = end
+    return tuple(terms)
+
+
+def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> dict[str, Term]:
+    """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side.
+    Returns the leaning terms by name, now with the direction they turned out to have.
+    """
+    d = acting.bodies.draft
+    of = {name: p for p in pairs for name in (force_name(p.link, p.other), force_name(p.other, p.link))}
+    rubbing = [(t, of[t.name]) for t in lines if t.name in of]
+    trials = []
+    for signs in product((1, -1), repeat=len(rubbing)):
+        tag = "".join("+" if sign > 0 else "-" for sign in signs)
+        leaning = {t.name: _lean(acting, p, sign) for (t, p), sign in zip(rubbing, signs, strict=True)}
+        mark = at(plan, f"{x}{tag}")
+        starts = [at(plan, t.start) for t in lines]
+        along = [leaning.get(t.name, t.direction or "") for t in lines]
+        d.step(Cross(mark, starts[0], along[0], starts[1], along[1], supposed=True, means=Meaning("trial")))
+        pushes = tuple(_push(acting, plan, t, p, mark, tag) for t, p in rubbing)
+        trials.append(Trial(mark, pushes, signs))
+    d.step(Choose(at(plan, x), tuple(trials), at(plan, lines[0].start), mu_of(plan)))
+    return {t.name: _leant(acting, plan, t, p, x) for t, p in rubbing}
+
+
+def _leant(acting: Acting, plan: str, term: Term, pair: Pair, x: str) -> Term:
+    ends = at(plan, term.start), at(plan, x)
+    leaning = Meaning("leaning", pair.guide)
+    along = acting.bodies.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else ends[::-1]), leaning)
+    return replace(term, direction=along, action=f"∠{term.action}")
+
+
+def _lean(acting: Acting, pair: Pair, sign: int) -> str:
+    d, guide = acting.bodies.draft, f"∥{pair.guide}"
+    coefficient, sense = sliding(acting, pair)
+    name, means = f"lean_{pair.link}{'+' if sign > 0 else '-'}", Meaning("leaning", pair.guide)
+    return d.step(Lean(name, d.square(guide), guide, coefficient, sense, sign, means=means))
+
+
+def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:
+    """The trial's normal push on the slider, signed along the guide's normal."""
+    forward = (term.sign > 0) == (term.name == force_name(pair.link, pair.other))
+    start = at(plan, term.start)
+    ends = (start, mark) if forward else (mark, start)
+    return acting.bodies.draft.measure(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")

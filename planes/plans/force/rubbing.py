@@ -1,0 +1,59 @@
+"""Plans of forces that feel what rubs in their pairs: drawn aside, with nothing first, until they give it again."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from planes.drafting.steps.reckoning import SizeOf
+from planes.drafting.steps.settling import Fed
+from planes.plans.assur.groups import Pair
+from planes.plans.force.hinges import Grip, Slip, grip_of, settle, slip_of
+from planes.plans.force.loads import Couple, force_name
+from planes.plans.force.reactions import Statics
+
+
+@dataclass(frozen=True)
+class Rubs:
+    """What rubs in the pairs of a plan: in hinges, and on guides as a force that it is drawn with."""
+
+    grips: Mapping[Pair, Grip] = field(default_factory=dict)
+    slips: Mapping[Pair, Slip] = field(default_factory=dict)
+
+    def couples(self, link: str) -> list[Couple]:
+        """The couples of its hinges on a link."""
+        return [grip.on(link) for pair, grip in self.grips.items() if pair.joins(link)]
+
+
+class RubbingPlan(Protocol):
+    """A plan of some links, with the reaction of each pair on the pair's own first link."""
+
+    statics: Statics
+
+    def rub(self, rubs: Rubs) -> None: ...
+    def polygon(self) -> Mapping[Pair, tuple[str, str]]: ...
+
+
+def settled(
+    plan: RubbingPlan, make: Callable[[Statics], RubbingPlan], hinges: Iterable[Pair], guides: Iterable[Pair] = ()
+) -> Rubs:
+    """Let a plan feel what rubs in these pairs, in such a measure as plans drawn aside settle to."""
+    acting = plan.statics.acting
+    grips = {p: grip for p in hinges if (grip := grip_of(acting, p))}
+    rubs = Rubs(grips, {p: slip for p in guides if (slip := slip_of(acting, p))})
+    if rubs.grips or rubs.slips:
+        plan.rub(rubs)
+        trial = make(plan.statics.apart())
+        trial.rub(rubs)
+        settle(acting, (*_fed(trial, rubs),), trial.statics.bodies.draft)
+    return rubs
+
+
+def _fed(trial: RubbingPlan, rubs: Rubs) -> Iterable[Fed]:
+    """What the plan drawn aside gives: couples by the reactions of hinges, friction by the normal forces of guides."""
+    ends, d = trial.polygon(), trial.statics.bodies.draft
+    for pair, grip in rubs.grips.items():
+        yield Fed(grip.couple, grip.factor, d.measure(f"|{force_name(pair.link, pair.other)}|", *ends[pair]))
+    for pair, slip in rubs.slips.items():
+        name = f"N_{force_name(pair.link, pair.other)}"
+        normal = d.measure(name, *ends[pair], d.square(f"∥{pair.guide}"))
+        yield Fed(slip.force, slip.factor, d.step(SizeOf(f"|{name}|", normal)))

@@ -1,0 +1,27 @@
+"""A vector of a link laid off where it is needed: how one of its points goes about another, as the link turns."""
+
+from planes.drafting.steps import Image, Same
+from planes.plans.motion.kinematics import Rates
+from planes.plans.position.bodies import SCHEME, Body, BodyPoint
+from planes.scene.mechanism import FRAME
+from planes.words.names import Meaning, at, label_of
+
+
+def carried(
+    r: Rates, root: Body, start: str, one: BodyPoint, two: BodyPoint, end: str, means: Meaning | None = None
+) -> str:
+    """The mark ``end`` of ``two``, ``one`` of the same link being at ``start``; it turns as ``root`` does."""
+    d, scheme = r.bodies.draft, (at(SCHEME, one.place), at(SCHEME, two.place))
+    if root.link.name == FRAME:
+        return d.step(Same(end, start, means=means))
+    if root.ref:
+        ends = r.mark(root.ref[0].name), r.mark(root.ref[1].name)
+        like = at(SCHEME, root.ref[0].place), at(SCHEME, root.ref[1].place)
+        return d.step(Image(end, start, scheme, like, ends, means=means))
+    name, ray = two.name + one.name, d.ray(SCHEME, one.place, two.place)  # a driver of one point
+    length, across = d.measure(f"l_{name}°", *scheme), d.square(ray)
+    value = d.product(f"{r.letter}{name}°", **{r.spin(root.link.name): 1, length: 1})
+    if r.quick:
+        inwards = d.product(f"a_{name}°^n", -1.0, **{f"omega_{root.link.name}": 2, length: 1})
+        start = d.lay_off(r.plan, f"n_{label_of(end)}", start, ray, inwards, means)
+    return d.lay_off(r.plan, label_of(end), start, across, value, means)

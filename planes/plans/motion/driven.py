@@ -1,0 +1,141 @@
+"""The hinge of what is driven, on the plans of rates: it moves about the pivot with the link of the drive that hangs on
+the frame, and against that as the drive says, v_A = v_D + v_AA1 + v_A1D with v_AA1 given: along the guide of a
+cylinder, across the arm of a motor in a hinge; in accelerations with Coriolis."""
+
+from collections.abc import Iterator
+from typing import Protocol
+
+from planes.drafting.equations import Term
+from planes.drafting.steps import Carry, Turn
+from planes.drafting.steps.reckoning import Product
+from planes.plans.assur.groups import Pair
+from planes.plans.motion.legs import Leg, SlideReading
+from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
+from planes.words.names import POLE, Meaning, at
+
+
+class PlanOfRates(Protocol):
+    """What a drive inside asks of the plan it is drawn on."""
+
+    bodies: Bodies
+    plan: str
+    driven: list[str]
+    slides: dict[str, SlideReading]
+    turning: dict[str, tuple[str, str, str]]
+
+    @property
+    def quick(self) -> bool: ...
+    @property
+    def letter(self) -> str: ...
+    @property
+    def drive_rate(self) -> str: ...
+    @property
+    def hinge_rate(self) -> str: ...
+    @property
+    def hinge_spin(self) -> str: ...
+    def spin(self, link: str) -> str: ...
+    def label(self, name: str) -> str: ...
+    def mark(self, name: str) -> str: ...
+    def image(self, link: str, spot: BodyPoint) -> None: ...
+    def normal(self, leg: Leg, start: str) -> Term: ...
+
+
+def driven_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+    """The vectors from the pivot's end to the new one: what is given first, the turning last."""
+    given = [*(_turned if drive.kind == "R" else _slid)(r, leg, drive)]
+    yield from given
+    name, end = r.letter + leg.symbol, given[-1].end
+    if r.quick and leg.turns:
+        inward = r.normal(leg, end)
+        yield inward
+        name, end = f"{name}^t", inward.end
+    yield Term(name, end, r.label(leg.new.name), direction=leg.along, action=leg.along)
+
+
+def _slid(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+    """Along the guide, with Coriolis across it."""
+    d, along = r.bodies.draft, f"∥{drive.guide}"
+    if leg.held == drive.link:  # the guide moves against the slider
+        along = d.step(Turn(f"-{along}", along, 2, means=Meaning("along", drive.guide)))
+    start, bent = r.label(leg.known.name), r.quick and leg.turns
+    if bent:
+        yield (coriolis := _coriolis(r, leg, d.square(along)))
+        start = coriolis.end
+    name = r.letter + leg.driven + ("^r" if bent else "")
+    yield _relative(r, leg, name, start, r.drive_rate, along, f"∥{drive.guide}")
+
+
+def _turned(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+    """Across the arm from the motor, with Coriolis and the normal part along it."""
+    d, motor, hinge = r.bodies.draft, drive.point, leg.new.place
+    other = r.bodies.mechanism.link(drive.mate(leg.held))
+    ends = (motor, hinge) if other.name == drive.link else (hinge, motor)
+    ray, length = d.ray(SCHEME, *ends), r.bodies.length(other, motor, hinge)
+    across, name, start = d.square(ray), r.letter + leg.driven, r.label(leg.known.name)
+    if r.quick:
+        back = d.step(Turn(f"{ends[1]}→{ends[0]}", ray, 2, means=Meaning("towards", *ends[::-1])))
+        if leg.turns:
+            yield (coriolis := _coriolis(r, leg, back))
+            start = coriolis.end
+        inward = back if ends[0] == motor else ray
+        omega, means = r.hinge_spin, Meaning("normal", hinge, motor)
+        value = d.product(f"{name}^n", **{omega: 2, length: 1})
+        yield (normal := Term(f"{name}^n", start, f"n_{leg.driven}", value, inward, inward, means=means))
+        start, name = normal.end, f"{name}^t"
+    value = d.product(name, **{r.hinge_rate: 1, length: 1})
+    yield _relative(r, leg, name, start, value, across, across)
+
+
+def _relative(r: PlanOfRates, leg: Leg, name: str, start: str, length: str, along: str, action: str) -> Term:
+    return Term(name, start, _end(r, leg), length, along, action, means=Meaning("relative", leg.driven))
+
+
+def _coriolis(r: PlanOfRates, leg: Leg, across: str) -> Term:
+    """Coriolis: 2ω×v of the drive."""
+    name, means, start = f"a_{leg.driven}^k", Meaning("coriolis", leg.driven), r.label(leg.known.name)
+    value = r.bodies.draft.product(name, 2.0, **{f"omega_{leg.turns}": 1, _speed(r, leg): 1})
+    return Term(name, start, f"k_{leg.driven}", value, across, across, means=means)
+
+
+def _speed(r: PlanOfRates, leg: Leg) -> str:
+    """The name of the given velocity against the link that turns."""
+    return "v_drive" if leg.drive and leg.drive.kind == "P" else f"v_{leg.driven}"
+
+
+def _end(r: PlanOfRates, leg: Leg) -> str:
+    return f"r_{leg.driven}" + ("'" if r.quick else "")
+
+
+def driven_end(r: PlanOfRates, leg: Leg) -> str:
+    """The mark where what the drive gives ends."""
+    return at(r.plan, _end(r, leg))
+
+
+def driven_spot(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
+    """Draw the point of the link that turns under the hinge; read how the other slides on it or turns."""
+    assert leg.spot
+    d, end, known, spot = r.bodies.draft, driven_end(r, leg), r.mark(leg.known.name), r.mark(leg.spot.name)
+    d.step(Carry(spot, r.mark(leg.new.name), end, known))
+    d.show(r.plan, POLE, r.label(leg.spot.name), r.letter + leg.spot.name)
+    r.driven.append(end)
+    if drive.kind == "R":
+        _other_turns(r, leg, drive)
+        return
+    bent = r.quick and leg.turns
+    middle, along = at(r.plan, f"k_{leg.driven}") if bent else known, f"∥{drive.guide}"
+    ends, turned, under = (middle, end), (known, middle), spot
+    if leg.held == drive.link:  # the slider's point is under the hinge
+        ends, turned, under = (end, middle), (middle, known), r.mark(leg.new.name)
+    value = d.measure(f"{r.letter}slide_{drive.link}", *ends, along)
+    r.slides[drive.link] = SlideReading(drive.guide, value, ends, along, turned if bent else None, under)
+
+
+def _other_turns(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
+    """The other link of a motor turns as the first does, and as the drive says besides."""
+    other, d = drive.mate(leg.held), r.bodies.draft
+    sign = 1.0 if other == drive.link else -1.0
+    own = [Product(1.0, ((r.spin(leg.turns), 1),))] if leg.turns else []
+    d.total(r.spin(other), [*own, Product(sign, ((r.hinge_rate, 1),))])
+    r.image(leg.held, BodyPoint(drive.point, drive.point))
+    ray = d.ray(SCHEME, drive.point, leg.new.place)
+    r.turning[other] = (r.mark(drive.point), r.mark(leg.new.name), d.square(ray))

@@ -1,0 +1,249 @@
+"""Velocity and acceleration plans: groups to vector equations, Coriolis wherever a guide turns.
+
+Sources: theorem of plane motion v_C = v_B + v_CB and a_C = a_B + a_CB^n + a_CB^t; compound motion
+a_X = a_Y + a_XY^k + a_XY^r with a^k = 2ω×v_XY (Coriolis).
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import Image, Same, Turn
+from planes.plans.assur.groups import Group
+from planes.plans.motion.driven import driven_end, driven_spot, driven_terms
+from planes.plans.motion.legs import Leg, SlideReading, legs_of
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.position.braces import braced_rate
+from planes.plans.position.reckoned import OwnPlace
+from planes.scene.mechanism import FRAME, RATES
+from planes.words.names import POLE, Meaning, at
+
+
+@dataclass
+class Rates:
+    """One plan of rates: ``plan`` "velocity", "motion" (velocities of a unit drive) or "acceleration"."""
+
+    bodies: Bodies
+    plan: str
+    turning: dict[str, tuple[str, str, str]] = field(default_factory=dict)
+    slides: dict[str, SlideReading] = field(default_factory=dict)
+    driven: list[str] = field(default_factory=list)
+
+    @property
+    def quick(self) -> bool:
+        """Whether this is an acceleration plan."""
+        return self.plan == "acceleration"
+
+    @property
+    def letter(self) -> str:
+        """First letters of the vectors' names."""
+        return {"velocity": "v_", "motion": "vq_", "acceleration": "a_"}[self.plan]
+
+    def spin(self, link: str) -> str:
+        """Name of the angular velocity (or acceleration) of a link."""
+        return {"velocity": "omega_", "motion": "omegaq_", "acceleration": "epsilon_"}[self.plan] + link
+
+    @property
+    def drive_rate(self) -> str:
+        """Name of the rate of the drive."""
+        drive = self.bodies.mechanism.drive
+        return f"{self.letter}drive" if drive.kind == "s" else self.spin(drive.turning)
+
+    @property
+    def hinge_rate(self) -> str:
+        """Name of the rate at which a motor turns the links of its hinge, or a cylinder those that it braces."""
+        pair, name = self.bodies.structure.drives[-1], self.drive_rate
+        if not self.bodies.reach:
+            return name
+        spun = self.spin(f"{pair.link}_{pair.other}")
+        return braced_rate(self.bodies, self.plan, spun, name, self.hinge_spin)
+
+    @property
+    def hinge_spin(self) -> str:
+        """Name of the angular velocity of the one against the other."""
+        pair = self.bodies.structure.drives[-1]
+        return f"omega_{pair.link}_{pair.other}" if self.bodies.reach else self.bodies.mechanism.drive.rates[0]
+
+    def label(self, name: str) -> str:
+        """The label a point has on this plan: small letters, primed for accelerations; the pole if fixed."""
+        if name == POLE or name in self.bodies.mechanism.frame.points:
+            return POLE
+        small = self.bodies.small_letter(name)
+        return small + "'" if self.quick else small
+
+    def mark(self, name: str) -> str:
+        """The full name of a point's mark."""
+        return at(self.plan, self.label(name))
+
+    def start(self) -> None:
+        """The pole, and the driver."""
+        self.bodies.draft.pole(self.plan)
+        if self.bodies.structure.inner_drive:
+            _rate(self)
+        else:
+            _drive(self)
+            self.show_points(self.bodies.mechanism.drive.link)
+
+    def dyad(self, group: Group) -> None:
+        """The new point of a group of class II by its two legs, then every point of its links."""
+        if group.first not in self.bodies.standing:
+            legs = legs_of(self.bodies, group)
+            self.solve(legs[0].new.name, self.chain(legs[0]), self.chain(legs[1]), legs)
+        for link in group.whole:
+            self.show_points(link)
+
+    def solve(self, new: str, one: tuple[Term, ...], two: tuple[Term, ...], legs: Iterable[Leg]) -> None:
+        """A new point by two chains, and what is read off its legs."""
+        self.bodies.draft.draw(Equation(self.plan, (one, two), self.letter + new))
+        self.driven.append(self.mark(new))
+        for leg in legs:
+            self.conclude(leg)
+
+    def chain(self, leg: Leg) -> tuple[Term, ...]:
+        """The terms from the pole by the known point to the new one."""
+        self.image(leg.link, leg.known)
+        known, new = self.label(leg.known.name), self.label(leg.new.name)
+        name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.reached.name)
+        start = Term(self.letter + name, POLE, known, drawn=True, action="=0" if known == POLE else "")
+        relative = self.letter + leg.symbol
+        if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
+            grounded = Meaning("rate", leg.reached.name, link=FRAME)
+            self.bodies.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
+        if leg.drive:
+            return start, *driven_terms(self, leg, leg.drive)
+        if not self.quick or (leg.pair and self.bodies.known[leg.link].root == FRAME):
+            return start, Term(relative, known, new, direction=leg.along, action=leg.along)
+        first, rest = (self.across(leg, known), "r") if leg.pair else (self.normal(leg, known), "t")
+        return start, first, Term(f"{relative}^{rest}", first.end, new, direction=leg.along, action=leg.along)
+
+    def normal(self, leg: Leg, start: str) -> Term:
+        """a^n = v²/l, towards the pivot."""
+        name, towards = f"a_{leg.symbol}^n", leg.towards or ""
+        value = self.bodies.draft.product(name, **{f"v_{leg.symbol}": 2, leg.length or "": -1})
+        means = Meaning("normal", leg.symbol)
+        return Term(name, start, f"n_{leg.symbol}", length=value, direction=towards, action=towards, means=means)
+
+    def across(self, leg: Leg, start: str) -> Term:
+        """a^k, across the guide."""
+        value, means = self.coriolis(leg), Meaning("coriolis", leg.symbol)
+        name, along = f"a_{leg.symbol}^k", self.bodies.draft.square(leg.along)
+        return Term(name, start, f"k_{leg.symbol}", length=value, direction=along, action=along, means=means)
+
+    def coriolis(self, leg: Leg) -> str:
+        """a^k = 2ω v, the relative velocity turned by a right angle in the sense of ω."""
+        root = self.bodies.known[leg.link].root
+        return self.bodies.draft.product(f"a_{leg.symbol}^k", 2.0, **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
+
+    def conclude(self, leg: Leg) -> None:
+        """Read the angular rate of a turning link, or the rate of sliding."""
+        d = self.bodies.draft
+        if leg.pair is None and leg.turns:
+            part = "^t" if self.quick else ""
+            d.product(self.spin(leg.turns), **{f"{self.letter}{leg.symbol}{part}": 1, leg.length or "": -1})
+            self.turning[leg.turns] = (self.led_from(leg), self.mark(leg.new.name), leg.along)
+        elif leg.pair:
+            self.slides[leg.pair.link] = self.slide_reading(leg)
+        if leg.drive:
+            driven_spot(self, leg, leg.drive)
+
+    def led_from(self, leg: Leg) -> str:
+        """The mark that the unknown vector of a leg begins at."""
+        return driven_end(self, leg) if leg.drive else self.mark(leg.known.name)
+
+    def slide_reading(self, leg: Leg) -> SlideReading:
+        """The slider against its guide, along the guide."""
+        pair, known, new = leg.pair, self.led_from(leg), self.mark(leg.new.name)
+        assert pair is not None
+        turns = self.quick and self.bodies.known[leg.link].root != FRAME
+        middle = at(self.plan, f"k_{leg.symbol}") if turns else known
+        ends = (middle, new) if leg.slider_new else (new, middle)
+        value = self.bodies.draft.measure(f"{self.letter}slide_{pair.link}", *ends, leg.along)
+        if not self.quick:
+            return SlideReading(pair.guide, value, ends, leg.along)
+        coriolis = (known, middle) if leg.slider_new else (middle, known)
+        return SlideReading(pair.guide, value, ends, leg.along, coriolis if turns else None)
+
+    def show_points(self, link: str) -> None:
+        """The image of every point of the link, and the segment from the pole that is its rate."""
+        for name in self.bodies.mechanism.links[link].points:
+            self.image(link, BodyPoint(name, name))
+
+    def image(self, link: str, spot: BodyPoint) -> None:
+        """Draw the end of a spot's vector, by similarity with what is known of its link."""
+        mark = self.mark(spot.name)
+        if mark in self.bodies.draft.steps:
+            return
+        body = self.bodies.known[link]
+        root, carrier = self.bodies.known[body.root], self.mark(body.carrier.name)
+        if body.root == FRAME:
+            self.bodies.draft.step(Same(mark, carrier))
+        elif root is body and body.rigid and body.ref and spot.name in body.link.points:
+            one, two = (self.mark(s.name) for s in body.ref)
+            self.bodies.similar(mark, body, spot.name, OwnPlace(body.link.name, spot.name), (one, two))
+        elif root.ref:
+            like = root.ref
+            scheme = tuple(at(SCHEME, s.place) for s in (body.carrier, spot, *like))
+            ends = self.mark(like[0].name), self.mark(like[1].name)
+            self.bodies.draft.step(Image(mark, carrier, (scheme[0], scheme[1]), (scheme[2], scheme[3]), ends))
+        else:
+            swing(self, body, spot)
+        self.bodies.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
+
+
+def _rate(r: Rates) -> str:
+    """The name of the driver's own rate, as it is given."""
+    d, drive = r.bodies.draft, r.bodies.mechanism.drive
+    rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
+    value = d.give(r.drive_rate, rate)
+    d.law(value, None if r.plan == "motion" else r.bodies.mechanism.laws.get(("drive", RATES[drive.kind][r.quick])))
+    return value
+
+
+def _drive(r: Rates) -> None:
+    """The driver's own motion: the first vectors of the plan, fully known."""
+    d, drive, value = r.bodies.draft, r.bodies.mechanism.drive, _rate(r)
+    body = r.bodies.known[drive.link]
+    if drive.kind == "s":
+        first, guide = body.base.name, r.bodies.structure.drive_pair.guide
+        ends = at(r.plan, POLE), r.mark(first)
+        d.lay_off(r.plan, r.label(first), ends[0], f"∥{guide}", value)
+        d.show(r.plan, POLE, r.label(first), r.letter + first)
+        r.driven.append(ends[1])
+        rate_name = d.measure(f"{r.letter}slide_{drive.link}", *ends, f"∥{guide}")
+        r.slides[drive.link] = SlideReading(guide, rate_name, ends, f"∥{guide}")
+        return
+    if body.ref:
+        swing(r, body, body.ref[1])
+        d.show(r.plan, POLE, r.label(body.ref[1].name), r.letter + body.ref[1].name)
+        r.driven.append(r.mark(body.ref[1].name))
+
+
+def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
+    """The end of the vector of a spot of a link that turns with the driver, by rotation about the link's carrier: the
+    driver's own pivot on the frame, or the point that a link sliding on the driver is reached by."""
+    d, centre = r.bodies.draft, body.carrier
+    ray = d.ray(SCHEME, centre.place, spot.place)
+    across = d.square(ray)
+    length = r.bodies.distance(body.link, centre, spot)
+    start, end, total = r.label(centre.name), r.label(spot.name), r.letter + spot.name
+    own = start == POLE
+    name = total if own else total + centre.name
+    base = () if own else (Term(r.letter + centre.name, POLE, start, drawn=True),)
+    if not r.quick:
+        value = d.product(name, **{r.spin(body.root): 1, length: 1})
+        if own:
+            d.lay_off(r.plan, end, at(r.plan, POLE), across, value)
+        else:
+            d.draw(Equation(r.plan, ((*base, Term(name, start, end, value, across, across)), ()), total))
+        return
+    normal = d.product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
+    tangential = d.product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
+    towards = Meaning("towards", spot.place, centre.place)
+    inwards = d.step(Turn(f"{spot.place}→{centre.place}", ray, 2, means=towards))
+    middle, turning = "n_" + name.removeprefix(r.letter), Meaning("normal", spot.name, centre.name)
+    chain = (
+        *base,
+        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards, means=turning),
+        Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
+    )
+    d.draw(Equation(r.plan, (chain, ()), total))

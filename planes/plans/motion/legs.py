@@ -1,0 +1,130 @@
+"""How each group reaches its new point: two legs, each a pivot or a sliding pair, whatever the kind of group.
+
+"X = Y + relative": about a pivot Y the relative velocity is perpendicular to YX; along a guide it is parallel to the
+guide and Y is the point of the mate that coincides with X. All five kinds of class II are two such legs.
+"""
+
+from dataclasses import dataclass, replace
+
+from planes.drafting.steps import Turn
+from planes.plans.assur.basic_links import Lead
+from planes.plans.assur.groups import Group, Pair
+from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
+from planes.plans.position.positions import moving_name
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, Meaning
+
+
+@dataclass(frozen=True)
+class Leg:
+    """One way to the new point. ``link`` carries ``known``; ``along`` is the direction of the relative velocity.
+
+    About a pivot ``length`` names the radius, ``towards`` the direction from the new point to the pivot and
+    ``turns`` the link that turns about it; in a sliding pair ``pair`` says which, and ``slider_new`` whether the
+    new point is the slider's.
+    """
+
+    new: BodyPoint
+    known: BodyPoint
+    link: str
+    symbol: str  # letters of the pair of points: "CB", "HL", "BB0"
+    along: str
+    length: str | None = None
+    towards: str | None = None
+    turns: str | None = None
+    pair: Pair | None = None
+    slider_new: bool = True
+    drive: Pair | None = None  # that moves the new point against the ``held`` link
+    held: str = ""
+    spot: BodyPoint | None = None  # of that link, where the new point is
+
+    @property
+    def driven(self) -> str:
+        """Letters of the new point and of that under it: "AA1"."""
+        return self.new.name + self.spot.name if self.spot else ""
+
+    @property
+    def reached(self) -> BodyPoint:
+        """The point that the known one leads to: of the held link, where a drive leads on from that."""
+        return self.spot or self.new
+
+
+@dataclass(frozen=True)
+class SlideReading:
+    """What a slider's rate against its guide is read from: ``value`` is the segment ``ends`` ``along`` the guide;
+    ``coriolis`` are two marks of the acceleration plan, where the guide turns; ``under`` is the mark of the guide's
+    point, if it is neither end."""
+
+    guide: str
+    value: str
+    ends: tuple[str, str]
+    along: str
+    coriolis: tuple[str, str] | None = None
+    under: str = ""
+
+
+def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
+    """The two legs of a group, in the order the method writes them."""
+    if g.drive:
+        link, pair = g.hung[1]
+        driven, other = _driven_leg(b, g, g.drive), outer_leg(b, pair, link, BodyPoint(*[g.inner.point] * 2))
+        return (driven, other) if g.held == g.first else (other, driven)
+    if g.kind in (1, 2, 4):
+        new = BodyPoint(g.inner.point, g.inner.point)
+        return outer_leg(b, g.first_outer, g.first, new), outer_leg(b, g.last_outer, g.last, new)
+    inner = inner_leg(b, g.inner, g.first, g.first_outer.point, g.last)
+    return inner, outer_leg(b, g.last_outer, g.last, inner.new)
+
+
+def lead_leg(b: Bodies, basic: str, lead: Lead) -> Leg:
+    """The way a lead holds its basic link, the new point being of that."""
+    if lead.drive:
+        return _driven_leg(b, lead.moving(basic), lead.drive)
+    if lead.inner.kind == "P":
+        return inner_leg(b, lead.inner, lead.link, lead.outer.point, basic)
+    return outer_leg(b, lead.outer, lead.link, BodyPoint(lead.inner.point, lead.inner.point))
+
+
+def inner_leg(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
+    """The way from the hinge of a link to the point of the ``new`` one there, along the guide between them."""
+    spot = BodyPoint(hinge, moving_name(b, pair.guide, hinge, new))
+    known, along = BodyPoint(hinge, hinge), f"∥{pair.guide}"
+    return Leg(spot, known, link, spot.name + hinge, along, pair=pair, slider_new=pair.link == new)
+
+
+def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
+    """To the hinge of what is driven: with the link on the frame about its pivot or along its guide, against that as
+    the drive says."""
+    pair, mate, d = g.hung[0][1], g.hung[0][1].mate(g.held), b.draft
+    new = BodyPoint(g.inner.point, g.inner.point)
+    spot = BodyPoint(new.place, moving_name(b, drive.guide, new.place, g.held))
+    if pair.kind == "P":
+        leg = _sliding(b, pair, g.held, mate, spot)
+        symbol = f"{spot.name}{new.name}0" if mate == FRAME else leg.symbol
+        return replace(leg, new=new, symbol=symbol, drive=drive, held=g.held, spot=spot)
+    pivot = pair.point
+    ray = d.ray(SCHEME, pivot, new.place)
+    towards = d.step(Turn(f"{new.place}→{pivot}", ray, 2, means=Meaning("towards", new.place, pivot)))
+    turning = (d.square(ray), f"l_{pivot}{new.place}", towards, g.held)
+    return Leg(new, BodyPoint(pivot, pivot), mate, spot.name + pivot, *turning, drive=drive, held=g.held, spot=spot)
+
+
+def outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
+    """The way to a point of ``link`` by its pair with a solved one."""
+    if pair.kind == "P":
+        return _sliding(b, pair, link, pair.mate(link), new)
+    pivot, d = pair.point, b.draft
+    ray = d.ray(SCHEME, pivot, new.place)
+    known = BodyPoint(pivot, pivot)
+    length, across = b.distance(b.mechanism.link(link), known, new), d.square(ray)
+    towards = d.step(Turn(f"{new.place}→{pivot}", ray, 2, means=Meaning("towards", new.place, pivot)))
+    return Leg(new, known, pair.mate(link), new.name + pivot, across, length, towards, turns=link)
+
+
+def _sliding(b: Bodies, pair: Pair, link: str, known: str, new: BodyPoint) -> Leg:
+    if known == FRAME:
+        spot, symbol = BodyPoint(POLE, POLE), f"{new.name}{new.name}0"
+    else:
+        spot = BodyPoint(new.place, moving_name(b, pair.guide, new.place, known))
+        symbol = f"{new.name}{spot.name}"
+    return Leg(new, spot, known, symbol, f"∥{pair.guide}", pair=pair, slider_new=pair.link == link)

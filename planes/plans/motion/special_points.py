@@ -1,0 +1,92 @@
+"""Assur's special point of a basic link on plans of rates: where the lines of two of its leads cross.
+
+A lead lets its point move across its own line alone, and S moves about that point across the same line: so of S both
+leads say in which direction its relative velocity lies, v_S = v_E + (⊥ of the first) = v_F + (⊥ of the second). Of
+accelerations the normal and Coriolis parts join in.
+"""
+
+from dataclasses import replace
+
+from planes.drafting.equations import Term
+from planes.drafting.steps import Turn
+from planes.drafting.steps.crossings import Cross, CrossLeads
+from planes.plans.motion.kinematics import Rates
+from planes.plans.motion.legs import Leg
+from planes.plans.position.bodies import SCHEME, BodyPoint
+from planes.words.names import Meaning, at, parts_of
+
+
+class SpecialPoint:
+    """The rates of a basic link's special point, and of the link by it."""
+
+    def __init__(self, r: Rates, basic: str, legs: tuple[Leg, Leg]) -> None:
+        self.rates, self.bodies, self.draft, self.basic, self.legs = r, r.bodies, r.bodies.draft, basic, legs
+        name = r.bodies.special(basic)
+        self.spot = BodyPoint(name, name)
+
+    def meet(self, third: Leg | None = None) -> None:
+        """The point, where the lines of two leads cross; no much worse than with a ``third``, if there is one."""
+        (a, along), (b, across) = ((at(SCHEME, leg.new.place), self.line(leg)) for leg in self.legs)
+        mark, means = at(SCHEME, self.spot.place), Meaning("special", self.basic)
+        if third is None:
+            self.draft.step(Cross(mark, a, along, b, across, means=means))
+            return
+        met = CrossLeads(mark, a, along, b, across, third=at(SCHEME, third.new.place), third_along=self.line(third))
+        self.draft.step(replace(met, means=means))
+
+    def line(self, leg: Leg) -> str:
+        """The line of a lead, across what its point may do."""
+        if leg.pair is None:
+            return self.draft.ray(SCHEME, leg.known.place, leg.new.place)
+        return self.draft.square(leg.along)
+
+    def solve(self) -> None:
+        """The end of its vector."""
+        one, two = self.legs
+        self.rates.solve(self.spot.name, self.to_special(one), self.to_special(two), ())
+
+    def to_special(self, leg: Leg) -> tuple[Term, ...]:
+        """The terms from the pole by what a lead hangs on to S; both tangential parts are one."""
+        r, s = self.rates, self.spot.name
+        *known, last = r.chain(leg)
+        symbol, part = s + leg.symbol.removeprefix((leg.spot or leg.new).name), parts_of(last.name)[2]
+        if r.quick:
+            known.append(self.towards(leg, last.start))
+        name = f"{r.letter}{symbol}" + (f"^{part}" if part else "")
+        return (*known, replace(last, name=name, start=known[-1].end, end=r.label(s)))
+
+    def towards(self, leg: Leg, start: str) -> Term:
+        """The normal acceleration of S about the lead's point, ω² l, laid off from ``start``."""
+        s, new, d = self.spot.place, leg.new, self.draft
+        length = d.measure(f"l_{s}{new.place}", at(SCHEME, s), at(SCHEME, new.place))
+        name = f"a_{s}{new.name}"
+        value = d.product(f"{name}^n", **{f"omega_{self.basic}": 2, length: 1})
+        ray = d.ray(SCHEME, s, new.place)
+        along = d.step(Turn(f"{s}→{new.place}", ray, 0, means=Meaning("towards", s, new.place)))
+        normal = Meaning("normal", s, new.name)
+        return Term(f"{name}^n", start, f"n_{s}{new.name}", length=value, direction=along, action=along, means=normal)
+
+    def about(self, new: BodyPoint) -> Leg:
+        """How another point of the basic link goes about S."""
+        s, d = self.spot, self.draft
+        ray = d.ray(SCHEME, s.place, new.place)
+        length = d.measure(f"l_{new.place}{s.place}", at(SCHEME, new.place), at(SCHEME, s.place))
+        means = Meaning("towards", new.place, s.place)
+        towards = d.step(Turn(f"{new.place}→{s.place}", ray, 2, means=means))
+        turning = (d.square(ray), length, towards, self.basic)
+        return Leg(new, s, self.basic, new.name + s.name, *turning)
+
+    def known_by(self, new: BodyPoint) -> None:
+        """The basic link is known by S and another point from now on."""
+        body = self.bodies.known[self.basic]
+        body.ref, body.moving, body.rigid = (self.spot, new), new, False
+
+    def read(self) -> None:
+        """The points of the leads that met in S, by similarity, and what is read off the leads."""
+        r = self.rates
+        for leg in self.legs:
+            r.image(self.basic, leg.new)
+            last, end = r.chain(leg)[-1], r.label(leg.new.name)
+            self.draft.measure(last.name, at(r.plan, last.start), at(r.plan, end), last.direction)
+            self.draft.show(r.plan, last.start, end, last.name)
+            r.conclude(leg)

@@ -1,0 +1,243 @@
+"""What is known of each link while the plans grow: its marks, its x axis, and whose turning it shares."""
+
+from copy import copy
+from dataclasses import dataclass, field
+
+from planes.drafting.dimensions import Dimension
+from planes.drafting.draft import Draft
+from planes.drafting.steps import Similar
+from planes.drafting.steps.tracks import Hold, SeriesGuess
+from planes.plans.assur.basic_links import Lead, Triad
+from planes.plans.assur.contours import Contour, Tracked
+from planes.plans.assur.groups import Group, Pair
+from planes.plans.assur.structure import Structure
+from planes.plans.position.reckoned import (
+    OwnPlace,
+    SceneDimensions,
+    angle_deg,
+    aside,
+    difference,
+    distance,
+    guided,
+    height,
+    leaning,
+    ratio,
+)
+from planes.scene.mechanism import FRAME, Link, Mechanism
+from planes.words.names import POLE, Meaning, at
+
+SCHEME = "position"
+
+
+@dataclass(frozen=True)
+class BodyPoint:
+    """A point of a link: its mark's label on the scheme, and its name on the moving plans ("A" there, "A3" here)."""
+
+    place: str
+    name: str
+
+
+@dataclass
+class Body:
+    """A solved link: ``base`` is a point of it on every plan, ``axis`` the direction of its own x axis; it turns as
+    link ``root`` does, of which ``ref`` are two spots (None for the frame, or for a driver of one point)."""
+
+    link: Link
+    base: BodyPoint
+    axis: str
+    root: str
+    ref: tuple[BodyPoint, BodyPoint] | None = None
+    rigid: bool = False  # ref are two named points of this very link, a constant distance apart
+    moving: BodyPoint | None = None  # where the moving plans start from, if not from ``base``
+
+    @property
+    def carrier(self) -> BodyPoint:
+        """The spot of the link that the moving plans reach first."""
+        return self.moving or self.base
+
+
+@dataclass(frozen=True)
+class AssemblyChoice:
+    """A ±1 the scene has to choose: the name of the given, the key of ``assembly:`` and the group."""
+
+    side: str
+    key: str
+    group: Group | Triad | Contour
+    placed: bool = True  # its places can be told before other choices are made
+
+
+@dataclass(frozen=True)
+class BraceReach:
+    """How long a cylinder is that braces a hinge, by names of values: the sense it points in, its reach along its guide
+    and its length between its hinges, which are not the same where one lies off the guide."""
+
+    way: str
+    reach: str
+    length: str
+    offset: bool
+
+
+@dataclass(frozen=True)
+class TrackChoice:
+    """Which crossing of a track is meant: the series of an assembly, the sign of it, and what holds the link."""
+
+    key: str
+    group: Tracked
+    holds: tuple[Hold, ...]
+    guess: SeriesGuess
+    side: str
+
+
+@dataclass
+class Bodies:
+    """The links solved so far, and the marks their own points and lines have on the scheme."""
+
+    mechanism: Mechanism
+    structure: Structure
+    draft: Draft
+    file: str = ""
+    choices: list[AssemblyChoice | TrackChoice] = field(default_factory=list)
+    leads: dict[str, tuple[Lead, ...]] = field(default_factory=dict)  # of a basic link: the first two meet in S
+    known: dict[str, Body] = field(default_factory=dict)
+    labels: dict[str, str] = field(default_factory=dict)
+    reach: BraceReach | None = None
+    specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
+    standing: set[str] = field(default_factory=lambda: {FRAME})  # links that never move
+    passive: tuple[Link, ...] = ()  # that are drawn by points of others
+    coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
+
+    @property
+    def shape(self) -> SceneDimensions:
+        """The dimensions of the links."""
+        return SceneDimensions(self.mechanism, self.passive)
+
+    def apart(self) -> "Bodies":
+        """The same, grown further by itself."""
+        other = copy(self)
+        vars(other).update({name: copy(kept) for name, kept in vars(self).items() if isinstance(kept, dict | list)})
+        other.draft, other.known = self.draft.apart(), {name: copy(body) for name, body in self.known.items()}
+        return other
+
+    def special(self, basic: str) -> str:
+        """The name of the special point of a basic link, that no other point has."""
+        others = (name for link, name in self.specials.items() if link != basic)
+        taken = {*self.mechanism.names, *self.coincident, *others}
+        names = "S", f"S{basic}", "T", "U", "W", *(f"S{basic}" + "_" * k for k in range(1, 2 + len(taken)))
+        name = next(name for name in names if name not in taken)
+        return self.specials.setdefault(basic, name)
+
+    def small_letter(self, name: str) -> str:
+        """The label of a point on the moving plans: its small letters, unless another point has taken them."""
+        if name not in self.labels:
+            label, taken = name.lower(), {POLE, *self.labels.values()}
+            while label in taken:
+                label = name if label == name.lower() != name else label + "_"
+            self.labels[name] = label
+        return self.labels[name]
+
+    def place_points(self, body: Body) -> None:
+        """Draw the points of a link that are not on the scheme yet, by similarity or from its axis."""
+        for name in body.link.points:
+            if at(SCHEME, name) not in self.draft.steps:
+                self._place_point(body, name, OwnPlace(body.link.name, name))
+        self.known[body.link.name] = body
+
+    def _place_point(self, body: Body, label: str, p: OwnPlace, means: Meaning | None = None) -> str:
+        if body.rigid and body.ref:
+            one, two = (at(SCHEME, s.place) for s in body.ref)
+            return self.similar(at(SCHEME, label), body, label, p, (one, two), means)
+        base, d = body.base.place, self.draft
+        way = angle_deg(self.shape, OwnPlace(p.link, base), p)
+        ray = d.turn(f"{base}{label}", body.axis, way, Meaning("along", base, label))
+        d.rays[SCHEME, base, label] = ray
+        return d.lay_off(SCHEME, label, at(SCHEME, base), ray, self.length(body.link, base, label, p), means)
+
+    def similar(
+        self, mark: str, body: Body, name: str, p: OwnPlace, ends: tuple[str, str], means: Meaning | None = None
+    ) -> str:
+        """The mark of a place of a rigid link, that stands to the ``ends`` as it does to the points they are of."""
+        assert body.ref
+        like = ratio(self.shape, p, *(OwnPlace(p.link, s.place) for s in body.ref))
+        return self.draft.step(Similar(mark, *ends, self.draft.reckon(f"ratio_{name}_{p.link}", like), means=means))
+
+    def length(self, link: Link, one: str, two: str, end: OwnPlace | None = None) -> str:
+        """The given distance of two points of a link; ``end`` is the place of the second if it is none of them."""
+        apart = distance(self.shape, OwnPlace(link.name, one), end or OwnPlace(link.name, two))
+        return self.draft.reckon(f"l_{one}{two}", apart, Meaning("length", one, two, link.name))
+
+    def distance(self, link: Link, one: BodyPoint, two: BodyPoint) -> str:
+        """The distance of two spots of a link: given if both are its points, else taken off the scheme."""
+        if one.name in link.points and two.name in link.points:
+            return self.length(link, one.place, two.place)
+        return self.draft.measure(f"l_{one.place}{two.place}", at(SCHEME, one.place), at(SCHEME, two.place))
+
+    def line(self, pair: Pair, known: str) -> tuple[str, str]:
+        """The line of a sliding pair as the solved link ``known`` carries it: a mark on it and its direction."""
+        mark = self._guide_mark(self.known[known], pair.guide) if known == pair.other else self.foot(pair)
+        return mark, self.direction_from(pair, known, self.known[known].axis)
+
+    def _guide_mark(self, body: Body, name: str) -> str:
+        guide = body.link.guides[name]
+        label = guide.through_point or f"°{name}"
+        if at(SCHEME, label) not in self.draft.steps:
+            means = Meaning("guide", name)
+            if body.link.name == FRAME:
+                return self.draft.put(SCHEME, label, guide.through, means)
+            return self._place_point(body, label, OwnPlace(body.link.name, guide=name), means)
+        return at(SCHEME, label)
+
+    def own_angle(self, pair: Pair, link: str) -> Dimension:
+        """The direction of the pair's guide in the axes of ``link``, one of the pair, degrees."""
+        return -leaning(self.shape, link) if link == pair.link else guided(self.shape, pair.guide)
+
+    def axis_along(self, pair: Pair, link: str, direction: str) -> str:
+        """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
+        return self.draft.turn(f"x_{link}", direction, -self.own_angle(pair, link), Meaning("own", link))
+
+    def direction_from(self, pair: Pair, link: str, axis: str) -> str:
+        """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
+        name, means, given = f"∥{pair.guide}", Meaning("along", pair.guide), Meaning("angle", pair.guide, link=link)
+        angle = self.own_angle(pair, link)
+        if link == pair.link:
+            return self.draft.turn(name, axis, angle, means)
+        if link == FRAME:
+            return self.draft.aim(name, angle, means, given)
+        return self.draft.turn(name, axis, angle, means, given)
+
+    def offset(self, pair: Pair, link: str, point: str) -> Dimension | None:
+        """How far a point of ``link`` lies to the left of the pair's line (m), and how far off that may be; None: on it
+        by construction."""
+        body = self.mechanism.link(link)
+        if link == pair.other:
+            guide = body.guides[pair.guide]
+            if guide.through_point == point:
+                return None
+            return height(
+                self.shape, OwnPlace(link, point), OwnPlace(link, guide=pair.guide), guided(self.shape, pair.guide)
+            )
+        slides = body.slides
+        if slides is None:
+            raise AssertionError(pair)
+        own = None if slides.offset is None else -aside(self.shape, link)
+        if point == body.first_point:
+            return None if own is None else -own
+        spots = OwnPlace(link, point), OwnPlace(link, body.first_point)
+        return difference(height(self.shape, *spots, -leaning(self.shape, link)), own)
+
+    def shifted(self, label: str, means: Meaning, start: str, direction: str, by: Dimension | None) -> str:
+        """A helping mark ``by`` metres to the left of a line through ``start`` (that itself when it is nothing)."""
+        if by is None:
+            return start
+        offset = self.draft.reckon(f"e_{label}", by, Meaning("offset", label))
+        return self.draft.lay_off(SCHEME, label, start, self.draft.square(direction), offset, means)
+
+    def foot(self, pair: Pair) -> str:
+        """The foot of the slider's first point on the guide line."""
+        body = self.known[pair.link]
+        first = at(SCHEME, body.link.first_point)
+        offset = self.offset(pair, pair.link, body.link.first_point)
+        if offset is None:
+            return first
+        direction = self.direction_from(pair, pair.link, body.axis)
+        label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
+        return self.shifted(label, means, first, direction, -offset)

@@ -1,0 +1,87 @@
+"""A cylinder across the hinge of two links: it is drawn aside how far their outer hinges are apart, and what turns them
+against each other is reckoned from how it grows.
+
+Its length L between the hinges Q and P of the links that turn about A has the arm h about A, so L' = ω·h; and as it is
+d from the foot of that arm to P, h' = −ω·(d − d²/L), which gives ε from L''.
+"""
+
+from planes.drafting.steps import Similar
+from planes.drafting.steps.crossings import CrossArcs
+from planes.drafting.steps.reckoning import Drop, Product, SenseOf
+from planes.plans.assur.groups import Brace, Group, Pair
+from planes.plans.position.asides import Aside, aside_of
+from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach
+from planes.plans.position.driven_positions import Way, cylinder, elbow_of, place_reached, place_sliding
+from planes.plans.position.positions import two_hinges
+from planes.plans.position.reckoned import OwnPlace, ratio
+from planes.words.names import Meaning, at, mu_of
+
+
+def place_braced(b: Bodies, g: Group) -> None:
+    """The two links that are one with the cylinder stopped, and the third."""
+    assert g.drive and g.brace
+    aside = aside_of(b, g)
+    motor, hinge, b.reach = _braced(aside, g, g.drive, g.brace)
+    if g.hung[0][1].kind == "P":
+        along = b.line(g.hung[0][1], g.hung[0][1].mate(g.held))[1]
+        place_reached(b, g, Way(hinge, along=along))
+        place_sliding(aside, g, hinge, motor)
+        return
+    elbow = elbow_of(aside, g, motor, hinge)
+    place_reached(b, g, Way(at(SCHEME, aside.base), elbow.length))
+    elbow.place()
+
+
+def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
+    """The braced hinge and that of what is driven, drawn aside: the cylinder's far hinge is where two arcs meet."""
+    b, second = aside.bodies, two_hinges(aside.bodies, drive.link, drive.point, brace.far.point)
+    d, (hinge, motor, near, far) = b.draft, (p.point for p in (g.inner, drive, brace.near, brace.far))
+    ends = (near, far) if brace.near.link == brace.slide.other else (far, near)
+    elbow, other_end = aside.spot(motor), aside.spot(near)
+    reach, offset, length = cylinder(aside, brace.slide, ends, near)
+    way = d.step(SenseOf(f"way_{brace.slide.guide}", reach))
+    one, other = (second.name, elbow, b.length(second, motor, far)), (brace.far.link, other_end, length)
+    one, other = sorted((one, other), key=lambda arc: [*b.mechanism.links].index(arc[0]))
+    shape = Group((one[0], other[0]), 1, second.name, brace.far.link, brace.far, drive, brace.near)
+    side = d.give(f"side_{far}", 1.0)
+    b.choices.append(AssemblyChoice(side, far, shape, False))
+    helper, pinned = Meaning("guide", motor), at(SCHEME, f"{far}°{aside.tag}")
+    pin = d.step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_of(SCHEME), side, means=helper))
+    end = pin
+    if hinge != far:
+        stands = ratio(b.shape, *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
+        like = d.reckon(f"ratio_{hinge}_{second.name}", stands)
+        end = d.step(Similar(at(SCHEME, f"{hinge}°{aside.tag}"), elbow, pin, like, means=helper))
+    return elbow, end, BraceReach(way, reach, length, offset is not None)
+
+
+def braced_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:
+    """How fast the far link turns against the near one, by the ``drive``'s rate on a plan; in accelerations by
+    ``omega`` too."""
+    g = next(g for g in b.structure.dyads if g.brace)
+    r, d, brace = b.reach, b.draft, g.brace
+    assert r and brace and g.drive
+    outwards = r.offset or brace.far.link == brace.slide.link  # the line of the arm points to the far hinge
+    arm, along = _arm(b, g.drive, brace, r.offset)
+    sign, way = (1.0 if outwards else -1.0), (arm, -1)
+    grows = ((r.reach, 1), (r.length, -1)) if r.offset else ()
+    if plan != "acceleration":
+        return d.product(name, sign, **dict([(drive, 1), *grows, way]))
+    terms = [Product(sign, ((drive, 1), *grows, way))]
+    if r.offset:
+        terms += [
+            Product(1.0, (("v_drive", 2), (r.length, -1), way)),
+            Product(-1.0, (("v_drive", 2), (r.reach, 2), (r.length, -3), way)),
+        ]
+    length = r.length if r.offset else r.reach
+    terms += [Product(1.0, ((omega, 2), (along, 1), way)), Product(-sign, ((omega, 2), (along, 2), (length, -1), way))]
+    return d.total(name, terms)
+
+
+def _arm(b: Bodies, drive: Pair, brace: Brace, offset: bool) -> tuple[str, str]:
+    """The arm of the cylinder's line about the braced hinge, and how far that is along it from the far one."""
+    d, near, far = b.draft, brace.near.point, brace.far.point
+    line = d.ray(SCHEME, near, far) if offset else f"∥{brace.slide.guide}"
+    pin, hinge = at(SCHEME, far), at(SCHEME, drive.point)
+    arm = d.step(Drop(f"h_{near}{far}", pin, line, hinge, mu_of(SCHEME)))
+    return arm, d.measure(f"d_{near}{far}", hinge, pin, line)

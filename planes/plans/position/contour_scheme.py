@@ -1,0 +1,146 @@
+"""The scheme of a group of class IV: the contour drawn aside with its base level, then turned to where it hangs.
+
+With the base held still, what the group hangs on is one more lead from the base's outer hinge to the basic link: a rod
+to that one's outer hinge, or a block in which its guide slides. So the basic link stands on three leads, as one of
+class III does, and its hinge is found by a track. The figure is turned about the base's outer hinge until the other
+outer hinge is where it hangs, or the guide lies as it does.
+"""
+
+from collections.abc import Callable
+from functools import partial
+
+from planes.drafting.steps import Image
+from planes.drafting.steps.reckoning import Drop
+from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
+from planes.plans.assur.basic_links import Lead
+from planes.plans.assur.contours import Contour
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.position.positions import on_line, place_slider, rigid_body
+from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
+from planes.plans.position.triads import Cut, cut_of, hold_of, local_of, place_lead
+from planes.words.names import Meaning, at, mu_of
+
+
+def place_contour(b: Bodies, g: Contour) -> None:
+    """Draw the contour aside, turn it to what it hangs on, and the links from that."""
+    aside = _Aside(b, g)
+    placers: dict[Lead, Callable[[], None]] = {}
+    one, two = (aside.held(lead, placers) for lead in g.leads)
+    inner = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
+    key = inner[0] if inner else b.mechanism.links[g.basic].first_point
+    cut = cut_of(b, g, key, (one, two, aside.hung()))
+    aside.cut(key, cut)
+    aside.place_base()
+    aside.place_basic(key, cut)
+    for lead in g.leads:
+        placers.get(lead, partial(place_lead, b, g.basic, lead))()
+
+
+class _Aside:
+    """The figure aside: its base level, about the base's outer hinge."""
+
+    def __init__(self, b: Bodies, g: Contour) -> None:
+        self.bodies, self.group, self.draft = b, g, b.draft
+        self.base, self.basic = b.mechanism.links[g.base], b.mechanism.links[g.basic]
+        self.pivot, self.outer = g.outer[0].point, g.outer[1]
+        self.level = self.draft.aim("→", 0.0, Meaning("given", g.base))
+        self.like: tuple[str, str] = ("", "")  # marks aside and where they are, each from the pivot
+
+    def mark(self, point: str) -> str:
+        """The mark of a point on the figure aside."""
+        return at(SCHEME, f"{point}°{self.pivot}")
+
+    def reach(self) -> str:
+        """A length by which directions are carried: the largest of the group's links."""
+        links = (self.bodies.mechanism.links[x].points.values() for x in self.group.links)
+        size = max(abs(p - q) for points in links for p in points for q in points)
+        return self.draft.give(f"l_{self.pivot}°", size, means=Meaning("guide", self.pivot))
+
+    def held(self, lead: Lead, placers: dict[Lead, Callable[[], None]]) -> Hold:
+        """How a lead from the base, which is drawn level about its outer hinge, holds the basic link."""
+        b, d, outer, inner = self.bodies, self.draft, lead.outer, lead.inner
+        if outer.kind == "P":
+            across = difference(b.offset(outer, lead.link, inner.point), b.offset(outer, self.base.name, self.pivot))
+            beside = Meaning("offset", inner.point, self.pivot)
+            offset = "" if across is None else d.reckon(f"e_{inner.point}{self.pivot}", across, beside)
+            given = Meaning("angle", outer.guide, link=self.base.name)
+            name, angle = f"∥{outer.guide}°", b.own_angle(outer, self.base.name)
+            along = d.turn(name, self.level, angle, Meaning("along", outer.guide), given)
+            return Hold("line", local_of(b, self.basic, inner.point), at(SCHEME, self.pivot), offset, along)
+        p = outer.point
+        turned = angle_deg(b.shape, OwnPlace(self.base.name, self.pivot), OwnPlace(self.base.name, p))
+        way = d.turn(f"→{self.pivot}{p}", self.level, turned, Meaning("given", p))
+        length = b.length(self.base, self.pivot, p)
+        place = d.lay_off(SCHEME, f"{p}°{self.pivot}", at(SCHEME, self.pivot), way, length, Meaning("guide", p))
+        return hold_of(b, self.basic.name, lead, placers, place)
+
+    def hung(self) -> Hold:
+        """How the basic link is held by what the group hangs on, as the base sees it."""
+        b, d, name, pivot = self.bodies, self.draft, self.basic.name, at(SCHEME, self.pivot)
+        if self.outer.kind == "R":
+            apart = d.measure(f"l_{self.pivot}{self.outer.point}", pivot, at(SCHEME, self.outer.point))
+            return Hold("arc", local_of(b, self.basic, self.outer.point), pivot, apart)
+        first, guide = self.basic.first_point, self.outer.guide
+        start, self.along = on_line(b, self.outer, name, first)
+        means = Meaning("offset", self.pivot, first)
+        off = d.step(Drop(f"e_{self.pivot}{guide}", at(SCHEME, start), self.along, pivot, mu_of(SCHEME), means=means))
+        turn = d.reckon(f"guide_{guide}_{name}", b.own_angle(self.outer, name))
+        return Hold("guide", local_of(b, self.basic, first), pivot, off, turn)
+
+    def cut(self, key: str, cut: Cut) -> None:
+        """The basic link aside, and what the figure is turned by."""
+        d, b = self.draft, self.bodies
+        ends = (key, self.outer.point) if self.outer.kind == "R" else (key,)
+        for p in ends:
+            d.step(CutTrack(self.mark(p), local_of(b, self.basic, p), *cut, means=Meaning("guide", p)))
+        if self.outer.kind == "R":
+            self.like = self.mark(self.outer.point), at(SCHEME, self.outer.point)
+            return
+        axis, guide = self.axis(key, cut), self.outer.guide
+        turned = b.own_angle(self.outer, self.basic.name)
+        aside = d.turn(f"∥{guide}°", axis, turned, Meaning("along", guide))
+        helper, start = Meaning("guide", guide), at(SCHEME, self.pivot)
+        marks = ((f"{guide}°{self.pivot}", aside), (f"{guide}′{self.pivot}", self.along))
+        one, two = (d.lay_off(SCHEME, label, start, way, self.reach(), helper) for label, way in marks)
+        self.like = one, two
+
+    def axis(self, key: str, cut: Cut) -> str:
+        """The basic link's own axis aside."""
+        own, name = Meaning("own", self.basic.name), f"x_{self.basic.name}°"
+        return self.draft.step(CutTurn(name, local_of(self.bodies, self.basic, key), *cut, means=own))
+
+    def turned(self, label: str, aside: str, means: Meaning | None = None) -> str:
+        """A mark of the figure aside where it is, by similarity."""
+        start = at(SCHEME, self.pivot)
+        shape = (start, aside), (start, self.like[0]), (start, self.like[1])
+        return self.draft.step(Image(at(SCHEME, label), start, *shape, means=means))
+
+    def axis_turned(self, link: str, start: str, aside: str, along: str) -> str:
+        """A link's own axis where it is, the mark it starts from being there."""
+        helper = Meaning("guide", link)
+        end = self.draft.lay_off(SCHEME, f"x{link}°{self.pivot}", aside, along, self.reach(), helper)
+        return self.draft.through(f"x_{link}", start, self.turned(f"x{link}′", end, helper), Meaning("own", link))
+
+    def place_base(self) -> None:
+        """The base, by a hinge with a lead, or by its own axis."""
+        hinges = [lead.outer.point for lead in self.group.leads if lead.outer.kind == "R"]
+        if hinges:
+            self.turned(hinges[0], self.mark(hinges[0]))
+            self.bodies.place_points(rigid_body(self.bodies, self.base.name, self.pivot, hinges[0]))
+            return
+        start = at(SCHEME, self.pivot)
+        axis = self.axis_turned(self.base.name, start, start, self.level)
+        self.bodies.place_points(Body(self.base, BodyPoint(self.pivot, self.pivot), axis, self.base.name))
+
+    def place_basic(self, key: str, cut: Cut) -> None:
+        """The basic link, by its outer hinge and another point, by its axis, or on its guide."""
+        b, name, hinge = self.bodies, self.basic.name, self.outer.point
+        if key != hinge:
+            self.turned(key, self.mark(key))
+        if self.outer.kind == "P":
+            place_slider(b, self.outer, name, key, self.along)
+        elif key != hinge:
+            b.place_points(rigid_body(b, name, hinge, key))
+        else:
+            axis = self.axis_turned(name, at(SCHEME, hinge), self.mark(hinge), self.axis(key, cut))
+            b.place_points(Body(self.basic, BodyPoint(hinge, hinge), axis, name))

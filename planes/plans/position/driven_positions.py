@@ -1,0 +1,136 @@
+"""The scheme of what is driven from inside: two links with a cylinder or a motor between them are drawn as one link of
+the length, between the hinge they hang by and the one they move, that the drive gives; or as a slider, whose hinge runs
+along a line that the drive shifts."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from planes.drafting.equations import Equation
+from planes.drafting.steps import Carry, Image
+from planes.drafting.steps.crossings import Touch
+from planes.drafting.steps.reckoning import SenseOf, SizeOf
+from planes.plans.assur.groups import Group, Pair
+from planes.plans.position.asides import Aside, aside_of, reach_of, slid, turned
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.position.positions import chain_to, moving_name, on_line, place_slider, rigid_body, side_of
+from planes.words.names import Meaning, at, label_of
+
+
+@dataclass(frozen=True)
+class Way:
+    """How the hinge of what is driven is held: by a ``length`` from the mark ``start``, or on a line ``along``."""
+
+    start: str
+    length: str = ""
+    along: str = ""
+
+
+def place_driven(b: Bodies, g: Group) -> None:
+    """The two links of a drive and the one they move: how their hinges lie, that is a засечка with it."""
+    way, place = driven_way(b, g)
+    place_reached(b, g, way)
+    place()
+
+
+def driven_way(b: Bodies, g: Group, start: str = "") -> tuple[Way, Callable[[], None]]:
+    """How the drive holds the hinge of what it moves, which is drawn aside (from ``start``, where the hinge it hangs by
+    is not there yet); and what draws its links once the hinges are there."""
+    assert g.drive
+    aside, pair, hinge = aside_of(b, g, start), g.drive, g.inner.point
+    if g.hung[0][1].kind == "P":
+        motor, end = turned(aside, pair, hinge) if pair.kind == "R" else ("", slid(aside, pair, hinge))
+        along = b.line(g.hung[0][1], g.hung[0][1].mate(g.held))[1]
+        return Way(end, along=along), lambda: place_sliding(aside, g, end, motor)
+    if pair.kind == "R":
+        elbow = elbow_of(aside, g, *turned(aside, pair, hinge))
+        return Way(at(SCHEME, aside.base), elbow.length), elbow.place
+    pivot = aside.base
+    ends = (pivot, hinge) if g.held == pair.other else (hinge, pivot)
+    reach, offset, length = cylinder(aside, pair, ends, pivot)
+
+    def place() -> None:
+        means, marks = Meaning("along", pair.guide), (at(SCHEME, ends[0]), at(SCHEME, ends[1]))
+        way = b.draft.step(SenseOf(f"way_{pair.guide}", reach))
+        line = b.draft.step(Touch(f"∥{pair.guide}", *marks, offset, "mu_position", way, means=means))
+        ref = BodyPoint(pivot, pivot), BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.held))
+        b.place_points(Body(aside.link, ref[0], b.axis_along(pair, g.held, line), g.held, ref))
+        place_slider(b, pair, pair.mate(g.held), hinge, line)
+
+    return Way(at(SCHEME, pivot), length), place
+
+
+def place_reached(b: Bodies, g: Group, way: Way) -> None:
+    """The hinge between what is driven, with the drive stopped one link, and the link it moves."""
+    hinge, (link, pair), direction = g.inner.point, g.hung[1], ""
+    chains = {g.held: chain_to(hinge, label_of(way.start), way.length or None, way.along or None)}
+    if pair.kind == "R":
+        chains[link] = chain_to(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
+    else:
+        start, direction = on_line(b, pair, link, hinge)
+        chains[link] = chain_to(hinge, start, along=direction)
+    one, two = (chains[x] for x in (g.links if g.kind == 1 else (g.first, g.last)))
+    b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", None if g.kind == 4 else side_of(b, hinge, g)))
+    if direction:
+        place_slider(b, pair, link, hinge, direction)
+    else:
+        b.place_points(rigid_body(b, link, pair.point, hinge))
+
+
+def place_sliding(aside: Aside, g: Group, end: str, motor: str) -> None:
+    """The links of a drive that slides on the frame: all of it is carried from aside, where its hinge is at ``end``, to
+    where that is. A ``motor`` turns the other link, a cylinder turns none."""
+    b, pair, hinge = aside.bodies, g.drive, g.inner.point
+    assert pair
+    mate, root = pair.mate(g.held), b.known[g.hung[0][1].mate(g.held)].root
+    b.draft.step(Carry(at(SCHEME, aside.base), at(SCHEME, hinge), end, aside.start))
+    spot = BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.held))
+    b.place_points(Body(aside.link, BodyPoint(aside.base, aside.base), aside.axis, root, moving=spot))
+    if motor:
+        b.place_points(rigid_body(b, mate, pair.point, hinge))
+    else:
+        place_slider(b, pair, mate, hinge, b.direction_from(pair, g.held, aside.axis))
+
+
+@dataclass(frozen=True)
+class Elbow:
+    """Two links with a motor in the hinge between them, drawn ``aside``: how far the ``hinge`` is from the pivot, and
+    the marks of the motor and of the hinge there."""
+
+    aside: Aside
+    group: Group
+    motor: str
+    hinge: str
+    length: str
+
+    def place(self) -> None:
+        """Both links where they are, by similarity with what is drawn aside."""
+        b, g, pivot, hinge = self.aside.bodies, self.group, self.aside.base, self.group.inner.point
+        assert g.drive
+        start, motor, centre = at(SCHEME, pivot), g.drive.point, self.aside.start
+        shape = (centre, self.motor), (centre, self.hinge), (start, at(SCHEME, hinge))
+        b.draft.step(Image(at(SCHEME, motor), start, *shape))
+        body = rigid_body(b, g.held, pivot, motor)
+        b.place_points(body)
+        under = BodyPoint(hinge, moving_name(b, "", hinge, g.held))
+        body.ref, body.rigid = (BodyPoint(pivot, pivot), under), False
+        b.place_points(rigid_body(b, g.drive.mate(g.held), motor, hinge))
+
+
+def elbow_of(aside: Aside, g: Group, motor: str, hinge: str) -> Elbow:
+    """Two links drawn aside, measured."""
+    length = aside.bodies.draft.measure(f"l_{aside.base}{g.inner.point}", aside.start, hinge)
+    return Elbow(aside, g, motor, hinge, length)
+
+
+def cylinder(aside: Aside, pair: Pair, ends: tuple[str, str], pivot: str) -> tuple[str, str | None, str]:
+    """How far its hinges, of the guide's link and of the slider, are apart along the guide and across it, and as they
+    lie, which is drawn aside (the ``pivot`` is one of them): names of values, SI."""
+    b, d = aside.bodies, aside.bodies.draft
+    reach, offset = reach_of(b, pair, ends)
+    name = f"l_{pivot}{ends[1 - ends.index(pivot)]}"
+    if offset is None:
+        return reach, None, d.step(SizeOf(name, reach))
+    helper = Meaning("guide", pair.guide)
+    reached = d.lay_off(SCHEME, f"{pivot}°{pair.guide}", aside.start, aside.axis, reach, helper)
+    end = d.lay_off(SCHEME, f"{pivot}⊥{pair.guide}′", reached, d.square(aside.axis), offset, helper)
+    return reach, offset, d.measure(name, aside.start, end)

@@ -1,0 +1,93 @@
+"""A group of class IV that hangs on two guides: how both links that do lie is known, and neither turns by itself.
+
+So the base is drawn aside, anywhere on its guide, and the basic link from that by two leads, as by two links of a dyad;
+then the figure is shifted along the base's guide until the basic link is on its own.
+"""
+
+from dataclasses import replace
+
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import Carry
+from planes.plans.assur.basic_links import Lead
+from planes.plans.assur.contours import Contour
+from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies
+from planes.plans.position.positions import chain_to, on_line, place_slider
+from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
+from planes.plans.position.slid_triads import moved_over
+from planes.plans.position.triads import place_lead
+from planes.words.names import Meaning, at, label_of
+
+
+def place_slid_contour(b: Bodies, g: Contour) -> None:
+    """Draw the base aside, the basic link by it, and both where they are."""
+    BaseAside(b, g).place()
+
+
+class BaseAside:
+    """The figure with its base at the beginning of its guide."""
+
+    def __init__(self, b: Bodies, g: Contour) -> None:
+        self.bodies, self.group, self.draft = b, g, b.draft
+        self.base, self.basic = b.mechanism.links[g.base], b.mechanism.links[g.basic]
+        self.first = self.base.first_point
+        (self.start, self.along), self.way = on_line(b, g.outer[0], g.base, self.first), ""
+        self.axes = {g.base: b.axis_along(g.outer[0], g.base, self.along)}
+        mate = b.known[g.outer[1].mate(g.basic)]
+        self.way = b.direction_from(g.outer[1], mate.link.name, mate.axis)
+        self.axes[g.basic] = b.axis_along(g.outer[1], g.basic, self.way)
+
+    def place(self) -> None:
+        b, d, g = self.bodies, self.draft, self.group
+        hinges = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
+        key = hinges[0] if hinges else self.basic.first_point
+        b.leads[g.basic] = g.leads
+        one, two = (self.reaching(lead, key) for lead in g.leads)
+        side = None if one[-1].direction and two[-1].direction else d.give(f"side_{key}", 1.0)
+        if side:
+            b.choices.append(AssemblyChoice(side, key, g))
+        aside = f"{key}°{self.first}"
+        d.draw(Equation(SCHEME, (one, two), f"r_{aside}", side))
+        d.steps[at(SCHEME, aside)] = replace(d.steps[at(SCHEME, aside)], means=Meaning("guide", key))
+        start, way = on_line(b, g.outer[1], g.basic, key)
+        d.draw(Equation(SCHEME, (chain_to(key, aside, along=self.along), chain_to(key, start, along=way)), f"r_{key}"))
+        d.step(Carry(at(SCHEME, self.first), at(SCHEME, key), at(SCHEME, aside), at(SCHEME, self.start)))
+        place_slider(b, g.outer[0], g.base, self.first, self.along)
+        place_slider(b, g.outer[1], g.basic, key, way)
+        for lead in g.leads:
+            place_lead(b, g.basic, lead)
+
+    def reaching(self, lead: Lead, key: str) -> tuple[Term, Term]:
+        """How a lead from the base reaches a point of the basic link, all of it aside."""
+        b, outer, inner = self.bodies, lead.outer, lead.inner
+        aside = f"{key}°{self.first}"
+        if outer.kind == "P":
+            along = b.direction_from(outer, self.base.name, self.axes[self.base.name])
+            apart = difference(b.offset(outer, lead.link, inner.point), b.offset(outer, self.base.name, self.first))
+            beside = Meaning("guide", outer.guide, inner.point)
+            name = f"{inner.point}°{outer.guide}′"
+            start = label_of(b.shifted(name, beside, at(SCHEME, self.start), along, apart))
+            return chain_to(aside, moved_over(b, self.basic.name, start, inner.point, key, self.axis), along=along)
+        start = self.point(outer.point)
+        if inner.kind == "P":
+            along = b.direction_from(inner, self.basic.name, self.axis)
+            apart = difference(b.offset(inner, self.basic.name, key), b.offset(inner, lead.link, outer.point))
+            beside = Meaning("guide", inner.guide, key)
+            start = label_of(b.shifted(f"{key}°{inner.guide}′", beside, at(SCHEME, start), along, apart))
+            return chain_to(aside, start, along=along)
+        length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
+        return chain_to(aside, moved_over(b, self.basic.name, start, inner.point, key, self.axis), length)
+
+    @property
+    def axis(self) -> str:
+        """The basic link's own axis."""
+        return self.axes[self.basic.name]
+
+    def point(self, point: str) -> str:
+        """The label of a point of the base, aside."""
+        b, d, base = self.bodies, self.draft, self.base.name
+        if point == self.first:
+            return self.start
+        turned = angle_deg(b.shape, OwnPlace(base, self.first), OwnPlace(base, point))
+        ray = d.turn(f"→{self.first}{point}", self.axes[base], turned, Meaning("given", self.first))
+        length, helper = b.length(self.base, self.first, point), Meaning("guide", point)
+        return label_of(d.lay_off(SCHEME, f"{point}°{self.first}", at(SCHEME, self.start), ray, length, helper))

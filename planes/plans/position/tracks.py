@@ -1,0 +1,176 @@
+"""Which assembly of a higher group is meant: all are found and counted at the drive's value, one chosen, followed."""
+
+import cmath
+from collections.abc import Iterator
+from dataclasses import replace
+
+from planes.drafting.drawing import run
+from planes.drafting.program import Program
+from planes.drafting.steps.tracks import CutTrack
+from planes.geometry import plane
+from planes.geometry.arithmetic import Arithmetic, Real
+from planes.geometry.sextic import Counted, assemblies
+from planes.geometry.tracks import Pose, Tie, advanced
+from planes.geometry.two_tracks import both_assemblies
+from planes.plans.assur.basic_links import Triad
+from planes.plans.assur.pairings import Pairing
+from planes.plans.position.bodies import SCHEME, Bodies, TrackChoice
+from planes.plans.position.branch import Branch, follow
+from planes.scene.mechanism import Assembly
+from planes.words import Phrase
+from planes.words.errors import PlanFailure, SceneError
+from planes.words.names import at, mu_of
+
+ORDERS = ((0, 1), (1, 2), (2, 0))
+DOUBTFUL = 0.8  # of how far the next assembly is from the place a scene names: no nearer than that none is chosen
+
+
+class Tracks:
+    """The assemblies of a higher group at the drive's value in the file."""
+
+    def __init__(self, b: Bodies, program: Program, choice: TrackChoice) -> None:
+        self.bodies, self.choice, self.whole = b, choice, program
+        named = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "", h.reach) if n]
+        marks = [n for n in named if n in b.draft.steps]
+        self.program = program.sliced(marks)
+        places = [b.draft.given[h.local] for h in choice.holds]
+        self.size = max(abs(p - q) for p in places for q in places)
+        if not self.size:  # three guides through one point: what they are held from
+            held = [tie.place for tie in self.ties(self.start)]
+            self.size = max(abs(p - q) for p in held for q in held) or 1.0
+        b.draft.given[choice.guess.size] = self.size
+
+    def ties(self, value: Real) -> list[Tie]:
+        """The leads at a value of the drive, in m."""
+        given = {**self.bodies.draft.given, mu_of(SCHEME): 1.0, self.choice.guess.drive: value}
+        things = run(self.program, given).things
+        return [hold.tie(things, 1.0, Arithmetic()) for hold in self.choice.holds]
+
+    @property
+    def start(self) -> float:
+        """The drive's value in the file."""
+        return self.bodies.mechanism.drive.position
+
+    def all(self) -> Counted:
+        """Every assembly there."""
+        ties = self.ties(self.start)
+        return both_assemblies(ties) if isinstance(self.choice.group, Pairing) else assemblies(ties)
+
+    def place(self, pose: Pose, point: str) -> complex:
+        """Where a point of the group would be in an assembly."""
+        self.set(Branch(self.start - 1.0, self.start + 1.0, self.sense(pose), (pose[0] / self.size,), turns(pose)))
+        program = Program(tuple(self.bodies.draft.steps.values())).sliced([at(SCHEME, point)])
+        return complex(run(program, {**self.bodies.draft.given, mu_of(SCHEME): 1.0})[at(SCHEME, point)])
+
+    def sense(self, pose: Pose) -> float:
+        """The sense of the leads' lines about each other."""
+        return 1.0 if advanced(self.ties(self.start), pose)[2] > 0 else -1.0
+
+    def set(self, branch: Branch) -> None:
+        """Give the program an assembly with its range."""
+        d, old, basics = self.bodies.draft, self.choice.guess, self.choice.group.basics
+        d.given[old.middle], d.given[old.half] = (branch.low + branch.high) / 2, (branch.high - branch.low) / 2
+        d.given[self.choice.side] = branch.side
+        told = [("track", basics[0], branch.places), *(("turning", *x) for x in zip(basics, branch.turns, strict=True))]
+        places, *turned = (tuple(f"{what}_{basic}_{k}" for k in range(len(terms))) for what, basic, terms in told)
+        for names, (_, _, terms) in zip((places, *turned), told, strict=True):
+            d.given |= dict(zip(names, terms, strict=True))
+        guess = replace(old, places=places, turns=tuple(turned))
+        for name, step in d.steps.items():
+            if isinstance(step, CutTrack) and step.holds == self.choice.holds:
+                d.steps[name] = replace(step, guess=guess)
+
+    def choose(self, pose: Pose) -> None:
+        """Take an assembly, follow it, and draw by the leads that cross best there."""
+        branch = follow(self.ties, self.start, pose, self.size, self.choice.guess.turning)
+        if branch is None:
+            raise self.error(Phrase("track_not_followed", **self.named()))
+        self.set(branch)
+        if isinstance(self.choice.group, Pairing):
+            return
+        leads, sharp = self.choice.group.leads, self.crossings(pose)
+        first = sharp.index(max(sharp))
+        self.bodies.leads[self.choice.group.basic] = (*leads[first:], *leads[:first])
+
+    def crossings(self, pose: Pose) -> list[float]:
+        """How sharply two leads cross in the special point, or of class IV one with what it leads to."""
+        ties = self.ties(self.start)
+        pulls = [tie.wrench(*pose)[1] for tie in ties]
+        if isinstance(self.choice.group, Triad):
+            return [abs(plane.cross(pulls[i], pulls[j])) for i, j in ORDERS]
+        if ties[2].kind == "guide":  # the basic link slides, every point of it alike
+            return [abs(plane.cross(pull, pulls[2])) for pull in pulls[:2]]
+        hinge, held = pose[0] + pose[1] * ties[2].local, [tie.held(*pose) for tie in ties[:2]]
+        return [abs(plane.cross(n, p - hinge)) / abs(p - hinge) for n, p in zip(pulls, held, strict=False)]
+
+    def named(self) -> dict[str, object]:
+        """What sentences say of the group."""
+        g, drive = self.choice.group, self.bodies.mechanism.drive
+        unit = "°" if drive.kind == "phi" else " m"
+        name = "φ" if drive.kind == "phi" else "s"
+        return {"level": g.level, "links": g.links, "name": g.name, "drive": name, "value": f"{self.start:.10g}{unit}"}
+
+    def error(self, why: Phrase, *path: str) -> SceneError:
+        """A refusal at its line."""
+        where = self.bodies.mechanism.where
+        return SceneError(why, self.bodies.file, where.get(path or ("assembly",), where.get(("links",))))
+
+
+def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
+    """Choose the assembly of a triad; :class:`SceneError` lists all where the scene does not say which."""
+    tracks = Tracks(b, program, choice)
+    try:
+        counted = tracks.all()
+    except PlanFailure as failure:
+        raise tracks.error(Phrase("near_not_drawn", key=choice.key, failure=failure.phrase)) from None
+    if not counted.proved:
+        raise tracks.error(Phrase("tracks_touch", **tracks.named()), "drive")
+    if not counted.poses:
+        raise tracks.error(Phrase("tracks_miss", **tracks.named()), "drive")
+    key, said = _said(b, choice)
+    if said is None and len(counted.poses) == 1:
+        tracks.choose(counted.poses[0])
+        return
+    if said is None or said.near is None:
+        raise tracks.error(_question(tracks, counted, key))
+    near = said.near
+    found = {tracks.place(pose, key): pose for pose in counted.poses}
+    if len(found) < len(counted.poses):
+        raise tracks.error(Phrase("near_same", key=key, point=key), "assembly", key)
+    off = sorted(abs(place - near) for place in found)
+    if len(off) > 1 and off[0] > DOUBTFUL * off[1]:
+        told = {
+            "key": key,
+            "off": off[0],
+            "next": off[1],
+            "count": len(off),
+            "offers": tuple(_offers(tracks, counted, key)),
+        }
+        raise tracks.error(Phrase("near_between", **told, **tracks.named()), "assembly", key)
+    tracks.choose(found[min(found, key=lambda place: abs(place - near))])
+
+
+def _said(b: Bodies, choice: TrackChoice) -> tuple[str, Assembly | None]:
+    """What the scene says of a triad, under any point that moves with it."""
+    inside = choice.group.inner_pairs
+    outer = {pair.point for pair in choice.group.pairs if pair not in inside}
+    points = {p for link in choice.group.links for p in b.mechanism.links[link].points} - outer
+    return next(((key, said) for key, said in b.mechanism.assembly.items() if key in points), (choice.key, None))
+
+
+def _question(tracks: Tracks, counted: Counted, key: str) -> Phrase:
+    """All assemblies, each with the words that choose it."""
+    offers = tuple(_offers(tracks, counted, key))
+    more = bool(tracks.bodies.mechanism.assembly)
+    return Phrase("tracks_more" if more else "tracks_all", count=len(offers), offers=offers, **tracks.named())
+
+
+def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[Phrase]:
+    for pose in counted.poses:
+        place = tracks.place(pose, key)
+        yield Phrase("track_offer", key=key, x=place.real, y=place.imag)
+
+
+def turns(pose: Pose) -> tuple[tuple[float, ...], ...]:
+    """The angles of a pose, radians, each as a series of one term."""
+    return tuple((cmath.phase(axis),) for axis in pose[1:])

@@ -1,0 +1,97 @@
+"""The scheme of a triad: its basic link by the track of a hinge, then each lead from that.
+
+Every lead holds the basic link by one tie: a rod of two hinges on an arc, a slider by its hinge on a line, a link that
+turns about a hinge and slides on the basic one by that one's guide.
+"""
+
+from collections.abc import Callable
+from functools import partial
+
+from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
+from planes.plans.assur.basic_links import Lead, Triad
+from planes.plans.assur.contours import Tracked
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
+from planes.plans.position.driven_positions import driven_way
+from planes.plans.position.positions import on_line, place_slider, rigid_body
+from planes.plans.position.reckoned import OwnPlace, difference, own
+from planes.scene.mechanism import Link
+from planes.words.names import Meaning, at, mu_of
+
+Holds = tuple[Hold, ...]
+Cut = tuple[Holds, SeriesGuess, str, str]  # what cuts the tracks of a basic link
+
+
+def place_triad(b: Bodies, g: Triad) -> None:
+    """Draw the basic link where its track is cut, and the leads."""
+    d, link = b.draft, b.mechanism.links[g.basic]
+    placers: dict[Lead, Callable[[], None]] = {}
+    one, two, three = (hold_of(b, g.basic, lead, placers) for lead in g.leads)
+    hinges = [lead.inner.point for lead in reversed(g.leads) if lead.inner.kind == "R"] or [link.first_point]
+    key = hinges[0]
+    cut = cut_of(b, g, key, (one, two, three))
+    for p in hinges:
+        d.step(CutTrack(at(SCHEME, p), local_of(b, link, p), *cut))
+    if len(hinges) > 1:
+        b.place_points(rigid_body(b, g.basic, hinges[0], hinges[1]))
+    else:
+        axis = d.step(CutTurn(f"x_{g.basic}", local_of(b, link, key), *cut, means=Meaning("own", g.basic)))
+        b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
+    for lead in g.leads:
+        placers.get(lead, partial(place_lead, b, g.basic, lead))()
+
+
+def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
+    """What cuts the tracks of a basic link, its assembly still to be chosen; ``key`` is the point that tells it."""
+    d, drive = b.draft, b.mechanism.drive
+    middle, half, size = (
+        d.give(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
+    )
+    place, turn = d.give(f"track_{g.basic}_0", 0j), d.give(f"turning_{g.basic}_0", 0.0)
+    guess = SeriesGuess(drive.given, drive.kind == "phi", middle, half, size, (place,), ((turn,),))
+    side = d.give(f"sense_{g.basic}", 1.0)
+    b.choices.append(TrackChoice(key, g, holds, guess, side))
+    return holds, guess, mu_of(SCHEME), side
+
+
+def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
+    """A lead from the basic link that is drawn."""
+    outer, inner = lead.outer, lead.inner
+    if lead.name == "RR":
+        b.place_points(rigid_body(b, lead.link, outer.point, inner.point))
+    elif outer.kind == "P":
+        place_slider(b, outer, lead.link, inner.point, on_line(b, outer, lead.link, inner.point)[1])
+    else:
+        along = b.direction_from(inner, basic, b.known[basic].axis)
+        place_slider(b, inner, lead.link, outer.point, along)
+
+
+def hold_of(
+    b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], None]], hinge: str | None = None
+) -> Hold:
+    """How a lead holds the basic link, from its outer ``hinge`` (where that is drawn aside, from there); what draws one
+    with a drive inside is put among the ``placers``."""
+    d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
+    place = hinge or at(SCHEME, outer.point)
+    if inner.kind == "R":
+        local = local_of(b, link, inner.point)
+        if lead.drive:
+            way, placers[lead] = driven_way(b, lead.moving(basic), hinge or "")
+            return (
+                Hold("arc", local, place, way.length) if way.length else Hold("line", local, way.start, "", way.along)
+            )
+        if outer.kind == "R":
+            length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
+            return Hold("arc", local, place, length)
+        start, along = on_line(b, outer, lead.link, inner.point)
+        return Hold("line", local, at(SCHEME, start), "", along)
+    first = link.first_point
+    offset = difference(b.offset(inner, lead.link, outer.point), b.offset(inner, basic, first))
+    beside = Meaning("offset", outer.point, first)
+    reach = "" if offset is None else d.reckon(f"e_{outer.point}{first}", offset, beside)
+    turn = d.reckon(f"guide_{inner.guide}_{basic}", b.own_angle(inner, basic))
+    return Hold("guide", local_of(b, link, first), place, reach, turn)
+
+
+def local_of(b: Bodies, link: Link, point: str) -> str:
+    """The place of a point on its link."""
+    return b.draft.reckon(f"at_{point}_{link.name}", own(b.shape, OwnPlace(link.name, point)))

@@ -1,0 +1,1 @@
+"""Vectors and equations that a scene states by themselves."""

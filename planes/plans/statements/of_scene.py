@@ -1,0 +1,28 @@
+"""The plans of a scene, whatever it states."""
+
+from planes.plans import Plans, plans_of, sliced
+from planes.plans.other_leads import fitting
+from planes.plans.quantities import Quantity, asked
+from planes.plans.statements.stated import stated_plans
+from planes.scene import Scene
+
+
+def scene_plans(scene: Scene) -> Plans:
+    """All the plans of a scene's mechanism, or of its vectors, stated once and kept with it: neither changes."""
+    assert scene.mechanism or scene.statement
+    kept = vars(scene.mechanism or scene.statement)
+    if "plans" not in kept:
+        kept["plans"] = plans_of(scene.mechanism, scene.file) if scene.mechanism else stated_plans(scene)
+    plans: Plans = kept["plans"]
+    return plans
+
+
+def fitted(plans: Plans, wanted: list[Quantity] | None, value: float) -> tuple[Plans, list[Quantity] | None]:
+    """The plans by the leads that cross well at a value of the drive, cut to what is asked; and what is asked of
+    them."""
+    fit = fitting(plans, value)
+    if fit is plans or wanted is None:
+        return fit, wanted
+    again = asked(fit, [q.name for q in wanted])
+    scheme = [step.makes for step in plans.program.marks.get("position", ())]
+    return sliced(fit, [*(n for q in again for n in q.needs), *scheme]), again

@@ -1,0 +1,221 @@
+"""The plans of a scene that states vectors and equations: one program, its equations in whatever order they can be
+drawn, each number found on the plans before it."""
+
+import cmath
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+
+from planes.drafting.drawing import run
+from planes.drafting.equations import Equation, unknown
+from planes.drafting.program import Program
+from planes.plans import STILL, Plans
+from planes.plans.assur.groups import Pair
+from planes.plans.assur.structure import Structure
+from planes.plans.force.loads import Loads
+from planes.plans.passive_motion import LinkValues
+from planes.plans.proving import closed
+from planes.plans.scales import scales
+from planes.plans.statements.stated_chains import Chains
+from planes.plans.statements.stated_plans import plans_of_equations
+from planes.plans.statements.stated_vectors import StatedVectors
+from planes.scene import Scene
+from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
+from planes.scene.vector_equations import Side, SideTerm, VectorEquation
+from planes.scene.vectors import Statement
+from planes.words import Phrase, Told, table
+from planes.words.errors import EquationError, PlanFailure, ProgramError, SceneError
+from planes.words.lettering import name_in_words
+from planes.words.names import mu_of
+
+
+def stated_plans(scene: Scene) -> Plans:
+    """State every plan of a scene of vectors. :class:`SceneError` with file:line where an equation cannot be drawn."""
+    assert scene.statement
+    try:
+        return StatedPlansBuilder(scene, scene.statement).build()
+    except ProgramError as error:
+        raise SceneError(error.phrase, scene.file, scene.where.get(("vectors",))) from None
+
+
+class StatedPlansBuilder:
+    """Draws the equations, one after another."""
+
+    def __init__(self, scene: Scene, statement: Statement) -> None:
+        self.scene, self.statement = scene, statement
+        self.plan_of = plans_of_equations(scene, statement)
+        self.vectors = StatedVectors(statement)
+        self.draft = self.vectors.draft
+        self.chains = Chains(self.vectors)
+        self.solved: dict[str, VectorEquation] = {}  # mark -> the equation it was drawn for
+        self.chosen: set[str] = set()  # vectors whose direction a side decides
+        self.sides: dict[str, float] = {}
+
+    def error(self, equation: VectorEquation, phrase: Told) -> SceneError:
+        return SceneError(phrase, self.scene.file, equation.line)
+
+    def build(self) -> Plans:
+        """All equations, each as soon as it has but two unknowns; then what is reckoned last."""
+        left = [(e, (e.sides[0], side)) for e in self.statement.equations for side in e.sides[1:]]
+        while left:
+            self.vectors.settle()
+            done = self._one(left) or self._pair(left)
+            if not done:
+                raise self._stuck([e for e, _ in left])
+            left = [row for row in left if row not in done]
+        self.vectors.settle()
+        self._check_used()
+        plans = self._plans()
+        self._try(plans)
+        return plans
+
+    def _ready(self, names: Iterable[str]) -> bool:
+        return all(map(self.vectors.ready, names))
+
+    def unknowns(self, terms: Side) -> list[Phrase]:
+        """What is not known of the vectors, in words."""
+        found = []
+        for term in terms:
+            parts = zip(("length", "direction"), self.vectors.parts(term.name), strict=True)
+            found += [unknown(term.name, part) for part, given in parts if given is None]
+        return found
+
+    def _one(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
+        for row in left:
+            equation, (one, two) = row
+            if self._ready(t.name for t in one + two) and len(self.unknowns(one + two)) == 2:
+                self._draw(equation, one, two)
+                return [row]
+        return []
+
+    def _pair(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
+        """Two sides that one unknown vector is equal to are equal themselves."""
+        for i, (one, (total, first)) in enumerate(left):
+            for other, (same, second) in left[i + 1 :]:
+                alone = len(total) == 1 and total == same and total[0].times == 1.0
+                if alone and self._ready(t.name for t in first + second) and len(self.unknowns(first + second)) == 2:
+                    self._draw(one, first, second, total[0].name, other)
+                    return [left[i], (other, (same, second))]
+        return []
+
+    def _stuck(self, left: list[VectorEquation]) -> SceneError:
+        """Why none of these can be drawn: too many unknowns, or numbers that lead round in a circle."""
+        for equation in left:
+            if self._ready(equation.names):
+                listed = tuple(self.unknowns(tuple(map(SideTerm, equation.names)))) or Phrase("none")
+                return self.error(equation, Phrase("unknowns_are", text=equation.text, listed=listed))
+        name, needed = next(
+            (n, needed) for n in left[0].names if not self.vectors.ready(n) for needed in self.vectors.missing(n)
+        )
+        return self.error(left[0], Phrase("vector_waits", text=left[0].text, name=name, needed=needed))
+
+    def _draw(
+        self,
+        equation: VectorEquation,
+        one: Side,
+        two: Side,
+        total: str | None = None,
+        other: VectorEquation | None = None,
+    ) -> None:
+        d, plan = self.draft, self.plan_of[equation.line, equation.text]
+        if (
+            not total
+            and two
+            and len(one) == 1
+            and one[0].times == 1
+            and self.vectors.parts(one[0].name) == (None, None)
+        ):
+            total, one = one[0].name, ()
+        plan, chains = self.chains.of(plan, one, two, total)
+        terms = [*chains[0], *chains[1]]
+        free = [t.name for t in terms if t.direction is None and t.length is not None and not t.drawn]
+        side = d.give(f"side_{len(d.equations) + 1}", 1.0) if free else None
+        try:
+            drawn = Equation(plan, chains, total, side)
+        except EquationError as error:
+            raise self.error(equation, error.phrase) from None
+        if other and other is not equation:
+            equation = replace(equation, text=f"{equation.text}, {other.text}")
+        for term in terms:
+            self.solved.setdefault(str(name_in_words(term.end)), equation)
+        d.draw(drawn)
+        self.vectors.learn(drawn, self.chains.stated)
+        if side:
+            self._choose(side, [n.rpartition("·")[2] for n in free])
+
+    def _choose(self, side: str, free: list[str]) -> None:
+        """The root whose vectors point nearer to ``near:``."""
+        self.chosen |= {*free}
+        vectors = self.statement.vectors
+        near = {n: angle for n in free if (angle := vectors[n].near_deg) is not None}
+        asked, found = list(near) or free[:1], []
+        for sign in (1.0, -1.0):
+            ways = self._ways(asked, side, sign)
+            if ways:
+                apart = sum(abs((ways[name] - angle + 180) % 360 - 180) for name, angle in near.items())
+                found.append((apart, sign, ways))
+        if not near and found:
+            offers = tuple(Phrase("near_angle", angle=ways[asked[0]]) for _, _, ways in found)
+            line = self.scene.where.get(("vectors", asked[0]))
+            raise SceneError(Phrase("two_directions", name=asked[0], offers=offers), self.scene.file, line)
+        self.draft.given[side] = min(found, key=lambda one: one[0], default=(0.0, 1.0, {}))[1]
+
+    def _ways(self, names: list[str], side: str, sign: float) -> dict[str, float] | None:
+        """Which way these vectors point on one side; None where it cannot be drawn."""
+        spans = {n: self.vectors.span(n) for n in names}
+        program = Program(tuple(self.draft.steps.values())).sliced(m for s in spans.values() for m in s)
+        given = {**self.draft.given, **{mu_of(plan): 1.0 for plan in program.marks}, side: sign}
+        try:
+            drawing = run(program, given)
+        except PlanFailure:
+            return None
+        return {n: math.degrees(cmath.phase(drawing[end] - drawing[start])) for n, (start, end) in spans.items()}
+
+    def _check_used(self) -> None:
+        """Whatever is said of a vector must have an effect."""
+        named = {name for equation in self.statement.equations for name in equation.names}
+        for name, given in self.statement.vectors.items():
+            idle = name not in named and name not in self.vectors.used
+            if idle or (given.near_deg is not None and name not in self.chosen):
+                line = self.scene.where.get(("vectors", name))
+                raise SceneError(Phrase("vector_idle" if idle else "near_idle", name=name), self.scene.file, line)
+        for name in self.statement.values:
+            if needed := self.vectors.needs(name):
+                line = self.scene.where.get(("values", name))
+                raise SceneError(Phrase("value_waits", name=name, needed=needed[0]), self.scene.file, line)
+
+    def _plans(self) -> Plans:
+        d = self.draft
+        program = Program(tuple(d.steps.values()), tuple(closed(d)))
+        nothing = Mechanism(Link(FRAME, {}), {}, Drive(FRAME, "s", 0.0), where=self.scene.where)
+        names = [n for n in self.statement.vectors if self.vectors.spanned(n)]
+        return Plans(
+            mechanism=nothing,
+            structure=Structure(0, 0, Pair("R", FRAME, FRAME), (), FRAME),
+            program=program,
+            given={**d.given, STILL: 0.0},
+            equations=tuple(d.equations),
+            moments=(),
+            segments=tuple(dict.fromkeys(d.segments)),
+            acting=Loads(),
+            means=d.means | {s.makes: s.means for s in program.steps if s.means},
+            off=d.off,
+            vectors={n: self.vectors.span(n) for n in names},
+            values={n: self.vectors.values[n] for n in self.statement.values},
+            links={FRAME: LinkValues("", "", "")},
+        )
+
+    def _try(self, plans: Plans) -> None:
+        """Refuse what cannot be drawn, in millimetres of its paper."""
+        try:
+            run(plans.program, {**plans.given, **scales(plans, self.scene.mu)})
+        except PlanFailure as failure:
+            raise self._failure(failure) from None
+
+    def _failure(self, failure: PlanFailure) -> SceneError:
+        """What an equation cannot be drawn for, in words of vectors."""
+        equation = self.solved.get(str(failure.numbers.get("makes")), self.statement.equations[0])
+        key = f"vectors_{failure.reason}"
+        if key not in table("en"):
+            return self.error(equation, Phrase("about", what=equation.text, why=failure.phrase))
+        return self.error(equation, Phrase(key, **{**failure.numbers, "text": equation.text}))
