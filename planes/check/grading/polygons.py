@@ -74,17 +74,18 @@ def loads_of(plans: Plans, plan: str) -> set[str]:
 def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = True) -> Rebuilt:
     """The person's vectors, each from the end of the row before it, laid off in the program's order.
 
-    A row that is in no polygon with the row before it begins another one, where that begins.
+    After the last row of a polygon one that is not of it begins another, where that begins.
     Of a ``whole`` polygon what is not listed is not there; else it may have been overlooked.
     """
     sides = {s.name: s for s in sides_of(plans, plan)}
     names, out = Names(sides), Rebuilt()
     vectors: Vectors = {}
-    polygons = [{end_of(t.name) for t in e.terms} for e in plans.equations if e.plan == plan]
+    own = [e.terms for e in plans.equations if e.plan == plan]
+    polygons = [{end_of(t.name) for t in terms if t.end != POLE} for terms in own]
     seen: dict[str, ReadMark] = {}
     for before, spot in pairwise([spots[0], *spots]):
         name, last = names.find(spot.name), names.find(before.name)
-        if name in sides and last in sides and not any({name, last} <= polygon for polygon in polygons):
+        if name in sides and any(last in p <= seen.keys() and name not in p for p in polygons):
             before = seen.get(sides[name].start, before)
         seen[name or ""] = spot
         if name is None:
