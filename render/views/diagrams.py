@@ -170,7 +170,8 @@ class Diagrams:
         told, or those that are seen."""
         if curve.ends or self.to_read:
             return [*zip((-1j, 1j), curve.ends, strict=False)]
-        count, values = len(self.angles) - 1, curve.values
+        angles, values = curve.places or self.angles, curve.values
+        count = len(angles) - 1
         known = [(v, k) for k, v in enumerate(values[:count] if self.whole else values) if v is not None]
         found = []
         for side, (value, k) in zip((-1j, 1j), (min(known), max(known)), strict=True) if known else ():
@@ -178,7 +179,7 @@ class Diagrams:
             if k not in beside and all(values[j] is not None for j in beside):  # it goes no farther unseen
                 k = k or count  # of a whole turn: its end has more room than its beginning
                 inwards = (SECTIONS * k < count) - (SECTIONS * (count - k) < count)
-                found.append((side + 2 * inwards, (self.angles[k], value)))
+                found.append((side + 2 * inwards, (angles[k], value)))
         return found
 
     def heading(self, panel: Sequence[DiagramCurve], mu: float, place: complex) -> list[Mark]:

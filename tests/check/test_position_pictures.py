@@ -54,7 +54,8 @@ def test_right_schemes_are_right_and_their_points_where_they_were_put(camera: Ca
     errors, count = [], 0
     for sample in SKETCHES:
         drawn, found = looked(sample, schemes.solved(sample), camera, tmp_path)
-        assert found.verdict == "right", (sample, found.sentence.told("en"))
+        hidden = sample.endswith("pp-rr-rr")  # its D is in the slider between two guides, where no line ends
+        assert found.verdict == ("right_as_seen" if hidden else "right"), (sample, found.sentence.told("en"))
         errors += off(drawn, found)
         count += len(drawn.places)
     errors.sort()

@@ -4,7 +4,7 @@ A polygon's order is free, so each vector is taken by its name and the marks of 
 from the person's vectors. What is left when all of them are laid end to end is the gap.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
@@ -80,12 +80,11 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = Tr
     sides = {s.name: s for s in sides_of(plans, plan)}
     names, out = Names(sides), Rebuilt()
     vectors: Vectors = {}
-    own = [e.terms for e in plans.equations if e.plan == plan]
-    polygons = [{end_of(t.name) for t in terms if t.end != POLE} for terms in own]
+    polygons = [{end_of(t.name): t.end for t in e.terms} for e in plans.equations if e.plan == plan]
     seen: dict[str, ReadMark] = {}
     for before, spot in pairwise([spots[0], *spots]):
         name, last = names.find(spot.name), names.find(before.name)
-        if name in sides and any(last in p <= seen.keys() and name not in p for p in polygons):
+        if name in sides and any(last in p and name not in p and _whole(p, seen) for p in polygons):
             before = seen.get(sides[name].start, before)
         seen[name or ""] = spot
         if name is None:
@@ -98,6 +97,11 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = Tr
     out.closers = {name for name, side in sides.items() if side.end not in loads}
     _lay(out, sides, vectors, loads, whole)
     return out
+
+
+def _whole(polygon: Mapping[str, str], seen: Collection[str]) -> bool:
+    """Whether all sides of a polygon are seen but one that leads back to the pole."""
+    return all(name in seen or end == POLE for name, end in polygon.items())
 
 
 def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], whole: bool) -> None:

@@ -95,7 +95,7 @@ def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     one, two = shape.place(p), shape.place(q)
     way = two - one
     off = _apart(one, two) + (2 * HALF * abs(way) if way.real and way.imag else 0.0)
-    return Dimension(abs(way), off, lambda shape, ar: ar.size(shape.place(q) - shape.place(p)), ("distance", p, q))
+    return Dimension(abs(way), off, lambda shape, ar: abs(shape.place(q) - shape.place(p)), ("distance", p, q))
 
 
 def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
