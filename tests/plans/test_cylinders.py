@@ -173,10 +173,14 @@ def test_too_long_a_cylinder_is_one_sentence() -> None:
 def examined(seed: int) -> float | None:
     """The worst number of one random mechanism driven by a cylinder or a motor between two links; None where something
     stands still."""
-    rng = random.Random(f"inner {seed}")
-    kinds = rng.choices(KINDS, k=seed % 3)
-    rubs, inner = {"pins": seed % 4 < 2, "friction": seed % 5 == 0}, "motor" if seed % 2 else True
-    case = make(rng, kinds, inner=inner, rest=seed % 7 == 0, **rubs)
+    return worst_of(seed, "inner", "motor" if seed % 2 else True)
+
+
+def worst_of(seed: int, named: str, inner: bool | str) -> float | None:
+    """The same of one with a drive of that kind."""
+    rng = random.Random(f"{named} {seed}")
+    rubs = {"pins": seed % 4 < 2, "friction": seed % 5 == 0}
+    case = make(rng, rng.choices(KINDS, k=seed % 3), inner=inner, rest=seed % 7 == 0, **rubs)
     if standing(case):
         return None
     drawn, wrong = against(case)
@@ -244,14 +248,7 @@ def on_boom(seed: int) -> float | None:
 
 def on_slider(seed: int) -> float | None:
     """The worst number of one random mechanism whose drive stands on a slider."""
-    rng = random.Random(f"slider {seed}")
-    rubs = {"pins": seed % 4 < 2, "friction": seed % 5 == 0}
-    case = make(rng, rng.choices(KINDS, k=seed % 3), inner="slider", rest=seed % 7 == 0, **rubs)
-    if standing(case):
-        return None
-    drawn, wrong = against(case)
-    balanced(drawn, seed)
-    return max(wrong.values()) * drawn.sharpest
+    return worst_of(seed, "slider", "slider")
 
 
 def test_random_mechanisms_driven_on_a_slider() -> None:

@@ -38,15 +38,13 @@ class Lead:
         return self.outer.kind + self.inner.kind
 
 
-@dataclass(frozen=True)
-class Triad:
-    """An Assur group of class III and order 3: the ``basic`` link and its three leads, all in the order of the file."""
+class OnLeads:
+    """What groups of one ``basic`` link on leads share; each lead may have a drive inside."""
 
     links: tuple[str, ...]
     basic: str
-    leads: tuple[Lead, Lead, Lead]
-    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
-    level: ClassVar[str] = "III"
+    leads: tuple[Lead, ...]
+    order: tuple[str, ...]
 
     @property
     def whole(self) -> tuple[str, ...]:
@@ -73,6 +71,17 @@ class Triad:
         """Its links as a formula of structure has them."""
         mates = {lead.link: lead.parts for lead in self.leads}
         return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
+
+
+@dataclass(frozen=True)
+class Triad(OnLeads):
+    """An Assur group of class III and order 3: the ``basic`` link and its three leads, all in the order of the file."""
+
+    links: tuple[str, ...]
+    basic: str
+    leads: tuple[Lead, Lead, Lead]
+    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
+    level: ClassVar[str] = "III"
 
     @property
     def ends(self) -> tuple[str, ...]:

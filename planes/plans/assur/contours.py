@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planes.plans.assur.basic_links import Lead, Triad, kind_by
+from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.assur.pairings import Pairing
 from planes.words import Phrase
@@ -17,7 +17,7 @@ from planes.words.records import Json
 
 
 @dataclass(frozen=True)
-class Contour:
+class Contour(OnLeads):
     """An Assur group of class IV and order 2: ``base`` and ``basic`` on their outer pairs, the base on a hinge, and the
     two links between them, as leads from the base to the basic link."""
 
@@ -28,32 +28,6 @@ class Contour:
     leads: tuple[Lead, Lead]
     order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
     level: ClassVar[str] = "IV"
-
-    @property
-    def whole(self) -> tuple[str, ...]:
-        """All its links, both of a drive inside among them."""
-        return self.order or self.links
-
-    @property
-    def balanced(self) -> tuple[str, ...]:
-        """The links whose forces its plan has, by which that is called."""
-        return self.whole
-
-    @property
-    def basics(self) -> tuple[str, ...]:
-        """Its basic links."""
-        return (self.basic,)
-
-    @property
-    def balances(self) -> tuple[tuple[str, ...], ...]:
-        """The links of each plan of forces, which is called by them."""
-        return (self.balanced,)
-
-    @property
-    def members(self) -> str:
-        """Its links as a formula of structure has them."""
-        mates = {lead.link: lead.parts for lead in self.leads}
-        return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
 
     @property
     def slid(self) -> bool:
