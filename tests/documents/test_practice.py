@@ -258,7 +258,7 @@ def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path
     assert "not of the scene" in capsys.readouterr().out
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=18)
 @pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
 def test_every_scene_is_practised_to_the_end_whatever_its_numbers(browser: Any, tmp_path: Path, path: Path) -> None:
     with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:

@@ -78,7 +78,7 @@ def test_every_view_of_it_is_right(sample: str, tmp_path: Path) -> None:
         assert found.verdict == "right", (plan, found.sentence.told("en"))
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=12)
 @pytest.mark.parametrize("sample", SAMPLES)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_its_papers_are_written(sample: str, lang: Lang, tmp_path: Path) -> None:

@@ -119,7 +119,7 @@ def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
     assert drawn
 
 
-@pytest.mark.few(0, slow=7)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("seed", range(100, 120))
 def test_no_ink_on_ink_unsaid_on_crowded_sheets(seed: int) -> None:
     """Three groups, seven links, all loads: the labels that find no place are named."""

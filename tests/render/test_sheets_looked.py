@@ -48,8 +48,7 @@ def test_a_sheet_has_no_fault(job: Job) -> None:
     assert refused or found.full > 0.36  # the emptiest has a group without masses, in two columns of three (bntu-1)
 
 
-@pytest.mark.slow
-@pytest.mark.few(0)
+@pytest.mark.few(0, slow=90)
 @pytest.mark.parametrize("job", EVERY, ids=str)
 def test_every_sheet_of_a_project_is_without_fault(job: Job) -> None:
     """No ink on ink, names apart, letters of the standard, left edges on the module, figures in the order of the
