@@ -45,9 +45,10 @@ def met(program: Program) -> list[ByLeads]:
 def with_others(plans: Stated, special: str, turns: int = 1) -> Stated:
     """The plans in which the next leads are taken where these lean; after a turn of all it is these again."""
     basic = next(s.means.of for s in met(plans.program) if s.makes == special and s.means)
-    leads = plans.leads[basic]
-    turned: Stated = plans.restated({**plans.leads, basic: (*leads[turns:], *leads[:turns])})
-    return turned
+    own = plans.leads[basic]
+    turned = (*own[turns:], *own[:turns])
+    others: Stated = plans.restated({x: turned if leads == own else leads for x, leads in plans.leads.items()})
+    return others
 
 
 def fitting(plans: Stated, value: float) -> Stated:
@@ -60,10 +61,10 @@ def fitting(plans: Stated, value: float) -> Stated:
         things = run(program, {**plans.given, mu_of(SCHEME): 1.0, plans.drive_given: value}).things
     except PlanFailure:  # the same will be said of the whole
         return plans
-    turned = set[str]()  # basic links: their steps have other names then
+    first, turned = plans, set[Leads]()  # of basic links: their steps have other names then
     for step in crossings:
-        sharp, basic = step.crossings(things), step.means.of if step.means else ""
-        if basic not in turned and sharp[0] < FAIR * max(sharp):
-            turned.add(basic)
+        sharp, leads = step.crossings(things), first.leads[step.means.of] if step.means else ()
+        if leads not in turned and sharp[0] < FAIR * max(sharp):
+            turned.add(leads)
             plans = with_others(plans, step.makes, sharp.index(max(sharp)))
     return plans

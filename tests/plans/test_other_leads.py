@@ -25,7 +25,7 @@ FOUND = [("RR-RR-RP", 4), ("RR-RR-PR", 2), ("RR-RR-RR", 2), ("RR-PR-RP", 14), ("
 
 def parallel_at(plans: Plans, low: float, high: float) -> float | None:
     """Where the two leads that meet are parallel, to the last bit."""
-    (step,) = met(plans.program)
+    step, *_ = met(plans.program)
     program = plans.program.sliced(step.crossed)
 
     def crossing(values: Array) -> Array:
@@ -51,7 +51,7 @@ def test_parallel_leads_are_passed_by_another_pair(leads: str, seed: int) -> Non
     start = plans.mechanism.drive.position
     value = parallel_at(plans, start - 60, start + 60)
     assert value is not None
-    (step,) = met(plans.program)
+    step, *_ = met(plans.program)
     assert step.crossings(drawn_in_si(plans, value, plans.program.sliced(step.crossed)).things)[0] < 1e-12
     fit = fitting(plans, value)
     chosen = {**scales(fit, {}, fit.at(value)), **fit.at(value)}

@@ -8,7 +8,7 @@ from planes.drafting.steps import Kind, Read, Step, directions, marks, values
 from planes.drafting.steps.reckoning import Cosine, Drop
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
-from planes.geometry.arithmetic import Real
+from planes.geometry.arithmetic import Point, Real
 
 LEAN = "leads_lean"
 """Why other plans are taken: two leads that meet in a special point are too nearly parallel."""
@@ -76,6 +76,37 @@ class CrossLeads(ByLeads, Cross):
     def crossings(self, env: Env) -> tuple[Real, Real, Real]:
         one, two, three = (env[name] for name in self.crossed)
         return abs(plane.cross(one, two)), abs(plane.cross(two, three)), abs(plane.cross(three, one))
+
+
+@dataclass(frozen=True)
+class CrossPaired(ByLeads, Cross):
+    """Cross the lines of two leads in the special point of one of two basic links hinged at ``pin``, while these lines
+    and those of the other one's special point cross no much worse than were another lead, or the hinge, found last.
+
+    ``points`` and ``lines`` are of the leads, two of either link; of these five ``turn`` is found last, 4 the hinge.
+    """
+
+    pin: str = ""
+    points: tuple[str, ...] = ()
+    lines: tuple[str, ...] = ()
+    turn: int = 4
+    needs = marks("start", "other", "pin", "points") + directions("along", "across", "lines")
+
+    @property
+    def crossed(self) -> tuple[str, ...]:
+        return self.pin, *self.points, *self.lines
+
+    def crossings(self, env: Env) -> tuple[Real, ...]:
+        pin, *points = (env[name] for name in self.crossed[:5])
+        rays = [env[name] for name in self.lines]
+        arms = [plane.cross(point - pin, ray) for point, ray in zip(points, rays, strict=True)]
+        own, leads = [abs(plane.cross(*rays[k : k + 2])) for k in (0, 2)], list[Point]()
+        for k in (0, 2):  # the line from their hinge to the special point, wherever that is
+            line = rays[k] * arms[k + 1] - rays[k + 1] * arms[k]
+            leads.append(line / (abs(line) + (abs(line) == 0)))
+        found = [own[1 - k // 2] * abs(plane.cross(rays[k ^ 1], leads[1 - k // 2])) for k in range(4)]
+        found.append(own[0] * own[1])
+        return *found[self.turn :], *found[: self.turn]
 
 
 @dataclass(frozen=True)

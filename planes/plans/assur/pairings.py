@@ -35,6 +35,15 @@ class Pairing:
         return *self.sides[0], *self.sides[1]
 
     @property
+    def joint(self) -> Lead:
+        """What one basic link is to the other: a lead, from the special point of that to their hinge."""
+        return Lead(self.basics[0], self.hinge, self.hinge)
+
+    def led(self, last: Lead) -> int:
+        """Which basic link the other one leads, so that the ``last`` of all is found by the special point of that."""
+        return int(last in self.sides[1])
+
+    @property
     def whole(self) -> tuple[str, ...]:
         """All its links."""
         return self.links

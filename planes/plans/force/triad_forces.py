@@ -1,24 +1,20 @@
-"""The force plan of a triad: the third lead's reaction by moments about S, then one polygon of the whole group.
-
-The reactions of the two leads that meet in S pass it, so moments of the whole group about S have one unknown.
-"""
+"""The force plan of a triad: the third lead's reaction by moments about S, then one polygon of the whole group."""
 
 from dataclasses import replace
 
-from planes.drafting.draft import Moments
-from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.reckoning import Cosine, Drop
+from planes.drafting.steps.reckoning import Cosine
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Pair
-from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
+from planes.plans.force.basic_link_forces import BasicLinkForces
+from planes.plans.force.lead_forces import Ends, HeldLead
 from planes.plans.force.loads import Force
-from planes.plans.force.reactions import Statics, chain_of
+from planes.plans.force.reactions import Statics
 from planes.plans.force.rubbing import settled
 from planes.plans.position.bodies import SCHEME
-from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
+from planes.words.names import at
 
 
-class TriadForces(LeadForces):
+class TriadForces(BasicLinkForces):
     """The plan of one triad."""
 
     def __init__(self, statics: Statics, group: Triad) -> None:
@@ -39,49 +35,11 @@ class TriadForces(LeadForces):
 
     def polygon(self) -> dict[Pair, Ends]:
         """Draw the polygon; the reaction of each pair on the pair's own first link."""
-        self.drawn = one, two, three = tuple(self.held(lead) for lead in self.leads)
-        pushed = self.slid(three) if self.group.slid else self.third(one, two, three)
-        own = list(self.statics.acting.forces[self.group.basic])
-        runs = [[*two.known, *two.loads], [*three.loads, *three.known, pushed], own, [*one.loads, *one.known]]
-        ends, chain = [POLE], list[Term]()
-        for run in runs:
-            chain += chain_of(run, ends[-1])
-            ends.append(chain[-1].end if chain else POLE)
-        for term in chain:
-            self.draft.lay(self.plan, term)
-        x = end_of(one.part)
-        last = Term(one.part, ends[-1], x, None, one.line, one.line)
-        back = Term(two.part, POLE, x, length=None, direction=two.line, action=two.line, drawn=False, sign=-1)
-        self.draft.draw(Equation(self.plan, ((*chain, last), (back,))))
-        starts = {term.end: term.start for term in chain}
-        begins = starts[end_of(one.known[0].name)] if one.known else ends[-1]
-        found = dict[Pair, Ends]()
-        for held, outer, inner in (
-            (one, (begins, x), (x, ends[3])),
-            (two, (x, end_of(two.known[-1].name) if two.known else POLE), (ends[1], x)),
-            (three, (starts[end_of((*three.known, pushed)[0].name)], ends[2]), (ends[2], ends[1])),
-        ):
-            found |= {held.lead.outer: self.on(held.lead.parts, held.lead.outer, outer)}
-            found |= {held.lead.inner: self.on(held.lead.parts, held.lead.inner, inner)}
-        return found
-
-    def third(self, one: HeldLead, two: HeldLead, three: HeldLead) -> Force:
-        """The reaction of the third lead along its line, by moments of the whole group about S."""
-        d, basic = self.draft, self.group.basic
-        forces, couples = list(self.statics.acting.forces[basic]), list(self.couples[basic])
-        for held in (one, two, three):
-            if held.slider:  # a slider turns nowhere: all its loads pass its hinge
-                forces += [replace(f, point=held.point) for f in (*held.loads, *held.known)]
-            else:
-                forces += [*held.loads, *held.known]
-                couples += held.couples
-        centre = label_of(self.special)
-        means, name = Meaning("arm", three.part, self.special, three.lead.link), f"h_{three.part}_{centre}"
-        arm = d.step(Drop(name, three.point, three.line, self.special, mu_of(SCHEME), means=means))
-        products, shown = self.statics.moment_terms(self.special, forces, couples, -1.0, arm)
-        name = d.total(three.part, products)
-        d.moments.append(Moments(centre, self.group.balanced, shown, name, arm))
-        return Force(name, three.lead.link, name, three.line, three.point, "tangential")
+        g = self.group
+        self.drawn = tuple(self.held(lead) for lead in self.leads)
+        *_, three = self.drawn
+        pushed = self.slid(three) if g.slid else self.third(g.basic, self.drawn, self.special, g.balanced)
+        return self.closed(g.basic, self.drawn, [*three.loads, *three.known, pushed])
 
     def slid(self, held: HeldLead) -> Force:
         """The reaction on a lead that slides at both ends, by what acts along its other guide: nothing else does."""

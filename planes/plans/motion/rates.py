@@ -1,9 +1,12 @@
 """Plans of rates: every group in its order; those with basic links on crossing leads by Assur's special points.
 
-Of one basic link the third lead's point is found from its special point S; of two that are hinged to each other their
-hinge, about the special points of both.
+Of one basic link the third lead's point is found from its special point S. Of two that are hinged to each other the
+special point of one is what leads the other: their hinge goes about it as the end of a lead does.
 """
 
+from functools import partial
+
+from planes.drafting.steps.crossings import CrossLeads, CrossPaired
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group
 from planes.plans.assur.pairings import Pairing
@@ -13,7 +16,8 @@ from planes.plans.motion.legs import lead_leg
 from planes.plans.motion.slid_contour_rates import SlidContourRates
 from planes.plans.motion.slid_rates import SlidRates
 from planes.plans.motion.special_points import SpecialPoint
-from planes.plans.position.bodies import BodyPoint
+from planes.plans.position.bodies import SCHEME, BodyPoint
+from planes.words.names import at
 
 
 def draw_rates(r: Rates) -> None:
@@ -44,33 +48,37 @@ class _Triad:
 
     def meet(self) -> None:
         """Its special point on the scheme."""
-        self.special.meet(self.third)
+        third, along = self.special.held(self.third)
+        self.special.meet(partial(CrossLeads, third=third, third_along=along))
 
     def draw(self) -> None:
-        r, three = self.rates, self.third
         self.meet()
-        self.special.solve()
-        self.special.known_by(three.new)
-        turning = self.special.about(three.new)
-        r.solve(three.new.name, r.chain(turning), r.chain(three), (turning, three))
-        self.special.read()
+        self.special.lead(self.third)
         for link in self.group.whole:
-            r.show_points(link)
+            self.rates.show_points(link)
 
 
 def _draw_pairing(r: Rates, g: Pairing) -> None:
-    """Two basic links: their special points, then their hinge about both."""
+    """Two basic links: the special point of one, with their hinge, is a lead of the other one."""
     b, pin = r.bodies, BodyPoint(g.hinge.point, g.hinge.point)
-    points = []
-    for basic, (one, two) in zip(g.basics, g.sides, strict=True):
-        points.append(SpecialPoint(r, basic, (lead_leg(b, basic, one), lead_leg(b, basic, two))))
-    for point in points:
-        point.meet()
-        point.solve()
-        point.known_by(pin)
-    legs = [point.about(pin) for point in points]
-    r.solve(pin.name, r.chain(legs[0]), r.chain(legs[1]), legs)
-    for point in points:
-        point.read()
+    last = b.leads[g.basic][-1]
+    legs = {lead: lead_leg(b, g.basics[k], lead) for k in (0, 1) for lead in g.sides[k]}
+    sides, k = [[legs[lead] for lead in side] for side in g.sides], g.led(last)
+    points = [SpecialPoint(r, basic, (one, two)) for basic, (one, two) in zip(g.basics, sides, strict=True)]
+    held = [points[0].held(leg) for leg in legs.values()]
+    places, lines = zip(*held, strict=True)
+    turn = (*legs, g.joint).index(last)
+    crossing = partial(CrossPaired, pin=at(SCHEME, pin.place), points=places, lines=lines, turn=turn)
+    end = points[1 - k]
+    end.meet(crossing)
+    end.solve()
+    end.known_by(pin)
+    three = {**{lead: legs[lead] for lead in g.sides[k]}, g.joint: end.about(pin)}
+    third = three.pop(last)
+    one, two = three.values()
+    basic = SpecialPoint(r, g.basics[k], (one, two))
+    basic.meet(crossing)
+    basic.lead(third)
+    end.read()
     for link in g.whole:
         r.show_points(link)

@@ -5,11 +5,12 @@ leads say in which direction its relative velocity lies, v_S = v_E + (⊥ of the
 accelerations the normal and Coriolis parts join in.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from planes.drafting.equations import Term
 from planes.drafting.steps import Turn
-from planes.drafting.steps.crossings import Cross, CrossLeads
+from planes.drafting.steps.crossings import Cross
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg
 from planes.plans.position.bodies import SCHEME, BodyPoint
@@ -24,15 +25,15 @@ class SpecialPoint:
         name = r.bodies.special(basic)
         self.spot = BodyPoint(name, name)
 
-    def meet(self, third: Leg | None = None) -> None:
-        """The point, where the lines of two leads cross; no much worse than with a ``third``, if there is one."""
-        (a, along), (b, across) = ((at(SCHEME, leg.new.place), self.line(leg)) for leg in self.legs)
-        mark, means = at(SCHEME, self.spot.place), Meaning("special", self.basic)
-        if third is None:
-            self.draft.step(Cross(mark, a, along, b, across, means=means))
-            return
-        met = CrossLeads(mark, a, along, b, across, third=at(SCHEME, third.new.place), third_along=self.line(third))
-        self.draft.step(replace(met, means=means))
+    def meet(self, crossing: Callable[..., Cross]) -> None:
+        """The point, where the lines of two leads cross, by a step that knows when others would cross better."""
+        (a, along), (b, across) = (self.held(leg) for leg in self.legs)
+        means = Meaning("special", self.basic)
+        self.draft.step(crossing(at(SCHEME, self.spot.place), a, along, b, across, means=means))
+
+    def held(self, leg: Leg) -> tuple[str, str]:
+        """The point of a lead, and its line."""
+        return at(SCHEME, leg.new.place), self.line(leg)
 
     def line(self, leg: Leg) -> str:
         """The line of a lead, across what its point may do."""
@@ -80,6 +81,15 @@ class SpecialPoint:
         """The basic link is known by S and another point from now on."""
         body = self.bodies.known[self.basic]
         body.ref, body.moving, body.rigid = (self.spot, new), new, False
+
+    def lead(self, third: Leg) -> None:
+        """The link's motion, by S and the lead that does not meet there."""
+        r = self.rates
+        self.solve()
+        self.known_by(third.new)
+        turning = self.about(third.new)
+        r.solve(third.new.name, r.chain(turning), r.chain(third), (turning, third))
+        self.read()
 
     def read(self) -> None:
         """The points of the leads that met in S, by similarity, and what is read off the leads."""

@@ -25,8 +25,8 @@ def place_pairing(b: Bodies, g: Pairing) -> None:
     )
     cut = cut_of(b, g, pin, holds)
     b.draft.step(CutTrack(at(SCHEME, pin), pins[0], *cut, hinge=pins[0]))
+    b.leads |= dict.fromkeys(g.basics, (*g.leads, g.joint))
     for k, (basic, link) in enumerate(zip(g.basics, links, strict=True)):
-        b.leads[basic] = g.sides[k]
         hinge = next((lead.inner.point for lead in g.sides[k] if lead.inner.kind == "R"), None)
         if hinge:
             b.draft.step(CutTrack(at(SCHEME, hinge), local_of(b, link, hinge), *cut, link=k, hinge=pins[k]))
