@@ -13,7 +13,7 @@ from functools import reduce
 from itertools import pairwise
 from math import gcd
 
-from planes.geometry.tracks import Pose, Tie, newton
+from planes.geometry.tracks import Pose, Tie, advanced
 
 CLOSE = Fraction(1, 1 << 40)  # how narrowly a root is caught before Newton's steps
 STEPS = 12
@@ -64,11 +64,13 @@ class Laurent:
 
 @dataclass(frozen=True)
 class Counted:
-    """The poses found, the number of real roots proved (counted once each), and whether any root is double."""
+    """The poses found, the number of real roots proved (counted once each), whether any root is double, and whether
+    these are proved to be all."""
 
     poses: tuple[Pose, ...]
     count: int
     double: bool
+    whole: bool = True
 
     @property
     def proved(self) -> bool:
@@ -105,7 +107,7 @@ def _settled(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
     origin, axis = pose
     size = max(abs(t.place) + abs(t.local) + abs(t.reach) for t in ties)
     for _ in range(STEPS):
-        origin, axis, moved, det = newton(ties, origin, axis)
+        (origin, axis), moved, det = advanced(ties, (origin, axis))
         if not det or abs(axis - pose[1]) > 1e-3:
             return []
         if moved < 1e-14 * (1 + size):

@@ -11,7 +11,7 @@ from typing import Literal
 from planes.geometry import plane
 from planes.geometry.arithmetic import Point, Real
 
-TieKind = Literal["arc", "line", "guide"]
+TieKind = Literal["arc", "line", "guide", "hinge"]
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,8 @@ class Tie:
 
     "arc": it stays ``reach`` from the place. "line": ``reach`` to the left of the line through the place along
     ``turn``. "guide": the place stays ``reach`` to the left of the link's line along ``turn`` in its own axes.
-    Of two links hinged at their origins ``link`` says which it holds, 0 or 1.
+    Of links hinged to each other ``link`` says which it holds: 0 and 1 are hinged at their origins, each further one at
+    its own to the place that a "hinge" tells, one after another.
     """
 
     kind: TieKind
@@ -55,46 +56,65 @@ Pose = tuple[Point, ...]  # where the origin is, and the direction of the link's
 
 
 def advanced(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
-    """One step of Newton's from a pose, how far it went, and the determinant with its sign."""
-    if len(pose) == 2:
-        origin, axis, moved, det = newton(ties, *pose)
-        return (origin, axis), moved, det
-    return _advanced_both(ties, pose)
+    """One step of Newton's from a pose, how far it went, and the determinant with its sign.
+
+    Links beyond the first are held by two ties and hang on a hinge: one combination of both has no moment about
+    that, and holds the link it hangs on. So the first one has three, and from it on every hinge is known.
+    """
+    axes, places = pose[1:], origins(ties, pose)
+    held = [[t.wrench(places[k], axes[k]) for t in ties if t.link == k and t.kind != "hinge"] for k in range(len(axes))]
+    before = hung_on(ties)
+    for k in reversed(range(1, len(axes))):
+        (f, n, m), (g, q, r) = held[k]
+        pull = n * r - q * m
+        held[before[k]].append((f * r - g * m, pull, plane.cross(places[k] - places[before[k]], pull)))
+    shift, turn, det = _solved(*held[0])
+    moved, shifts, turns = abs(shift) + abs(turn), [shift], [turn]
+    for k in range(1, len(axes)):
+        (f, n, m), (g, q, r) = held[k]
+        last = before[k]
+        shift = shifts[last] + 1j * turns[last] * (places[k] - places[last])
+        arms = m * m + r * r
+        turn = -(m * (f + plane.dot(n, shift)) + r * (g + plane.dot(q, shift))) / (arms + (arms == 0))
+        moved = moved + abs(turn)
+        shifts.append(shift)
+        turns.append(turn)
+    turned = (axis * _turned(turn) for axis, turn in zip(axes, turns, strict=True))
+    return (pose[0] + shifts[0], *turned), moved, det
 
 
-def newton(ties: Sequence[Tie], origin: Point, axis: Point) -> tuple[Point, Point, Real, Real]:
-    """One step of Newton's: the next pose, how far the origin and the points at unit arm moved, and the determinant."""
-    (f, n, m), (g, k, p), (h, w, q) = (t.wrench(origin, axis) for t in ties)
+def hung_on(ties: Sequence[Tie]) -> list[int]:
+    """Which link every one hangs on: the first on none, the second on that, at both origins, the others as ties say."""
+    return [0, 0, *(t.link for t in ties if t.kind == "hinge")]
+
+
+def origins(ties: Sequence[Tie], pose: Pose) -> list[Point]:
+    """Where the origins of the links are."""
+    origin, *axes = pose
+    found = [origin, origin][: len(axes)]
+    for t in ties:
+        if t.kind == "hinge":
+            found.append(found[t.link] + axes[t.link] * t.local)
+    return found
+
+
+Wrench = tuple[Real, Point, Real]
+
+
+def _solved(one: Wrench, two: Wrench, three: Wrench) -> tuple[Point, Real, Real]:
+    """By how much a link on three ties is to be moved and turned, and their determinant."""
+    (f, n, m), (g, k, p), (h, w, q) = one, two, three
     kw, wn, nk = plane.cross(k, w), plane.cross(w, n), plane.cross(n, k)
     det = m * kw + p * wn + q * nk
     safe = det + (det == 0)
     turn = -(f * kw + g * wn + h * nk) / safe
-    shift = 1j * (f * (k * q - w * p) + g * (w * m - n * q) + h * (n * p - k * m)) / safe
-    return origin + shift, axis * _turned(turn), abs(shift) + abs(turn), det
+    return 1j * (f * (k * q - w * p) + g * (w * m - n * q) + h * (n * p - k * m)) / safe, turn, det
 
 
 def _turned(angle: Real) -> Point:
     """About the direction at a small angle, radians; of length 1."""
     half = 0.5 * angle
     return (1 + 1j * half) * (1 + 1j * half) / (1 + half * half)
-
-
-def _advanced_both(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
-    """The same of two links hinged at their origins, on two ties each: the ties of either leave the hinge one way, and
-    it goes where both are kept."""
-    origin, *axes = pose
-    held = [[t.wrench(origin, axis) for t in ties if t.link == k] for k, axis in enumerate(axes)]
-    (a, p), (b, q) = ((n * r - k * m, f * r - g * m) for (f, n, m), (g, k, r) in held)
-    det = plane.cross(a, b)
-    safe = det + (det == 0)
-    shift = 1j * (p * b - q * a) / safe
-    moved, turned = abs(shift), list[Point]()
-    for ((f, n, m), (g, k, r)), axis in zip(held, axes, strict=True):
-        arms = m * m + r * r
-        turn = -(m * (f + plane.dot(n, shift)) + r * (g + plane.dot(k, shift))) / (arms + (arms == 0))
-        moved = moved + abs(turn)
-        turned.append(axis * _turned(turn))
-    return (origin + shift, *turned), moved, det
 
 
 def closure(ties: Sequence[Tie], axis: Point) -> Real:

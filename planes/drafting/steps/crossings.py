@@ -78,35 +78,58 @@ class CrossLeads(ByLeads, Cross):
         return abs(plane.cross(one, two)), abs(plane.cross(two, three)), abs(plane.cross(three, one))
 
 
-@dataclass(frozen=True)
-class CrossPaired(ByLeads, Cross):
-    """Cross the lines of two leads in the special point of one of two basic links hinged at ``pin``, while these lines
-    and those of the other one's special point cross no much worse than were another lead, or the hinge, found last.
+Line = tuple[Point, Point]  # a point of it, and its direction
 
-    ``points`` and ``lines`` are of the leads, two of either link; of these five ``turn`` is found last, 4 the hinge.
+
+@dataclass(frozen=True)
+class CrossInChain(ByLeads, Cross):
+    """Cross the lines of two leads in the special point of one of some basic links hinged to each other, while all such
+    lines cross no much worse than were another lead, or hinge, found last.
+
+    ``points`` and ``lines`` are of the leads, ``sides`` which basic link each leads, ``pins`` the hinges, ``joined``
+    which two links each joins. Of leads and hinges, one after another, ``turn`` is found last.
     """
 
-    pin: str = ""
     points: tuple[str, ...] = ()
     lines: tuple[str, ...] = ()
-    turn: int = 4
-    needs = marks("start", "other", "pin", "points") + directions("along", "across", "lines")
+    pins: tuple[str, ...] = ()
+    sides: tuple[int, ...] = ()
+    joined: tuple[tuple[int, int], ...] = ()
+    turn: int = 0
+    needs = marks("start", "other", "points", "pins") + directions("along", "across", "lines")
 
     @property
     def crossed(self) -> tuple[str, ...]:
-        return self.pin, *self.points, *self.lines
+        return *self.points, *self.pins, *self.lines
 
     def crossings(self, env: Env) -> tuple[Real, ...]:
-        pin, *points = (env[name] for name in self.crossed[:5])
-        rays = [env[name] for name in self.lines]
-        arms = [plane.cross(point - pin, ray) for point, ray in zip(points, rays, strict=True)]
-        own, leads = [abs(plane.cross(*rays[k : k + 2])) for k in (0, 2)], list[Point]()
-        for k in (0, 2):  # the line from their hinge to the special point, wherever that is
-            line = rays[k] * arms[k + 1] - rays[k + 1] * arms[k]
-            leads.append(line / (abs(line) + (abs(line) == 0)))
-        found = [own[1 - k // 2] * abs(plane.cross(rays[k ^ 1], leads[1 - k // 2])) for k in range(4)]
-        found.append(own[0] * own[1])
+        roots = (*self.sides, *(ends[0] for ends in self.joined))
+        found = [self._met(env, root, last)[1] for last, root in enumerate(roots)]
         return *found[self.turn :], *found[: self.turn]
+
+    def _met(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:
+        """The lines that lead to a basic link, but for one, and how sharply they and all beyond them cross."""
+        lines: list[Line] = []
+        sharp: Real = 1.0
+        for k, side in enumerate(self.sides):
+            if side == basic and k != but:
+                lines.append((env[self.points[k]], env[self.lines[k]]))
+        for k, ends in enumerate(self.joined, len(self.sides)):
+            if basic in ends and k != but:
+                beyond, sharpness = self._met(env, sum(ends) - basic, k)
+                pin = env[self.pins[k - len(self.sides)]]
+                lines.append((pin, _towards(pin, *beyond)))
+                sharp = sharp * sharpness
+        (_, ray), (_, other) = lines
+        return lines, sharp * abs(plane.cross(ray, other))
+
+
+def _towards(pin: Point, one: Line, two: Line) -> Point:
+    """The direction from a place to where two lines cross, or along both where they are parallel."""
+    (p, u), (q, w) = one, two
+    line = u * plane.cross(q - pin, w) - w * plane.cross(p - pin, u)
+    size = abs(line)
+    return line / (size + (size == 0))
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from typing import ClassVar
 from planes.drafting.steps import Kind, Read, Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
-from planes.geometry.tracks import Pose, Tie, TieKind, advanced
+from planes.geometry.tracks import Pose, Tie, TieKind, advanced, origins
 
 BEFORE = 5  # steps from the guess, a tenth off where lengths were changed, until it is no worse than rounding makes it
 SETTLED = 1e-9  # of the link's size: the last step moves it by less
@@ -28,7 +28,7 @@ class Hold:
 
     kind: TieKind
     local: str
-    place: str
+    place: str = ""
     reach: str = ""
     turn: str = ""
     link: int = 0
@@ -36,7 +36,9 @@ class Hold:
 
     def reads(self) -> Iterator[Read]:
         """Names of what it needs."""
-        yield from ((self.local, "place"), (self.place, "mark"))
+        yield self.local, "place"
+        if self.place:
+            yield self.place, "mark"
         if self.reach:
             yield self.reach, "value"
         if self.turn:
@@ -51,7 +53,8 @@ class Hold:
         if self.turn:
             turn = env[self.turn] if self.kind == "line" else ar.cis_deg(env[self.turn])
         local = env[self.local] - env[self.hinge] if self.hinge else env[self.local]
-        return Tie(self.kind, local * mu, env[self.place], reach * mu, turn, self.link)
+        place = env[self.place] if self.place else 0.0
+        return Tie(self.kind, local * mu, place, reach * mu, turn, self.link)
 
 
 @dataclass(frozen=True)
@@ -121,24 +124,24 @@ class CutTrack(Step):
         return tuple(found)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        origin, *axes = self.lie(env, tool)
+        origin, axis = self.lie(env, tool)
         local = env[self.local] - env[self.hinge] if self.hinge else env[self.local]
-        return tool.mark(origin + axes[self.link] * (local * env[self.mu]))
+        return tool.mark(origin + axis * (local * env[self.mu]))
 
-    def lie(self, env: Env, tool: Tool) -> Pose:
-        """Where the link lies."""
+    def lie(self, env: Env, tool: Tool) -> tuple[Point, Point]:
+        """Where the link's origin is, and the direction of its axis."""
         ar, mu = tool.ar, env[self.mu]
         size = env[self.guess.size] * mu
         ties = [hold.tie(env, mu, ar) for hold in self.holds]
         part = self.guess.part(env, ar)
         pose, det, moved = settle(ties, self.guess.pose(part, env, mu, ar), size, ar)
         tool.sharpen(self.makes, abs(det))
-        last = ties[-1]
-        miss = abs(last.wrench(pose[0], pose[1 + last.link])[0])
+        places, last = origins(ties, pose), [tie for tie in ties if tie.kind != "hinge"][-1]
+        miss = abs(last.wrench(places[last.link], pose[1 + last.link])[0])
         inside: Truth = (part <= 1.0) & (part >= -1.0)
         tool.require(inside & (moved <= SETTLED), self, "track_missed", miss_mm=miss)
         tool.require(det * env[self.side] > 0, self, "track_missed", miss_mm=miss)
-        return pose
+        return places[self.link], pose[1 + self.link]
 
 
 @dataclass(frozen=True)
@@ -148,7 +151,7 @@ class CutTurn(CutTrack):
     kind: ClassVar[Kind] = "direction"
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        return self.lie(env, tool)[1 + self.link]
+        return self.lie(env, tool)[1]
 
 
 def settle(ties: list[Tie], pose: Pose, size: Real, ar: Arithmetic) -> tuple[Pose, Real, Real]:

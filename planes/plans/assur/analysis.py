@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
+from planes.plans.assur.basic_chains import chain_of
 from planes.plans.assur.contours import AnyGroup, Contour, Tracked, contour_of, triad_of
 from planes.plans.assur.groups import KIND_NAMES, Group, Pair
 from planes.plans.assur.inner_drives import driven_from_inside
-from planes.plans.assur.pairings import pairing_of
 from planes.plans.assur.structure import LEVELS, Structure
 from planes.plans.assur.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Drive, Mechanism
@@ -199,8 +199,8 @@ class _Finder:
     def higher(self) -> Tracked:
         """The smallest group that is solved only all together, if it is of class III and order 3 or IV and 2."""
         names, free = self.together()
-        if free >= 0 and (pairing := pairing_of(names, self.inside, self.outer)):
-            return pairing
+        if free >= 0 and (chain := chain_of(names, self.inside, self.outer)):
+            return chain
         if free >= 0 and len(names) == 4:
             found = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
             twice = [lead.link for lead in found.leads if lead.name == "PP"] if found else []

@@ -5,13 +5,13 @@ order that of the group's outer pairs. Of the two links of the contour that hang
 ``base``, from which the ``basic`` one is found as a basic link of class III is from what it hangs on.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by
-from planes.plans.assur.groups import Group, Pair
-from planes.plans.assur.pairings import Pairing
+from planes.plans.assur.groups import Between, Group, Pair
 from planes.words import Phrase
 from planes.words.records import Json
 
@@ -91,10 +91,9 @@ class Contour(OnLeads):
         return {"links": list(self.links), **own, "name": self.name}
 
 
-Tracked = Triad | Contour | Pairing
+Tracked = Triad | Contour | BasicChain
 """A group whose basic link is found by a track."""
 AnyGroup = Group | Tracked
-Between = Callable[[str, str], Sequence[Pair]]  # the pairs of a link with another one
 
 
 def triad_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Triad | None:

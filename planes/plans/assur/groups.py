@@ -1,11 +1,14 @@
 """Kinematic pairs, and the groups of Assur of class II that they make, of five kinds."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from planes.words import Phrase
 from planes.words.records import Json
 
+Between = Callable[[str, str], Sequence["Pair"]]
+"""The pairs of a link with another one."""
 KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
 

@@ -11,15 +11,15 @@ from dataclasses import replace
 
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
+from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.assur.pairings import Pairing
 from planes.plans.force.brace_forces import BraceForces
+from planes.plans.force.chain_forces import ChainForces
 from planes.plans.force.contour_forces import ContourForces
 from planes.plans.force.driver_forces import DriverForces
 from planes.plans.force.hinges import Grip
 from planes.plans.force.loads import Couple, Force, force_name
-from planes.plans.force.pairing_forces import PairingForces
 from planes.plans.force.reactions import Reaction, Statics, chain_of, meet_with_friction
 from planes.plans.force.rubbing import Rubs, settled
 from planes.plans.force.triad_forces import TriadForces
@@ -37,8 +37,8 @@ def draw_forces(statics: Statics) -> None:
                 _GroupForces(statics, group).draw()
             case Triad():
                 TriadForces(statics, group).draw()
-            case Pairing():
-                PairingForces(statics, group).draw()
+            case BasicChain():
+                ChainForces(statics, group).draw()
             case _:
                 ContourForces(statics, group).draw()
     for group in structure.dyads:

@@ -1,23 +1,21 @@
 """Plans of rates: every group in its order; those with basic links on crossing leads by Assur's special points.
 
-Of one basic link the third lead's point is found from its special point S. Of two that are hinged to each other the
-special point of one is what leads the other: their hinge goes about it as the end of a lead does.
+The third lead's point is found from the special point S of the two others.
 """
 
 from functools import partial
 
-from planes.drafting.steps.crossings import CrossLeads, CrossPaired
+from planes.drafting.steps.crossings import CrossLeads
+from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group
-from planes.plans.assur.pairings import Pairing
+from planes.plans.motion.chain_rates import ChainRates
 from planes.plans.motion.contour_rates import ContourRates
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import lead_leg
 from planes.plans.motion.slid_contour_rates import SlidContourRates
 from planes.plans.motion.slid_rates import SlidRates
-from planes.plans.motion.special_points import SpecialPoint
-from planes.plans.position.bodies import SCHEME, BodyPoint
-from planes.words.names import at
+from planes.plans.motion.special_points import SpecialPoint, line_of
 
 
 def draw_rates(r: Rates) -> None:
@@ -32,8 +30,8 @@ def draw_rates(r: Rates) -> None:
                 r.dyad(group)
             case Triad():
                 (SlidRates if group.slid else _Triad)(r, group).draw()
-            case Pairing():
-                _draw_pairing(r, group)
+            case BasicChain():
+                ChainRates(r, group).draw()
             case _:
                 (SlidContourRates if group.slid else ContourRates)(r, group).draw()
 
@@ -48,7 +46,7 @@ class _Triad:
 
     def meet(self) -> None:
         """Its special point on the scheme."""
-        third, along = self.special.held(self.third)
+        third, along = line_of(self.rates.bodies.draft, self.third)
         self.special.meet(partial(CrossLeads, third=third, third_along=along))
 
     def draw(self) -> None:
@@ -56,29 +54,3 @@ class _Triad:
         self.special.lead(self.third)
         for link in self.group.whole:
             self.rates.show_points(link)
-
-
-def _draw_pairing(r: Rates, g: Pairing) -> None:
-    """Two basic links: the special point of one, with their hinge, is a lead of the other one."""
-    b, pin = r.bodies, BodyPoint(g.hinge.point, g.hinge.point)
-    last = b.leads[g.basic][-1]
-    legs = {lead: lead_leg(b, g.basics[k], lead) for k in (0, 1) for lead in g.sides[k]}
-    sides, k = [[legs[lead] for lead in side] for side in g.sides], g.led(last)
-    points = [SpecialPoint(r, basic, (one, two)) for basic, (one, two) in zip(g.basics, sides, strict=True)]
-    held = [points[0].held(leg) for leg in legs.values()]
-    places, lines = zip(*held, strict=True)
-    turn = (*legs, g.joint).index(last)
-    crossing = partial(CrossPaired, pin=at(SCHEME, pin.place), points=places, lines=lines, turn=turn)
-    end = points[1 - k]
-    end.meet(crossing)
-    end.solve()
-    end.known_by(pin)
-    three = {**{lead: legs[lead] for lead in g.sides[k]}, g.joint: end.about(pin)}
-    third = three.pop(last)
-    one, two = three.values()
-    basic = SpecialPoint(r, g.basics[k], (one, two))
-    basic.meet(crossing)
-    basic.lead(third)
-    end.read()
-    for link in g.whole:
-        r.show_points(link)

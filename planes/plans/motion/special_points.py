@@ -8,6 +8,7 @@ accelerations the normal and Coriolis parts join in.
 from collections.abc import Callable
 from dataclasses import replace
 
+from planes.drafting.draft import Draft
 from planes.drafting.equations import Term
 from planes.drafting.steps import Turn
 from planes.drafting.steps.crossings import Cross
@@ -27,19 +28,9 @@ class SpecialPoint:
 
     def meet(self, crossing: Callable[..., Cross]) -> None:
         """The point, where the lines of two leads cross, by a step that knows when others would cross better."""
-        (a, along), (b, across) = (self.held(leg) for leg in self.legs)
+        (a, along), (b, across) = (line_of(self.draft, leg) for leg in self.legs)
         means = Meaning("special", self.basic)
         self.draft.step(crossing(at(SCHEME, self.spot.place), a, along, b, across, means=means))
-
-    def held(self, leg: Leg) -> tuple[str, str]:
-        """The point of a lead, and its line."""
-        return at(SCHEME, leg.new.place), self.line(leg)
-
-    def line(self, leg: Leg) -> str:
-        """The line of a lead, across what its point may do."""
-        if leg.pair is None:
-            return self.draft.ray(SCHEME, leg.known.place, leg.new.place)
-        return self.draft.square(leg.along)
 
     def solve(self) -> None:
         """The end of its vector."""
@@ -100,3 +91,9 @@ class SpecialPoint:
             self.draft.measure(last.name, at(r.plan, last.start), at(r.plan, end), last.direction)
             self.draft.show(r.plan, last.start, end, last.name)
             r.conclude(leg)
+
+
+def line_of(d: Draft, leg: Leg) -> tuple[str, str]:
+    """The point of a lead, and the line of that, across what the point may do."""
+    line = d.ray(SCHEME, leg.known.place, leg.new.place) if leg.pair is None else d.square(leg.along)
+    return at(SCHEME, leg.new.place), line

@@ -1,13 +1,13 @@
 """The scheme: the frame, the driver in its position, and the groups in the order they attach."""
 
+from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group
-from planes.plans.assur.pairings import Pairing
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.position.braces import place_braced
+from planes.plans.position.chain_scheme import place_chain
 from planes.plans.position.contour_scheme import place_contour
 from planes.plans.position.driven_positions import place_driven
-from planes.plans.position.pairing_scheme import place_pairing
 from planes.plans.position.positions import PLACERS, place_slider
 from planes.plans.position.slid_contours import place_slid_contour
 from planes.plans.position.slid_triads import place_slid
@@ -37,8 +37,8 @@ def place_all(b: Bodies) -> None:
                     b.known[link].root = FRAME
         elif isinstance(group, Triad):
             (place_slid if group.slid else place_triad)(b, group)
-        elif isinstance(group, Pairing):
-            place_pairing(b, group)
+        elif isinstance(group, BasicChain):
+            place_chain(b, group)
         else:
             (place_slid_contour if group.slid else place_contour)(b, group)
 

@@ -9,11 +9,12 @@ from planes.drafting.program import Program
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
+from planes.geometry.searched import searched
 from planes.geometry.sextic import Counted, assemblies
 from planes.geometry.tracks import Pose, Tie, advanced
 from planes.geometry.two_tracks import both_assemblies
+from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
-from planes.plans.assur.pairings import Pairing
 from planes.plans.position.bodies import SCHEME, Bodies, TrackChoice
 from planes.plans.position.branch import Branch, follow
 from planes.scene.mechanism import Assembly
@@ -54,7 +55,8 @@ class Tracks:
     def all(self) -> Counted:
         """Every assembly there."""
         ties = self.ties(self.start)
-        return both_assemblies(ties) if isinstance(self.choice.group, Pairing) else assemblies(ties)
+        links = len(self.choice.group.basics)
+        return assemblies(ties) if links == 1 else both_assemblies(ties) if links == 2 else searched(ties, self.size)
 
     def place(self, pose: Pose, point: str) -> complex:
         """Where a point of the group would be in an assembly."""
@@ -86,7 +88,7 @@ class Tracks:
         if branch is None:
             raise self.error(Phrase("track_not_followed", **self.named()))
         self.set(branch)
-        if isinstance(self.choice.group, Pairing):
+        if isinstance(self.choice.group, BasicChain):
             return
         leads, sharp = self.choice.group.leads, self.crossings(pose)
         first = sharp.index(max(sharp))

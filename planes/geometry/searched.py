@@ -1,0 +1,180 @@
+"""Assemblies of links hinged to each other whose number nobody knows: looked for from many places, each one proved.
+
+With the cosine and the sine of every link for unknowns all ties are of the second degree. So what R. Krawczyk's test
+asks about a place near a root can be told exactly, in rationals: that Newton's steps from anywhere in a small box stay
+in it and draw together, so that there is one root in it and no other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from planes.geometry.sextic import Counted
+from planes.geometry.tracks import Pose, Tie, advanced
+
+STARTS, ROUNDS = 2048, 5  # places looked from, doubled while an assembly was met but once or twice
+STEPS = 60
+OFTEN = 3
+SAME = 1e-6  # of the size: two poses nearer than this are one
+BOX = Fraction(1, 1 << 30)  # of the size, and of a cosine
+
+
+def searched(ties: Sequence[Tie], size: float) -> Counted:
+    """Every pose met from many places that is proved to be one; that there are no others is not proved."""
+    links = 1 + max(t.link for t in ties if t.kind != "hinge")
+    over = [replace(t, local=t.local / size, place=t.place / size, reach=t.reach / size) for t in ties]
+    met: list[tuple[Pose, int]] = []
+    for k in range(ROUNDS):
+        met = _met(over, links, STARTS << k)
+        if met and min(count for _, count in met) >= OFTEN:
+            break
+    found = sorted((pose for pose, _ in met if proved(over, pose)), key=lambda pose: pose[1].imag)
+    return Counted(tuple((pose[0] * size, *pose[1:]) for pose in found), len(met), False, whole=False)
+
+
+def _met(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
+    """Where Newton's steps end from ``count`` places, and how often."""
+    import numpy as np
+
+    rng = np.random.default_rng(count)
+    held = [complex(t.place) for t in ties if t.kind != "hinge"]
+    middle, reach = sum(held) / len(held), 1.0 + max(abs(z - held[0]) for z in held)
+    place = middle + reach * (rng.uniform(-1, 1, count) + 1j * rng.uniform(-1, 1, count))
+    pose: Pose = (place, *np.exp(2j * np.pi * rng.random((links, count))))
+    with np.errstate(all="ignore"):
+        for _ in range(STEPS):
+            pose, moved, det = advanced(ties, pose)
+            pose = (pose[0], *(axis / abs(axis) for axis in pose[1:]))
+    good = (moved < 1e-12 * (1 + abs(pose[0]))) & (abs(det) > 0)
+    rows = np.array(pose)[:, good].T
+    found: list[tuple[Pose, int]] = []
+    while len(rows):
+        near = abs(rows - rows[0]).max(axis=1) < SAME * (1 + abs(rows[0][0]))
+        found.append((tuple(complex(z) for z in rows[0]), int(near.sum())))
+        rows = rows[~near]
+    return found
+
+
+Affine = list[Fraction]  # the factors of the unknowns, and what is added
+Product = tuple[Affine, Affine]
+
+
+@dataclass(frozen=True)
+class Quadratic:
+    """An equation of the second degree: products of affine forms, and one such form besides, add up to nothing."""
+
+    products: tuple[Product, ...]
+    rest: Affine
+
+    def value(self, x: Sequence[Fraction]) -> Fraction:
+        """What is left of it at a place."""
+        return sum((_at(a, x) * _at(b, x) for a, b in self.products), _at(self.rest, x))
+
+    def slopes(self, x: Sequence[Fraction]) -> list[Fraction]:
+        """Its slopes there."""
+        found = self.rest[:-1]
+        for a, b in self.products:
+            at_a, at_b = _at(a, x), _at(b, x)
+            found = [s + at_a * q + at_b * p for s, p, q in zip(found, a[:-1], b[:-1], strict=True)]
+        return found
+
+    @property
+    def bend(self) -> Fraction:
+        """How much of it is of the second degree, at most, where no unknown is more than 1 off."""
+        return sum((_sum_of(a) * _sum_of(b) for a, b in self.products), Fraction(0))
+
+
+def _at(form: Affine, x: Sequence[Fraction]) -> Fraction:
+    return sum((p * v for p, v in zip(form, x, strict=False)), form[-1])
+
+
+def _sum_of(form: Affine) -> Fraction:
+    return sum((abs(p) for p in form[:-1]), Fraction(0))
+
+
+def proved(ties: Sequence[Tie], pose: Pose) -> bool:
+    """Whether there is one assembly, and no other, within a box about a pose; lengths over the size of the links."""
+    import numpy as np
+
+    equations = equations_of(ties, len(pose) - 1)
+    x = [Fraction(v) for z in pose for v in (z.real, z.imag)]
+    slopes = [e.slopes(x) for e in equations]
+    try:
+        inverse = np.linalg.inv(np.array(slopes, float))
+    except np.linalg.LinAlgError:
+        return False
+    rows = [[Fraction(float(v)) for v in row] for row in inverse]
+    values, bends = [e.value(x) for e in equations], [e.bend for e in equations]
+    for k, row in enumerate(rows):
+        step = abs(sum((p * v for p, v in zip(row, values, strict=True)), Fraction(0)))
+        off = Fraction(0)
+        for j in range(len(x)):
+            off += abs((j == k) - sum((p * s[j] for p, s in zip(row, slopes, strict=True)), Fraction(0)))
+        bent = sum((abs(p) * q for p, q in zip(row, bends, strict=True)), Fraction(0))
+        if step + (off + 2 * bent * BOX) * BOX >= BOX:
+            return False
+    return True
+
+
+def equations_of(ties: Sequence[Tie], links: int) -> list[Quadratic]:
+    """The ties, and that every axis is as long as 1; of where the first origin is and both parts of every axis."""
+    width = 3 + 2 * links
+    axes = [(_unknown(2 + 2 * k, width), _unknown(3 + 2 * k, width)) for k in range(links)]
+    places = [(_unknown(0, width), _unknown(1, width))] * min(links, 2)
+    for t in ties:
+        if t.kind == "hinge":
+            places.append(_plus(places[t.link], _turned(axes[t.link], t.local)))
+    held = [_held(t, places[t.link], axes[t.link]) for t in ties if t.kind != "hinge"]
+    one = [Fraction(0)] * (width - 1) + [Fraction(-1)]
+    return [*held, *(Quadratic(((c, c), (s, s)), one) for c, s in axes)]
+
+
+Spot = tuple[Affine, Affine]
+
+
+def _held(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
+    """A tie, as ``Tie.wrench`` has it."""
+    width, place, reach = (
+        len(origin[0]),
+        (Fraction(complex(t.place).real), Fraction(complex(t.place).imag)),
+        Fraction(t.reach),
+    )
+    fixed = _fixed(place[0], width), _fixed(place[1], width)
+    turn = Fraction(complex(t.turn).real), Fraction(complex(t.turn).imag)
+    if t.kind == "arc":
+        x, y = _minus(_plus(origin, _turned(axis, t.local)), fixed)
+        return Quadratic(((x, x), (y, y)), _fixed(-reach * reach, width))
+    if t.kind == "line":
+        x, y = _minus(_plus(origin, _turned(axis, t.local)), fixed)
+        height = [turn[0] * q - turn[1] * p for p, q in zip(x, y, strict=True)]
+        return Quadratic((), [*height[:-1], height[-1] - reach])
+    (x, y), (u, v) = _minus(fixed, origin), _turned(axis, t.turn)
+    local = Fraction(complex(t.local).real), Fraction(complex(t.local).imag)
+    beside = turn[0] * local[1] - turn[1] * local[0]  # of the guide, in the link's own axes
+    return Quadratic(((u, y), ([-q for q in v], x)), _fixed(-beside - reach, width))
+
+
+def _unknown(k: int, width: int) -> Affine:
+    return [Fraction(j == k) for j in range(width)]
+
+
+def _fixed(value: Fraction, width: int) -> Affine:
+    return [Fraction(0)] * (width - 1) + [value]
+
+
+def _plus(one: Spot, two: Spot) -> Spot:
+    (a, b), (c, d) = one, two
+    return [p + q for p, q in zip(a, c, strict=True)], [p + q for p, q in zip(b, d, strict=True)]
+
+
+def _minus(one: Spot, two: Spot) -> Spot:
+    return _plus(one, ([-q for q in two[0]], [-q for q in two[1]]))
+
+
+def _turned(axis: Spot, local: complex) -> Spot:
+    """A place of a link from its origin."""
+    x, y = Fraction(complex(local).real), Fraction(complex(local).imag)
+    c, s = axis
+    return [x * p - y * q for p, q in zip(c, s, strict=True)], [x * q + y * p for p, q in zip(c, s, strict=True)]

@@ -1,0 +1,149 @@
+"""A group of class III whose basic links are hinged to each other in a chain, every one of three pairs: two are of
+order 4 and have two leads each, n are of order n + 2.
+
+With one lead taken off, what is left moves with one freedom; where its hinge then cuts the line of that lead it
+assembles. Two leads of a basic link at an end of the chain make it a lead of the next one, from its special point.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planes.plans.assur.basic_links import Lead
+from planes.plans.assur.groups import Between, Pair
+from planes.words import Phrase
+from planes.words.records import Json
+
+
+@dataclass(frozen=True)
+class BasicChain:
+    """Its ``basics``, each but the first hinged to one before it (``hinges``, pairs of the later on the earlier), and
+    the leads of each."""
+
+    links: tuple[str, ...]
+    basics: tuple[str, ...]
+    hinges: tuple[Pair, ...]
+    sides: tuple[tuple[Lead, ...], ...]
+    level: ClassVar[str] = "III"
+
+    @property
+    def basic(self) -> str:
+        """The first of its basic links, by which it is called."""
+        return self.basics[0]
+
+    @property
+    def order(self) -> int:
+        """As many as it has leads."""
+        return len(self.leads)
+
+    @property
+    def leads(self) -> tuple[Lead, ...]:
+        """All its leads."""
+        return tuple(lead for side in self.sides for lead in side)
+
+    @property
+    def joints(self) -> tuple[Lead, ...]:
+        """What basic links are to each other: leads, from the special point of one to their hinge."""
+        return tuple(Lead(hinge.other, hinge, hinge) for hinge in self.hinges)
+
+    @property
+    def joined(self) -> tuple[tuple[int, int], ...]:
+        """Which two basic links every hinge joins."""
+        return tuple((self.basics.index(h.other), self.basics.index(h.link)) for h in self.hinges)
+
+    def root(self, last: Lead) -> int:
+        """The basic link to which all others lead, so that the ``last`` lead, or joint, is found last."""
+        own = (k for k, side in enumerate(self.sides) if last in side)
+        return next(own, self.basics.index(last.link) if last in self.joints else 0)
+
+    @property
+    def whole(self) -> tuple[str, ...]:
+        """All its links."""
+        return self.links
+
+    def side(self, k: int) -> tuple[str, ...]:
+        """One basic link with its leads, in the order of the file."""
+        own = self.basics[k], *(lead.link for lead in self.sides[k])
+        return tuple(link for link in self.links if link in own)
+
+    @property
+    def balances(self) -> tuple[tuple[str, ...], ...]:
+        """The links of each plan of forces, which is called by them."""
+        return tuple(self.side(k) for k in range(len(self.basics)))
+
+    @property
+    def members(self) -> str:
+        """Its links as a formula of structure has them."""
+        return ";".join(self.links)
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """The links that may be what the mechanism drives, the likeliest first."""
+        return tuple(lead.link for lead in reversed(self.leads))
+
+    @property
+    def solved(self) -> tuple[str, ...]:
+        """Its links in the order of solving."""
+        return *self.basics, *(lead.link for lead in self.leads)
+
+    def reached(self, drive: Pair) -> tuple[str, ...]:
+        """The links that are solved with it where the drive is inside."""
+        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Its pairs: of every lead the outer, then the inner one; the hinges of the basic links last."""
+        return *(p for lead in self.leads for p in (lead.outer, lead.inner)), *self.hinges
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs between its own links."""
+        return *(lead.inner for lead in self.leads), *self.hinges
+
+    @property
+    def name(self) -> str:
+        """The letters of its leads by basic links, e.g. "RR-RR+RR-PR"."""
+        return "+".join("-".join(lead.name for lead in side) for side in self.sides)
+
+    @property
+    def said(self) -> Phrase:
+        """Its class, order, basic links and leads in words."""
+        told = {"hinges": tuple(h.point for h in self.hinges), "leads": tuple(lead.link for lead in self.leads)}
+        return Phrase("class_three_chain", order=self.order, basics=self.basics, name=self.name, **told)
+
+    @property
+    def brief(self) -> Phrase:
+        """The same without letters."""
+        return Phrase("class_three_chain_brief", order=self.order)
+
+    def json(self) -> Json:
+        """The group as the JSON has it."""
+        leads = [[lead.link for lead in side] for side in self.sides]
+        own = {"class": 3, "order": self.order, "basic": list(self.basics), "leads": leads}
+        return {"links": list(self.links), **own, "name": self.name}
+
+
+def chain_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> BasicChain | None:
+    """Links as a chain of basic ones, each of three pairs, if they are that."""
+    left = [n for n in names if not outer[n]]
+    if len(left) < 2 or len(names) != 2 * len(left) + 2:
+        return None
+    basics, hinges = [left.pop(0)], list[Pair]()
+    while left:
+        ways = [(n, pairs[0]) for n in left for one in basics if len(pairs := between(n, one)) == 1]
+        if not ways or len([n for n, _ in ways if n == ways[0][0]]) > 1 or ways[0][1].kind == "P":
+            return None
+        basics.append(ways[0][0])
+        hinges.append(ways[0][1])
+        left.remove(ways[0][0])
+    sides: list[list[Lead]] = [[] for _ in basics]
+    for lead in (n for n in names if n not in basics):
+        held = [(k, pair) for k, basic in enumerate(basics) for pair in between(lead, basic)]
+        if len(held) == 1 == len(outer[lead]):
+            sides[held[0][0]].append(Lead(lead, held[0][1], outer[lead][0]))
+    joined = [sum(h.joins(basic) for h in hinges) for basic in basics]
+    if any(len(side) + count != 3 for side, count in zip(sides, joined, strict=True)):
+        return None
+    if any(lead.name == "PP" for side in sides for lead in side):
+        return None
+    return BasicChain(tuple(names), tuple(basics), tuple(hinges), tuple(tuple(side) for side in sides))
