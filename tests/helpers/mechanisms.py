@@ -14,6 +14,7 @@ import random
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -475,30 +476,35 @@ class Builder:
             raise NoSolution("no well conditioned place for a group was drawn")
         self.basic(kind.split("-"), bases, spots, pivots, ways, [])
 
-    def pairing(self, kind: str) -> None:
-        """Two basic links hinged to each other, "RR-PR+RP-RR": two leads each on earlier bodies; far from where it
-        stops: the lines from the hinge to where the leads of each cross."""
+    def chain(self, kind: str) -> None:
+        """Basic links hinged to each other one after another, "RR-PR+RP-RR": leads on earlier bodies; far from where it
+        stops: the lines from the last hinge to where the leads of either side cross."""
         rng, moving = self.rng, self.bodies[1:]
         sides = [side.split("-") for side in kind.split("+")]
-        bases = [rng.choice([moving[-1], *moving]), *rng.choices(self.bodies, k=3)]
+        count = sum(map(len, sides))
+        bases = [rng.choice([moving[-1], *moving]), *rng.choices(self.bodies, k=count - 1)]
         if all(base is bases[0] for base in bases):
-            bases[3] = self.frame
+            bases[-1] = self.frame
+        ends = [sum(map(len, sides[:k])) for k in range(len(sides) + 1)]
+        own = [slice(*pair) for pair in pairwise(ends)]
         for _ in range(2000):
-            pin, spots, pivots = self.spot(), [self.spot() for _ in range(4)], [self.spot() for _ in range(4)]
-            ways, pulls = [rng.uniform(-math.pi, math.pi) for _ in range(4)], list[complex]()
-            for k, leads in enumerate(sides):
-                own = slice(2 * k, 2 * k + 2)
-                pulls.append(pull_at(pin, leads, spots[own], pivots[own], ways[own]))
-            if abs((pulls[0].conjugate() * pulls[1]).imag) > 0.2 * self.size**2:
+            pins, spots, pivots = ([self.spot() for _ in range(n)] for n in (len(sides) - 1, count, count))
+            ways, firm = [rng.uniform(-math.pi, math.pi) for _ in range(count)], 0j
+            lines: list[tuple[complex, complex]] = []
+            for k, leads in enumerate(sides[:-1]):
+                lines += lines_of(leads, spots[own[k]], pivots[own[k]], ways[own[k]])
+                firm = pull_at(pins[k], lines)
+                lines = [(firm, pins[k])]
+            last = pull_at(pins[-1], lines_of(sides[-1], *(x[own[-1]] for x in (spots, pivots, ways))))
+            if abs((firm.conjugate() * last).imag) > 0.2 * self.size ** len(sides):
                 break
         else:
             raise NoSolution("no well conditioned place for a group was drawn")
-        name = next(self.names)
+        hinges = [(next(self.names), pin) for pin in pins]
         for k, leads in enumerate(sides):
-            own = slice(2 * k, 2 * k + 2)
-            self.basic(leads, bases[own], spots[own], pivots[own], ways[own], [(name, pin)])
-        second = self.triads.pop()
-        self.triads[-1] = (*self.triads[-1][:2], {name: pin, **self.triads[-1][2], **second[2]})
+            self.basic(leads, bases[own[k]], spots[own[k]], pivots[own[k]], ways[own[k]], hinges[max(k - 1, 0) : k + 1])
+        several = [self.triads.pop() for _ in sides]
+        self.triads.append((*several[-1][:2], dict(hinges) | {n: z for x in several[::-1] for n, z in x[2].items()}))
 
     def basic(
         self,
@@ -644,14 +650,20 @@ def three_lines(leads: Sequence[str], spots: list[complex], pivots: list[complex
     return abs(float(np.linalg.det(np.array(rows))))
 
 
-def pull_at(pin: complex, kinds: list[str], spots: list[complex], pivots: list[complex], ways: list[float]) -> complex:
-    """In which direction two leads hold a point of their link, and how firmly: times the arm of a lead."""
+def lines_of(
+    kinds: list[str], spots: list[complex], pivots: list[complex], ways: list[float]
+) -> list[tuple[complex, complex]]:
+    """The directions in which leads hold their link, and a point on the line of each."""
     lines = []
     for lead, spot, pivot, u in zip(kinds, spots, pivots, ways, strict=True):
-        at = pivot if lead == "RP" else spot
         along = (spot - pivot) / abs(spot - pivot) if lead == "RR" else 1j * cmath.rect(1.0, u)
-        lines.append((along, ((at - pin).conjugate() * along).imag))
-    (n, m), (k, p) = lines
+        lines.append((along, pivot if lead == "RP" else spot))
+    return lines
+
+
+def pull_at(pin: complex, lines: list[tuple[complex, complex]]) -> complex:
+    """In which direction two leads hold a point of their link, and how firmly: times the arm of a lead."""
+    (n, m), (k, p) = ((along, ((at - pin).conjugate() * along).imag) for along, at in lines)
     return n * p - k * m
 
 
@@ -762,7 +774,7 @@ def attempt(
         if kind.startswith("IV"):
             build.contour(kind)
         else:
-            way = build.pairing if "+" in kind else build.triad
+            way = build.chain if "+" in kind else build.triad
             way(kind) if "-" in kind else build.group(kind, k == blunt)
     for body in build.bodies[1:]:
         for _ in range(0 if body.bare else rng.randint(0, 2)):

@@ -240,7 +240,8 @@ def order_of_groups(
         else:
             left = [n for n in links if n not in solved]
             whole = basic_and_leads(left, outer, points, slides, known)
-            whole = whole or two_basics(left, outer, points, known) or contour(left, outer, points, slides, known)
+            whole = whole or basics_in_a_chain(left, outer, points, known)
+            whole = whole or contour(left, outer, points, slides, known)
             groups.append(whole)
             solved |= set(whole)
     return groups
@@ -337,12 +338,13 @@ def basic_and_leads(
     return ()
 
 
-def two_basics(
+def basics_in_a_chain(
     left: list[str], outer: Mapping[str, int], points: Mapping[str, Mapping[str, complex]], known: set[str]
 ) -> tuple[str, ...]:
-    """Two links on no solved one with a hinge in common, and the four others, if there are no more."""
+    """Links on no solved one, each with a hinge in common with another, and the others, if there are no more."""
     basics = [n for n in left if not outer[n]]
-    if len(left) < 6 or len(basics) != 2 or not {*points[basics[0]]} & {*points[basics[1]]} - known:
+    hinged = [sum(bool({*points[n]} & {*points[m]} - known) for m in basics if m != n) for n in basics]
+    if len(left) < 2 * len(basics) + 2 or len(basics) < 2 or not all(hinged):
         return ()
     return *basics, *(n for n in left if outer[n] == 1)
 

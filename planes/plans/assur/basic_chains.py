@@ -17,8 +17,7 @@ from planes.words.records import Json
 
 @dataclass(frozen=True)
 class BasicChain:
-    """Its ``basics``, each but the first hinged to one before it (``hinges``, pairs of the later on the earlier), and
-    the leads of each."""
+    """Its ``basics``, each but the first hinged to one before it (``hinges``), and the leads of each."""
 
     links: tuple[str, ...]
     basics: tuple[str, ...]
@@ -44,12 +43,13 @@ class BasicChain:
     @property
     def joints(self) -> tuple[Lead, ...]:
         """What basic links are to each other: leads, from the special point of one to their hinge."""
-        return tuple(Lead(hinge.other, hinge, hinge) for hinge in self.hinges)
+        return tuple(Lead(self.basics[k], h, h) for h, (k, _) in zip(self.hinges, self.joined, strict=True))
 
     @property
     def joined(self) -> tuple[tuple[int, int], ...]:
-        """Which two basic links every hinge joins."""
-        return tuple((self.basics.index(h.other), self.basics.index(h.link)) for h in self.hinges)
+        """Which two basic links every hinge joins, the earlier one first."""
+        ends = (sorted(map(self.basics.index, (h.link, h.other))) for h in self.hinges)
+        return tuple((one, two) for one, two in ends)
 
     def root(self, last: Lead) -> int:
         """The basic link to which all others lead, so that the ``last`` lead, or joint, is found last."""
@@ -84,7 +84,7 @@ class BasicChain:
     @property
     def solved(self) -> tuple[str, ...]:
         """Its links in the order of solving."""
-        return *self.basics, *(lead.link for lead in self.leads)
+        return *(x for x in self.links if x in self.basics), *(lead.link for lead in self.leads)
 
     def reached(self, drive: Pair) -> tuple[str, ...]:
         """The links that are solved with it where the drive is inside."""
@@ -130,7 +130,7 @@ def chain_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]
         return None
     basics, hinges = [left.pop(0)], list[Pair]()
     while left:
-        ways = [(n, pairs[0]) for n in left for one in basics if len(pairs := between(n, one)) == 1]
+        ways = [(n, pairs[0]) for n in left for x in basics if len(pairs := between(*_late_first(names, n, x))) == 1]
         if not ways or len([n for n, _ in ways if n == ways[0][0]]) > 1 or ways[0][1].kind == "P":
             return None
         basics.append(ways[0][0])
@@ -147,3 +147,7 @@ def chain_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]
     if any(lead.name == "PP" for side in sides for lead in side):
         return None
     return BasicChain(tuple(names), tuple(basics), tuple(hinges), tuple(tuple(side) for side in sides))
+
+
+def _late_first(names: Sequence[str], one: str, two: str) -> tuple[str, str]:
+    return (one, two) if names.index(one) > names.index(two) else (two, one)

@@ -42,7 +42,8 @@ def _place_basic(b: Bodies, g: BasicChain, k: int, pin: str, local: str, cut: Cu
     others = [lead.inner.point for lead in g.sides[k] if lead.inner.kind == "R"]
     others += [h.point for h in g.hinges if h.joins(basic) and h.point != pin]
     if others:
-        b.draft.step(CutTrack(at(SCHEME, others[0]), local_of(b, link, others[0]), *cut, link=k, hinge=local))
+        if at(SCHEME, others[0]) not in b.draft.steps:  # a hinge with the next one is
+            b.draft.step(CutTrack(at(SCHEME, others[0]), local_of(b, link, others[0]), *cut, link=k, hinge=local))
         b.place_points(rigid_body(b, basic, pin, others[0]))
     else:
         axis = b.draft.step(CutTurn(f"x_{basic}", local, *cut, link=k, hinge=local, means=Meaning("own", basic)))
