@@ -495,7 +495,7 @@ class Builder:
                 lines += lines_of(leads, spots[own[k]], pivots[own[k]], ways[own[k]])
                 firm = pull_at(pins[k], lines)
                 lines = [(firm, pins[k])]
-            last = pull_at(pins[-1], lines_of(sides[-1], *(x[own[-1]] for x in (spots, pivots, ways))))
+            last = pull_at(pins[-1], lines_of(sides[-1], spots[own[-1]], pivots[own[-1]], ways[own[-1]]))
             if abs((firm.conjugate() * last).imag) > 0.2 * self.size ** len(sides):
                 break
         else:

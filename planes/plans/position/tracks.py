@@ -128,9 +128,9 @@ def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
     if not counted.proved:
         raise tracks.error(Phrase("tracks_touch", **tracks.named()), "drive")
     if not counted.poses:
-        raise tracks.error(Phrase("tracks_miss", **tracks.named()), "drive")
+        raise tracks.error(Phrase("tracks_miss" if counted.whole else "tracks_not_met", **tracks.named()), "drive")
     key, said = _said(b, choice)
-    if said is None and len(counted.poses) == 1:
+    if said is None and len(counted.poses) == 1 and counted.whole:
         tracks.choose(counted.poses[0])
         return
     if said is None or said.near is None:
@@ -164,7 +164,8 @@ def _question(tracks: Tracks, counted: Counted, key: str) -> Phrase:
     """All assemblies, each with the words that choose it."""
     offers = tuple(_offers(tracks, counted, key))
     more = bool(tracks.bodies.mechanism.assembly)
-    return Phrase("tracks_more" if more else "tracks_all", count=len(offers), offers=offers, **tracks.named())
+    told = {"count": len(offers), "offers": offers, "proof": Phrase("tracks_proved" if counted.whole else "tracks_met")}
+    return Phrase("tracks_more" if more else "tracks_all", **told, **tracks.named())
 
 
 def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[Phrase]:
