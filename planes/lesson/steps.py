@@ -75,9 +75,12 @@ class StepWords:
     def track(self, step: CutTrack) -> Words:
         """The crossing of a track with the line of the lead that is taken off; of the others, where they are then."""
         drawn = (x for x in self.made.values() if isinstance(x, CutTrack) and x.holds == step.holds)
-        first = "track" if len(step.holds) == 3 else "track_both"
-        key = first if next(drawn).makes == step.makes else "track_too"
-        hold = next((h for h in step.holds if h.local == step.local), step.holds[-1])
+        first = next(drawn).makes == step.makes
+        key = "track_too" if not first else "track" if len(step.holds) == 3 else "track_both"
+        leads = [h for h in step.holds if h.kind != "hinge" and (first or h.local == step.local)]
+        hold = next((h for h in leads if h.local == step.local), leads[-1] if leads else None)
+        if hold is None:
+            return key, key, {"kept": lambda lang: say("lesson_kept_hinge", lang)}
         kept: Names = {"start": lettered(hold.place)}
         if hold.kind == "arc":
             kept = {**kept, "mm": slot(hold.reach, "mm", step.mu)}

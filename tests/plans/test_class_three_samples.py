@@ -23,6 +23,7 @@ SAMPLES = (
     *(f"class-three/{name}" for name in ("guide", "press", "rods", "slider", "stephenson", "truss")),
     "class-three/mixtures/pp-rr-rr",
     "class-three/two-basic-links",
+    pytest.param("class-three/three-basic-links", marks=pytest.mark.slow),
     "class-four/tray",
     "class-four/two-guides",
 )

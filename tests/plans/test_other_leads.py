@@ -20,7 +20,15 @@ from tests.helpers.comparing import Drawn, balanced, differences, expected, pose
 from tests.helpers.mechanisms import make, to_yaml
 from tests.helpers.oracle import solve as oracle_solve
 
-FOUND = [("RR-RR-RP", 4), ("RR-RR-PR", 2), ("RR-RR-RR", 2), ("RR-PR-RP", 14), ("RR-RP-RP", 3), ("RR-RR+RR-RR", 2), ("RR-PR+RP-RR", 4)]
+FOUND = [
+    ("RR-RR-RP", 4),
+    ("RR-RR-PR", 2),
+    ("RR-RR-RR", 2),
+    ("RR-PR-RP", 14),
+    ("RR-RP-RP", 3),
+    ("RR-RR+RR-RR", 2),
+    ("RR-PR+RP-RR", 4),
+]
 
 
 def parallel_at(plans: Plans, low: float, high: float) -> float | None:

@@ -12,9 +12,8 @@ from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry.arithmetic import Arithmetic
-from planes.geometry.sextic import assemblies
-from planes.geometry.tracks import advanced
-from planes.geometry.two_tracks import both_assemblies
+from planes.geometry.assemblies import all_assemblies
+from planes.geometry.tracks import advanced, origins
 from planes.plans.assur.groups import Group
 from planes.words import Phrase, Told, Written
 from planes.words.names import label_of, letter_of
@@ -62,9 +61,11 @@ def _reassembled(w: PlanSteps) -> Iterator[Variant]:
         drawn = run(w.program.sliced([cut.makes]), {**w.plans.given, cut.mu: 1.0})[cut.makes]
         terms = *guess.places, *(name for turn in guess.turns for name in turn)
         here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys(terms, 0.0)
-        poses = (assemblies if len(holds) == 3 else both_assemblies)(ties).poses
+        poses = all_assemblies(ties, size).poses
         local = things[cut.local] - (things[cut.hinge] if cut.hinge else 0.0)
-        others = [p for p in poses if abs(p[0] + p[1 + cut.link] * local - drawn) > ELSEWHERE * size]
+        others = [
+            p for p in poses if abs(origins(ties, p)[cut.link] + p[1 + cut.link] * local - drawn) > ELSEWHERE * size
+        ]
         which = Phrase("assembly_another", count=len(poses), level=_level(w, cut))
         for pose in others:
             turned = {turn[0]: cmath.phase(axis) for turn, axis in zip(guess.turns, pose[1:], strict=True)}

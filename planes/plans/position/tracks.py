@@ -9,10 +9,9 @@ from planes.drafting.program import Program
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
-from planes.geometry.searched import searched
-from planes.geometry.sextic import Counted, assemblies
+from planes.geometry.assemblies import all_assemblies
+from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced
-from planes.geometry.two_tracks import both_assemblies
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.position.bodies import SCHEME, Bodies, TrackChoice
@@ -55,8 +54,7 @@ class Tracks:
     def all(self) -> Counted:
         """Every assembly there."""
         ties = self.ties(self.start)
-        links = len(self.choice.group.basics)
-        return assemblies(ties) if links == 1 else both_assemblies(ties) if links == 2 else searched(ties, self.size)
+        return all_assemblies(ties, self.size)
 
     def place(self, pose: Pose, point: str) -> complex:
         """Where a point of the group would be in an assembly."""
