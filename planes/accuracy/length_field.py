@@ -1,16 +1,18 @@
 """A mechanism over its drive and one length: what is nothing where two of its places meet, on a grid and along curves.
 
 A crossing with two places has a number that is nothing where they meet (its opening); a link on three leads has its
-assemblies where a trigonometric polynomial of its angle is nothing, and two meet where its slope is nothing too.
+assemblies where a trigonometric polynomial of its angle is nothing, and two meet where its slope is nothing too. Links
+hinged to each other are followed over the grid (``sheets``).
 """
 
 import math
 from collections.abc import Callable, Iterator
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
 from planes.accuracy.continuation import Curves, Room
+from planes.accuracy.sheets import Sheets
 from planes.accuracy.variation import lengthened
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.program import Program
@@ -24,6 +26,7 @@ from planes.plans import Plans
 from planes.words.names import mu_of
 
 ACROSS, UP, ROUND = 181, 121, 96  # of the grid: values of the drive, lengths, angles of a link
+COARSER = 2  # steps where assemblies are followed over it
 STEP = 0.05  # along a curve: radians, parts of the mechanism's reach, and of a length's logarithm
 CIRCLE = 1e-5  # a root is on the unit circle; rounding moves a double one by less
 SAMPLES = 16  # angles that tell a trigonometric polynomial
@@ -39,9 +42,9 @@ class LengthField:
         drive = plans.mechanism.drive
         self.turns = drive.kind == "phi"
         self.unit = math.degrees(1) if self.turns else plans.reach
-        own, reach = drive.position / self.unit, math.log(times)
-        self.across = np.linspace(0.0, 2 * math.pi, ACROSS) if self.turns else np.linspace(own - 1, own + 1, ACROSS)
-        self.up = np.linspace(-reach, reach, UP)
+        own, reach, by = drive.position / self.unit, math.log(times), COARSER if any(map(_chained, self.steps)) else 1
+        ends = (0.0, 2 * math.pi) if self.turns else (own - 1, own + 1)
+        self.across, self.up = np.linspace(*ends, ACROSS // by + 1), np.linspace(-reach, reach, UP // by + 1)
 
     def value(self, x: Array) -> Array:
         """The drive's value."""
@@ -51,20 +54,26 @@ class LengthField:
         """The length, m."""
         return np.asarray(self.plans.lengths[self.name] * np.exp(y))
 
+    @property
+    def cut(self) -> list[CutTrack]:
+        """All steps that cut the tracks of these."""
+        held = {s.holds for s in self.steps if isinstance(s, CutTrack)}
+        return [s for s in self.plans.program.steps if isinstance(s, CutTrack) and s.holds in held]
+
     @cached_property
     def steps(self) -> list[Step]:
         """The steps with several places, those that hang on no track; of one link's track one."""
         found: dict[object, Step] = {}
         for step in self.plans.program.steps:
-            if isinstance(step, TwoPlaces | CutTrack) and _folds(step) and not self._tracked(self.program(step)):
+            if isinstance(step, TwoPlaces | CutTrack) and not self._tracked(self.program(step)):
                 found.setdefault(step.holds if isinstance(step, CutTrack) else step, step)
         return list(found.values())
 
     @cached_property
     def whole(self) -> bool:
         """Whether these are all."""
-        steps = [s for s in self.plans.program.steps if isinstance(s, TwoPlaces) or not _folds(s)]
-        return all(step in self.steps for step in steps)
+        several = (s for s in self.plans.program.steps if isinstance(s, TwoPlaces | CutTrack))
+        return all(s in self.steps or s in self.cut for s in several)
 
     @staticmethod
     def _tracked(program: Program) -> bool:
@@ -118,18 +127,33 @@ class LengthField:
         y, x = np.meshgrid(self.up, self.across, indexing="ij")
         return np.array([x.ravel(), y.ravel()])
 
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Of the grid: lengths and values of the drive."""
+        return len(self.up), len(self.across)
+
+    @cached_property
+    def sheets(self) -> dict[str, Sheets]:
+        """Of every track of links hinged to each other their assemblies on the grid."""
+        found = dict[str, Sheets]()
+        for step in self.steps:
+            if isinstance(step, CutTrack) and _chained(step):
+                size, ties = self.base[step.guess.size], partial(self.ties, step, self.program(step))
+                found[step.makes] = Sheets(ties, size, self.across, self.up, self.turns)
+        return found
+
     @cached_property
     def grids(self) -> dict[str, Array]:
         """Of every step its opening on the grid, or its closure at angles all round."""
-        found = {}
+        found = dict[str, Array]()
         around = np.exp(2j * math.pi * np.arange(ROUND) / ROUND)[:, None]
-        for step in self.steps:
+        for step in (s for s in self.steps if not _chained(s)):
             if isinstance(step, CutTrack):
                 grid = closure(self.ties(step, self.program(step), *self.spots), around)
-                found[step.makes] = grid.reshape(ROUND, UP, ACROSS)
+                found[step.makes] = grid.reshape(ROUND, *self.shape)
             else:
                 assert isinstance(step, TwoPlaces)
-                found[step.makes] = self.opening(step)(self.spots).reshape(UP, ACROSS)
+                found[step.makes] = self.opening(step)(self.spots).reshape(self.shape)
         return found
 
     @cached_property
@@ -137,20 +161,24 @@ class LengthField:
         """How many assemblies there are on the grid, the sides of the scene taken for what others hang on."""
         total = np.ones(self.spots.shape[1], int)
         for step in self.steps:
-            if isinstance(step, CutTrack):
+            if step.makes in self.sheets:
+                total = total * self.sheets[step.makes].counted.ravel()
+            elif isinstance(step, CutTrack):
                 total = total * _real(self.terms(step, self.program(step), *self.spots))
             else:
                 total = total * 2 * (self.grids[step.makes].ravel() > 0)
-        return np.asarray(total.reshape(UP, ACROSS))
+        return np.asarray(total.reshape(self.shape))
 
     @property
     def gone(self) -> float:
         """How far the nearest length is at which there are more or fewer assemblies, of all or of some positions."""
-        rows = (self.count != self.count[UP // 2]).any(axis=1) | (self.count != self.count[:, :1]).any(axis=1)
+        rows = (self.count != self.count[len(self.up) // 2]).any(axis=1) | (self.count != self.count[:, :1]).any(axis=1)
         return float(abs(self.up[rows]).min(initial=math.inf))
 
     def curves(self, step: Step) -> list[Array]:
         """The turning curves of one step: places (drive, logarithm, …), a row each."""
+        if step.makes in self.sheets:
+            return self.sheets[step.makes].curves(STEP)
         grid = self.grids[step.makes]
         scale = np.nanmax(np.abs(grid))
         raw = self.fold(step) if isinstance(step, CutTrack) else self.opening(step)  # type: ignore[arg-type]
@@ -202,6 +230,6 @@ def _mixed(ahead: Booleans, *axes: int) -> Booleans:
     return np.asarray(some & ~every)
 
 
-def _folds(step: Step) -> bool:
-    """Whether it is told where the step's places meet: not of two links cut by one track."""
-    return not isinstance(step, CutTrack) or len(step.holds) == 3
+def _chained(step: Step) -> bool:
+    """Whether it cuts the track of links hinged to each other."""
+    return isinstance(step, CutTrack) and len(step.holds) > 3
