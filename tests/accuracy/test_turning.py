@@ -17,6 +17,7 @@ from planes.plans import Plans, plans_of
 from planes.scene import load, loads
 from planes.words.names import mu_of
 from tests.helpers import ROOT
+from tests.plans.test_basic_chains import counted as both_counted
 from tests.plans.test_triad_assemblies import counted
 
 SLIDER = """
@@ -169,3 +170,22 @@ def test_the_length_altered_the_least_is_taken() -> None:
     found = turned(plans, alterable(plans, [n for n in plans.program.givens if n in plans.lengths]))
     assert found and found.name == "l_FD" and found.whole
     assert turned(stated(FOUR_BAR), []) is None
+
+
+@pytest.mark.slow
+def test_basic_links_in_a_chain_are_counted_on_both_sides_of_their_curves() -> None:
+    """All over the field as by exact elimination, and two more, or fewer, beyond a curve."""
+    plans = sample("class-three/two-basic-links")
+    found, rng = turning(plans, "l_AB"), np.random.default_rng(3)
+    assert found.whole and len(found.curves) == 3
+    for _ in range(80):
+        j, i = rng.integers(len(found.lengths)), rng.integers(len(found.values))
+        assert both_counted(ties_at(plans, "l_AB", found.values[i], found.lengths[j])) == found.count[j, i]
+    for curve in found.curves:
+        x, y = np.radians(curve.values), np.log(curve.lengths)
+        for k in range(3, len(x) - 3, 11):
+            across = 1j * complex(x[k + 1] - x[k - 1], y[k + 1] - y[k - 1])
+            across *= 1e-5 / abs(across)
+            sides = [(x[k] + s * across.real, y[k] + s * across.imag) for s in (1, -1)]
+            one, two = (both_counted(ties_at(plans, "l_AB", math.degrees(a), math.exp(b))) for a, b in sides)
+            assert abs(one - two) == 2, (k, one, two)

@@ -240,7 +240,7 @@ def order_of_groups(
         else:
             left = [n for n in links if n not in solved]
             whole = basic_and_leads(left, outer, points, slides, known)
-            whole = whole or basics_in_a_chain(left, outer, points, known)
+            whole = whole or basics_in_a_chain(left, outer, points, slides, known)
             whole = whole or contour(left, outer, points, slides, known)
             groups.append(whole)
             solved |= set(whole)
@@ -339,14 +339,25 @@ def basic_and_leads(
 
 
 def basics_in_a_chain(
-    left: list[str], outer: Mapping[str, int], points: Mapping[str, Mapping[str, complex]], known: set[str]
+    left: list[str],
+    outer: Mapping[str, int],
+    points: Mapping[str, Mapping[str, complex]],
+    slides: list[Pair],
+    known: set[str],
 ) -> tuple[str, ...]:
-    """Links on no solved one, each with a hinge in common with another, and the others, if there are no more."""
-    basics = [n for n in left if not outer[n]]
-    hinged = [sum(bool({*points[n]} & {*points[m]} - known) for m in basics if m != n) for n in basics]
-    if len(left) < 2 * len(basics) + 2 or len(basics) < 2 or not all(hinged):
-        return ()
-    return *basics, *(n for n in left if outer[n] == 1)
+    """Links on no solved one of three pairs each, hinged to each other, and those on one that lead to them."""
+
+    def pairs(n: str, m: str) -> int:
+        return len({*points[n]} & {*points[m]} - known) + sum({s.i, s.j} == {n, m} for s in slides)
+
+    free = [n for n in left if not outer[n]]
+    for count in range(2, len(free) + 1):
+        for basics in itertools.combinations(free, count):
+            leads = [n for n in left if outer[n] == 1 and sum(pairs(n, m) for m in basics) == 1]
+            ends = [sum(pairs(n, m) for m in (*basics, *leads) if m != n) for n in basics]
+            if len(leads) == count + 2 and ends == [3] * count:
+                return *basics, *leads
+    return ()
 
 
 def contour(

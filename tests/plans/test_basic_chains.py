@@ -1,5 +1,5 @@
-"""Groups of class III and order 4, two basic links hinged to each other: every number against the independent solver,
-every assembly against an independent count."""
+"""Groups of class III of order 4 and more, basic links hinged to each other: every number against the independent
+solver, assemblies of two against an independent count, of more each one proved."""
 
 from __future__ import annotations
 
@@ -7,17 +7,26 @@ import cmath
 import math
 import random
 import re
+from dataclasses import replace
 
 import pytest
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
+from planes.drafting.drawing import run
 from planes.geometry import plane
-from planes.geometry.tracks import Pose, Tie, TieKind, advanced
+from planes.geometry.searched import proved, searched
+from planes.geometry.tracks import Pose, Tie, TieKind, advanced, origins
 from planes.geometry.two_tracks import both_assemblies
+from planes.plans import Plans
+from planes.plans.other_leads import met, with_others
+from planes.plans.scales import scales
+from planes.scene import loads
 from planes.words.errors import PlanesError, SceneError
 from tests.helpers import ROOT
-from tests.helpers.comparing import against, balanced, draw, standing
-from tests.helpers.mechanisms import KINDS, make
+from tests.helpers.comparing import Drawn, against, balanced, differences, draw, expected, standing
+from tests.helpers.comparing import pose as pose_of
+from tests.helpers.mechanisms import KINDS, Case, make, to_yaml
+from tests.helpers.oracle import solve as oracle_solve
 from tests.plans.test_against_oracle import examine
 
 LEADS = ("RR", "PR", "RP")
@@ -29,21 +38,23 @@ def spot(rng: random.Random) -> complex:
     return complex(rng.uniform(-1, 1), rng.uniform(-1, 1))
 
 
-def planted(kinds: list[TieKind], rng: random.Random) -> tuple[list[Tie], Pose]:
-    """Ties of a pose that is known, the first two of one link."""
-    pose = spot(rng), *(cmath.rect(1.0, rng.uniform(-math.pi, math.pi)) for _ in range(2))
-    ties = []
-    for k, kind in enumerate(kinds):
+def planted(kinds: list[TieKind], rng: random.Random, held: tuple[int, ...] = (0, 0, 1, 1)) -> tuple[list[Tie], Pose]:
+    """Ties of a pose that is known, each of the link it is ``held`` by; links beyond the second hang on the last."""
+    links = 1 + max(held)
+    pose = spot(rng), *(cmath.rect(1.0, rng.uniform(-math.pi, math.pi)) for _ in range(links))
+    hinges = [Tie("hinge", spot(rng), 0j, 0.0, link=k - 1) for k in range(2, links)]
+    places, ties = origins(hinges, pose), list[Tie]()
+    for kind, k in zip(kinds, held, strict=True):
         local, place, turn = spot(rng), spot(rng), cmath.rect(1.0, rng.uniform(-math.pi, math.pi))
-        axis = pose[1 + k // 2]
-        end = pose[0] + axis * local
+        axis = pose[1 + k]
+        end = places[k] + axis * local
         if kind == "arc":
-            ties.append(Tie("arc", local, place, abs(end - place), link=k // 2))
+            ties.append(Tie("arc", local, place, abs(end - place), link=k))
         elif kind == "line":
-            ties.append(Tie("line", local, place, plane.cross(turn, end - place), turn, k // 2))
+            ties.append(Tie("line", local, place, plane.cross(turn, end - place), turn, k))
         else:
-            ties.append(Tie("guide", local, place, plane.cross(turn * axis, place - end), turn, k // 2))
-    return ties, pose
+            ties.append(Tie("guide", local, place, plane.cross(turn * axis, place - end), turn, k))
+    return [*ties, *hinges], pose
 
 
 def exact(z: complex) -> tuple[fmpq, fmpq]:
@@ -98,6 +109,47 @@ def test_none_is_missed_of_many() -> None:
     assert max(counts) >= 8 and not any(count % 2 for count in counts)
 
 
+def apart(one: Pose, two: Pose) -> float:
+    return max(abs(a - b) for a, b in zip(one, two, strict=True))
+
+
+@pytest.mark.slow
+def test_a_search_meets_all_that_an_exact_count_has() -> None:
+    """Two links, whose assemblies are counted exactly: none of them is missed."""
+    for seed in range(40):
+        rng = random.Random(f"met {seed}")
+        ties, _ = planted(rng.choices(TIES, k=4), rng)
+        exact_ones, found = both_assemblies(ties), searched(ties, 1.0)
+        assert not found.whole and found.proved and len(found.poses) == exact_ones.count, seed
+        assert all(min(apart(p, q) for q in found.poses) < 1e-9 for p in exact_ones.poses), seed
+
+
+@pytest.mark.slow
+def test_a_search_meets_what_was_planted_in_longer_chains() -> None:
+    """Of three and four links: the planted assembly is among them, and they come by twos."""
+    for seed in range(24):
+        rng = random.Random(f"planted {seed}")
+        held = (0, 0, 1, 2, 2) if seed % 4 else (0, 0, 1, 2, 3, 3)
+        ties, pose = planted(rng.choices(TIES, k=len(held)), rng, held)
+        found = searched(ties, 1.0)
+        assert min(apart(pose, p) for p in found.poses) < 1e-8 and found.proved, seed
+        assert len(found.poses) % 2 == 0, (seed, len(found.poses))
+
+
+def test_what_is_proved_is_a_single_root() -> None:
+    """A planted pose is; beside it none is, and where two assemblies are one it is not single."""
+    ties, pose = planted(["arc", "line", "guide", "arc", "arc"], random.Random("proved"), (0, 0, 1, 2, 2))
+    assert proved(ties, pose)
+    assert not proved(ties, (pose[0] + 1e-7, *pose[1:]))
+    ties = [
+        Tie("arc", 0j, 0j, 1.0),
+        Tie("line", 0j, 1j, 0.0),
+        Tie("line", 1 + 0j, 1j, 0.0),
+    ]  # an arc that a line touches
+    assert not proved(ties, (1j, 1 + 0j))
+    assert proved([ties[0], *(replace(t, place=0.6j) for t in ties[1:])], (0.8 + 0.6j, 1 + 0j))
+
+
 def kind_of(rng: random.Random, seed: int) -> str:
     leads = ["RR"] * 4 if seed % 3 == 0 else rng.choices(LEADS, k=4)
     return "+".join("-".join(leads[k : k + 2]) for k in (0, 2))
@@ -115,6 +167,45 @@ def test_two_basic_links_with_loads_on_every_link() -> None:
     with_loads(5)
 
 
+def of_three(rng: random.Random) -> str:
+    one, two, three, four, five = rng.choices(LEADS, k=5)
+    return f"{one}-{two}+{three}+{four}-{five}"
+
+
+@pytest.mark.slow
+def test_three_basic_links_with_loads_on_every_link() -> None:
+    for seed in range(12):
+        rng = random.Random(f"three {seed}")
+        kinds = [of_three(rng)]
+        if seed % 3 == 0:
+            kinds.insert(rng.randrange(2), rng.choice(KINDS))
+        examine(make(rng, kinds))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("links", [2, 3])
+def test_whichever_is_found_last_every_number_is_the_same(links: int) -> None:
+    """Every lead and every hinge in its turn, against the independent solver."""
+    for seed in range(4):
+        rng = random.Random(f"last {links} {seed}")
+        case = make(rng, [kind_of(rng, seed) if links == 2 else of_three(rng)], sliding=False)
+        plans = draw(to_yaml(case.scene)).plans
+        special, turns = met(plans.program)[0].makes, {""}
+        for k in range(3 * links - 1):
+            d = by(case, with_others(plans, special, k))
+            wanted = {n.name: n for n in expected(oracle_solve(case.scene, pose_of(d)), True)}
+            assert max(differences(d, wanted).values()) * d.sharpest <= 1e-9, (seed, k)
+            balanced(d)
+            turns.add(d.plans.leads[next(iter(d.plans.leads))][-1].name)
+        assert len(turns) > 1
+
+
+def by(case: Case, plans: Plans) -> Drawn:
+    value = plans.mechanism.drive.position
+    chosen = {**scales(plans, {}, plans.at(value)), **plans.at(value)}
+    return Drawn(loads(to_yaml(case.scene)), plans, chosen, run(plans.program, {**plans.given, **chosen}))
+
+
 @pytest.mark.slow
 def test_more_with_loads_on_every_link() -> None:
     for seed in range(100, 112):
@@ -124,7 +215,8 @@ def test_more_with_loads_on_every_link() -> None:
 def rubbing(seed: int) -> float | None:
     """The worst number where hinges and guides rub; None where something stands still."""
     rng = random.Random(f"pairing rubs {seed}")
-    case = make(rng, [kind_of(rng, seed)], friction=seed % 3 > 0, pins=seed % 3 < 2, rest=seed % 7 == 0)
+    kind = of_three(rng) if seed % 4 == 3 else kind_of(rng, seed)
+    case = make(rng, [kind], friction=seed % 3 > 0, pins=seed % 3 < 2, rest=seed % 7 == 0)
     if standing(case):
         return None
     drawn, wrong = against(case)
