@@ -23,6 +23,7 @@ class Cross(Step):
     other: str
     across: str
     supposed: bool = False
+    far: ClassVar[str] = "parallel"  # why there is none
     needs = marks("start", "other") + directions("along", "across")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -34,7 +35,7 @@ class Cross(Step):
             return tool.ar.where(met, tool.mark(place), complex("nan"))
         apart = abs(gap) > tool.slack * (abs(env[self.start]) + abs(env[self.other]))
         tool.require(met | apart, self, "coincident", gap_mm=gap)
-        tool.require(met, self, "parallel", gap_mm=gap)
+        tool.require(met, self, self.far, gap_mm=gap)
         return tool.mark(place)
 
 
@@ -96,6 +97,7 @@ class CrossInChain(ByLeads, Cross):
     sides: tuple[int, ...] = ()
     joined: tuple[tuple[int, int], ...] = ()
     turn: int = 0
+    far: ClassVar[str] = "leads_parallel"
     needs = marks("start", "other", "points", "pins") + directions("along", "across", "lines")
 
     @property
