@@ -14,7 +14,7 @@ from fractions import Fraction
 from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced
 
-STARTS, ROUNDS = 2048, 5  # places looked from, doubled while an assembly was met but once or twice
+STARTS, ROUNDS = 2048, 5  # places looked from, doubled while one was met but once or twice, and more of them each time
 STEPS = 60
 OFTEN = 3
 SAME = 1e-6  # of the size: two poses nearer than this are one
@@ -27,8 +27,8 @@ def searched(ties: Sequence[Tie], size: float) -> Counted:
     over = [replace(t, local=t.local / size, place=t.place / size, reach=t.reach / size) for t in ties]
     met: list[tuple[Pose, int]] = []
     for k in range(ROUNDS):
-        met = _met(over, links, STARTS << k)
-        if met and min(count for _, count in met) >= OFTEN:
+        before, met = len(met), _met(over, links, STARTS << k)
+        if met and (min(count for _, count in met) >= OFTEN or len(met) == before > 0 and k > 1):
             break
     found = sorted((pose for pose, _ in met if proved(over, pose)), key=lambda pose: pose[1].imag)
     return Counted(tuple((pose[0] * size, *pose[1:]) for pose in found), len(met), False, whole=False)

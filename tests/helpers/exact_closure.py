@@ -38,7 +38,7 @@ class Closure:
         self.links = list(scene["links"])
         self.scene = {"0": scene["frame"], **{str(n): link for n, link in scene["links"].items()}}
         self.points = {n: {k: place(z) for k, z in x.get("points", {}).items()} for n, x in self.scene.items()}
-        self.drive = scene["drive"]
+        self.drive, self.gravity = scene["drive"], scene.get("gravity", 0)
         holders: dict[str, list[str]] = {}
         for name, points in self.points.items():
             for k in points:
@@ -109,6 +109,43 @@ class Closure:
         rates = matrix([*[mpf(0)] * (len(q) - 1), mpf(self.drive["omega"])])
         found = lu_solve(self.slopes(lambda x: self.missed(x, phi), q), rates)
         return {name: found[3 * k + 2] for k, name in enumerate(self.links)}
+
+    def moving(self, q: Vector, phi_deg: float) -> tuple[Any, Vector, Vector]:
+        """The matrix of slopes, how fast every place and turn goes, and how fast that changes."""
+        phi, size = radians(mpf(phi_deg)), len(q)
+        own = self.slopes(lambda x: self.missed(x, phi), q)
+        way = [*lu_solve(own, matrix([*[mpf(0)] * (size - 1), mpf(1)]))]  # by a unit drive
+        ahead, behind = (self.missed([a + s * b for a, b in zip(q, way, strict=True)], phi + s) for s in (STEP, -STEP))
+        bent = [*lu_solve(own, matrix([-(a + b) / STEP**2 for a, b in zip(ahead, behind, strict=True)]))]
+        omega, epsilon = mpf(self.drive["omega"]), mpf(self.drive["epsilon"])
+        return own, [w * omega for w in way], [b * omega**2 + w * epsilon for w, b in zip(way, bent, strict=True)]
+
+    def forces(self, q: Vector, phi_deg: float) -> Mapping[str, Any]:
+        """By ``F_ij`` how large the reactions in hinges of two links are, under weight and inertia; and what moment
+        the drive needs ("M"): the multipliers of the equations."""
+        own, speeds, quick = self.moving(q, phi_deg)
+        total: Vector = []
+        for k, name in enumerate(self.links):
+            link = self.scene[name]
+            mass, inertia = mpf(link.get("mass", 0)), mpf(link.get("inertia", 0))
+            local = self.points[name][link.get("centre", next(iter(self.points[name])))]
+            here, ahead, behind = (
+                self.spot([a + s * b + s * s / 2 * c for a, b, c in zip(q, speeds, quick, strict=True)], name, local)
+                for s in (0, STEP, -STEP)
+            )
+            force = mass * (mpc(0, -mpf(self.gravity)) - (ahead + behind - 2 * here) / STEP**2)
+            arm = here - self.at(q, name)[0]
+            total += [
+                -force.real,
+                -force.imag,
+                inertia * quick[3 * k + 2] - arm.real * force.imag + arm.imag * force.real,
+            ]
+        found = [*lu_solve(own.T, matrix(total))]
+        told = {"M": fabs(found[-1])}
+        for k, (point, one, two) in enumerate(self.hinges):
+            if sum(hinge[0] == point for hinge in self.hinges) == 1:
+                told |= dict.fromkeys((f"F_{one}_{two}", f"F_{two}_{one}"), fabs(mpc(found[2 * k], found[2 * k + 1])))
+        return told
 
     def stops(self, near: Vector, phi_deg: float) -> Any:
         """The drive's value, degrees, at the dead point near a pose."""
