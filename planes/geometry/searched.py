@@ -28,7 +28,7 @@ def searched(ties: Sequence[Tie], size: float) -> Counted:
     met: list[tuple[Pose, int]] = []
     for k in range(ROUNDS):
         before, met = len(met), _met(over, links, STARTS << k)
-        if met and (min(count for _, count in met) >= OFTEN or len(met) == before > 0 and k > 1):
+        if met and (min(count for _, count in met) >= OFTEN or (len(met) == before > 0 and k > 1)):
             break
     found = sorted((pose for pose, _ in met if proved(over, pose)), key=lambda pose: pose[1].imag)
     return Counted(tuple((pose[0] * size, *pose[1:]) for pose in found), len(met), False, whole=False)
