@@ -66,8 +66,10 @@ def advanced(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
     before = hung_on(ties)
     for k in reversed(range(1, len(axes))):
         (f, n, m), (g, q, r) = held[k]
-        pull = n * r - q * m
-        held[before[k]].append((f * r - g * m, pull, plane.cross(places[k] - places[before[k]], pull)))
+        arms = abs(m + 1j * r)
+        arms = arms + (arms == 0)
+        pull = (n * r - q * m) / arms
+        held[before[k]].append(((f * r - g * m) / arms, pull, plane.cross(places[k] - places[before[k]], pull)))
     shift, turn, det = _solved(*held[0])
     moved, shifts, turns = abs(shift) + abs(turn), [shift], [turn]
     for k in range(1, len(axes)):
