@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from planes.batch.table import columns_of
-from planes.drafting.steps.crossings import LEAN
+from planes.drafting.steps.by_leads import LEAN
 from planes.geometry.arrays import Array, Indices
 from planes.plans.other_leads import with_others
 

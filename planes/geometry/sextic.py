@@ -64,8 +64,7 @@ class Laurent:
 
 @dataclass(frozen=True)
 class Counted:
-    """The poses found, the number of real roots proved (counted once each), whether any root is double, and whether
-    these are proved to be all."""
+    """The poses found, how many roots are proved (each once), whether any is double, and whether these are all."""
 
     poses: tuple[Pose, ...]
     count: int

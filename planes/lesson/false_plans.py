@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 
 from planes.drafting import steps as s
-from planes.drafting.steps.crossings import Cross, CrossFalse
+from planes.drafting.steps.by_leads import CrossFalse
+from planes.drafting.steps.crossings import Cross
 from planes.lesson.formulas import slot
 from planes.words.names import lettered
 

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
-from planes.drafting.steps.crossings import FAIR, ByLeads
+from planes.drafting.steps.by_leads import FAIR, ByLeads
 from planes.plans.assur.basic_links import Lead
 from planes.plans.position.bodies import SCHEME, Bodies
 from planes.words.errors import PlanFailure

@@ -1,17 +1,12 @@
 """Where two lines, a line and an arc, or two arcs meet, and the tangent to a circle: the steps that can fail."""
 
 from dataclasses import dataclass
-from functools import reduce
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step, directions, marks, values
-from planes.drafting.steps.reckoning import Cosine, Drop
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
-from planes.geometry.arithmetic import Point, Real
-
-LEAN = "leads_lean"
-"""Why other plans are taken: two leads that meet in a special point are too nearly parallel."""
+from planes.geometry.arithmetic import Real
 
 
 @dataclass(frozen=True)
@@ -37,140 +32,6 @@ class Cross(Step):
         tool.require(met | apart, self, "coincident", gap_mm=gap)
         tool.require(met, self, self.far, gap_mm=gap)
         return tool.mark(place)
-
-
-FAIR = 0.4  # of the best crossing of two leads: a pair that crosses less sharply leaves the special point to another
-
-
-class ByLeads(Step):
-    """A step by some leads of a basic link, that others serve better where those lean."""
-
-    @property
-    def crossed(self) -> tuple[str, ...]:
-        """The directions that are to cross well."""
-        raise NotImplementedError
-
-    def crossings(self, env: Env) -> tuple[Real, ...]:
-        """How sharply they cross: as they are taken, the first two, then as after each turn of the leads."""
-        one, two, three, four = (env[name] for name in self.crossed)
-        return abs(plane.cross(one, two)), abs(plane.cross(three, four))
-
-    def draw(self, env: Env, tool: Tool) -> Thing:
-        """As ever; other leads are preferred where these cross much less sharply."""
-        own, *others = self.crossings(env)
-        tool.prefer(own >= FAIR * reduce(tool.ar.maximum, others), self, LEAN)
-        return super().draw(env, tool)
-
-
-@dataclass(frozen=True)
-class CrossLeads(ByLeads, Cross):
-    """Cross the lines of two leads in the special point, while they cross no much worse than with the ``third``."""
-
-    third: str = ""
-    third_along: str = ""
-    needs = marks("start", "other", "third") + directions("along", "across", "third_along")
-
-    @property
-    def crossed(self) -> tuple[str, str, str]:
-        return self.along, self.across, self.third_along
-
-    def crossings(self, env: Env) -> tuple[Real, Real, Real]:
-        one, two, three = (env[name] for name in self.crossed)
-        return abs(plane.cross(one, two)), abs(plane.cross(two, three)), abs(plane.cross(three, one))
-
-
-Line = tuple[Point, Point]  # a point of it, and its direction
-
-
-@dataclass(frozen=True)
-class CrossInChain(ByLeads, Cross):
-    """Cross the lines of two leads in the special point of one of some basic links hinged to each other, while all such
-    lines cross no much worse than were another lead, or hinge, found last.
-
-    ``points`` and ``lines`` are of the leads, ``sides`` which basic link each leads, ``pins`` the hinges, ``joined``
-    which two links each joins. Of leads and hinges, one after another, ``turn`` is found last.
-    """
-
-    points: tuple[str, ...] = ()
-    lines: tuple[str, ...] = ()
-    pins: tuple[str, ...] = ()
-    sides: tuple[int, ...] = ()
-    joined: tuple[tuple[int, int], ...] = ()
-    turn: int = 0
-    far: ClassVar[str] = "leads_parallel"
-    needs = marks("start", "other", "points", "pins") + directions("along", "across", "lines")
-
-    @property
-    def crossed(self) -> tuple[str, ...]:
-        return *self.points, *self.pins, *self.lines
-
-    def crossings(self, env: Env) -> tuple[Real, ...]:
-        roots = (*self.sides, *(ends[0] for ends in self.joined))
-        found = [self._met(env, root, last)[1] for last, root in enumerate(roots)]
-        return *found[self.turn :], *found[: self.turn]
-
-    def _met(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:
-        """The lines that lead to a basic link, but for one, and how sharply they and all beyond them cross."""
-        lines: list[Line] = []
-        sharp: Real = 1.0
-        for k, side in enumerate(self.sides):
-            if side == basic and k != but:
-                lines.append((env[self.points[k]], env[self.lines[k]]))
-        for k, ends in enumerate(self.joined, len(self.sides)):
-            if basic in ends and k != but:
-                beyond, sharpness = self._met(env, sum(ends) - basic, k)
-                pin = env[self.pins[k - len(self.sides)]]
-                lines.append((pin, _towards(pin, *beyond)))
-                sharp = sharp * sharpness
-        (_, ray), (_, other) = lines
-        return lines, sharp * abs(plane.cross(ray, other))
-
-
-def _towards(pin: Point, one: Line, two: Line) -> Point:
-    """The direction from a place to where two lines cross, or along both where they are parallel."""
-    (p, u), (q, w) = one, two
-    line = u * plane.cross(q - pin, w) - w * plane.cross(p - pin, u)
-    size = abs(line)
-    return line / (size + (size == 0))
-
-
-@dataclass(frozen=True)
-class CrossFalse(ByLeads, Cross):
-    """The hinge of a rod on a false plan, while the other rod would not give it much more sharply (``instead``: the
-    directions that would be crossed then)."""
-
-    instead: tuple[str, str] = ("", "")
-    needs = marks("start", "other") + directions("along", "across", "instead")
-
-    @property
-    def crossed(self) -> tuple[str, ...]:
-        return self.along, self.across, *self.instead
-
-
-@dataclass(frozen=True)
-class DropFalse(ByLeads, Drop):
-    """The arm of a rod's line about the hinge of what it leads to, while the other rod's is not much better placed
-    (``crossed``: the line of the rod, of the hinges it leads to, and both of the other rod)."""
-
-    lines: tuple[str, str, str, str] = ("", "", "", "")
-    needs = marks("point", "about") + directions("along", "lines") + values("mu")
-
-    @property
-    def crossed(self) -> tuple[str, ...]:
-        return self.lines
-
-
-@dataclass(frozen=True)
-class CosineFalse(ByLeads, Cosine):
-    """How much of a lead's force is along the guide of what it leads to, while the other lead's is not much better
-    placed (``crossed``: the line of the lead, that across the guide, and both of the other lead)."""
-
-    lines: tuple[str, str, str, str] = ("", "", "", "")
-    needs = directions("of", "along", "lines")
-
-    @property
-    def crossed(self) -> tuple[str, ...]:
-        return self.lines
 
 
 class TwoPlaces(Step):

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.crossings import CosineFalse, DropFalse
+from planes.drafting.steps.by_leads import CosineFalse, DropFalse
 from planes.drafting.steps.reckoning import Cosine, Drop, Product
 from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Pair

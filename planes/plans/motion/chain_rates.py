@@ -5,7 +5,7 @@ lead of the next, which has three then like any basic link of class III.
 from collections.abc import Iterable
 from functools import partial
 
-from planes.drafting.steps.crossings import CrossInChain
+from planes.drafting.steps.by_leads import CrossInChain
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.groups import Pair
 from planes.plans.motion.kinematics import Rates

@@ -13,7 +13,8 @@ from dataclasses import replace
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry, Image
-from planes.drafting.steps.crossings import Cross, CrossFalse
+from planes.drafting.steps.by_leads import CrossFalse
+from planes.drafting.steps.crossings import Cross
 from planes.plans.assur.contours import Contour
 from planes.plans.motion.carrying import carried
 from planes.plans.motion.driven import driven_terms

@@ -5,7 +5,7 @@ The third lead's point is found from the special point S of the two others.
 
 from functools import partial
 
-from planes.drafting.steps.crossings import CrossLeads
+from planes.drafting.steps.by_leads import CrossLeads
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group
