@@ -138,7 +138,7 @@ class Formulas:
         first, sides = Word(self.naming.vector(total), value="" if self.asked else unit), []
         for chain in equation.chains:
             terms = [t for t in chain if t.action != "=0"]
-            if len(terms) == 1 and len(chain) > 1 and terms[0].known == 1:
+            if len(terms) == 1 and len(chain) > 1 and terms[0].known == 1 and not first.known:
                 first = Word(self.naming.vector(total), 1, self.action(terms[0]), first.value)
             elif chain:
                 sides.append(terms or list(chain))
