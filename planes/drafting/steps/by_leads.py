@@ -79,8 +79,9 @@ class CrossInChain(ByLeads, Cross):
         return *self.points, *self.pins, *self.lines
 
     def crossings(self, env: Env) -> tuple[Real, ...]:
-        roots = (*self.sides, *(ends[0] for ends in self.joined))
-        found = [self._met(env, root, last)[1] for last, root in enumerate(roots)]
+        found = [self._met(env, side, last)[1] for last, side in enumerate(self.sides)]
+        for last, (one, two) in enumerate(self.joined, len(self.sides)):
+            found.append(self._met(env, one, last)[1] * self._met(env, two, last)[1])
         return *found[self.turn :], *found[: self.turn]
 
     def _met(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:

@@ -1,5 +1,5 @@
-"""A group of class III whose basic links are hinged to each other in a chain, every one of three pairs: two are of
-order 4 and have two leads each, n are of order n + 2.
+"""A group of class III whose basic links are hinged to each other in a chain, or a tree, every one of three pairs: two
+are of order 4 and have two leads each, n are of order n + 2.
 
 With one lead taken off, what is left moves with one freedom; where its hinge then cuts the line of that lead it
 assembles. Two leads of a basic link at an end of the chain make it a lead of the next one, from its special point.
@@ -103,7 +103,7 @@ class BasicChain:
     @property
     def name(self) -> str:
         """The letters of its leads by basic links, e.g. "RR-RR+RR-PR"."""
-        return "+".join("-".join(lead.name for lead in side) for side in self.sides)
+        return "+".join("-".join(lead.name for lead in side) for side in self.sides if side)
 
     @property
     def said(self) -> Phrase:
