@@ -8,8 +8,10 @@ import math
 import random
 import re
 from dataclasses import replace
+from typing import Any
 
 import pytest
+import yaml
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from planes.drafting.drawing import run
@@ -198,6 +200,44 @@ def test_whichever_is_found_last_every_number_is_the_same(links: int) -> None:
             balanced(d)
             turns.add(d.plans.leads[next(iter(d.plans.leads))][-1].name)
         assert len(turns) > 1
+
+
+def star(rng: random.Random) -> dict[str, Any]:
+    """A triangle with a basic link at each corner, on two rods each; the crank drives the first."""
+    corners, middle = {"P": 1 + 0j, "Q": 1.6 + 0.1j, "R": 1.2 + 0.6j}, (3.8 + 0.7j) / 3
+    crank, names = cmath.rect(0.15, math.radians(40)), iter("BCDEFG")
+    scene: dict[str, Any] = {"planes": 1, "frame": {"points": {"O": [0, 0]}}, "gravity": 9.81}
+    scene["links"] = {"1": {"points": {"O": [0, 0], "A": [0.15, 0]}, "mass": 1.0, "inertia": 0.1}}
+    drawn = {"10": {n: z - corners["P"] for n, z in corners.items()}}
+    for k, (corner, z) in enumerate(corners.items(), 11):
+        out = z + 0.8 * (z - middle)
+        drawn[str(k)] = {corner: 0j}
+        for name in (next(names), next(names)):
+            hinge, pivot = (out + cmath.rect(r * rng.uniform(0.5, 1), rng.uniform(-3, 3)) for r in (0.35, 0.7))
+            far = f"{name}0" if name != "B" else "A"
+            if far == "A":
+                pivot = crank
+            else:
+                scene["frame"]["points"][far] = [pivot.real, pivot.imag]
+            drawn[str(k)][name] = hinge - z
+            drawn[f"2{'BCDEFG'.index(name)}"] = {far: 0j, name: complex(abs(hinge - pivot))}
+    for link, points in drawn.items():
+        told = {n: [z.real, z.imag] for n, z in points.items()}
+        scene["links"][link] = {"points": told, "mass": rng.uniform(1, 3), "inertia": rng.uniform(0.1, 0.3)}
+    scene["assembly"] = {"Q": {"near": [corners["Q"].real, corners["Q"].imag]}}
+    return scene | {"drive": {"link": "1", "phi": 40.0, "omega": 7.0, "epsilon": 3.0}}
+
+
+@pytest.mark.slow
+def test_a_star_of_four_basic_links() -> None:
+    """Order 6: every one of the outer three leads the middle one."""
+    scene = star(random.Random(5))
+    d = draw(yaml.safe_dump(scene, sort_keys=False))
+    (group,) = d.plans.structure.groups
+    assert group.json()["order"] == 6  # type: ignore[index]
+    wanted = {n.name: n for n in expected(oracle_solve(scene, pose_of(d)), True)}
+    assert max(differences(d, wanted).values()) * d.sharpest <= 1e-9
+    balanced(d)
 
 
 def by(case: Case, plans: Plans) -> Drawn:

@@ -28,6 +28,7 @@ FOUND = [
     ("RR-RP-RP", 3),
     ("RR-RR+RR-RR", 2),
     ("RR-PR+RP-RR", 4),
+    ("RR-RR+RR+RR-RR", 4),
 ]
 
 
