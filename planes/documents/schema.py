@@ -19,7 +19,7 @@ from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS
 from planes.scene.motion import DRIVE_KEYS, LOAD_KEYS, ORDERS
-from planes.scene.settings import SHEET_KEYS, SHEET_LISTS, SHEET_NUMBERS, SHEET_WORDS
+from planes.scene.settings import SHEET_KEYS, SHEET_LISTS, SHEET_NUMBERS, SHEET_WORDS, YES_OR_NO
 from planes.scene.vectors import VECTOR_KEYS
 from planes.words import Lang, langs, say, under
 from planes.words.records import Json
@@ -146,7 +146,7 @@ class Schemas:
         """What stands on the sheet."""
         forms = {key: {"type": ["string", "number"]} for key in SHEET_KEYS}
         forms |= {key: words_of(words) for key, words in SHEET_WORDS.items()}
-        forms |= {key: words_of([True, False, 12]) for key in ("positions",)} | {"colour": {"type": "boolean"}}
+        forms |= {key: {"type": "boolean"} for key in YES_OR_NO} | {"positions": words_of([True, False, 12])}
         forms |= {key: one_of(TEXT, many({})) for key in SHEET_LISTS} | dict.fromkeys(SHEET_NUMBERS, NUMBER)
         return self.of(
             "sheet", SHEET_KEYS, forms | {"format": {"type": "string", "pattern": r"^(auto|[AaАа][0-4].*)$"}}

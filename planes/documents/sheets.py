@@ -3,6 +3,7 @@ its range from an extreme position of the driven link, for sheet 1."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -18,8 +19,9 @@ from planes.diagrams.turn import span_of, unwound
 from planes.documents.cycle import check_names, known, over_cycle
 from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.plans.position.bodies import SCHEME
 from planes.plans.quantities import results_of
-from planes.plans.scales import fits_on
+from planes.plans.scales import extent, fits_on, sides
 from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
@@ -31,7 +33,7 @@ from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet import Contents, Held, Sheet, compose
 from render.sheet.composer import Composer, Together
-from render.sheet.force_sheet import ForceSheet
+from render.sheet.force_sheet import LOADED, ForceSheet
 from render.sheet.frame import form_of
 from render.sheet.project import Project
 from render.sheet.sizes import Sizes
@@ -69,16 +71,17 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
 
     def views(sizes: Sizes, letter: float, together: Together) -> Held:
         if number == 2:
-            return forces.views(drawn.at(sizes), letter), []
+            return forces.views(drawn.at(sizes), drawn.grown(sizes), letter), []
         return project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), []
 
     def extents(sizes: Sizes) -> dict[str, float]:
         """What may grow: the diagrams."""
-        grows = number == 1 and project.turn
-        return {"diagrams": section_mm(sizes.of("diagrams")) * SECTIONS} if grows else {}
+        return {"diagrams": section_mm(sizes.of("diagrams")) * SECTIONS} if project.turn else {}
 
-    together = Contents.together if number == 1 else (Together(),)
-    return compose(scene, Contents(views, extents, free=drawn.free, together=together), composer.lang, number)
+    if number == 1:
+        return compose(scene, Contents(views, extents, free=drawn.free), composer.lang, number)
+    held = Contents(views, drawn.extents, drawn.ranked, free=drawn.free, together=(Together(),))
+    return compose(scene, held, composer.lang, number)
 
 
 @dataclass(frozen=True)
@@ -124,6 +127,32 @@ class DrawnPosition:
     def first(self) -> Position:
         """The position at the scene's scales."""
         return self.at(Sizes())
+
+    def extents(self, sizes: Sizes) -> dict[str, float]:
+        """The size in mm of the scheme with loads, if its μ is open: how high it is, or would be on a field as high as
+        wide."""
+        wide, high = sides(self.grown(sizes).drawing, SCHEME)
+        return {LOADED: max(high, wide / math.sqrt(2))} if self.scene.mu.get(SCHEME) is None else {}
+
+    def ranked(self, sizes: Sizes) -> bool:
+        """Whether no force plan is longer than the scheme with loads, where that may grow."""
+        now, scheme = self.at(sizes), extent(self.grown(sizes).drawing, SCHEME)
+        plans = (extent(now.drawing, plan) for plan in now.plans.drawn if kind_of(plan) == "force")
+        return not self.extents(sizes) or max(plans, default=0.0) <= scheme
+
+    def grown(self, sizes: Sizes) -> Position:
+        """The position whose scheme stands alone: nothing is measured on that, so it may have a larger μ."""
+        if sizes.of(LOADED) == sizes.factor:
+            return self.at(sizes)
+        if sizes.of(LOADED) not in self.alone:
+            mm = fits_on(self.scene.sheet, self.stated[0])["position"]
+            self.alone[sizes.of(LOADED)] = self.reduced(sizes.of(LOADED) * mm)
+        return self.alone[sizes.of(LOADED)]
+
+    @cached_property
+    def alone(self) -> dict[float, Position]:
+        """The position for its scheme alone, by how much larger than usual that is."""
+        return {}
 
     def reduced(self, mm: float) -> Position:
         """The position with its scheme no larger than so many mm, whatever its μ is on the sheet."""

@@ -84,12 +84,17 @@ def fitting(plan: str, size: float, fit_mm: float) -> float:
 
 def extent(drawing: Drawing, plan: str) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
+    return max(sides(drawing, plan))
+
+
+def sides(drawing: Drawing, plan: str) -> tuple[float, float]:
+    """How wide and how high the box around a plan's marks is."""
     made = (s for s in drawing.program.marks.get(plan, ()) if not s.loose and label_of(s.makes) != POLE)
     marks = [drawing[s.makes] for s in made]
     if plan != "position":
         marks.append(0j)
     marks = [m for m in marks if cmath.isfinite(m)]
     if not marks:
-        return 0.0
+        return 0.0, 0.0
     wide = max(m.real for m in marks) - min(m.real for m in marks)
-    return float(max(wide, max(m.imag for m in marks) - min(m.imag for m in marks)))
+    return float(wide), float(max(m.imag for m in marks) - min(m.imag for m in marks))

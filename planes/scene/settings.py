@@ -16,7 +16,7 @@ title number designation group student teacher checked approved department unive
 scale_note mass reactions mu_convention font lettering format positions date sheet sheets tech role person
 teacher_date tech_date person_date checked_date approved_date revisions inventory inventory_accepted replaces
 duplicate duplicate_accepted reference first_use copied diagrams hodographs colour frame
-document_type
+document_type values
 """
 SHEET_KEYS = tuple(_KEYS.split())
 _ESKD = """
@@ -29,12 +29,13 @@ SHEET_LISTS = ("letter", "revisions", "diagrams", "hodographs")
 _NO_CELL = {"gost": ("document_type",), "iso": tuple(_ESKD.split())}
 _MOST_FORMATS = {4: 9, 3: 7, 2: 5, 1: 4, 0: 3}  # of ГОСТ 2.301, how many of a format may stand side by side
 _SIDE_BY_SIDE = tuple(f"A{n}x{k}" for n, most in _MOST_FORMATS.items() for k in range(3 if n else 2, most + 1))
+YES_OR_NO = ("colour", "values")
 SHEET_WORDS = {
     "reactions": ("on-from", "from-on"),
     "mu_convention": ("mm_per_unit", "unit_per_mm"),
     "lettering": ("upright", "slanted"),
     "positions": ("true", "false", "12"),
-    "colour": ("true", "false"),
+    **dict.fromkeys(YES_OR_NO, ("true", "false")),
     "frame": ("gost", "iso"),
     "format": ("auto", "A4", "A3", "A2", "A1", "A0", *_SIDE_BY_SIDE),
 }
@@ -146,7 +147,7 @@ def _setting(reader: Reader, key: str, node: Node) -> object:
         node = SourceScalar(text if text == "auto" else text.strip().upper().translate(_FORMAT_LETTERS), node.line)
     if key in SHEET_WORDS:
         word = reader.word(node, what, SHEET_WORDS[key])
-        return word != "false" if key in ("positions", "colour") else word
+        return word != "false" if key in ("positions", *YES_OR_NO) else word
     plain_number = isinstance(node, SourceScalar) and node.plain and len(text) <= 20 and _NUMBER.fullmatch(text)
     return float(text) if key in SHEET_NUMBERS and plain_number else text
 

@@ -16,6 +16,7 @@ from render.paper.style import INDEX_SIZE, pen, weight
 from render.paper.typeset import Indexed, LaidText, indexed, layout
 
 if TYPE_CHECKING:
+    from ezdxf.entities import Hatch
     from ezdxf.layouts import BaseLayout
 
 BLACK, GREY = 7, 251  # colours of the AutoCAD index; 7 is black on white paper, 251 as dark as construction lines
@@ -93,7 +94,7 @@ class Entities(Writer):
         if is_circle(arc):
             self.space.add_circle(xy(arc.centre), arc.radius, dxfattribs=looks)
             if arc.fill == "ink":
-                fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": arc.layer.upper()})
+                fill = self._fill(arc.layer, arc.centre)
                 fill.paths.add_edge_path().add_arc(xy(arc.centre), arc.radius, 0, 360)
         else:
             self.space.add_arc(xy(arc.centre), arc.radius, arc.start_deg, arc.end_deg, dxfattribs=looks)
@@ -103,8 +104,15 @@ class Entities(Writer):
         if len(points) == 3:
             self._head(points, layer.upper())
             return
-        fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": layer.upper()})
+        fill = self._fill(layer, points[0])
         fill.paths.add_polyline_path([xy(z) for z in points], is_closed=True)
+
+    def _fill(self, layer: str, seed: complex, **looks: int) -> Hatch:
+        """A filled area. It ends with its seed: FreeCAD knows none, and where one ends with a 0 it passes over what
+        follows."""
+        fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": layer.upper(), **looks})
+        fill.set_seed_points([xy(seed)])
+        return fill
 
     def _head(self, points: Sequence[complex], layer: str) -> None:
         """An arrowhead: filled, and with an outline for programs that know no filled figures."""
@@ -151,7 +159,7 @@ class Entities(Writer):
         """A text as the strokes of its letters, or their filled outlines where it is in a font."""
         laid = layout(text)
         if laid.filled and laid.strokes:  # one hatch with holes
-            fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": text.layer.upper(), "hatch_style": 0})
+            fill = self._fill(text.layer, text.place, hatch_style=0)
             for line in laid.strokes:
                 fill.paths.add_polyline_path([xy(z) for z in line[:-1]], is_closed=True)
             return

@@ -10,20 +10,9 @@ from planes.words import Lang, say
 from planes.words.errors import SceneError
 from render.files import Page
 from render.paper.typeset import plain
-from render.sheet.fitting import (
-    LETTERS,
-    NOTE,
-    Contents,
-    Held,
-    attempts,
-    fitted,
-    laid,
-    packed,
-    shaped,
-    stacking_of,
-    stacking_on,
-)
+from render.sheet.fitting import LETTERS, NOTE, Contents, Held, attempts, fitted, laid, shaped
 from render.sheet.frame import FORMATS, Paper, said_cells
+from render.sheet.packing import packed, stacking_of, stacking_on
 from render.sheet.sizes import Sizes
 from render.views import View
 

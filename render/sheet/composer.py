@@ -127,7 +127,7 @@ class Composer:
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
-        polygon = Polygon(plotted, plan, self.naming, counted=self.details)
+        polygon = Polygon(plotted, plan, self.naming, counted=self.details, valued=bool(self.scene.sheet.get("values")))
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
         return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title)))
 

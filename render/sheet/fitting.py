@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, lru_cache
+from functools import cache
 from itertools import accumulate, product, starmap
 from typing import NamedTuple
 
 from render.labels import rough, roughly
 from render.paper.style import LARGER, lettered_for
-from render.sheet.columns import OVER, Columns, Item
+from render.sheet.columns import OVER
 from render.sheet.composer import Together
 from render.sheet.frame import Paper
-from render.sheet.module import GAP_MM, Module
+from render.sheet.module import GAP_MM
+from render.sheet.packing import blocks, columns_of, packed, stacking_of
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown
-from render.sheet.stacking import Stacking
-from render.views import View, plumbed
+from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
 """How small, against the scene's choice, plans may become where μ is open and no paper holds them; it is said."""
@@ -51,6 +51,7 @@ class Contents:
 
     views: Callable[[Sizes, float, Together], Held]
     extents: Extents = lambda sizes: {}
+    ranked: Callable[[Sizes], bool] = lambda sizes: True  # whether what is to be the largest figure is
     extras: tuple[str, ...] = ()  # those of the views that wait for room that have found some
     free: bool = False
     together: Sequence[Together] = tuple(starmap(Together, product((True, False), repeat=2)))
@@ -138,7 +139,7 @@ def attempts(
             if not how:
                 return
             more, how = with_extras(contents, how, name, whole)
-            how, order = enlarged(more, how, whole, Paper(name))
+            how, order = ranked(more, how, whole, Paper(name))
         if (more.extras, how) in tried:
             return
         tried.add((more.extras, how))
@@ -171,6 +172,18 @@ def shown(contents: Contents, how: Way, whole: bool) -> list[View]:
     """The views of a sheet: all of them, or those only that it must hold."""
     wanted, spare = contents.lettered(*how)
     return [*wanted, *spare] if whole else wanted
+
+
+def ranked(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:
+    """The same with plans as large as there is room for, in the first letters with which they keep their ranks."""
+    letters = LETTERS[paper.name[:2]]
+    tried = ((how[0], one, *how[2:]) for one in letters[letters.index(how[1]) :])
+    best = first = enlarged(contents, next(tried), whole, paper)
+    while not contents.ranked(best[0][0]):
+        if not (way := next(tried, None)):
+            return first
+        best = enlarged(contents, way, whole, paper)
+    return best
 
 
 def enlarged(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:
@@ -209,40 +222,3 @@ def laid(
         tops = accumulate((-v.height - GAP_MM for v in every[k]), initial=spot.top)
         found += [(v, spot.x, top) for v, top in zip(every[k], tops, strict=False)]
     return found
-
-
-def blocks(views: Sequence[View]) -> list[list[View]]:
-    """Views that stand beneath each other, whatever is about them: those of one block."""
-    found: list[list[View]] = []
-    for v in views:
-        if v.block and found and found[-1][-1].block == v.block:
-            found[-1].append(v)
-        else:
-            found.append([v])
-    return [plumbed(block) for block in found]
-
-
-def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:
-    """What views may fill, with what was found out of columns of them before."""
-    wide, usual = max((v.width for b in blocks(views) for v in b), default=0.0), Module(paper.field, paper.taken)
-    return stacking_on(usual if usual.span(wide) <= usual.widest else replace(usual, wide=wide))
-
-
-@lru_cache(maxsize=8)
-def stacking_on(module: Module) -> Stacking:
-    """What is known of columns on a module; it is forgotten when a sheet is begun."""
-    return Stacking(module)
-
-
-def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
-    """The views in columns, in the order given."""
-    every = blocks(views)
-    high = [sum(v.height + GAP_MM for v in block) - GAP_MM for block in every]
-    wide = [max(v.width for v in block) for block in every]
-    items = [Item(w, h, b[0].step, not b[0].figure) for w, h, b in zip(wide, high, every, strict=True)]
-    return Columns(items, stacking)
-
-
-def packed(views: Sequence[View], paper: Paper) -> bool:
-    """Whether there is room for all views on the paper."""
-    return columns_of(views, stacking_of(views, paper)).arranged(enough=OVER)[1].cost < OVER

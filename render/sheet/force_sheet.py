@@ -18,6 +18,8 @@ from render.views.moments import Lever
 from render.views.plotted import Plotted, of_position, with_links_apart
 from render.views.scheme import Scheme
 
+LOADED = "loaded"
+
 
 @dataclass
 class ForceSheet:
@@ -25,11 +27,11 @@ class ForceSheet:
 
     composer: Composer
 
-    def views(self, position: Position, letter: float) -> list[View]:
-        """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables; all at one
-        choice of μ, at which its arms are told everywhere."""
+    def views(self, position: Position, scheme: Position, letter: float) -> list[View]:
+        """The scheme with loads, which may be larger; every group with its forces and its plan, the driver, the lever,
+        tables, all at one choice of μ, at which its arms are told everywhere."""
         c, (plotted, links_apart) = self.composer, with_links_apart(position)
-        found: list[View | None] = [self.loaded(position)]
+        found: list[View | None] = [self.loaded(scheme)]
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)
             moments = c.moments(position, letter, links)
@@ -54,7 +56,7 @@ class ForceSheet:
             loading = Loading(position, c.naming, tuple(position.plans.mechanism.links))
             loading.loads(carried=False)
             drawn = Scheme(position, c.naming).drawn(True, loading.marks, loading.named)
-            return view("loaded", c.titled(position, "loaded"), drawn, True)
+            return view(LOADED, c.titled(position, "loaded"), drawn, True)
 
         return c.once(("loaded", position.scales[mu_of("position")]), make)
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-STEPS = (1.25, 1.6, 2.0, 2.5)  # μ of the standard series are no farther apart
-LARGEST = 0.45  # of the shorter side of the field, which a plan never exceeds by growing
+STEPS = (1.12, 1.25, 1.42, 1.6, 1.8, 2.0, 2.24, 2.5)  # μ of the standard series are no farther apart
+LARGEST = 0.55  # of the shorter side of the field, which a plan never exceeds by growing
 SAME = 1.01  # plans whose sizes differ by less have one μ
 
 

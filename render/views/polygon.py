@@ -1,13 +1,8 @@
 """A plan of rates or forces as marks: arrows, lines of action, traces of similarity and the names of all."""
 
-import cmath
-import math
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import pairwise
-
-import shapely
 
 from planes.drafting.equations import Term
 from planes.drafting.steps import Carry, Image, Similar
@@ -16,13 +11,15 @@ from planes.plans.scales import ZERO_MM
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
-from planes.words.units import number
+from planes.words.read_off import measured
+from planes.words.units import UNIT, number
 from render import labels
-from render.paper.ink import hatch_strokes
-from render.paper.marks import Arrow, Hatch, Layer, Line, Mark
+from render.labels.footprints import overprinted
+from render.paper.marks import Arrow, Layer, Line, Mark, Text
 from render.paper.symbols import dot
 from render.paper.typeset import plain
 from render.views import detail, remark
+from render.views.hatching import hatched
 from render.views.plotted import Ends, Plotted, set_apart
 from render.views.senses import parted
 
@@ -32,9 +29,8 @@ BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
 ASIDE_MM = 2.0  # between vectors of one line
 TOUCH_MM = 0.5  # how near they may come where they slant but slightly
-HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # of hatched triangles: least radius, between strokes, to the sides
-ALONG_DEG = 12.0  # strokes nearer than this to the direction of a side seem to be along it
 MARK_MM = 5.0
+VALUE = "value"  # in the names of labels with one
 FORCE_MM = 3.5
 
 
@@ -51,6 +47,7 @@ class Polygon:
     triangles: list[tuple[complex, complex, complex]] = field(default_factory=list)
     shifted: bool = False
     counted: dict[tuple[str, float], int] = field(default_factory=dict)  # details of plans at their μ
+    valued: bool = False  # whether vectors have their values beside them
 
     @property
     def of_rates(self) -> bool:
@@ -71,14 +68,27 @@ class Polygon:
         named = self.mark_labels() if self.of_rates else self.vector_labels()
         details = detail.details(self.places.values(), self.letters())
         circled = (*ground, *(d.circle() for d in details))
-        strokes = self.hatching()
+        strokes = hatched(self.triangles)
         inside = {x for d in details for x in d.alone(named) if x.at != self.mark(POLE)}
         outer = [x for x in named if x not in inside]
-        placed = labels.place([*outer, *(d.named() for d in details)], circled, None, strokes)
+        outer += [d.named() for d in details]
+        placed = labels.place(self.with_values(outer), circled, None, strokes)
+        if self.valued and overprinted((*circled, *placed.marks)):
+            placed = labels.place(outer, circled, None, strokes)
         marks = (*parted(strokes, placed.texts), *circled, *placed.marks)
         apart = {d: self.mark_labels(SAME_MM / d.times) if self.of_rates else named for d in details}
         marks = detail.beside(marks, [d.drawn(ground, apart[d]) for d in details])
-        return (*marks, *remark(f"({say('shifted', self.naming.lang)})", marks)) if self.shifted else marks
+        for text in self.remarks(placed.texts):
+            marks = (*marks, *remark(f"({text})", marks))
+        return marks
+
+    def remarks(self, texts: Iterable[Text]) -> Iterator[str]:
+        """What must be known of the plan: that vectors are moved aside, and the unit of the values at them."""
+        lang = self.naming.lang
+        if self.shifted:
+            yield say("shifted", lang)
+        if any(t.name.startswith(VALUE) for t in texts):
+            yield say("values_beside", lang, unit=say(UNIT[self.plotted.kind(self.plan)], lang))
 
     def letters(self) -> list[str]:
         """Letters for the details of this plan, after those of the plans before it."""
@@ -156,23 +166,6 @@ class Polygon:
             if not flat and step.quantity != "false":
                 self.triangles.append((a, x, b))
 
-    def hatching(self) -> list[Line]:
-        """Thin strokes in the similar triangles that lie apart from each other, large enough to hold some."""
-        kept: list[shapely.Polygon] = []
-        for corners in self.triangles:
-            area = shapely.Polygon([(z.real, z.imag) for z in corners])
-            if 2 * area.area > HATCHED_MM * area.length and all(
-                area.intersection(one).area < 0.1 * area.area for one in kept
-            ):
-                kept.append(area)
-        found = []
-        for area in kept:
-            points = tuple(complex(x, y) for x, y in area.exterior.coords[:-1])
-            inner = tuple(complex(x, y) for x, y in area.buffer(-HATCH_MM, join_style="mitre").exterior.coords[:-1])
-            if inner:
-                found += [Line(z, "thin", "hatch") for z in hatch_strokes(Hatch(inner, _across(points), HATCH_GAP_MM))]
-        return [one for one in found if abs(one.points[1] - one.points[0]) > HATCH_GAP_MM]
-
     def trace(self, start: complex, end: complex) -> None:
         """A construction line."""
         if abs(end - start) > ZERO_MM:
@@ -200,6 +193,22 @@ class Polygon:
         told = ((ends, names, " = ".join(map(self.naming.vector, names))) for ends, names in self.arrows.items())
         return [labels.Label(text, self.places[ends], FORCE_MM, name=names[0]) for ends, names, text in told]
 
+    def with_values(self, named: Sequence[labels.Label]) -> list[labels.Label]:
+        """The same labels with the values of vectors, if these are wanted: of forces after their names; of rates, whose
+        ends are named, with names of their own, as far as there is room."""
+        at = {self.places[ends]: (ends, names) for ends, names in self.arrows.items() if self.valued}
+        told = {place: self.value(ends, names) for place, (ends, names) in at.items()}
+        if self.of_rates:
+            own = (labels.Label(text, place, FORCE_MM, name=VALUE, told=True) for place, text in told.items())
+            return [*named, *own]
+        return [replace(x, text=told[x.at], name=f"{VALUE} {x.name}") if x.at in told else x for x in named]
+
+    def value(self, ends: tuple[str, str], names: Sequence[str]) -> str:
+        """The names of a vector with its value."""
+        size = abs(self.mark(ends[1]) - self.mark(ends[0])) / self.plotted.mu(self.plan)
+        named = [*map(self.naming.vector, names), measured(size, self.naming.lang)]
+        return (" = " if len(names) > 1 else " ").join(named)
+
     def mark_labels(self, same: float = SAME_MM) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one label."""
         clusters = gathered([(label, self.mark(label)) for label in self.plotted.labels(self.plan)], same)
@@ -222,10 +231,3 @@ def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> lis
             clusters.append((z, near := []))
         near.append(name)
     return clusters
-
-
-def _across(corners: Sequence[complex]) -> float:
-    """The angle of hatching: 45°, or the next that is not nearly along a side of the triangle, degrees."""
-    sides = [math.degrees(cmath.phase(b - a)) for a, b in pairwise((*corners, corners[0]))]
-    away = {turn: min(abs((turn - side + 90) % 180 - 90) for side in sides) for turn in (45.0, 135.0, 30.0, 60.0)}
-    return next((turn for turn, least in away.items() if least > ALONG_DEG), 45.0)

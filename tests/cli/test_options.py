@@ -193,6 +193,7 @@ DRAWN = {
     "format": "A1",
     "font": "DejaVu Serif",
     "colour": "true",
+    "values": "true",
     "frame": "iso",
 }
 OF_SHEET_1 = ("positions", "diagrams", "hodographs")

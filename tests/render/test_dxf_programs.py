@@ -12,7 +12,7 @@ import pytest
 
 from render.files import dxf
 from render.paper.ink import arrow_parts
-from render.paper.marks import Arrow, Line, Text
+from render.paper.marks import Arc, Arrow, Line, Text
 from tests.helpers.sheets import sheet
 
 NEAR_MM = 0.6  # a letter's neighbour is farther off
@@ -84,17 +84,21 @@ shapes = [o.Shape for o in every if hasattr(o, "Shape")]
 heads = [[[v.X, v.Y] for v in s.Vertexes] for s in shapes if len(s.Edges) == 3]
 with open("seen.json", "w") as out:
     json.dump([[" ".join(o.LabelText) for o in every if hasattr(o, "LabelText")], heads], out)
+    print(file=out)
+    json.dump(sum(e.Length for s in shapes for e in s.Edges if s.BoundBox.XMax < 0), out)
 """
 
 
 @pytest.mark.slow
 @needs("freecadcmd")
-def test_freecad_takes_every_text_and_every_arrowhead(tmp_path):
+def test_freecad_takes_every_text_every_arrowhead_and_what_follows_a_dot(tmp_path):
     found = sheet("kind-2-rrp", student="Иванов И. И.")
-    (tmp_path / "sheet.dxf").write_bytes(dxf.write(found.marks, found.size, found.title))
+    left = [Arc(-30 + 10j, 1.0, style="thin", fill="ink"), Line((-60 + 0j, -40 + 0j, -40 + 30j), "thin")]
+    (tmp_path / "sheet.dxf").write_bytes(dxf.write([*found.marks, *left], found.size, found.title))
     (tmp_path / "read.py").write_text(FREECAD)
     subprocess.run(["freecadcmd", "read.py"], cwd=tmp_path, check=True, capture_output=True, timeout=120)
-    texts, heads = json.loads((tmp_path / "seen.json").read_text())
+    (texts, heads), long = map(json.loads, (tmp_path / "seen.json").read_text().splitlines())
+    assert abs(long - 2 * np.pi - 50.0) < 1e-3
     assert {"Иванов И. И.", "Исходные данные"} <= set(texts)
     tips = [complex(x, y) for head in heads for x, y in head]
     wanted = [arrow_parts(m)[1] for m in found.marks if isinstance(m, Arrow)]

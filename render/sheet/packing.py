@@ -1,0 +1,50 @@
+"""Whether views find room on a paper: blocks of them in columns on its module."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+from render.sheet.columns import OVER, Columns, Item
+from render.sheet.frame import Paper
+from render.sheet.module import GAP_MM, Module
+from render.sheet.stacking import Stacking
+from render.views import View, plumbed
+
+
+def blocks(views: Sequence[View]) -> list[list[View]]:
+    """Views that stand beneath each other, whatever is about them: those of one block."""
+    found: list[list[View]] = []
+    for v in views:
+        if v.block and found and found[-1][-1].block == v.block:
+            found[-1].append(v)
+        else:
+            found.append([v])
+    return [plumbed(block) for block in found]
+
+
+def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:
+    """What views may fill, with what was found out of columns of them before."""
+    wide, usual = max((v.width for b in blocks(views) for v in b), default=0.0), Module(paper.field, paper.taken)
+    return stacking_on(usual if usual.span(wide) <= usual.widest else replace(usual, wide=wide))
+
+
+@lru_cache(maxsize=8)
+def stacking_on(module: Module) -> Stacking:
+    """What is known of columns on a module; it is forgotten when a sheet is begun."""
+    return Stacking(module)
+
+
+def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
+    """The views in columns, in the order given."""
+    every = blocks(views)
+    high = [sum(v.height + GAP_MM for v in block) - GAP_MM for block in every]
+    wide = [max(v.width for v in block) for block in every]
+    items = [Item(w, h, b[0].step, not b[0].figure) for w, h, b in zip(wide, high, every, strict=True)]
+    return Columns(items, stacking)
+
+
+def packed(views: Sequence[View], paper: Paper) -> bool:
+    """Whether there is room for all views on the paper."""
+    return columns_of(views, stacking_of(views, paper)).arranged(enough=OVER)[1].cost < OVER

@@ -1,0 +1,39 @@
+"""Hatching of the similar triangles of a plan: thin strokes across them, none nearly along a side."""
+
+import cmath
+import math
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+import shapely
+
+from render.paper.ink import hatch_strokes
+from render.paper.marks import Hatch, Line
+
+HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # of hatched triangles: least radius, between strokes, to the sides
+ALONG_DEG = 12.0  # strokes nearer than this to the direction of a side seem to be along it
+
+
+def hatched(triangles: Iterable[tuple[complex, complex, complex]]) -> list[Line]:
+    """Thin strokes in the similar triangles that lie apart from each other, large enough to hold some."""
+    kept: list[shapely.Polygon] = []
+    for corners in triangles:
+        area = shapely.Polygon([(z.real, z.imag) for z in corners])
+        if 2 * area.area > HATCHED_MM * area.length and all(
+            area.intersection(one).area < 0.1 * area.area for one in kept
+        ):
+            kept.append(area)
+    found = []
+    for area in kept:
+        points = tuple(complex(x, y) for x, y in area.exterior.coords[:-1])
+        inner = tuple(complex(x, y) for x, y in area.buffer(-HATCH_MM, join_style="mitre").exterior.coords[:-1])
+        if inner:
+            found += [Line(z, "thin", "hatch") for z in hatch_strokes(Hatch(inner, _across(points), HATCH_GAP_MM))]
+    return [one for one in found if abs(one.points[1] - one.points[0]) > HATCH_GAP_MM]
+
+
+def _across(corners: Sequence[complex]) -> float:
+    """The angle of hatching: 45°, or the next that is not nearly along a side of the triangle, degrees."""
+    sides = [math.degrees(cmath.phase(b - a)) for a, b in pairwise((*corners, corners[0]))]
+    away = {turn: min(abs((turn - side + 90) % 180 - 90) for side in sides) for turn in (45.0, 135.0, 30.0, 60.0)}
+    return next((turn for turn, least in away.items() if least > ALONG_DEG), 45.0)
