@@ -21,13 +21,13 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.position.bodies import SCHEME
 from planes.plans.quantities import results_of
-from planes.plans.scales import extent, fits_on, sides
+from planes.plans.scales import extent, fits_on, fitting, sides
 from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.names import kind_of
+from planes.words.names import kind_of, mu_of
 from render.paper.hues import coloured
 from render.paper.marks import lettered
 from render.paper.outlines import face_of
@@ -131,27 +131,36 @@ class DrawnPosition:
     def extents(self, sizes: Sizes) -> dict[str, float]:
         """The size in mm of the scheme with loads, if its μ is open: how high it is, or would be on a field as high as
         wide."""
-        wide, high = sides(self.grown(sizes).drawing, SCHEME)
+        wide, high = (self.times(sizes) * mm for mm in sides(self.at(sizes).drawing, SCHEME))
         return {LOADED: max(high, wide / math.sqrt(2))} if self.scene.mu.get(SCHEME) is None else {}
 
     def ranked(self, sizes: Sizes) -> bool:
         """Whether no force plan is longer than the scheme with loads, where that may grow."""
-        now, scheme = self.at(sizes), extent(self.grown(sizes).drawing, SCHEME)
+        now = self.at(sizes)
         plans = (extent(now.drawing, plan) for plan in now.plans.drawn if kind_of(plan) == "force")
-        return not self.extents(sizes) or max(plans, default=0.0) <= scheme
+        return not self.extents(sizes) or max(plans, default=0.0) <= self.times(sizes) * extent(now.drawing, SCHEME)
+
+    def times(self, sizes: Sizes) -> float:
+        """How many times larger the scheme with loads is than the other figures of links."""
+        now = self.at(sizes)
+        size, mu = extent(now.drawing, SCHEME), now.scales[mu_of(SCHEME)]
+        if sizes.of(LOADED) == sizes.factor or not size:
+            return 1.0
+        mm = sizes.of(LOADED) * fits_on(self.scene.sheet, self.stated[0])[SCHEME]
+        return fitting(SCHEME, size / mu, mm) / mu
 
     def grown(self, sizes: Sizes) -> Position:
         """The position whose scheme stands alone: nothing is measured on that, so it may have a larger μ."""
-        if sizes.of(LOADED) == sizes.factor:
-            return self.at(sizes)
-        if sizes.of(LOADED) not in self.alone:
-            mm = fits_on(self.scene.sheet, self.stated[0])["position"]
-            self.alone[sizes.of(LOADED)] = self.reduced(sizes.of(LOADED) * mm)
-        return self.alone[sizes.of(LOADED)]
+        now, times = self.at(sizes), self.times(sizes)
+        mu = times * now.scales[mu_of(SCHEME)]
+        if times != 1.0 and mu not in self.alone:
+            fits = fits_on(self.scene.sheet, self.stated[0])
+            self.alone[mu] = self._drawn(fits, replace(self.scene, mu={**self.scene.mu, SCHEME: mu}))
+        return now if times == 1.0 else self.alone[mu]
 
     @cached_property
     def alone(self) -> dict[float, Position]:
-        """The position for its scheme alone, by how much larger than usual that is."""
+        """The position for its scheme alone, by the μ of that."""
         return {}
 
     def reduced(self, mm: float) -> Position:

@@ -23,7 +23,7 @@ from render.paper.style import lettered_for
 from render.paper.typeset import plain
 from render.sheet.composer import Composer
 from render.sheet.module import Module
-from render.sheet.sizes import Sizes, grown
+from render.sheet.sizes import STEPS, Sizes, grown
 from render.views.curve_pieces import cut_off
 from tests.helpers import ROOT, sheets
 
@@ -172,7 +172,7 @@ def test_the_smallest_plan_grows_first_and_none_beyond_the_limit():
         return True
 
     found = grown(Sizes(), extents, 100.0, fits)
-    assert steps[0] == {"velocity": 1.25}
+    assert steps[0] == {"velocity": STEPS[0]}
     assert 80 < extents(found)["velocity"] <= 100 and 80 < extents(found)["force:1"] <= 100
     assert grown(Sizes(), extents, 100.0, lambda _: False) == Sizes()
 
