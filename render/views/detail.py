@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from render import labels
 from render.labels.footprints import bounds
+from render.paper.hues import PART
 from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
 from render.paper.style import tall
 from render.views import TITLE_GAP
@@ -81,8 +82,8 @@ class Detail:
             ends = (mark.start, mark.end) if isinstance(mark, Arrow) else (mark.points[0], mark.points[1])
             piece = self.seen(ends)
             if piece and isinstance(mark, Arrow) and self.holds(mark.end):
-                return [replace(mark, start=piece[0], end=piece[1], name="")]
-            return [Line(piece, mark.style, mark.layer)] if piece else []
+                return [replace(mark, start=piece[0], end=piece[1], name=mark.name and mark.name + PART)]
+            return [Line(piece, mark.style, mark.layer, name=mark.name and mark.name + PART)] if piece else []
         if isinstance(mark, (Arc, Shape)):
             at = mark.centre if isinstance(mark, Arc) else sum(mark.points) / len(mark.points)
             return [moved(mark, self.enlarged(at) - at)] if self.holds(at) else []  # the pole's dot keeps its size

@@ -8,7 +8,7 @@ import pytest
 
 from planes.cli import main
 from render.files import pdf, svg
-from render.paper.hues import ACCELERATION, INERTIA, LOAD, REACTION, VELOCITY
+from render.paper.hues import ACCELERATION, INERTIA, LOAD, PART, REACTION, VELOCITY
 from render.paper.marks import Arrow, Line, Text
 from render.paper.style import BLACK, pen
 from tests.helpers import ROOT
@@ -54,3 +54,9 @@ def test_the_option_colours_a_view(tmp_path):
     for option in ([], ["--colour"]):
         assert main(["sheet", SIX_LINK, "--view", "velocity-plan", "-o", str(tmp_path / "v.svg"), *option]) == 0
         assert (VELOCITY in (tmp_path / "v.svg").read_text(encoding="utf-8")) == bool(option)
+
+
+def test_what_a_detail_shows_of_a_vector_has_its_hue():
+    seen = colours(sheet("assignments/44", number=2, colour=True))
+    shown = {name: hue for name, hue in seen.items() if name.endswith(PART) and name[0] in "FGI"}
+    assert len(shown) > 2 and all(hue == seen[name.removesuffix(PART)] != BLACK for name, hue in shown.items())
