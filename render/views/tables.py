@@ -147,7 +147,9 @@ class Tables:
         return shown if shown == "0" else shown + ("↺" if value > 0 else "↻")
 
     def reactions(self) -> View | None:
-        """Length on its force plan, magnitude and direction of every reaction, and a slider's arm."""
+        """Length on its force plan, magnitude and direction of every reaction, and a slider's arm, if any acts."""
+        if self.idle:
+            return None
         rows, armed, lengths = [], False, self.lengths()
         for name, r in self.position.of("reactions").items():
             mm = self.tenths(lengths[name]) if name in lengths else "—"
@@ -160,6 +162,11 @@ class Tables:
         head, *rows = [row[: 5 if armed else 4] for row in table]
         return self.table("reactions", self.say("reactions_table"), head, rows, [convention])
 
+    @property
+    def idle(self) -> bool:
+        """Whether nothing loads the mechanism: all reactions are nothing."""
+        return all(self.number(abs(r.vector)) == "0" for r in self.position.of("reactions").values())
+
     def lengths(self) -> dict[str, float]:
         """How long each reaction is on the force plan that shows it, or its opposite, mm."""
         plotted, found = of_position(self.position), dict[str, float]()
@@ -171,9 +178,9 @@ class Tables:
         return found
 
     def check(self) -> View | None:
-        """The balancing moment (or force), Zhukovsky's, and the difference in per cent."""
+        """The balancing moment (or force), Zhukovsky's, and the difference in per cent, if anything acts."""
         p, rows = self.position, []
-        for what, unit in (("moment", "N·m"), ("force", "N")):
+        for what, unit in () if self.idle else (("moment", "N·m"), ("force", "N")):
             found, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
             name = self.naming.balancing(what == "moment")
             if found is not None:

@@ -1,0 +1,40 @@
+"""The scheme with loads is the largest figure of its sheet, as far as that has room and the scene leaves its μ open."""
+
+from __future__ import annotations
+
+import pytest
+
+from planes.documents.sheets import DrawnPosition
+from planes.scene import load, loads
+from render.labels.footprints import bounds
+from render.paper.marks import Text
+from render.sheet.sizes import Sizes
+from tests.helpers import ROOT
+from tests.helpers.sheets import sheet
+
+RPR = ROOT / "samples" / "kind-3-rpr.yaml"
+
+
+def longest(view) -> float:
+    """The longer side of what is drawn, without its words."""
+    x0, y0, x1, y1 = bounds([m for m in view.marks if not isinstance(m, Text) and m.layer != "text"])
+    return max(x1 - x0, y1 - y0)
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("name", ["kind-3-rpr", "bntu-1", "kind-1-rrr", "assignments/12"])
+def test_the_scheme_with_loads_is_the_largest_figure(name):
+    figures = {v.key: longest(v) for v, _, _ in sheet(name, number=2).views if v.figure and v.key != "apart"}
+    assert max(figures, key=figures.__getitem__) == "loaded", figures
+
+
+def test_a_scheme_grows_by_scales_of_the_standard_and_not_where_its_scale_is_stated():
+    drawn = DrawnPosition(load(RPR), None, "ru")
+    usual = drawn.first.scales["mu_position"]
+    grown = drawn.grown(Sizes().larger("loaded", 1.42)).scales
+    assert (usual, grown["mu_position"]) == (250.0, 400.0)  # 1:4 and 1:2.5
+    assert {k: mu for k, mu in grown.items() if k != "mu_position"} == {
+        k: mu for k, mu in drawn.first.scales.items() if k != "mu_position"
+    }
+    stated = loads(RPR.read_text(encoding="utf-8") + "\nplans: {position: 250 mm/m}\n")
+    assert DrawnPosition(stated, None, "ru").extents(Sizes()) == {}
