@@ -146,7 +146,8 @@ class Schemas:
         """What stands on the sheet."""
         forms = {key: {"type": ["string", "number"]} for key in SHEET_KEYS}
         forms |= {key: words_of(words) for key, words in SHEET_WORDS.items()}
-        forms |= {key: {"type": "boolean"} for key in YES_OR_NO} | {"positions": words_of([True, False, 12])}
+        forms |= {key: {"type": "boolean"} for key in YES_OR_NO}
+        forms |= {"positions": words_of([True, False, 12])}
         forms |= {key: one_of(TEXT, many({})) for key in SHEET_LISTS} | dict.fromkeys(SHEET_NUMBERS, NUMBER)
         return self.of(
             "sheet", SHEET_KEYS, forms | {"format": {"type": "string", "pattern": r"^(auto|[AaАа][0-4].*)$"}}
