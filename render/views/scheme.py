@@ -118,13 +118,12 @@ class Scheme:
             if not self.framed and owner not in self.only:
                 self.axes.append(Line((foot - ALONE_MM * along, foot + ALONE_MM * along), "axis", "axis"))
             return
-        side = self.rail_side(foot, along)
+        side = self.rail_side(link, foot, along)
         self.rails += symbols.rail(foot, angle, RAIL_MM, side, size[1])
         self.rails += symbols.block(foot, angle, size=size)
         reach = (RAIL_MM + 4) * along
         self.axes.append(Line((foot - reach, foot + reach), "axis", "axis"))
-        ends = foot + reach, foot - reach
-        for letter, end in zip(ends_of(link.slides.guide), ends, strict=True):
+        for letter, end in zip(ends_of(link.slides.guide), (foot + reach, foot - reach), strict=True):
             if letter:
                 self.named.append(labels.Label(lowered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
 
@@ -152,11 +151,12 @@ class Scheme:
         across = abs((rod * self.places.foot(other)[1].conjugate()).imag)
         return min(ROD_MM, max((LARGE_MM[1] / 2 - CLEAR_MM) / max(across, 1e-9), SMALL_MM[0] / 2 + CLEAR_MM))
 
-    def rail_side(self, foot: complex, along: complex) -> int:
-        """The side of the slider that is away from the rest of the mechanism."""
-        others = [self.places.at(p) for x in self.mechanism.links.values() for p in x.points if self.places.has(p)]
-        middle = sum(others) / len(others)
-        return 1 if ((middle - foot) * along.conjugate()).imag < -1 else -1
+    def rail_side(self, link: Link, foot: complex, along: complex) -> int:
+        """The side of the slider that is away from the rods hinged to it, or from the rest of the mechanism."""
+        z, places = self.places.at(link.first_point), self.places
+        rods = [rod for x in self.mechanism.links for rod in places.rods(x) if min(abs(z - w) for w in rod) < NEAR_MM]
+        far = [w for rod in rods for w in rod] or [places.at(p) for p in places.shared if places.has(p)]
+        return 1 if ((sum(far) / len(far) - foot) * along.conjugate()).imag < -1 else -1
 
     def moving_guide(self, name: str, joints: list[complex]) -> list[complex]:
         """The rod of a guide that a link carries; the place where the link's own bars join it, if none is on it."""
