@@ -30,6 +30,7 @@ TEXT: Json = {"type": "string"}
 NAME: Json = {"type": ["string", "integer"]}
 NUMBER: Json = {"type": ["number", "string"]}
 WHOLE: Json = {"type": "integer", "minimum": 1}
+BOOLEAN: Json = {"type": "boolean"}
 EMPTY: Json = {"type": "null"}
 
 
@@ -146,7 +147,7 @@ class Schemas:
         """What stands on the sheet."""
         forms = {key: {"type": ["string", "number"]} for key in SHEET_KEYS}
         forms |= {key: words_of(words) for key, words in SHEET_WORDS.items()}
-        forms |= {"positions": words_of([True, False, 12]), **dict.fromkeys(YES_OR_NO, words_of([True, False]))}
+        forms |= {"positions": words_of([True, False, 12]), **dict.fromkeys(YES_OR_NO, BOOLEAN)}
         forms |= {key: one_of(TEXT, many({})) for key in SHEET_LISTS} | dict.fromkeys(SHEET_NUMBERS, NUMBER)
         return self.of(
             "sheet", SHEET_KEYS, forms | {"format": {"type": "string", "pattern": r"^(auto|[AaАа][0-4].*)$"}}
