@@ -10,6 +10,7 @@ from math import hypot, inf
 import shapely
 
 from render.labels.footprints import bounds
+from render.paper.hues import PART
 from render.paper.marks import Arrow, Text
 from render.paper.typeset import layout, plain
 from render.sheet import Sheet
@@ -65,7 +66,8 @@ def superposed(sheet: Sheet) -> Iterator[str]:
 
 
 def _upon(view: View) -> Iterator[str]:
-    arrows = [m for m in view.marks if isinstance(m, Arrow) and m.layer == "force" and m.name]
+    named = [m for m in view.marks if isinstance(m, Arrow) and m.layer == "force" and m.name]
+    arrows = [m for m in named if not m.name.endswith(PART)]  # a detail shows them as they lie
     lines = [shapely.LineString([(z.real, z.imag) for z in (m.start, m.end)]) for m in arrows]
     for (one, a), (two, b) in combinations(zip(arrows, lines, strict=True), 2):
         turn = (one.end - one.start) * (two.end - two.start).conjugate()
