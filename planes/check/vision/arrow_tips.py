@@ -115,9 +115,7 @@ def line_on_to(lines: Sequence[Fitted], start: complex, end: complex) -> tuple[F
     return line, round(sign * line.local(end)[0] / GOAL_MM) * GOAL_MM, sign
 
 
-def head_about(
-    ink: Ink, lines: Sequence[Fitted], line: Fitted, goal: float, sign: int, length: float
-) -> complex | None:
+def head_about(ink: Ink, lines: Sequence[Fitted], line: Fitted, goal: float, sign: int, length: float) -> Tip | None:
     """The tip of the head that a vector has about a place of a line that goes on there: told by how much of the ink no
     line explains such a head does, where heads are about so long."""
     usual = numpy.array([length, HALF * length])
@@ -128,7 +126,7 @@ def head_about(
     sight = Sight(line, thin.width, sign, x, y, ink.at(z), known, numpy.array([goal, 0.0, 0.0, *usual]))
     sight.fit(None)
     sight.fit((usual, UNLIKE * usual))
-    return sight.tip.z if sight.good else None
+    return sight.tip if sight.good else None
 
 
 def _known(z: Complexes, lines: Sequence[Fitted]) -> Array:
@@ -242,7 +240,7 @@ class Sight:
         z = complex(self.line.at(s)) + 1j * self.line.along * float(self.p[1])
         length = float(self.p[3])
         alike = 0.0 if self.end is not None else HAND * length  # where a line goes on the length tells the tip
-        return Tip(s, self.sign, z, max(math.hypot(self.sigma, alike), LEAST_MM), length)
+        return Tip(s, self.sign, z, max(math.hypot(self.sigma, alike), LEAST_MM), length, self.gain)
 
 
 def _seen(dark: Array) -> Array:

@@ -5,9 +5,10 @@ from the vector laid for it speaks against that, no more.
 """
 
 import math
+import statistics
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 
 import numpy
@@ -29,6 +30,8 @@ AROUND_MM, ERASED_MM = 15.0, 0.35  # how far from lines names are looked for; wh
 IN_LETTER, IN_WORD, MOST = 3, 16, 400  # pieces at the most: of a letter, of a word, of all that is read
 STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a letter not there, one more piece
 NEVER, OTHER = math.log(1e-3), 0.7  # of a shape, the least; how much likelier a word is none of the names than one
+ROUNDS = 8  # in which it is settled which word is whose
+SURE = 0.85  # how likely a name is read that stands there, at the most
 WARMTH = 1.2  # by which logarithms are divided: what is told with 90 % is right in 90 %
 NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # how far off its vector a name is, how surely; how likely it is elsewhere
 
@@ -65,9 +68,20 @@ class HandWords:
         return self._weighed(name, a, b)[1]
 
     def unwritten(self, name: str) -> float:
-        """What it costs to believe that nobody drew the vector of a name."""
-        whole = min(sum(w.likely.get(name, 0.0) for w in self.words), 1.0)
-        return -math.log(1 - whole + AWAY * whole)
+        """What it costs to believe that nobody drew the vector of a name: less than nothing, where the others' names
+        were read and this one was not."""
+        whole = self._read(name)
+        others = statistics.fmean(map(self._read, self.names - {name})) if self.names - {name} else 0.0
+        return math.log(1 - others * SURE * (1 - whole)) - math.log(1 - whole + AWAY * whole)
+
+    def _read(self, name: str) -> float:
+        """How likely a name stands on the sheet."""
+        return min(sum(w.likely.get(name, 0.0) for w in self.words), 1.0)
+
+    @cached_property
+    def names(self) -> set[str]:
+        """The names that words may be."""
+        return {name for word in self.words for name in word.likely}
 
     def _weighed(self, name: str, a: complex, b: complex) -> tuple[float, float]:
         if (key := (name, a, b)) not in self.known:
@@ -130,7 +144,20 @@ def words_on(seen: Seen, names: Iterable[str]) -> HandWords:
         told = numpy.exp((scores - scores.max()) / WARMTH)
         low, high = flat.mm(row[0].left, max(p.bottom for p in row)), flat.mm(row[-1].right, min(p.top for p in row))
         found.append(HandWord(low, high, dict(zip(known, (told / told.sum()).tolist(), strict=False))))
-    return HandWords(found)
+    return HandWords(_each_once(found, known))
+
+
+def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:
+    """The words, where each name stands but once: what is surely another word's is less likely this one's."""
+    likely = numpy.array([[word.likely[name] for name in names] for word in words]).reshape(len(words), len(names))
+    none = 1 - likely.sum(axis=1, keepdims=True)
+    for _ in range(ROUNDS):
+        likely = likely / numpy.maximum(likely.sum(axis=0), 1.0)
+        whole = likely.sum(axis=1, keepdims=True) + none
+        likely, none = likely / whole, none / whole
+    return [
+        replace(w, likely=dict(zip(names, row, strict=True))) for w, row in zip(words, likely.tolist(), strict=True)
+    ]
 
 
 def _pieces(seen: Seen) -> list[LetterPiece]:

@@ -32,14 +32,15 @@ Number = TypeVar("Number", float, Array)
 
 @dataclass(frozen=True)
 class Tip:
-    """An arrowhead's tip: how far along its line, +1 if it points to its high end, the place, its σ along; and how
-    long the head is."""
+    """An arrowhead's tip: how far along its line, +1 if it points to its high end, the place, its σ along; how long
+    the head is, and what share of the ink that no line explains it does."""
 
     s: float
     sign: int
     z: complex
     sigma: float
     length: float
+    gain: float = 1.0
 
 
 @dataclass

@@ -7,6 +7,7 @@ tells the names. Where a mistake explains it nearly as well as the right plan, w
 import math
 from collections.abc import Sequence
 from dataclasses import InitVar, dataclass, replace
+from itertools import product
 
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, loads_of, sides_of
@@ -23,7 +24,9 @@ from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares
 from planes.words.names import POLE
 
 MOST_COST = 60.0  # of a chain that explains a picture at all
+DEEPER = 26.0, MOST_COST  # a chain is first looked for among the cheapest
 POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for each vector, is not surely one
+MOST_CORNERS = 12  # of a polygon, at which it may begin
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
 UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
 APART = 5.0  # by how much a right polygon is dearer where it is out of the question
@@ -46,14 +49,40 @@ class LaidPolygon:
         self.polygon = SoughtPolygon(ink, pole, spread_of(bench, sides))
         self.right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
         self.wrong = [replace(g, cost=g.cost + sum(map(ink.words.unwritten, g.missing(self.right)))) for g in wrong]
-        self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
+        self.best = self.plain = self._laid([self.right], MOST_COST)
+
+    def _laid(self, ways: Sequence[Guess], most: float) -> LaidChain | None:
+        """The cheapest chain of some guesses, if it costs less than that."""
+        for limit in (*(cost for cost in DEEPER if cost < most), most):
+            best = None
+            for guess in ways:
+                best = self.polygon.lay(guess, best.cost if best else limit) or best
+            if best:
+                return best
+        return None
+
+    @property
+    def unlikely(self) -> float:
+        """What it costs to believe that the sheet was printed so."""
+        return UNLIKELY * (self.share != self.polygon.ink.seen.ink.flat.printed)
+
+    def look(self, most: float) -> None:
+        """The likeliest chain that costs less than that, or the right one: that if it fits well, else a mistake's, at
+        last one with a vector anywhere."""
+        most = min(self.plain.cost if self.plain else MOST_COST, most - self.unlikely)
+        if most > min((guess.cost for guess in self.wrong), default=math.inf):
+            self.best = self._laid(self.wrong, most) or self.best
+            most = min(self.best.cost if self.best else most, most)
+        if most > ANYWHERE + 4.0 + len(self.polygon.spread):
+            free = (Guess(self.right.known, self.right.closing, ANYWHERE, name) for name in self.right.known)
+            self.best = self._laid([*free], most) or self.best
 
     def cost(self, plainly: bool = False) -> float:
         """What it costs to believe in it, or in the plan rightly drawn on such a sheet, if by a poor hand."""
         chain = self.plain if plainly else self.best
         if chain is None or (plainly and chain.astray(self.right, self.polygon.pole.z) > HAND_MM):
             return math.inf
-        return chain.cost + UNLIKELY * (self.share != self.polygon.ink.seen.ink.flat.printed)
+        return chain.cost + self.unlikely
 
     def untold(self) -> tuple[str, ...]:
         """Known vectors, rightly laid, that some mistake puts elsewhere and explains the ink nearly as well."""
@@ -78,7 +107,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()], words=words_on(seen, [s.name for s in sides]))
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=LaidPolygon.cost)
     for one in tried:
-        one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
+        one.look(min(map(LaidPolygon.cost, tried)))
         if one.polygon.endless:
             return ReadPolygon(explained=1.0)
         if one.best and one.best is one.plain and one.share == seen.ink.flat.printed:
@@ -102,18 +131,20 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     return ReadPolygon(spots, explained > 0.9, explained, best.hidden, untold, dearer > APART)
 
 
-def _likelier(
-    polygon: SoughtPolygon, plain: LaidChain | None, right: Guess, wrong: Sequence[Guess], count: int
-) -> LaidChain | None:
-    """The likeliest chain: the right one if it fits well, else a mistake's, at last one with a vector anywhere."""
-    best = plain
-    if best is None or best.cost > min((guess.cost for guess in wrong), default=math.inf):
-        for guess in wrong:
-            best = polygon.lay(guess, best.cost if best else MOST_COST) or best
-    if best is None or best.cost > ANYWHERE + 4.0 + count:
-        for free in (Guess(right.known, right.closing, ANYWHERE, name) for name in right.known):
-            best = polygon.lay(free, best.cost if best else MOST_COST) or best
-    return best
+def start_of(bench: PreparedPlan, seen: Seen) -> complex | None:
+    """Where a polygon begins whose pole nobody told: where the cheapest one does, drawn rightly or with a mistake;
+    None where none fits well."""
+    sides = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan)
+    right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
+    words, spread = words_on(seen, [s.name for s in sides]), spread_of(bench, sides)
+    corners = sorted((p for p in seen.places if p.ended), key=lambda p: -len(p.ended))[:MOST_CORNERS]
+    inks = [InkCover(seen, p.z, [*bench.true_marks.values()], words=words) for p in corners]
+    sought = [SoughtPolygon(ink, corner, spread) for ink, corner in zip(inks, corners, strict=True)]
+    most, start = DEEPER[0], None
+    for guess, polygon in [*product([right], sought), *product(wrong, sought)]:
+        if chain := polygon.lay(guess, most):
+            most, start = chain.cost, polygon.pole.z
+    return start
 
 
 def _most(best: LaidChain, plain: LaidChain | None, count: int, pole: complex) -> float:

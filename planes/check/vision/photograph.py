@@ -6,19 +6,19 @@ from dataclasses import dataclass, field
 
 from planes.check.fiducials import OTHER_MM, SHEET_MM, pole_place
 from planes.check.grading.paper import MISREAD, Box, Known, ReadMark, ReadPaper, with_told
-from planes.check.grading.prepared_plan import PreparedPlan, known_plans
+from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
 from planes.check.reading.as_planned import worth
 from planes.check.sheet_mark import mark_of
 from planes.check.vision.decoding import DecodedPicture, load
 from planes.check.vision.frame import by_frame
-from planes.check.vision.match_force import vectors_on
+from planes.check.vision.match_force import start_of, vectors_on
 from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_printed import PrintedSheet
 from planes.check.vision.match_scheme import origin_found, points_on
 from planes.check.vision.page_parts import A2_MM2, parts_of
 from planes.check.vision.picture import LARGEST_PX, Flat, by_points, by_scale, cv, find_marks, fits, flatten, smaller
 from planes.check.vision.places import Seen, pole_on, sheet_of
-from planes.check.vision.pole_guess import pole_found
+from planes.check.vision.pole_guess import likely_poles, pole_found
 from planes.check.vision.print_scale import printed_share
 from planes.geometry.arrays import Greys
 from planes.plans.scales import fitting
@@ -172,17 +172,20 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
     near = pole if pole is not None else printed
     guessed = near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended)
     if guessed:
-        scheme = kind_of(bench.asked.plan) == "position"
-        near = (origin_found(bench, seen) if scheme else None) or pole_found(bench, seen)
-    if near is None:
-        return Look(flat, 0j, explained=0.0)
-    if force:
+        find_pole = {"position": origin_found, "force": start_of}.get(kind_of(bench.asked.plan))
+        near = (find_pole(bench, seen) if find_pole else None) or pole_found(bench, seen)
+    if force and near is not None:
         read = vectors_on(bench, seen, near)
         return Look(flat, near, read.spots, read.whole, read.explained, read.hidden, read.untold, read.apart)
-    find = points_on if kind_of(bench.asked.plan) == "position" else marks_on
-    spots, explained = find(bench, seen, near)
-    known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
-    return Look(flat, near if known else 0j, spots, False, explained)
+    find, best = points_on if kind_of(bench.asked.plan) == "position" else marks_on, Look(flat, 0j, explained=0.0)
+    starts = [near] if near is not None else []
+    for start in [*starts, *(likely_poles(seen) if guessed and find is marks_on and not force else ())]:
+        spots, explained = find(bench, seen, start)
+        known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
+        best = max(best, Look(flat, start if known else 0j, spots, False, explained), key=lambda look: look.explained)
+        if known:
+            break
+    return best
 
 
 def shown(flat: Flat) -> bytes:
@@ -200,7 +203,21 @@ def _by_hand(
     name, where = next(((n, z) for k, z in marks.items() if (n := names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
-    return by_points(picture.grey, pole, where, bench.true_marks[name], name, picture.scale), name
+    return by_points(
+        picture.grey, pole, where, _vector(bench, picture, abs(where - pole), name), name, picture.scale
+    ), name
+
+
+def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: str) -> complex:
+    """The vector to a mark, so many pixels long: as it should be, or, if no sheet is as large as that would make it, as
+    the mistake has it that makes it most like A4."""
+    ways = (drawn_at(bench, v, name) for v in variants_of(bench, {}, bench.said_mu))
+    true = bench.true_marks[name]
+    if length < 1 or not true or fits(picture.grey, length / abs(true)):
+        return true
+    likely = [z for z in ways if z and fits(picture.grey, length / abs(z))]
+    area = picture.grey.size / length**2
+    return min(likely, key=lambda z: abs(math.log(area * abs(z) ** 2 / math.prod(SHEET_MM))), default=true)
 
 
 def roomy(bench: PreparedPlan) -> PreparedPlan:

@@ -11,7 +11,7 @@ from planes.check.vision.arrow_tips import ABOUT_MM, USUAL_MM, head_about, line_
 from planes.check.vision.drawn_lines import lines_of, on
 from planes.check.vision.heads import head_at
 from planes.check.vision.ink import Ink, ink_of
-from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.line_fitting import Fitted, Tip
 from planes.check.vision.line_places import END_MM, HEAD_MM, TIP_REACH_MM, Normal, Place, places_of
 from planes.check.vision.lone_heads import LoneHeads
 from planes.check.vision.picture import Flat
@@ -37,7 +37,7 @@ class Seen:
     patches: list[complex] = field(default_factory=list)  # places of ink that is on no line
     spots: Complexes | None = None  # the places as an array
     looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
-    fits: dict[tuple[int, float, int], complex | None] = field(default_factory=dict)  # heads on lines
+    fits: dict[tuple[int, float, int], Tip | None] = field(default_factory=dict)  # heads on lines
 
     def within(self, z: complex, reach: float) -> list[Place]:
         """Places no farther than ``reach``."""
@@ -71,15 +71,15 @@ class Seen:
         if key not in self.fits:
             self.fits[key] = head_about(self.ink, self.lines, *on_line, self.head_mm or USUAL_MM)
         tip = self.fits[key]
-        if tip is None or abs(tip - end) > ABOUT_MM or self._against(tip, (end - start) / abs(end - start)):
+        if tip is None or abs(tip.z - end) > ABOUT_MM or self._against(tip, (end - start) / abs(end - start)):
             return None
-        return tip
+        return tip.z
 
-    def _against(self, tip: complex, way: complex) -> bool:
-        """Whether the ink of a head that points a way is that of one seen to point back."""
+    def _against(self, tip: Tip, way: complex) -> bool:
+        """Whether the ink of a head that points a way is that of one seen to point back, which it shows better."""
         size = self.head_mm or USUAL_MM
-        heads = ((h.z, x.direction(h.s) * h.sign) for x in self.lines for h in x.heads)
-        back = ((z - tip) / way for z, own in heads if (own / way).real < -STRAIGHT)
+        heads = ((h.z, x.direction(h.s) * h.sign) for x in self.lines for h in x.heads if h.gain > tip.gain)
+        back = ((z - tip.z) / way for z, own in heads if (own / way).real < -STRAIGHT)
         return any(abs(off.imag) < HEAD_MM and abs(off.real + size) < size - UPON_MM for off in back)
 
     def line_upon(self, a: complex, b: complex) -> Fitted | None:
@@ -110,7 +110,7 @@ class Seen:
     @cached_property
     def lone_heads(self) -> LoneHeads:
         """Heads that stand by themselves, among its letters, or that no line leads to."""
-        return LoneHeads(self.all_ink, self.head_mm or USUAL_MM, [*left_over(self.ink, self.lines)])
+        return LoneHeads(self.all_ink, self.head_mm or USUAL_MM, [*left_over(self.all_ink, self.lines)])
 
     @cached_property
     def head_mm(self) -> float | None:

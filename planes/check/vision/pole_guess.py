@@ -13,6 +13,7 @@ from planes.words.names import kind_of, label_of
 REACH_MM = 2.5  # of a mark from where it should be
 MANY, APART_MM = 3, 15.0  # marks that fit elsewhere by no chance; how far off that is another drawing
 LEAST, SHARE, SHARE_MISTAKEN = 2, 0.4, 0.7  # of the marks, that must be met; of a mistake's own, which are many plans'
+TRIED = 3  # places where nothing but lines tell a pole
 MISTAKEN = 0.5  # of a mark: how much more must be met by a plan with a mistake
 
 
@@ -31,6 +32,13 @@ def pole_found(bench: PreparedPlan, seen: Seen) -> complex | None:
         if hits[at] >= enough and worth > best:
             best, place = worth, complex(starts[at])
     return place if best else None
+
+
+def likely_poles(seen: Seen) -> list[complex]:
+    """Where vectors of a plan of motion may begin: where most lines end and no head points to."""
+    tips = [head.z for line in seen.lines for head in line.heads]
+    free = [p for p in seen.places if len(p.ended) > 1 and all(abs(p.z - tip) > REACH_MM for tip in tips)]
+    return [p.z for p in sorted(free, key=lambda p: -len(p.ended))[:TRIED]]
 
 
 def _hits(starts: Complexes, ends: Complexes) -> Array:

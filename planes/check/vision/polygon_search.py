@@ -15,7 +15,7 @@ from itertools import combinations, permutations
 from planes.check.grading.handwork import Miss
 from planes.check.vision.costs import DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
 from planes.check.vision.drawn_lines import crossing, on
-from planes.check.vision.ink_cover import COVERED, InkCover
+from planes.check.vision.ink_cover import COVERED, OTHER_HEAD, PER_MM, STEP_MM, InkCover
 from planes.check.vision.line_places import END_MM, Place
 from planes.check.vision.places import HEADED_MM
 from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain
@@ -28,7 +28,7 @@ CROSSED_MM = 0.5  # σ of where lines cross; what ends nearer is there
 ASLANT = 0.1  # of a line to another that is the same
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 1500
-MOST_OF_ALL = 20_000  # steps of all ways together; a polygon of six vectors takes some two thousand
+MOST_OF_ALL = 60_000  # steps of all ways together; a polygon of six vectors takes some two thousand
 MANY, MOST_OF_MANY = 11, 2_000  # sides of a polygon that is first read in its own order; steps in any other one
 
 End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
@@ -92,29 +92,38 @@ class SoughtPolygon:
         return self.taken > (MOST_OF_ALL if len(self.spread) < MANY else MOST_OF_MANY)
 
     def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, z: complex, loose: float) -> None:
-        """Every order of the known vectors that the ink allows, then the closing ones."""
+        """Every order of the known vectors that the ink allows, the likeliest first, then the closing ones."""
         self.steps += 1
         if chain.cost >= self.most or self.steps > MOST_STEPS or self._outdone(frozenset(left), chain, z):
             return
         if not left:
             for order in permutations(guess.closing):
                 self._lay_closing(guess, order, chain, z)
+        ways = list[tuple[float, str, LaidChain, float]]()
         for name, v in left.items():
-            rest = {n: w for n, w in left.items() if n != name}
             for price, place, sigma, hidden in self._ends(guess, name, v, z, loose):
                 if chain.cost + price >= self.most:
                     continue
-                now = math.hypot(loose, sigma) if hidden else 0.0
                 unseen = (*chain.hidden, name) if hidden and abs(v) > NOTHING_MM else chain.hidden
-                self._lay_known(guess, rest, self._longer(chain, z, price, (name, place, sigma), unseen), place, now)
+                longer = self._longer(chain, z, price, (name, place, sigma), unseen)
+                gained = PER_MM * STEP_MM * (longer.steps & ~chain.steps).bit_count()
+                ways.append((longer.cost - gained, name, longer, math.hypot(loose, sigma) if hidden else 0.0))
+        for _, name, longer, now in sorted(ways, key=lambda way: way[0]):
+            rest = {n: w for n, w in left.items() if n != name}
+            self._lay_known(guess, rest, longer, longer.rows[-1][1], now)
 
     def _outdone(self, left: frozenset[str], chain: LaidChain, z: complex) -> bool:
-        """Whether the same place was come to more cheaply, with no ink accounted for the less."""
+        """Whether the same place was come to more cheaply, even with all ink and heads this way alone accounts for."""
         found = self.known.setdefault((left, complex(round(z.real, 1), round(z.imag, 1))), [])
-        if any(c.cost <= chain.cost and not (chain.steps & ~c.steps or chain.heads & ~c.heads) for c in found):
+        if any(c.cost + self._further(c, chain) <= chain.cost for c in found):
             return True
         found.append(chain)
         return False
+
+    def _further(self, one: LaidChain, other: LaidChain) -> float:
+        """What the ink and heads cost, at the most, that a way does not account for, and another one does."""
+        steps, heads = other.steps & ~one.steps, other.heads & ~one.heads
+        return PER_MM * STEP_MM * steps.bit_count() + OTHER_HEAD * heads.bit_count()
 
     def _longer(
         self, chain: LaidChain, z: complex, price: float, row: tuple[str, complex, float], hidden: tuple[str, ...] = ()

@@ -69,13 +69,13 @@ def shares_of(bench: PreparedPlan, seen: Seen, pole: complex) -> dict[float, Con
     if flat.told is None or flat.by_file:
         pairs = seen_from(seen, pole, bench.true_marks)
         return dict.fromkeys(likely_shares(flat, pairs), range(len(variants) + 1))
-    found: dict[float, list[int]] = {1.0: [0]}
-    for k, variant in enumerate(variants):
+    found: dict[float, list[int]] = {}
+    for k, variant in enumerate((None, *variants)):
         z = drawn_at(bench, variant, flat.told[0])
         share = 1.0 if z is None else abs(z) / flat.told[1]
         one = next((known for known in found if abs(share / known - 1) < SAME), share)
         if 1 / WILDEST < share < WILDEST:
-            found.setdefault(one, []).append(k + 1)
+            found.setdefault(one, []).append(k)
     return dict(found)
 
 
