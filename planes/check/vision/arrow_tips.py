@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy
 
-from planes.check.vision.heads import SeenHead, heads_of
+from planes.check.vision.heads import SeenHead, heads_of, one_ink
 from planes.check.vision.ink import LIGHT, Ink
 from planes.check.vision.line_fitting import Fitted, Tip
 from planes.geometry.arrays import Array, Complexes
@@ -57,7 +57,7 @@ def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
         line.heads = []
     for sight in sorted((x for x in sights if x.good), key=lambda x: -x.gain):
         line, head = sight.line, sight.tip
-        if line.low - 1.5 < head.s < line.high + 1.5 and all(abs(head.s - k.s) > 1 for k in line.heads):
+        if line.low - 1.5 < head.s < line.high + 1.5 and not any(one_ink(head, k) for k in line.heads):
             line.heads.append(head)
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy
 
 from planes.check.vision.ink import DARK, Ink
-from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.line_fitting import Fitted, Tip
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Booleans
 
@@ -34,6 +34,7 @@ OPEN_MM = 0.6  # of paper between a line and a barb of its head
 SHAFT_MM = (9.0, 4.5)  # how far before its end a vector is looked at for where it runs
 ASTRAY_MM, BESIDE_MM = 0.6, 0.8  # how far off its vector a head may be, and its vector's ink off where it should run
 BOTH_MM = 0.8  # how far apart the tips found from both sides may be
+SHARED = 0.5  # of a head, that two which point at each other have in common
 
 
 class SeenHead(NamedTuple):
@@ -71,6 +72,14 @@ def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
         if inside and all(abs(one.tip - k.tip) > 1 or one.sign != k.sign for k in kept):
             kept.append(one)
     return kept
+
+
+def one_ink(one: Tip, other: Tip) -> bool:
+    """Whether two heads along a line are seen of the same ink: their tips are at one place, or they point at each
+    other's bases."""
+    low, high = zip(*(sorted((k.s, k.s - k.sign * k.length)) for k in (one, other)), strict=True)
+    upon = one.sign != other.sign and min(high) - max(low) > SHARED * min(one.length, other.length)
+    return upon or abs(one.s - other.s) <= 1
 
 
 def barbed(dark: Array) -> Array:

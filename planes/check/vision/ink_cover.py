@@ -70,7 +70,10 @@ class InkCover:
             for head in line.heads:
                 crossed = abs(head.z - self.pole) < CROSS_MM  # its tip is not told from the printed cross
                 tip, way = self.pole if crossed else head.z, line.direction(head.s) * head.sign
-                if not any(_one_head(tip, way, other) for other in self.tips):
+                if (
+                    not any(_one_head(tip, way, other) for other in self.tips)
+                    and not self._signed(numpy.array([tip]))[0]
+                ):
                     heads[number] |= 1 << len(self.tips)
                     self.tips.append((tip, way))
         for k, bits in enumerate(heads):

@@ -49,17 +49,7 @@ class LaidPolygon:
         self.polygon = SoughtPolygon(ink, pole, spread_of(bench, sides))
         self.right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
         self.wrong = [replace(g, cost=g.cost + sum(map(ink.words.unwritten, g.missing(self.right)))) for g in wrong]
-        self.best = self.plain = self._laid([self.right], MOST_COST)
-
-    def _laid(self, ways: Sequence[Guess], most: float) -> LaidChain | None:
-        """The cheapest chain of some guesses, if it costs less than that."""
-        for limit in (*(cost for cost in DEEPER if cost < most), most):
-            best = None
-            for guess in ways:
-                best = self.polygon.lay(guess, best.cost if best else limit) or best
-            if best:
-                return best
-        return None
+        self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
 
     @property
     def unlikely(self) -> float:
@@ -71,11 +61,18 @@ class LaidPolygon:
         last one with a vector anywhere."""
         most = min(self.plain.cost if self.plain else MOST_COST, most - self.unlikely)
         if most > min((guess.cost for guess in self.wrong), default=math.inf):
-            self.best = self._laid(self.wrong, most) or self.best
+            self.best = self._likeliest(self.wrong, most) or self.best
             most = min(self.best.cost if self.best else most, most)
         if most > ANYWHERE + 4.0 + len(self.polygon.spread):
             free = (Guess(self.right.known, self.right.closing, ANYWHERE, name) for name in self.right.known)
-            self.best = self._laid([*free], most) or self.best
+            self.best = self._likeliest([*free], most) or self.best
+
+    def _likeliest(self, ways: Sequence[Guess], most: float) -> LaidChain | None:
+        """The cheapest chain of some guesses, if it costs less than that."""
+        best = None
+        for guess in ways:
+            best = self.polygon.lay(guess, best.cost if best else most) or best
+        return best
 
     def cost(self, plainly: bool = False) -> float:
         """What it costs to believe in it, or in the plan rightly drawn on such a sheet, if by a poor hand."""
@@ -106,13 +103,9 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()], words=words_on(seen, [s.name for s in sides]))
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=LaidPolygon.cost)
-    for one in tried:
-        one.look(min(map(LaidPolygon.cost, tried)))
-        if one.polygon.endless:
-            return ReadPolygon(explained=1.0)
-        if one.best and one.best is one.plain and one.share == seen.ink.flat.printed:
-            break  # it fits well
-    one = min(tried, key=LaidPolygon.cost)
+    one = _likeliest(tried)
+    if one.polygon.endless:
+        return ReadPolygon(explained=1.0)
     if (best := one.best) is None:
         return ReadPolygon()
     dearer = min(other.cost(plainly=True) for other in tried) - one.cost()  # by which a right polygon is
@@ -129,6 +122,19 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     spots = by_ruler(seen.ink.flat, near, one.share, rows, explained, {})
     untold = one.untold() if best is one.plain else ()
     return ReadPolygon(spots, explained > 0.9, explained, best.hidden, untold, dearer > APART)
+
+
+def _likeliest(tried: Sequence[LaidPolygon]) -> LaidPolygon:
+    """The likeliest of what was tried at several sizes, the likeliest first: looked for among what fits well, at last
+    among all at the first size."""
+    for limit, sizes in zip(DEEPER, (tried, tried[:1]), strict=True):
+        for one in sizes:
+            one.look(min(limit, *map(LaidPolygon.cost, tried)))
+            if one.best and one.best is one.plain and not one.unlikely:
+                break  # it fits well
+        if min(map(LaidPolygon.cost, tried)) < limit:
+            break
+    return min(tried, key=LaidPolygon.cost)
 
 
 def start_of(bench: PreparedPlan, seen: Seen) -> complex | None:

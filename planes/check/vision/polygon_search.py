@@ -22,6 +22,10 @@ from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain
 
 TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden where two others meet
 HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of a millimetre; if no ink is on its way
+BARE, MOST_BARE = (
+    12.0,
+    0.3,
+)  # what it costs that so much more of a vector is not drawn than may be; how much more at most
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 CROSSED_MM = 0.5  # σ of where lines cross; what ends nearer is there
@@ -150,8 +154,9 @@ class SoughtPolygon:
         near = [*self.ink.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, self.ink.seen.closer(z, goal)]
         for p in filter(None, near):
             sigmas = sigmas_of(p.z - goal, self.spread[name], math.hypot(p.sigma, loose))
-            if sigmas < GATE and (abs(v) < 2 or self.covered(z, p.z) > COVERED):
-                price = sigmas**2 / 2 + VAGUE * p.sigma + DOUBTFUL * p.doubtful
+            bare = 0.0 if abs(v) < 2 else COVERED - self.covered(z, p.z) if sigmas < GATE else 1.0
+            if sigmas < GATE and bare < MOST_BARE:
+                price = sigmas**2 / 2 + VAGUE * p.sigma + DOUBTFUL * p.doubtful + BARE * max(bare, 0.0)
                 price += 0.0 if p.ended or p is self.pole or (p.tip and self.ink.pointed(z, p.z)) else NO_END
                 found.append((price, p.z, p.sigma, False))
         found.sort(key=lambda f: f[0])
