@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -10,10 +11,15 @@ import pytest
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
+from planes.check.grading.prepared_plan import PreparedPlan  # noqa: E402
+from planes.check.vision.heads import one_ink  # noqa: E402
 from planes.check.vision.ink_cover import InkCover  # noqa: E402
+from planes.check.vision.line_fitting import Tip  # noqa: E402
 from planes.check.vision.lone_heads import LoneHeads  # noqa: E402
+from planes.check.vision.match_force import start_of, vectors_on  # noqa: E402
 from planes.check.vision.picture import PX_PER_MM, Flat  # noqa: E402
-from planes.check.vision.places import sheet_of  # noqa: E402
+from planes.check.vision.places import Seen, sheet_of  # noqa: E402
+from tests import confusion  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.confusion import easel  # noqa: E402
 from tests.helpers.drawings import Mistake  # noqa: E402
@@ -65,6 +71,12 @@ def test_a_head_is_told_from_the_shaft_behind_it() -> None:
     assert tips[1] is None
 
 
+@pytest.mark.parametrize(("other", "one"), [(Tip(7.2, -1, 0j, 0.1, 3.0), True), (Tip(5.0, -1, 0j, 0.1, 3.0), False)])
+def test_heads_that_point_at_each_other_s_bases_are_of_one_ink(other: Tip, one: bool) -> None:
+    """Two that stand back to back are two."""
+    assert one_ink(Tip(10.0, 1, 0j, 0.1, 3.0), other) is one
+
+
 @pytest.mark.parametrize(("by", "priced"), [("marks", False), ("points", True)])
 def test_the_letter_printed_at_a_blank_s_pole_is_not_the_drawing_s(by: str, priced: bool) -> None:
     """Its stem hangs together with a vector; on other paper it may be one."""
@@ -89,3 +101,34 @@ def test_what_letters_alone_tell_of_forces_in_one_line_is_not_said(seed: int, tm
     found = corpus.looked_at(one, file)[0]
     assert found.verdict != "right"
     assert found.verdict != "right_as_seen" or "G_5" in found.unseen
+
+
+POLE = 100 + 75j
+
+
+def polygon(gap: complex = 0j) -> tuple[PreparedPlan, Seen]:
+    """A plan of forces, and what is seen of its polygon; of its longest vector nothing is drawn about a place."""
+    bench = confusion.bench("six-link", "force:2-3")
+    corners = [POLE, *(POLE + z for z in bench.true_marks.values()), POLE]
+    strokes = list(pairwise(corners))
+    flat = sheet(strokes, [(a, b) for a, b in strokes if abs(b - a) > HEAD_MM])
+    if gap:
+        cv2.circle(flat.grey, [round(x) for x in flat.px(POLE + gap)], round(10 * PX_PER_MM), PAPER, -1)
+    seen = sheet_of(flat)
+    assert seen is not None
+    return bench, seen
+
+
+@pytest.mark.slow
+def test_a_polygon_begins_where_it_can_be_laid_from() -> None:
+    """Nobody told the pole, which is one of its corners."""
+    start = start_of(*polygon())
+    assert start is not None and abs(start - POLE) < 0.5
+
+
+@pytest.mark.slow
+def test_a_vector_that_is_but_partly_drawn_is_one() -> None:
+    """A third of it is not there; the other vectors leave no doubt."""
+    bench, seen = polygon(gap=-31.3 - 36.5j)
+    read = vectors_on(bench, seen, POLE)
+    assert abs(next(s.place for s in read.spots if s.name == "F_24") - POLE - bench.true_marks["F_24"]) < 0.5
