@@ -75,8 +75,8 @@ class HandWords:
         return math.log(1 - others * SURE * (1 - whole)) - math.log(1 - whole + AWAY * whole)
 
     def _read(self, name: str) -> float:
-        """How likely a name stands on the sheet."""
-        return min(sum(w.likely.get(name, 0.0) for w in self.words), 1.0)
+        """How likely a name is one of the words."""
+        return 1 - math.prod(1 - w.likely.get(name, 0.0) for w in self.words)
 
     @cached_property
     def names(self) -> set[str]:

@@ -48,7 +48,7 @@ class LaidPolygon:
     def __post_init__(self, bench: PreparedPlan, ink: InkCover, pole: Place, sides: list[Side]) -> None:
         self.polygon = SoughtPolygon(ink, pole, spread_of(bench, sides))
         self.right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
-        self.wrong = [replace(g, cost=g.cost + sum(map(ink.words.unwritten, g.missing(self.right)))) for g in wrong]
+        self.wrong = [replace(g, cost=g.cost + g.unwritten(ink.words, self.right)) for g in wrong]
         self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
 
     @property

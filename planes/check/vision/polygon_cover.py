@@ -19,7 +19,7 @@ from planes.drafting.steps import Step
 from planes.drafting.steps.crossings import Cross
 from planes.words.names import POLE, at, label_of, links_of, plan_of
 
-NOTHING_MM = 0.3  # a vector shorter than this is not drawn
+NOTHING_MM, NAMED_MM = 0.3, 3.0  # a shorter vector is not drawn; one so long has a name
 WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet
 
 
@@ -35,6 +35,11 @@ class Guess:
     def missing(self, right: Self) -> list[str]:
         """The vectors of the right polygon that are none here."""
         return [n for n, v in right.known.items() if abs(v) > 1 and abs(self.known.get(n, v)) < NOTHING_MM]
+
+    def unwritten(self, words: HandWords, right: Self) -> float:
+        """What it costs to believe that nobody drew these, for where names were read: a short one may have none."""
+        found = ((words.unwritten(name), abs(right.known[name])) for name in self.missing(right))
+        return sum(cost if length > NAMED_MM else max(cost, 0.0) for cost, length in found)
 
 
 @dataclass
