@@ -3,7 +3,6 @@
 import math
 import statistics
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import product
 
 import numpy
 
@@ -22,7 +21,6 @@ AT_EDGE_MM = 0.15
 PENCIL_MM = 0.55  # the most that lines usually are wide
 TWICE = 1.5  # a line so much wider than usual may be two
 OVER_MM = 1.5  # how far a stroke may go on within another's ink
-RIM_MM = 0.25  # an end no farther from a line's edge is at it
 BARE = 0.25  # how much a line counts whose edges are not seen
 WIDEST_MM = 1.4  # of a stroke
 SHORTEST_MM = 1.5
@@ -40,12 +38,6 @@ def lines_of(ink: Ink) -> list[Fitted] | None:
     if len(lines) > 4 * MOST or len(lines := joined(lines)) > MOST:
         return None
     return lines_on(ink, lines, rims)
-
-
-def _edged(line: Fitted, end: complex) -> bool:
-    """Whether an end lies at the edge of a line that goes on there, so that it may as well be anywhere in its ink."""
-    s, off = line.local(end)
-    return line.low + OVER_MM < s < line.high - OVER_MM and abs(abs(off) - line.width / 2) < RIM_MM
 
 
 def _in_mm(flat: Flat, lines: list[Edge]) -> list[Edge]:
@@ -133,8 +125,6 @@ def lines_on(ink: Ink, rough: Iterable[tuple[complex, complex]], edges: Sequence
     strokes = (straight_through(part) for part in left_over(ink, kept))
     short = [f for f in (_short(ink, *ends) for ends, off in strokes if off <= STRAIGHT_MM) if f]
     kept = own([*kept, *short], long)
-    for line, side in product(kept, (0, 1)):
-        line.clear[side] &= not any(_edged(other, line.ends[side]) for other in kept if other is not line)
     find_heads(ink, kept)
     return kept
 
