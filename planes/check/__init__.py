@@ -14,7 +14,7 @@ from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written, under
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import kind_of, label_of, mu_of
+from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.records import Described
 
 STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
@@ -83,8 +83,9 @@ class Outcome(Described):
         """Marks of the plan that nobody has looked at, or that may as well be drawn with a mistake."""
         if self.grading is None or self.unreadable:
             return []
-        untold = () if self.wrong else self.paper.untold
-        return list(dict.fromkeys([*self.grading.unseen, *untold]))
+        untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
+        closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
+        return list(dict.fromkeys([*self.grading.unseen, *untold, *closing]))
 
     def right(self, unseen: str) -> Phrase:
         """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""

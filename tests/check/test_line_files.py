@@ -18,6 +18,7 @@ from planes.check.handed_in import read_paper
 from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.matching import paper_of
+from planes.check.reading.pdf import read_pdf
 from planes.check.reading.strokes import ReadDrawing, Words
 from planes.check.reading.svg import read_svg
 from tests import confusion
@@ -112,6 +113,23 @@ ARROWS = {
     "curved figures": '<g stroke="#000"><path d="M50 50 20 90"/><path d="M50 50 80 90"/><path d="M20 90H80"/></g>'
     '<path d="M50 50 47.8 52Q48.3 52.3 48.8 52.8L50 50z"/><path d="M80 90 78.8 87.3C78.4 87.5 78.1 87.7 77.8 88z"/>'
     '<path d="M80,90 L77,89.5 Q77.5,90 77,90.5 z"/>',
+    "whole arrows": "".join(
+        f'<polygon fill="#000" points="{p}"/>'
+        for p in (
+            "50,50 47.8,52 48.6,51.87 20,90 20,90 48.6,51.87 48.8,52.8",
+            "80,90 77.4,88.4 78.2,87.6 50,50 50,50 78.2,87.6 78.9,87.1",
+            "80,90 77,89 77,89.9 20,89.9 20,90.1 77,90.1 77,91",
+        )
+    ),
+    "heads drawn twice": '<g stroke="#000"><path d="M50 50 20 90"/><path d="M50 50 80 90"/><path d="M20 90H80"/></g>'
+    + 2
+    * (
+        '<path fill="#000" d="M50 50 47.8 52 48.8 52.8z"/><path fill="#000" d="M80 90 78.8 87.3 77.8 88z"/>'
+        '<path fill="#000" d="M80 90 77 89.5 77 90.5z"/>'
+    ),
+    "equal sides, beyond the ends": '<g stroke="#000"><path d="M20 90 50 50"/><path d="M50 50 80 90"/>'
+    '<path d="M20 90H80"/></g><g fill="#000"><path d="M50.6 49.2 48.305 50.105 49.937 51.329z"/><path d="M80.6 90.8 79.937 88.671 78.305 '
+    '89.895z"/><path d="M81 90 79 88.845 79 91.155z"/></g>',
     "open heads": '<g stroke="#000"><path d="M50 50 20 90"/><path d="M50 50 80 90"/><path d="M80 90H20"/>'
     '<path d="M47.5 51.6 50 50 49.2 52.9"/><path d="M79.2 87.1 80 90 77.5 88.4"/><path d="M77 89.2 80 90"/>'
     '<path d="M80 90 77 90.8"/>'
@@ -123,6 +141,25 @@ ARROWS = {
 def test_arrowheads_say_which_way(written: str, tmp_path: Path) -> None:
     found = svg(tmp_path, f"{PAGE}{written}</svg>")
     assert all(found.ways) and lines_of(found) == set(LINES)
+
+
+def test_dashes_drawn_as_figures_are_no_heads(tmp_path: Path) -> None:
+    dashes = "".join(f'<path fill="#000" d="M{x} 89.9h3v.2h-3z"/>' for x in range(20, 80, 5))
+    found = svg(tmp_path, PAGE + '<path stroke="#000" d="M20 90 50 50 80 90z"/>' + dashes + "</svg>")
+    assert not found.heads and len(found.strokes) == 3
+
+
+def test_a_page_of_two_lines_is_read_as_lines(tmp_path: Path) -> None:
+    """And a name in pieces is one word."""
+    canvas = pytest.importorskip("reportlab.pdfgen.canvas").Canvas(str(file := tmp_path / "t.pdf"))
+    canvas.line(100, 100, 200, 300)
+    canvas.line(200, 300, 300, 100)
+    for text, x, y, size in (("F", 210, 300, 12), ("12", 217, 297, 8)):
+        canvas.setFont("Helvetica", size)
+        canvas.drawString(x, y, text)
+    canvas.save()
+    found = read_pdf(file)
+    assert found is not None and len(found.strokes) == 2 and [w.text for w in found.words] == ["F12"]
 
 
 def test_dimension_lines_are_no_vectors_and_dots_are_no_heads(tmp_path: Path) -> None:

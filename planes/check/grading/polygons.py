@@ -18,6 +18,7 @@ from planes.words.names import POLE, Names, at, end_of, kind_of, label_of, mu_of
 
 Vectors = dict[str, ReadMark]  # a person's
 IN_LINE, AS_LONG = 0.05, 0.9  # between vectors of one line, the tangent of the angle; how long one is to hide another
+SEEN_MM = 3.0  # a shorter vector may not be seen at all
 NO_VECTOR = ReadMark("", 0j, 0.0)
 
 
@@ -41,6 +42,8 @@ class Rebuilt:
     unknown: list[str] = field(default_factory=list)
     vectors: list[ReadMark] = field(default_factory=list)  # as they were read
     closers: set[str] = field(default_factory=set)  # those that may be of any length
+    left: list[Side] = field(default_factory=list)  # not read, though they may be there
+    polygons: list[Collection[str]] = field(default_factory=list)  # the vectors of each
     apart: bool = False  # whether no right drawing explains what was read nearly as well
 
     def confused(self, missing: complex | None) -> bool:
@@ -50,6 +53,13 @@ class Rebuilt:
             return False
         over = (v.place / missing for v in self.vectors if missing and v.name in self.closers)
         return missing is None or any(z.real > AS_LONG and abs(z.imag) < IN_LINE * z.real for z in over)
+
+    def unread(self, places: Mapping[str, complex]) -> list[str]:
+        """Vectors nobody saw that should be long, by the true ``places``; no closing one where a polygon has but short
+        ones unseen."""
+        long = {s.name: abs(places[s.end] - places[s.start]) for s in self.left}
+        seen = any(sum(long.get(n, 0.0) for n in polygon) <= SEEN_MM for polygon in self.polygons)
+        return [n for n, mm in long.items() if mm > SEEN_MM and not (seen and n in self.closers)]
 
 
 def between(bench: PreparedPlan) -> list[Side]:
@@ -95,6 +105,8 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = Tr
             vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)
     loads, out.vectors = loads_of(plans, plan), [*vectors.values()]
     out.closers = {name for name, side in sides.items() if side.end not in loads}
+    out.polygons += polygons
+    out.left = [] if whole else [side for name, side in sides.items() if name not in vectors]
     _lay(out, sides, vectors, loads, whole)
     return out
 

@@ -4,6 +4,8 @@ A head is a tip and the way it points. It tells which end of a stroke is the vec
 told from a tick, and is itself no part of the plan.
 """
 
+import cmath
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 
@@ -13,12 +15,20 @@ LARGEST_MM = 8.0  # a closed figure no larger may be a head
 NEAR_MM = 0.7  # a tip is at the end of its stroke, or that end is within the head
 TURNED = 10.0  # how much better it is for a stroke to point as its head does than to end at the tip, mm per radian
 MOST_PAIRS = 1_000_000  # of more strokes and heads none is told whose it is
-BOTH = 2
+BOTH, BOTH_FAR = 2, 1.0  # heads at both ends make a dimension line, if the second is its own so surely
 MOST_JOINED, SAME_MM = 500, 0.02
 EVEN = 0.03  # how unequal sides may be that meet in a tip, of their sum
 SLIM = 0.1  # how far from a head's middle line its shaft may end, in lengths of the head
 ASKEW = 0.02  # radians, by which a shaft drawn in pieces may turn
+LONGER, SHORTER, EXACT = (
+    1.3,
+    0.6,
+    0.3,
+)  # a shaft in lengths of its open head's sides; a shorter one ends in its very tip
 STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the least
+TURNS = tuple(cmath.rect(1, k * math.tau / 3) for k in range(3))  # ways a head of equal sides may point
+AGAIN_MM, AGAIN = 0.1, 0.05  # a head so near another one that points as it does is that head: filled, then outlined
+NARROW_MM = 1.5  # a drawn arrow's shaft is no wider
 
 
 def head_of(points: Sequence[complex]) -> Arrowhead | None:
@@ -27,8 +37,11 @@ def head_of(points: Sequence[complex]) -> Arrowhead | None:
     if not 3 <= len(corners) <= 12:
         return None
     middle = sum(corners) / len(corners)
-    tip = _apex(corners) or max(corners, key=lambda z: abs(z - middle))
+    apexes = _apexes(corners)
+    tip = apexes[0] if apexes else max(corners, key=lambda z: abs(z - middle))
     size = max(abs(a - b) for a in corners for b in corners)
+    if len(corners) == 4 and abs(corners[0] - corners[1] + corners[2] - corners[3]) < EVEN * size:
+        return None  # a dash of a line
     others = [z for z in corners if abs(z - tip) > 0.05 * size]
     if not 0.3 < size <= LARGEST_MM or len(others) < 2:
         return None
@@ -36,20 +49,46 @@ def head_of(points: Sequence[complex]) -> Arrowhead | None:
     u = way / abs(way)
     across = [((z - tip) * u.conjugate()).imag for z in others]
     long = max(((tip - z) * u.conjugate()).real for z in others)
-    return Arrowhead(tip, u, long) if 0.02 * size < max(across) - min(across) < 1.3 * size else None
+    flat = not 0.02 * size < max(across) - min(across) < 1.3 * size
+    return None if flat else Arrowhead(tip, u, long, even=len(apexes) == 3)
 
 
-def _apex(corners: Sequence[complex]) -> complex | None:
-    """The corner of a triangle between its equal sides, if there is one such."""
+def _apexes(corners: Sequence[complex]) -> list[complex]:
+    """The corners of a triangle between equal sides: one, or of an equilateral one all three."""
     if len(corners) != 3:
-        return None
+        return []
     sides = [(abs(corners[k - 1] - corners[k]), abs(corners[k - 2] - corners[k])) for k in range(3)]
-    even = [k for k, (one, two) in enumerate(sides) if abs(one - two) < EVEN * (one + two)]
-    return corners[even[0]] if len(even) == 1 else None
+    return [z for z, (one, two) in zip(corners, sides, strict=True) if abs(one - two) < EVEN * (one + two)]
+
+
+def figure_of(points: Sequence[complex]) -> tuple[Sequence[complex], Arrowhead] | None:
+    """What a closed figure is, if it is one: a whole arrow, its vector and its head; or a head alone."""
+    if arrow := _arrow_of(points):
+        return arrow
+    head = head_of(points)
+    return ((), head) if head else None
+
+
+def _arrow_of(points: Sequence[complex]) -> tuple[Stroke, Arrowhead] | None:
+    """The vector and the head of a whole arrow drawn as one closed figure: its tip, two wings, its neck and its end."""
+    ring = [*points][: -1 if len(points) > 7 and abs(points[0] - points[-1]) < SAME_MM else None]
+    for k in range(7) if len(ring) == 7 else ():
+        tip, one, neck, end, last, hollow, two = (*ring[k:], *ring[:k])
+        start, wings = (end + last) / 2, abs(one - two)
+        along, across = tip - start, [abs(end - last), abs(neck - hollow)]
+        if wings < SAME_MM or max(across) > min(NARROW_MM, wings / 2) or abs(along) < wings:
+            continue
+        local = [(z - start) / along for z in (one, two, neck, hollow)]
+        even = all(abs(z - w.conjugate()) < EVEN for z, w in (local[:2], local[2:]))
+        if even and min(z.real for z in local) > 0 and abs(((end - last) / along).real) < EVEN:
+            return (start, tip), Arrowhead(tip, along / abs(along), abs(along) * (1 - local[0].real))
+    return None
 
 
 def settle(sketch: ReadDrawing) -> None:
     """Open heads become heads; each goes to its stroke; short strokes that have none, and dimension lines, go."""
+    sketch.heads = _once(sketch.heads)
+    sketch.strokes = list({tuple((round(z.real, 2), round(z.imag, 2)) for z in s): s for s in sketch.strokes}.values())
     shafts = given(sketch.strokes, sketch.heads)[0] if sketch.heads else []
     free = [s for k, s in enumerate(sketch.strokes) if not (shafts and shafts[k])]
     for head, wings in _open(sketch.strokes, free):
@@ -58,11 +97,35 @@ def settle(sketch: ReadDrawing) -> None:
     strokes = sketch.strokes + sketch.short
     owned, tips = given(strokes, sketch.heads)
     kept = [k for k in range(len(strokes)) if owned[k] != BOTH and (k < len(sketch.strokes) or owned[k])]
-    for k, tip in tips.items():  # a shaft that ends within its head is drawn up to the tip
+    for k, tip in _reached(strokes, owned, tips).items():
         strokes[k] = (strokes[k][0], tip) if owned[k] > 0 else (tip, strokes[k][1])
     sketch.strokes = [strokes[k] for k in kept]
     sketch.ways, sketch.short = [owned[k] for k in kept], []
     _join(sketch)
+
+
+def _reached(strokes: Sequence[Stroke], owned: Sequence[int], tips: dict[int, complex]) -> dict[int, complex]:
+    """Tips up to which shafts that end within their heads are drawn: all, unless heads stand out beyond the places
+    that are meant, where other strokes end as these do."""
+    if len(strokes) > MOST_JOINED:
+        return tips
+    ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
+
+    def met(k: int, z: complex) -> bool:
+        return any(abs(z - w) < SAME_MM for j, w in ends if j != k)
+
+    beyond = sum(met(k, strokes[k][owned[k] > 0]) - met(k, tip) for k, tip in tips.items())
+    return {} if beyond > 0 else tips
+
+
+def _once(heads: Sequence[Arrowhead]) -> list[Arrowhead]:
+    """The heads without those drawn twice."""
+    found: dict[tuple[int, int], list[Arrowhead]] = {}
+    for head in heads:
+        near = found.setdefault((round(head.tip.real), round(head.tip.imag)), [])
+        if all(abs(head.tip - h.tip) > AGAIN_MM or abs(head.way - h.way) > AGAIN for h in near):
+            near.append(head)
+    return [head for near in found.values() for head in near]
 
 
 def _join(sketch: ReadDrawing) -> None:
@@ -99,21 +162,31 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[i
     ends = numpy.array(strokes, complex).reshape(-1, 2)
     reach = [max(NEAR_MM, 2 * head.length) for head in heads]
     near = [numpy.flatnonzero(abs(ends - h.tip).min(axis=1) < far) for h, far in zip(heads, reach, strict=True)]
-    wanted = [(_candidates(strokes, head, held), head.tip) for head, held in zip(heads, near, strict=True)]
-    wanted.sort(key=lambda w: len(w[0]))
-    for candidates, tip in wanted:
-        free = [(far + 5 * (found[k] != 0), k, way) for far, k, way in candidates if found[k] in (0, -way)]
+    wanted = [
+        [(*one, turned.tip) for turned in _turns(head) for one in _candidates(strokes, turned, held)]
+        for head, held in zip(heads, near, strict=True)
+    ]
+    for candidates in sorted(wanted, key=len):
+        free = [(far, k, way, tip) for far, k, way, tip in candidates if not found[k]]
+        free = free or [one for one in candidates if found[one[1]] == -one[2] and one[0] < BOTH_FAR]
         if free:
-            far, k, way = min(free)
+            far, k, way, tip = min(free, key=lambda one: one[:3])
             found[k] = BOTH if found[k] else way
             tips |= {k: tip} if far < 0 else {}
     return found, tips
 
 
+def _turns(head: Arrowhead) -> Iterator[Arrowhead]:
+    """A head; one of equal sides whichever way its stroke may show it to point."""
+    middle = head.tip - head.way * head.length * 2 / 3
+    for turn in TURNS if head.even else TURNS[:1]:
+        yield head._replace(tip=middle + (head.tip - middle) * turn, way=head.way * turn) if turn != 1 else head
+
+
 def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int]) -> list[tuple[float, int, int]]:
     """Ends of the strokes ``held`` a head may belong to: how far it is (less than nothing if within it), which stroke,
     which end."""
-    tip, way, long = head
+    tip, way, long, _ = head
     found = []
     for k in map(int, held):
         a, b = strokes[k]
@@ -134,8 +207,10 @@ def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrow
     spread = [(head, wings, far) for wings in pairs for head, far in _spread(*wings)]
     found = []
     for head, wings, far in spread if len(strokes) * len(spread) <= MOST_PAIRS else ():
-        longer = [s for s in strokes if s not in wings and abs(s[1] - s[0]) > 1.3 * far]
-        if _candidates(longer, head, range(len(longer))):
+        others = [s for s in strokes if s not in wings]
+        ends = _candidates(others, head, range(len(others)))
+        lengths = ((off, abs(others[k][1] - others[k][0]) / far) for off, k, _ in ends)
+        if any(long > LONGER or (long > SHORTER and off < EXACT) for off, long in lengths):
             found.append((head, wings))
     return found
 

@@ -12,9 +12,10 @@ from typing import TypeVar
 
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.polygons import loads_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.readable import readable
-from planes.check.reading.chains import SURELY_MM, WIDE, alongside, back_and_forth, true_vectors
+from planes.check.reading.chains import MOST_LINES, SURELY_MM, WIDE, ahead_of, alongside, back_and_forth, true_vectors
 from planes.check.reading.lone_vectors import arrows_of
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
@@ -23,6 +24,7 @@ from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of
 
 REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough
+DRAWN_MM = 0.3  # nobody draws a shorter vector
 SHARE = 0.015  # of a vector's length, by which it may be off besides
 FARTHEST_MM = 2 * NEAR_WORD_MM  # where marks crowd their names stand farther off
 UNLIKE = math.log(2)  # of lengths
@@ -35,7 +37,7 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     """The marks of a motion plan or a scheme; none where it is not drawn whole and rightly."""
     truth = bench.true_marks
     scheme = kind_of(bench.asked.plan) == "position"
-    arrows = [] if scheme else arrows_of(sketch)
+    arrows = [] if scheme else arrows_of(sketch) or sketch.strokes[:MOST_LINES]
     tips = [z for z, _ in sketch.rounds] if scheme else [z for arrow in arrows for z in arrow]
     names = bench.names
     words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
@@ -76,17 +78,25 @@ def vectors_named(
         far = min((w.beside(stroke) for n, w in words if n == name), default=0.0)
         return far if far <= FARTHEST_MM else math.inf
 
-    bare = [way for s in (*sketch.strokes, *sketch.short) for way in (s, s[::-1]) if abs(s[1] - s[0]) < 2 * REACH_MM]
+    free = [s for s in (*sketch.strokes, *sketch.short) if not arrows or abs(s[1] - s[0]) < 2 * REACH_MM]
+    if not arrows and (len(free) > MOST_LINES or not _ring(free)):
+        return nothing
+    bare = [way for s in free for way in (s, s[::-1])]
     rows: dict[str, Stroke] = {}
-    for name, true in sorted(sides.items(), key=lambda side: -abs(side[1])):
+    undrawn, known_before, written = set[str](), loads_of(bench.plans, bench.asked.plan), {n for n, _ in words}
+    for name, true in sorted(sides.items(), key=lambda side: (side[0] not in written, -abs(side[1]))):
         like = [s for s in (*arrows, *bare) if _alike(s, true)]
-        like = [s for s in like if s not in rows.values()] or [s for s in like if 0 < word(name, s) <= NEAR_WORD_MM]
+        like = [s for s in like if not {s, s[::-1] if s in bare else s} & {*rows.values()}] or [
+            s for s in like if 0 < word(name, s) <= NEAR_WORD_MM
+        ]
         if like:
             rows[name] = min(like, key=lambda s: (round(min(word(name, s), 1e3)), abs(s[1] - s[0] - true)))
-        elif abs(true) > SHORT_MM:
+        elif abs(true) > SHORT_MM and (name in written or name in known_before):
             return nothing
+        elif abs(true) > SHORT_MM or abs(true) < DRAWN_MM:
+            undrawn.add(name)  # an inner reaction need not be drawn
     known = [*sides.values(), *beside]
-    over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows for t in [_like(s, known)])
+    over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows or free for t in [_like(s, known)])
     over = over or any(_upon(rows[one], rows[two]) for one, two in combinations(rows, 2))
 
     def nearer(one: str, two: str) -> float:
@@ -99,7 +109,13 @@ def vectors_named(
     if over or not named(rows, rows, word, nearer):
         return nothing
     spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
-    return ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))
+    return ReadPaper(sketch.file, spots, whole=len(rows) + len(undrawn) == len(sides))
+
+
+def _ring(strokes: Sequence[Stroke]) -> bool:
+    """Whether every stroke begins and ends where others do."""
+    ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
+    return all(any(abs(z - w) < REACH_MM for j, w in ends if j != k) for k, z in ends)
 
 
 def _alike(stroke: Stroke, true: complex) -> bool:
@@ -152,23 +168,33 @@ def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
 
 
 def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
-    """Of two vectors there and back that the words do not tell apart, each by the name that a mistake explains."""
-    names = bench.written(true_vectors(bench))
+    """Of two vectors there and back that the words do not tell apart, each by the name it has if all is right, then by
+    the one that a mistake explains; which of the two may be so is told, unless they stand in the plan's order."""
+    order = list(true_vectors(bench))
+    names = bench.written(order)
     words = [(names.find(w.text), w) for w in sketch.words]
     strokes = {k: (one.place, two.place) for k, (one, two) in enumerate(pairwise(paper.spots), 1) if two.name != POLE}
 
     def word(name: str, k: int) -> float:
         return min((w.beside(strokes[k]) for n, w in words if n == name), default=FARTHEST_MM)
 
+    def ahead(k: int) -> float:
+        return max((ahead_of(w, strokes[k]) for n, w in words if n == paper.spots[k].name), default=0.0)
+
     for i, j in combinations(strokes, 2):
         one, two = paper.spots[i].name, paper.spots[j].name
         doubt = abs(word(one, i) + word(two, j) - word(one, j) - word(two, i)) < SURELY_MM
-        if doubt and back_and_forth(*strokes[i], *strokes[j], WIDE):
-            spots = list(paper.spots)
-            spots[i], spots[j] = replace(spots[i], name=two), replace(spots[j], name=one)
-            other = replace(paper, spots=spots)
-            if not is_right(bench, other) and worth(bench, other) > worth(bench, paper):
-                paper = other
+        if not doubt or not back_and_forth(*strokes[i], *strokes[j], WIDE):
+            continue
+        spots = list(paper.spots)
+        spots[i], spots[j] = replace(spots[i], name=two), replace(spots[j], name=one)
+        other, right = replace(paper, spots=spots), is_right(bench, paper)
+        in_order = {one, two} <= {*order} and order.index(two) < order.index(one)
+        silent = not ahead(i) and not ahead(j)
+        if not right and (silent or in_order) and is_right(bench, other):
+            paper = replace(other, untold=[] if silent and in_order else [one, two])
+        elif not right and not is_right(bench, other) and worth(bench, other) > worth(bench, paper):
+            paper = other
     return paper
 
 

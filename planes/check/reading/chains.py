@@ -18,6 +18,7 @@ NAMED_UNLIKE = 3.0  # what is written counts for more than what is likely
 SURELY_MM = 0.5  # of two vectors there and back a name is that of the one so much nearer
 NARROW, WIDE = 0.1, 0.2  # of their length, how far apart the ends of two vectors there and back may be
 TIP = 8.0  # of two vectors upon each other a name belongs to the one whose tip is nearer
+MIDDLE = 0.21  # unless it stands so near the middle of both, in lengths
 LONGEST = 26  # vectors in a polygon
 MOST_LINES = 4 * LONGEST
 ENOUGH = 0.4  # of how well a polygon may fit, for no line of it to be split
@@ -110,13 +111,20 @@ def beside(words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], known: N
             continue
         for edge in edges:
             for end, (a, b) in ((edge.end, edge.drawn), (edge.start, edge.drawn[::-1])):
-                far, short = min((word.distance(a + (b - a) * t / 8), 1 - t / 8) for t in range(1, 8))
-                if far <= NEAR_MM:
+                if (far := word.beside((a, b))) <= NEAR_MM:
                     middle = abs((a + b) / 2 - word.place) / max(abs(b - a), 5.0)
-                    upon = TIP * (short - 0.5) if any(_there_and_back(nodes, edge, e) for e in edges) else 0.0
-                    cost, costs = far + 2 * min(middle, 1.0) + upon, found.setdefault(name, {})
+                    upon = any(_there_and_back(nodes, edge, e) for e in edges)
+                    cost = far + 2 * min(middle, 1.0) - upon * TIP * ahead_of(word, (a, b))
+                    costs = found.setdefault(name, {})
                     costs[edge, end] = min(cost, costs.get((edge, end), cost))
     return found
+
+
+def ahead_of(word: Words, stroke: Stroke) -> float:
+    """How far ahead of the middle of a vector a word stands, in its lengths; nothing where it is too near to tell."""
+    a, b = stroke
+    ahead = min(max(((word.middle - a) / (b - a)).real, 0.0), 1.0) - 0.5
+    return ahead if abs(ahead) > MIDDLE else 0.0
 
 
 def _there_and_back(nodes: Nodes, one: Edge, two: Edge) -> bool:

@@ -6,6 +6,7 @@ mistake of the catalogue; what is nowhere stays unread.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
@@ -13,7 +14,7 @@ from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_named, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.construction_lines import covered, vectors_of
-from planes.check.reading.lone_vectors import lone_vectors, others
+from planes.check.reading.lone_vectors import HEADLESS_MM, lone_vectors, others
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
 from planes.words import Phrase
@@ -54,7 +55,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         sides, beside = true_vectors(bench), others(bench)
         known = bench.written({**beside, **sides})
         sketch.words = led_to_vectors(sketch, dots, known) if headed(sketch) else sketch.words
-        found = vectors_named(sketch, bench, sides, beside.values())
+        drawn = sketch.only(vectors) if vectors and not headed(sketch) else sketch
+        found = vectors_named(drawn, bench, sides, beside.values())
         return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)
     sketch = _joined(sketch, nodes)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
@@ -64,12 +66,21 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if origin is None:
         return paper
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
-    found = marks_as_planned(sketch, bench, near, poles)
+    told = kind == "position" or POLE in near or bool(headed(sketch))
+    drawn = sketch.only(vectors) if vectors and not headed(sketch) else sketch
+    found = marks_as_planned(drawn, bench, near, poles)
     if found.spots:
-        return found
+        return replace(found, pole_told=told)
+    paper.pole_told = told
     places = _marks(bench, sketch, nodes, origin, near)
     paper.spots = [ReadMark(POLE, origin, sketch.error_mm)]
     paper.spots += [ReadMark(n, places[n], sketch.error_mm) for n in labels if n in places]
+    tips = [stroke[way > 0] for stroke, way in zip(sketch.strokes, sketch.ways, strict=False) if way]
+    if any(all(abs(z - w) > APART_MM for w in (origin, *places.values())) for z in tips):  # one is another mark's
+        upon = {
+            n for one, two in combinations(places, 2) if abs(places[one] - places[two]) < APART_MM for n in (one, two)
+        }
+        paper.untold = [n for n in labels if n in upon and n not in near]
     return paper
 
 
@@ -81,10 +92,14 @@ def _joined(sketch: ReadDrawing, nodes: Nodes) -> ReadDrawing:
 def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     """The vectors of a force plan: as the chain they make up, else each by its arrowhead and name."""
     paper = force_chain(_joined(sketch, nodes), nodes, bench, paper)
+    heads = headed(sketch)
+    loose = (abs(b - a) < HEADLESS_MM for k, (a, b) in enumerate(sketch.strokes) if k not in heads)
+    paper.whole = paper.whole and not (heads and any(loose))  # what is so short may be a vector all the same
     if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
         rows, every = lone_vectors(sketch, bench)
         lone, named = replace(paper, spots=rows, whole=every), sum(not s.name.startswith("?") for s in paper.spots[1:])
-        if every or 2 * named <= len(rows) or worth(bench, lone) > worth(bench, paper):
+        all_chained = named == len(paper.spots) - 1 == len(headed(sketch))  # one that no name fits is then no other's
+        if every or 2 * named <= len(rows) or (not all_chained and worth(bench, lone) > worth(bench, paper)):
             paper = lone
     names = bench.written(true_vectors(bench))
     told = headed(sketch) or any((names.find(w.text) or POLE) != POLE for w in sketch.words)

@@ -10,12 +10,13 @@ import pypdfium2
 import pypdfium2.raw as pdf
 
 from planes.check.reading.opened import LARGEST, contents
+from planes.check.reading.parts import joined
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import sketch_of
 
 MOST = 60_000  # objects of a page
 DEEPEST = 15  # forms within forms
-FEWEST = 4  # with fewer lines the page is a picture
+FEWEST = 4  # with fewer lines a page that shows an image, too, is a picture
 PICTURE = 0.5  # an image over so much of the page is what the page shows
 
 
@@ -28,7 +29,10 @@ def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
         return None
     try:
         root = _tree(document[page]) if 0 <= page < len(document) else None
-        return None if root is None else sketch_of(root, str(path))
+        found = None if root is None else sketch_of(root, str(path))
+        if found:
+            found.words = joined(found.words)
+        return found
     finally:
         document.close()
 
@@ -39,7 +43,7 @@ def _tree(page: Any) -> ElementTree.Element | None:
     root = ElementTree.Element("svg", width=f"{width}pt", height=f"{height}pt", viewBox=f"0 0 {width} {height}")
     box = page.get_mediabox()
     turned = ElementTree.SubElement(root, "g", transform=f"matrix(1 0 0 -1 {-box[0]} {box[3]})")
-    words, count = page.get_textpage(), 0
+    words, count, shows = page.get_textpage(), 0, False
     for thing, _ in zip(page.get_objects(max_depth=DEEPEST), range(MOST), strict=False):
         if thing.type == pdf.FPDF_PAGEOBJ_PATH:
             count += _path(turned, thing)
@@ -49,17 +53,18 @@ def _tree(page: Any) -> ElementTree.Element | None:
             left, low, right, high = thing.get_bounds()
             if (right - left) * (high - low) > PICTURE * width * height:
                 return None
-    return root if count >= FEWEST else None
+            shows = True
+    return root if count >= (FEWEST if shows else 1) else None
 
 
 def _path(root: ElementTree.Element, thing: Any) -> bool:
-    """A path with its looks; whether it is stroked."""
+    """A path with its looks; whether it shows."""
     fill, stroke = ctypes.c_int(), ctypes.c_int()
     pdf.FPDFPath_GetDrawMode(thing, fill, stroke)
     looks = {"stroke": "#000" if stroke.value else "none", "fill": "#000" if fill.value else "none"}
     matrix = "matrix({})".format(" ".join(map(str, thing.get_matrix().get())))
     ElementTree.SubElement(root, "path", looks, d=" ".join(_pieces(thing)), transform=matrix)
-    return bool(stroke.value)
+    return bool(stroke.value or fill.value)
 
 
 def _pieces(thing: Any) -> Iterator[str]:

@@ -28,11 +28,12 @@ CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
 class Arrowhead(NamedTuple):
-    """An arrowhead: its tip, the unit way it points, and how far back from its tip it is filled."""
+    """An arrowhead: its tip, its way, how far back it is filled; if its sides are ``even`` any corner may be so."""
 
     tip: complex
     way: complex
     length: float = 0.0
+    even: bool = False
 
 
 @dataclass(frozen=True)

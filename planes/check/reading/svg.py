@@ -1,12 +1,13 @@
 """Strokes and words of an SVG file as drawing programs write it: nested transforms, paths, polylines, symbols."""
 
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree
 
 from fontTools.misc.transform import Transform
 
-from planes.check.reading.arrowheads import head_of, settle
+from planes.check.reading.arrowheads import figure_of, settle
 from planes.check.reading.opened import LARGEST as LARGEST_PICTURE
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, without_letters
@@ -115,16 +116,17 @@ class _Reader:
         for circle in (one.circle for one in parts):
             if circle:
                 self._round(m, *circle)
-        heads = [h for one in parts if one.closed and (h := head_of([_at(m, z) for z in one.corners]))]
-        self.sketch.heads += heads
-        for points, closed in (line for one in parts for line in one.lines()) if not heads else ():
+        figures = [f for one in parts if one.closed and (f := figure_of([_at(m, z) for z in one.corners]))]
+        for points, closed in (line for one in parts for line in one.lines()) if not figures else ():
             places = [_at(m, z) for z in points]
-            head = head_of(places) if closed or solid else None
-            if head:
-                self.sketch.heads.append(head)
+            if figure := figure_of(places) if closed or solid else None:
+                figures.append(figure)
             elif not solid:
                 self.sketch.add(places, closed)
                 self._markers(places, looks)
+        for shaft, head in figures:
+            self.sketch.heads.append(head)
+            self.sketch.add(shaft)
 
     def _round(self, m: Transform, middle: complex, radius: float) -> None:
         """A small circle."""
@@ -140,11 +142,11 @@ class _Reader:
                 self.sketch.heads.append(Arrowhead(tip, (tip - before) / abs(tip - before)))
 
     def _text(self, e: ElementTree.Element, m: Transform, looks: Looks) -> None:
-        text = "".join(e.itertext()).strip()
+        text = re.sub(r"[ \t\r\n]+", " ", "".join(e.itertext())).strip()
         first = next((c for c in e.iter() if c.get("x")), e)
         m = m.transform(transform_of(first.get("transform") or "")) if first is not e else m
         pieces = [c for c in e.iter() if c.get("x") and (c.text or "").strip()] or [first]
-        if pieces != [first] and "".join(c.text or "" for c in pieces).replace(" ", "") == text.replace(" ", ""):
+        if pieces != [first] and "".join("".join(c.text or "" for c in pieces).split()) == text.replace(" ", ""):
             boxes = [_box(c, c.text or "", _size(looks_of(c, self.rules), looks)) for c in pieces]
         else:
             boxes = [_box(first, text, _size(looks_of(first, self.rules), looks))]
