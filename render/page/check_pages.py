@@ -9,9 +9,10 @@ from collections.abc import Mapping, Sequence
 
 from planes.check.report.class_rows import UNSURE, ClassRow
 from planes.words import Lang, say, under
+from planes.words.lettering import Naming
 from planes.words.records import Json
 from render.page import web_page
-from render.paper.letters import written
+from render.paper.letters import split, written
 
 SCRIPTS = ("figure", "tape", "judge", "check")
 LAYERS = ("own", "next", "truth", "picture")
@@ -103,21 +104,30 @@ def class_page(
         "absent": f"<p>{e(absent)}</p>" if absent else "",
         "common": f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else "",
         "head": cells,
-        "rows": "".join(_row(number, row, told) for number, (row, told) in enumerate(rows)),
+        "rows": "".join(_row(number, row, told, lang) for number, (row, told) in enumerate(rows)),
     }
     body, style = web_page.filled(web_page.part("class.html"), parts), web_page.part("check.css", "class.css")
     return web_page.page(title, lang, style, body, code=web_page.part("class.js"))
 
 
-def _row(number: int, row: ClassRow, cells: Sequence[str]) -> str:
+def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang) -> str:
     """A drawing: its name with a small picture, its cells, and windows about its wrong places."""
     name, *rest = (html.escape(c) for c in cells)
-    if rest:
-        rest[-1] += "".join(place_picture(place, f"{number}-{k}") for k, place in enumerate(row.places))
+    if row.first:
+        rest = [_lettered(row.first, lang) if c == html.escape(row.first) else c for c in rest]
+    if rest and row.places:
+        places = "".join(place_picture(place, f"{number}-{k}") for k, place in enumerate(row.places))
+        rest[-1] += f'<div class="places">{places}</div>'
     told = "".join(f"<td>{c}</td>" for c in rest)
     small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
     kind = f"{row.verdict} unsure" if row.rank == UNSURE else row.verdict
     return f'<tr class="{kind}"><th scope="row">{_linked(name + small, row.link)}</th>{told}</tr>\n'
+
+
+def _lettered(name: str, lang: Lang) -> str:
+    """A mark's name with its indices, as reports have it."""
+    pieces = ((p, html.escape(p.text)) for p in split(Naming(lang).named(name), True))
+    return "".join(f"<{p.shift}>{text}</{p.shift}>" if p.shift else f"<i>{text}</i>" for p, text in pieces)
 
 
 def _linked(name: str, link: str) -> str:
