@@ -6,8 +6,9 @@ mistake of the catalogue; what is nowhere stays unread.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
+from planes.check.grading.grading import NAMELESS
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
@@ -102,11 +103,14 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
         if every or 2 * named <= len(rows) or (not all_chained and worth(bench, lone) > worth(bench, paper)):
             paper = lone
     names = bench.written(true_vectors(bench))
-    told = headed(sketch) or any((names.find(w.text) or POLE) != POLE for w in sketch.words)
-    if paper.spots and not told and not is_right(bench, paper):  # any figure of lines would do
+    told = any((names.find(w.text) or POLE) != POLE for w in sketch.words)
+    if paper.spots and not told and not is_right(bench, paper):  # whose name is whose is guessed
         paper.spots = []
         paper.notes.append(Phrase("check_force_unsure"))
-    return told_apart(sketch, bench, paper)
+    paper = told_apart(sketch, bench, paper)
+    over = (one.name for one, two in pairwise(paper.spots) if two.name.startswith(NAMELESS))  # it may run on as that
+    paper.untold += [n for n in over if n != POLE and not n.startswith(NAMELESS)]
+    return paper
 
 
 def _marks(
