@@ -46,9 +46,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if not nodes.places:
         paper.notes.append(Phrase("check_no_lines"))
         return paper
-    labels = [label_of(m) for m in bench.marks]
     near = by_words([*sketch.words, *led(sketch, nodes)], nodes, bench.names)
-    first = len(sketch.rounds) if len(sketch.rounds) >= len(labels) else nodes.corners if vectors else None
+    first = len(sketch.rounds) if len(sketch.rounds) >= len(bench.marks) else nodes.corners if vectors else None
     if first is not None:  # where marks are told from where lines merely cross or end
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
@@ -63,12 +62,20 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
+    drawn = sketch.only(vectors) if vectors and not headed(sketch) else sketch
+    return _plan_of_marks(sketch, drawn, nodes, bench, near, paper)
+
+
+def _plan_of_marks(
+    sketch: ReadDrawing, drawn: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candidates, paper: ReadPaper
+) -> ReadPaper:
+    """The marks of a plan of motion or a scheme; ``drawn`` are its vectors alone, where these are told."""
+    labels = [label_of(m) for m in bench.marks]
     origin = start_of(sketch, nodes, bench, near)
     if origin is None:
         return paper
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
-    told = kind == "position" or POLE in near or bool(headed(sketch))
-    drawn = sketch.only(vectors) if vectors and not headed(sketch) else sketch
+    told = kind_of(bench.asked.plan) == "position" or POLE in near or bool(headed(sketch))
     found = marks_as_planned(drawn, bench, near, poles)
     if found.spots:
         return replace(found, pole_told=told)
@@ -78,10 +85,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     paper.spots += [ReadMark(n, places[n], sketch.error_mm) for n in labels if n in places]
     tips = [stroke[way > 0] for stroke, way in zip(sketch.strokes, sketch.ways, strict=False) if way]
     if any(all(abs(z - w) > APART_MM for w in (origin, *places.values())) for z in tips):  # one is another mark's
-        upon = {
-            n for one, two in combinations(places, 2) if abs(places[one] - places[two]) < APART_MM for n in (one, two)
-        }
-        paper.untold = [n for n in labels if n in upon and n not in near]
+        upon = [pair for pair in combinations(places, 2) if abs(places[pair[0]] - places[pair[1]]) < APART_MM]
+        paper.untold = [n for n in labels if n not in near and any(n in pair for pair in upon)]
     return paper
 
 
@@ -96,10 +101,10 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
     heads = headed(sketch)
     loose = (abs(b - a) < HEADLESS_MM for k, (a, b) in enumerate(sketch.strokes) if k not in heads)
     paper.whole = paper.whole and not (heads and any(loose))  # what is so short may be a vector all the same
-    if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
+    if not paper.whole and 0 < len(heads) <= MOST_LINES:
         rows, every = lone_vectors(sketch, bench)
         lone, named = replace(paper, spots=rows, whole=every), sum(not s.name.startswith("?") for s in paper.spots[1:])
-        all_chained = named == len(paper.spots) - 1 == len(headed(sketch))  # one that no name fits is then no other's
+        all_chained = named == len(paper.spots) - 1 == len(heads)  # one that no name fits is then no other's
         if every or 2 * named <= len(rows) or (not all_chained and worth(bench, lone) > worth(bench, paper)):
             paper = lone
     names = bench.written(true_vectors(bench))
