@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache, reduce
+from functools import lru_cache
 
 import numpy
 
@@ -36,7 +36,6 @@ class Stacking:
     module: Module
     sizes: dict[Size, int] = field(default_factory=dict)
     highs: dict[Piece, Array] = field(default_factory=dict, repr=False)
-    shares: dict[Piece, tuple[Array, Array]] = field(default_factory=dict, repr=False)
     prices: dict[Piece, Array] = field(default_factory=dict, repr=False)
     broken: dict[tuple[Piece, tuple[float, ...]], Array] = field(default_factory=dict, repr=False)
 
@@ -50,27 +49,15 @@ class Stacking:
         return tuple(self.sizes[size] for size in sizes)
 
     def high(self, piece: Piece) -> Array:
-        """How high views are at the least, by the units they may span."""
+        """How high views are at the least, by the units they may span: two parts beneath each other, or beside each other."""
         found = self.highs.get(piece)
         if found is None:
-            cuts = [(piece[:k], piece[k:]) for k in range(1, len(piece))]
-            found = self.highs[piece] = reduce(numpy.minimum, [self._two(*cut) for cut in cuts])
+            first = numpy.stack([self.high(piece[:k]) for k in range(1, len(piece))])
+            second = numpy.stack([self.high(piece[k:]) for k in range(1, len(piece))])
+            whole, part = _shares(first.shape[1])
+            beside = numpy.maximum(first[:, part], second[:, whole]).min(axis=2)
+            found = self.highs[piece] = numpy.minimum(first + GAP_MM + second, beside).min(axis=0)
         return found
-
-    def _two(self, first: Piece, second: Piece) -> Array:
-        """How high two parts are at the least, beneath each other or beside each other."""
-        beneath = self.high(first) + GAP_MM + self.high(second)
-        beside = numpy.maximum(self._shared(first)[0], self._shared(second)[1]).min(axis=1)
-        found: Array = numpy.minimum(beneath, beside)
-        return found
-
-    def _shared(self, piece: Piece) -> tuple[Array, Array]:
-        """How high a piece is with each share of each number of units, as the first part and as the second."""
-        if piece not in self.shares:
-            high = self.high(piece)
-            whole, part = _shares(len(high))
-            self.shares[piece] = high[part], high[whole]
-        return self.shares[piece]
 
     def rows(self, piece: Piece, span: int) -> list[Piece]:
         """The parts of a piece that stand beneath each other."""

@@ -89,7 +89,7 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.parametrize("convention", ["mm_per_unit", "unit_per_mm"])
 def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: Convention) -> None:
-    """Schemes with loads, groups and links apart and the lever too; diagrams have their own, written alike."""
+    """Groups and links apart and the lever too; diagrams and the scheme with loads have their own, written alike."""
     scene = Scene(**{**vars(SCENES[name]), "sheet": {**SCENES[name].sheet, "mu_convention": convention}})
     drawn = placed(scene, None, "ru")
     still = drawn.plans.at_rest
@@ -97,7 +97,7 @@ def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: 
         sheet = sheet_of(scene, None, "ru", number)
         for key, title in ((v.key, v.title) for v, *_ in sheet.views if " = " in v.title):
             plan = OF_PLAN.get(key, key)
-            if (mu := drawn.scales.get(mu_of(plan))) and not (key == "lever" and still):
+            if (mu := drawn.scales.get(mu_of(plan))) and key != "loaded" and not (key == "lever" and still):
                 assert title.endswith(decimal(mu_text(mu, kind_of(plan), "ru", convention), "ru")), (key, title, mu)
         written = [text for text in texts(sheet) if "μ" in text]
         assert written and all(bool(PER_UNIT.search(t)) is (convention == "mm_per_unit") for t in written), written

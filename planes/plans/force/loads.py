@@ -105,7 +105,7 @@ class Acting:
         return Loads(self.forces, self.couples, self.laws.said, self.motion)
 
     def _weight(self, link: Link) -> None:
-        if link.mass is None or not self.bodies.mechanism.gravity:
+        if link.mass is None or self.bodies.mechanism.gravity is None:
             return
         d = self.bodies.draft
         gravity, mass = d.give("g", self.bodies.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
