@@ -49,7 +49,7 @@ class Stacking:
         return tuple(self.sizes[size] for size in sizes)
 
     def high(self, piece: Piece) -> Array:
-        """How high views are at the least, by the units they may span: two parts beneath each other, or beside each other."""
+        """How high views are at the least, by the units they may span: two parts beneath or beside each other."""
         found = self.highs.get(piece)
         if found is None:
             first = numpy.stack([self.high(piece[:k]) for k in range(1, len(piece))])
