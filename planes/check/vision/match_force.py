@@ -31,7 +31,7 @@ NAMED = 1.5  # how much more a polygon may cost for each vector by which its nam
 UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
 APART = 5.0  # by how much a right polygon is dearer where it is out of the question
 # a mistake that costs so little more than the right plan leaves in doubt what it moves so far
-RIVAL, APART_MM = 2.0, 0.8
+RIVAL, APART_MM = 1.0, 0.8
 
 
 @dataclass
