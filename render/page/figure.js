@@ -136,7 +136,8 @@ class Figure { // millimetres y up -> pixels y down
         if (d < tall + 3) cost += (tall + 3 - d) / tall;
       }
     }
-    return x - half < 2 || x + half > this.w - 2 || y - tall < 2 || y + tall > this.h - 2 ? cost + 6 : cost;
+    const over = Math.max(half - x, x + half - this.w, tall - y, y + tall - this.h); // what is cut off nobody reads
+    return over > 0 ? cost + 2 * UPON : over > -2 ? cost + 6 : cost;
   }
   settle() { // labels upon one another are placed again, now that all are there
     for (let round = 0; round < ROUNDS; round++) {
