@@ -103,7 +103,8 @@ def vectors_named(
         third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room
         if third == 2 and alongside(*rows[one], *rows[two]):
             return SURELY_MM
-        unlike = abs(math.log(abs(sides[one]) / abs(sides[two]))) > UNLIKE  # nobody takes one for the other
+        a, b = (max(abs(sides[n]), DRAWN_MM) for n in (one, two))
+        unlike = abs(math.log(a / b)) > UNLIKE  # nobody takes one for the other
         return EXCHANGED_MM if unlike else VECTORS_MM
 
     if over or not named(rows, rows, word, nearer):

@@ -30,8 +30,10 @@ MOST_CORNERS = 12  # of a polygon, at which it may begin
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
 UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
 APART = 5.0  # by how much a right polygon is dearer where it is out of the question
-# a mistake that costs so little more than the right plan leaves in doubt what it moves so far
+# a mistake that costs so little more than the right plan leaves in doubt what it moves so far; where all lie in one line,
+# so that any order leaves the same ink and letters alone tell
 RIVAL, APART_MM = 1.0, 0.8
+IN_LINE, ASLANT = 3.0, 0.1  # of its length, how far a vector may lead out of that line
 
 
 @dataclass
@@ -85,13 +87,20 @@ class LaidPolygon:
         """Known vectors, rightly laid, that some mistake puts elsewhere and explains the ink nearly as well."""
         if self.plain is None:
             return ()
-        pole, most = self.polygon.pole.z, self.plain.cost + RIVAL
-        drawn, found = self.plain.vectors(pole), set[str]()
+        pole, found = self.polygon.pole.z, set[str]()
+        drawn = self.plain.vectors(pole)
+        most = self.plain.cost + (IN_LINE if in_line([*drawn.values()]) else RIVAL)
         for guess in self.wrong:
             rival = self.polygon.lay(guess, most) if guess.cost < most else None
             others = rival.vectors(pole) if rival else {}
             found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}
         return tuple(n for n in self.right.known if n in found or self.polygon.endless)
+
+
+def in_line(vectors: Sequence[complex]) -> bool:
+    """Whether vectors lie in one line."""
+    longest = max(vectors, key=abs)
+    return all(abs((v * longest.conjugate()).imag) <= ASLANT * abs(v * longest) for v in vectors)
 
 
 def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
