@@ -30,7 +30,8 @@ MOST_CORNERS = 12  # of a polygon, at which it may begin
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
 UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
 APART = 5.0  # by how much a right polygon is dearer where it is out of the question
-RIVAL, APART_MM = 1.0, 0.8  # a mistake that costs so little more than the right plan leaves in doubt what it moves so far
+# a mistake that costs so little more than the right plan leaves in doubt what it moves so far
+RIVAL, APART_MM = 1.0, 0.8
 IN_LINE, ASLANT = 3.0, 0.1  # the same where all lie in one line (so far aslant, of a length), and letters alone tell
 
 
