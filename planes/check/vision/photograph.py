@@ -182,6 +182,8 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
     for start in [*starts, *(likely_poles(seen) if guessed and find is marks_on and not force else ())]:
         spots, explained = find(bench, seen, start)
         known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
+        if start != near:
+            explained = min(explained, EXPLAINED)  # on a sheet of another size a plan may tell its pole
         best = max(best, Look(flat, start if known else 0j, spots, False, explained), key=lambda look: look.explained)
         if known:
             break
