@@ -17,6 +17,7 @@ from planes.words.lettering import plan_phrase
 from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.records import Described
 
+ASTRAY_MM = 4.0  # what is so far from where the steps before it lead is not called right, though errors may lead there
 STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
 
 
@@ -80,12 +81,15 @@ class Outcome(Described):
 
     @property
     def unseen(self) -> list[str]:
-        """Marks of the plan that nobody has looked at, or that may as well be drawn with a mistake."""
+        """Marks of the plan that nobody has looked at, or that may as well be drawn with a mistake; so may those that
+        are far from where the steps before them lead, if these hardly tell where that is."""
         if self.grading is None or self.unreadable:
             return []
+        misses = {} if self.wrong else self.grading.judgement.misses
+        far = (label_of(m) for m, miss in misses.items() if abs(miss.off) > ASTRAY_MM)
         untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
         closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
-        return list(dict.fromkeys([*self.grading.unseen, *untold, *closing]))
+        return list(dict.fromkeys([*self.grading.unseen, *untold, *closing, *far]))
 
     def right(self, unseen: str) -> Phrase:
         """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""
