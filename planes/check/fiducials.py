@@ -63,13 +63,20 @@ def pole_place(ends: list[complex]) -> complex:
     start = complex(across, _moved((OTHER_MM, h - OTHER_MM), [z.imag for z in places]))
     steps = range(-MOST_STEPS, MOST_STEPS + 1)
     around = [start + STEP_MM * complex(x, y) for x, y in sorted(product(steps, steps), key=lambda xy: math.hypot(*xy))]
-    printed, e = squares(), 1e-6
+    return next((pole for pole in around if all(_free(pole + z) for z in places)), start)
 
-    def free(z: complex) -> bool:
-        inside = LEFT_MM - e <= z.real <= w - OTHER_MM + e and OTHER_MM - e <= z.imag <= h - OTHER_MM + e
-        return inside and not any(within(z, square, RIM_MM) for square in printed)
 
-    return next((pole for pole in around if all(free(pole + z) for z in places)), start)
+def has_room(ends: list[complex]) -> bool:
+    """Whether a blank has room for a plan with these ends."""
+    pole = pole_place(ends)
+    return all(_free(pole + z) for z in (0j, *ends))
+
+
+def _free(z: complex) -> bool:
+    """Whether a place of a blank may be drawn on."""
+    (w, h), e = SHEET_MM, 1e-6
+    inside = LEFT_MM - e <= z.real <= w - OTHER_MM + e and OTHER_MM - e <= z.imag <= h - OTHER_MM + e
+    return inside and not any(within(z, square, RIM_MM) for square in squares())
 
 
 def _moved(room: tuple[float, float], places: list[float]) -> float:

@@ -16,7 +16,7 @@ from tests.sample_oracle import HIGHER, SKETCHES
 cv2 = pytest.importorskip("cv2")
 from planes.check import Outcome, check  # noqa: E402
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare  # noqa: E402
-from planes.check.vision.photograph import blank_pole, paper_of_picture  # noqa: E402
+from planes.check.vision.photograph import blank_pole, paper_of_picture, roomy  # noqa: E402
 from planes.scene import load  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 from tests.helpers import position_pictures as schemes  # noqa: E402
@@ -25,8 +25,8 @@ from tests.helpers.photographs import PHONE, SCAN, Camera  # noqa: E402
 
 @cache
 def bench(sample: str) -> PreparedPlan:
-    """The scheme at its own scale, told."""
-    free = prepare(Asked(load(SAMPLES / f"{sample}.yaml"), "position"))
+    """The scheme at the scale of its blank, told."""
+    free = roomy(prepare(Asked(load(SAMPLES / f"{sample}.yaml"), "position")))
     return prepare(Asked(free.asked.scene, "position", mu=free.said_mu))
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre, pole_place, squares, within
+from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre, has_room, pole_place, squares, within
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
@@ -210,3 +210,9 @@ def test_a_picture_of_a_blank_is_read_at_the_scale_its_code_tells(tmp_path: Path
     assert check(asked, read_paper(str(file), asked, Known())).verdict == "right"
     own = Asked(SIX, "acceleration", mu=2.0)  # told otherwise, that holds
     assert check(own, read_paper(str(file), own, Known())).verdict != "right"
+
+
+def test_a_scheme_wider_than_its_blank_is_drawn_on_it_at_the_next_scale() -> None:
+    wide = prepare(Asked(load(ROOT / "samples" / "class-three" / "three-basic-links.yaml"), "position"))
+    assert not has_room([*wide.true_marks.values()])
+    assert has_room([*(blank := roomy(wide)).true_marks.values()]) and blank.said_mu == 0.5 * wide.said_mu

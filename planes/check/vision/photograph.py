@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from planes.check.fiducials import OTHER_MM, SHEET_MM, pole_place
+from planes.check.fiducials import OTHER_MM, SHEET_MM, has_room, pole_place
 from planes.check.grading.paper import MISREAD, Box, Known, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
 from planes.check.reading.as_planned import worth
@@ -27,6 +27,7 @@ from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
 from planes.words.names import POLE, Names, kind_of, label_of
 
+SMALLER = 0.99  # of a scale: the next one of the standard is smaller
 ASIDE_MM = 12.0  # how far from a blank's middle its pole tells nobody where the plan goes
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
@@ -223,13 +224,17 @@ def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: s
 
 
 def roomy(bench: PreparedPlan) -> PreparedPlan:
-    """A plan of motion as a blank has it: at the largest standard scale, no larger than the scene's, at which the pole
-    stands in the middle of the sheet, and with it any plan of that size, whichever way it goes."""
-    aside = abs(blank_pole(bench) - pole_place([])) > ASIDE_MM
-    if bench.asked.mu or not aside or kind_of(bench.asked.plan) in ("position", "force"):
+    """A plan as a blank has it: at the largest standard scale, no larger than the scene's, that has room for it there;
+    if of motion, with its pole in the middle of the sheet, for any plan of that size, whichever way it goes."""
+    plan, aside = bench.asked.plan, abs(blank_pole(bench) - pole_place([])) > ASIDE_MM
+    if bench.asked.mu:
         return bench
-    reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
-    return bench.at(fitting(bench.asked.plan, reach, SHEET_MM[1] / 2 - OTHER_MM), told=True)
+    if kind_of(plan) not in ("position", "force"):
+        reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
+        return bench.at(fitting(plan, reach, SHEET_MM[1] / 2 - OTHER_MM), told=True) if aside else bench
+    while not has_room([*bench.true_marks.values()]):
+        bench = bench.at(fitting(plan, 1.0, SMALLER * bench.said_mu), told=True)
+    return bench
 
 
 def blank_pole(bench: PreparedPlan) -> complex:
