@@ -17,7 +17,8 @@ from planes.words.lettering import plan_phrase
 from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.records import Described
 
-ASTRAY_MM = 4.0  # what is so far from where the steps before it lead is not called right, though errors may lead there
+# what is so far, and as far as it is long, from where steps lead is not called right, though errors may be so large
+ASTRAY_MM = 4.0
 STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
 
 
@@ -86,7 +87,7 @@ class Outcome(Described):
         if self.grading is None or self.unreadable:
             return []
         misses = {} if self.wrong else self.grading.judgement.misses
-        far = (label_of(m) for m, miss in misses.items() if abs(miss.off) > ASTRAY_MM)
+        far = (label_of(m) for m, miss in misses.items() if abs(miss.off) > max(ASTRAY_MM, self.grading.laid_mm(m)))
         untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
         closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
         return list(dict.fromkeys([*self.grading.unseen, *untold, *closing, *far]))

@@ -59,8 +59,13 @@ class Grading:
     def _unseen_mm(self) -> dict[str, float]:
         """How long the short forces are that nobody saw, by their marks."""
         absent = [m for m in self.marks if self.rebuilt and label_of(m) in self.rebuilt.absent]
-        found = {label_of(m): _laid_mm(self, self.hand.program.makers[m]) for m in absent}
+        found = {label_of(m): self.laid_mm(m) for m in absent}
         return {m: mm for m, mm in found.items() if ZERO_MM <= mm <= LONG_MM}
+
+    def laid_mm(self, mark: str) -> float:
+        """How long a vector is that is laid off; 0 of what is drawn in another way."""
+        step = self.hand.program.makers[mark]
+        return float(abs(self.truth[mark] - self.truth[step.start])) if isinstance(step, LayOff) else 0.0
 
     @property
     def gap_sigma(self) -> float | None:
@@ -99,7 +104,7 @@ class Grading:
         used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
         for mark in self.marks:
             step = self.hand.program.makers[mark]
-            if isinstance(step, LayOff) and _laid_mm(self, step) > LONG_MM:  # what is short may be there, unseen
+            if isinstance(step, LayOff) and self.laid_mm(mark) > LONG_MM:  # what is short may be there, unseen
                 miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
                 if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
                     return label_of(mark)
@@ -140,7 +145,7 @@ class Grading:
 
     def _upon_another(self, step: Step) -> bool:
         """Whether a mark is another's, or so near to where it is laid off from that no pencil sets them apart."""
-        return isinstance(step, Same) or (isinstance(step, LayOff) and _laid_mm(self, step) < ZERO_MM)
+        return isinstance(step, Same) or (isinstance(step, LayOff) and self.laid_mm(step.makes) < ZERO_MM)
 
     @cached_property
     def _roots(self) -> dict[str, set[str]]:
@@ -215,13 +220,8 @@ def _rescaled(found: Grading) -> bool:
     """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
     if not found.judgement.wrong or kind_of(plan_of(found.marks[0])) != "force":
         return bool(found.judgement.wrong)
-    laid = [m for m in found.judgement.misses if _laid_mm(found, found.hand.program.makers[m]) > LONG_MM]
+    laid = [m for m in found.judgement.misses if found.laid_mm(m) > LONG_MM]
     return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
-
-
-def _laid_mm(found: Grading, step: Step) -> float:
-    """How long a vector is that is laid off; 0 of what is drawn in another way."""
-    return float(abs(found.truth[step.makes] - found.truth[step.start])) if isinstance(step, LayOff) else 0.0
 
 
 def _grade_at(
