@@ -11,7 +11,7 @@ import numpy as np
 
 from planes.accuracy.continuation import Curves, Room
 from planes.geometry.arrays import Array, Booleans, Indices
-from planes.geometry.tracks import Pose, Tie, advanced, origins
+from planes.geometry.tracks import Pose, Tie, advanced, hung_on, origins
 
 SOWN, RIPE = 12, 30  # poses at every place of the grid that assemblies are looked for from, and by how many steps
 MOST = 48  # assemblies of a place
@@ -34,7 +34,7 @@ class Sheets:
         y, x = np.meshgrid(up, across[: self.columns], indexing="ij")
         self.spots = np.array([x.ravel(), y.ravel()])
         self.ties = self.over(*self.spots)
-        self.links = 1 + max(t.link for t in self.ties if t.kind != "hinge")
+        self.links = len(hung_on(self.ties))
         self.poses = np.full((MOST, len(self.spots[0]), 1 + self.links), np.nan, complex)
         self.count = np.zeros(len(self.spots[0]), int)
         self.ends: list[Array] = []  # drive, logarithm and pose from which a sheet does not go on

@@ -4,6 +4,7 @@ The patterns are this project's own; they need no library to print, and OpenCV's
 """
 
 import math
+from collections.abc import Sequence
 from itertools import product
 
 ARM_MM = 2.0  # of the cross printed at the pole
@@ -63,20 +64,23 @@ def pole_place(ends: list[complex]) -> complex:
     start = complex(across, _moved((OTHER_MM, h - OTHER_MM), [z.imag for z in places]))
     steps = range(-MOST_STEPS, MOST_STEPS + 1)
     around = [start + STEP_MM * complex(x, y) for x, y in sorted(product(steps, steps), key=lambda xy: math.hypot(*xy))]
-    return next((pole for pole in around if all(_free(pole + z) for z in places)), start)
+    return next((pole for pole in around if _clear(pole, places)), start)
 
 
 def has_room(ends: list[complex]) -> bool:
     """Whether a blank has room for a plan with these ends."""
-    pole = pole_place(ends)
-    return all(_free(pole + z) for z in (0j, *ends))
+    return _clear(pole_place(ends), [0j, *ends])
 
 
-def _free(z: complex) -> bool:
-    """Whether a place of a blank may be drawn on."""
-    (w, h), e = SHEET_MM, 1e-6
-    inside = LEFT_MM - e <= z.real <= w - OTHER_MM + e and OTHER_MM - e <= z.imag <= h - OTHER_MM + e
-    return inside and not any(within(z, square, RIM_MM) for square in squares())
+def _clear(pole: complex, places: Sequence[complex]) -> bool:
+    """Whether places, from a pole, are on a blank and not under what is printed there."""
+    (w, h), printed, e = SHEET_MM, squares(), 1e-6
+
+    def free(z: complex) -> bool:
+        inside = LEFT_MM - e <= z.real <= w - OTHER_MM + e and OTHER_MM - e <= z.imag <= h - OTHER_MM + e
+        return inside and not any(within(z, square, RIM_MM) for square in printed)
+
+    return all(free(pole + z) for z in places)
 
 
 def _moved(room: tuple[float, float], places: list[float]) -> float:

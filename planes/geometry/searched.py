@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from planes.geometry.sextic import Counted
-from planes.geometry.tracks import Pose, Tie, advanced
+from planes.geometry.tracks import Pose, Tie, advanced, hung_on
 
 STARTS, ROUNDS = 2048, 5  # places looked from, doubled while one was met but once or twice, and more of them each time
 STEPS = 60
@@ -23,7 +23,7 @@ BOX = Fraction(1, 1 << 30)  # of the size, and of a cosine
 
 def searched(ties: Sequence[Tie], size: float) -> Counted:
     """Every pose met from many places that is proved to be one; that there are no others is not proved."""
-    links = 1 + max(t.link for t in ties if t.kind != "hinge")
+    links = len(hung_on(ties))
     over = [replace(t, local=t.local / size, place=t.place / size, reach=t.reach / size) for t in ties]
     met: list[tuple[Pose, int]] = []
     for k in range(ROUNDS):
@@ -136,13 +136,8 @@ Spot = tuple[Affine, Affine]
 
 def _held(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
     """A tie, as ``Tie.wrench`` has it."""
-    width, place, reach = (
-        len(origin[0]),
-        (Fraction(complex(t.place).real), Fraction(complex(t.place).imag)),
-        Fraction(t.reach),
-    )
+    width, place, turn, reach = len(origin[0]), _exact(t.place), _exact(t.turn), Fraction(t.reach)
     fixed = _fixed(place[0], width), _fixed(place[1], width)
-    turn = Fraction(complex(t.turn).real), Fraction(complex(t.turn).imag)
     if t.kind == "arc":
         x, y = _minus(_plus(origin, _turned(axis, t.local)), fixed)
         return Quadratic(((x, x), (y, y)), _fixed(-reach * reach, width))
@@ -151,9 +146,13 @@ def _held(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
         height = [turn[0] * q - turn[1] * p for p, q in zip(x, y, strict=True)]
         return Quadratic((), [*height[:-1], height[-1] - reach])
     (x, y), (u, v) = _minus(fixed, origin), _turned(axis, t.turn)
-    local = Fraction(complex(t.local).real), Fraction(complex(t.local).imag)
+    local = _exact(t.local)
     beside = turn[0] * local[1] - turn[1] * local[0]  # of the guide, in the link's own axes
     return Quadratic(((u, y), ([-q for q in v], x)), _fixed(-beside - reach, width))
+
+
+def _exact(z: complex) -> tuple[Fraction, Fraction]:
+    return Fraction(complex(z).real), Fraction(complex(z).imag)
 
 
 def _unknown(k: int, width: int) -> Affine:
@@ -175,6 +174,5 @@ def _minus(one: Spot, two: Spot) -> Spot:
 
 def _turned(axis: Spot, local: complex) -> Spot:
     """A place of a link from its origin."""
-    x, y = Fraction(complex(local).real), Fraction(complex(local).imag)
-    c, s = axis
+    (x, y), (c, s) = _exact(local), axis
     return [x * p - y * q for p, q in zip(c, s, strict=True)], [x * q + y * p for p, q in zip(c, s, strict=True)]

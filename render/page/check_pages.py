@@ -12,7 +12,7 @@ from planes.words import Lang, say, under
 from planes.words.lettering import Naming
 from planes.words.records import Json
 from render.page import web_page
-from render.paper.letters import split, written
+from render.paper.letters import tagged, written
 
 SCRIPTS = ("figure", "tape", "judge", "check")
 LAYERS = ("own", "next", "truth", "picture")
@@ -114,7 +114,7 @@ def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang) -> str:
     """A drawing: its name with a small picture, its cells, and windows about its wrong places."""
     name, *rest = (html.escape(c) for c in cells)
     if row.first:
-        rest = [_lettered(row.first, lang) if c == html.escape(row.first) else c for c in rest]
+        rest = [tagged(f"⟨{row.first}⟩", Naming(lang)) if c == html.escape(row.first) else c for c in rest]
     if rest and row.places:
         places = "".join(place_picture(place, f"{number}-{k}") for k, place in enumerate(row.places))
         rest[-1] += f'<div class="places">{places}</div>'
@@ -122,12 +122,6 @@ def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang) -> str:
     small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
     kind = f"{row.verdict} unsure" if row.rank == UNSURE else row.verdict
     return f'<tr class="{kind}"><th scope="row">{_linked(name + small, row.link)}</th>{told}</tr>\n'
-
-
-def _lettered(name: str, lang: Lang) -> str:
-    """A mark's name with its indices, as reports have it."""
-    pieces = ((p, html.escape(p.text)) for p in split(Naming(lang).named(name), True))
-    return "".join(f"<{p.shift}>{text}</{p.shift}>" if p.shift else f"<i>{text}</i>" for p, text in pieces)
 
 
 def _linked(name: str, link: str) -> str:

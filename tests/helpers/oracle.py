@@ -11,6 +11,7 @@ counter-clockwise positive; a guess is {link: (x, y, theta in radians)}.
 from __future__ import annotations
 
 import cmath
+import functools
 import itertools
 import math
 from collections.abc import Mapping
@@ -317,6 +318,13 @@ def rocked(
     return ()
 
 
+def pairs_between(
+    n: str, m: str, points: Mapping[str, Mapping[str, complex]], slides: list[Pair], known: set[str]
+) -> int:
+    """How many pairs two links make with each other, at points that are not known."""
+    return len({*points[n]} & {*points[m]} - known) + sum({s.i, s.j} == {n, m} for s in slides)
+
+
 def basic_and_leads(
     left: list[str],
     outer: Mapping[str, int],
@@ -326,12 +334,7 @@ def basic_and_leads(
 ) -> tuple[str, ...]:
     """A link and three others that hang on solved ones by one pair each, and on it by another."""
     for basic in (n for n in left if not outer[n]):
-        joined = {
-            n: sum(k not in known for k in points[basic].keys() & points[n].keys())
-            + sum({s.i, s.j} == {basic, n} for s in slides)
-            for n in left
-            if n != basic
-        }
+        joined = {n: pairs_between(basic, n, points, slides, known) for n in left if n != basic}
         leads = [n for n, count in joined.items() if count == outer[n] == 1]
         if len(leads) == 3:
             return basic, *leads
@@ -346,10 +349,7 @@ def basics_in_a_chain(
     known: set[str],
 ) -> tuple[str, ...]:
     """Links on no solved one of three pairs each, hinged to each other, and those on one that lead to them."""
-
-    def pairs(n: str, m: str) -> int:
-        return len({*points[n]} & {*points[m]} - known) + sum({s.i, s.j} == {n, m} for s in slides)
-
+    pairs = functools.partial(pairs_between, points=points, slides=slides, known=known)
     free = [n for n in left if not outer[n]]
     for count in range(2, len(free) + 1):
         for basics in itertools.combinations(free, count):

@@ -20,11 +20,8 @@ MOST_JOINED, SAME_MM = 500, 0.02
 EVEN = 0.03  # how unequal sides may be that meet in a tip, of their sum
 SLIM = 0.1  # how far from a head's middle line its shaft may end, in lengths of the head
 ASKEW = 0.02  # radians, by which a shaft drawn in pieces may turn
-LONGER, SHORTER, EXACT = (
-    1.3,
-    0.6,
-    0.3,
-)  # a shaft in lengths of its open head's sides; a shorter one ends in its very tip
+# a shaft in lengths of its open head's sides; a shorter one ends in its very tip
+LONGER, SHORTER, EXACT = 1.3, 0.6, 0.3
 STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the least
 TURNS = tuple(cmath.rect(1, k * math.tau / 3) for k in range(3))  # ways a head of equal sides may point
 AGAIN_MM, AGAIN = 0.1, 0.05  # a head so near another one that points as it does is that head: filled, then outlined

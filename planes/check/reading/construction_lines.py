@@ -65,6 +65,11 @@ def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
     return [k for k in range(len(strokes)) if k not in lines] if lines else []
 
 
+def vectors_alone(sketch: ReadDrawing, vectors: Sequence[int]) -> ReadDrawing:
+    """The drawing with its ``vectors`` alone, where these are told though no stroke has a head."""
+    return sketch.only(vectors) if vectors and not headed(sketch) else sketch
+
+
 def _named(sketch: ReadDrawing) -> list[complex]:
     """Ends of strokes that alone stand beside a word."""
     found, ends = list[complex](), [z for stroke in sketch.strokes for z in stroke]

@@ -14,7 +14,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_named, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
-from planes.check.reading.construction_lines import covered, vectors_of
+from planes.check.reading.construction_lines import covered, vectors_alone, vectors_of
 from planes.check.reading.lone_vectors import HEADLESS_MM, lone_vectors, others
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
@@ -55,15 +55,13 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         sides, beside = true_vectors(bench), others(bench)
         known = bench.written({**beside, **sides})
         sketch.words = led_to_vectors(sketch, dots, known) if headed(sketch) else sketch.words
-        drawn = sketch.only(vectors) if vectors and not headed(sketch) else sketch
-        found = vectors_named(drawn, bench, sides, beside.values())
+        found = vectors_named(vectors_alone(sketch, vectors), bench, sides, beside.values())
         return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)
     sketch = _joined(sketch, nodes)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
-    drawn = sketch.only(vectors) if vectors and not headed(sketch) else sketch
-    return _plan_of_marks(sketch, drawn, nodes, bench, near, paper)
+    return _plan_of_marks(sketch, vectors_alone(sketch, vectors), nodes, bench, near, paper)
 
 
 def _plan_of_marks(

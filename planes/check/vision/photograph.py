@@ -167,20 +167,22 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
         return Look(flat, 0j, crowd=True)
     if not seen.lines:
         return Look(flat, 0j, explained=0.0, bare=True)
-    force = kind_of(bench.asked.plan) == "force"
-    if flat.by in ("scale", "part") and force and pole is None:
+    kind = kind_of(bench.asked.plan)
+    if flat.by in ("scale", "part") and kind == "force" and pole is None:
         return Look(flat, 0j, explained=0.0)
     near = pole if pole is not None else printed
     guessed = near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended)
     if guessed:
-        find_pole = {"position": origin_found, "force": start_of}.get(kind_of(bench.asked.plan))
+        find_pole = {"position": origin_found, "force": start_of}.get(kind)
         near = (find_pole(bench, seen) if find_pole else None) or pole_found(bench, seen)
-    if force and near is not None:
+    starts = [near] if near is not None else []
+    if kind == "force" and near is not None:
         read = vectors_on(bench, seen, near)
         return Look(flat, near, read.spots, read.whole, read.explained, read.hidden, read.untold, read.apart)
-    find, best = points_on if kind_of(bench.asked.plan) == "position" else marks_on, Look(flat, 0j, explained=0.0)
-    starts = [near] if near is not None else []
-    for start in [*starts, *(likely_poles(seen) if guessed and find is marks_on and not force else ())]:
+    if guessed and kind not in ("position", "force"):
+        starts += likely_poles(seen)
+    find, best = points_on if kind == "position" else marks_on, Look(flat, 0j, explained=0.0)
+    for start in starts:
         spots, explained = find(bench, seen, start)
         known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
         if start != near:
@@ -226,10 +228,11 @@ def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: s
 def roomy(bench: PreparedPlan) -> PreparedPlan:
     """A plan as a blank has it: at the largest standard scale, no larger than the scene's, that has room for it there;
     if of motion, with its pole in the middle of the sheet, for any plan of that size, whichever way it goes."""
-    plan, aside = bench.asked.plan, abs(blank_pole(bench) - pole_place([])) > ASIDE_MM
+    plan = bench.asked.plan
     if bench.asked.mu:
         return bench
     if kind_of(plan) not in ("position", "force"):
+        aside = abs(blank_pole(bench) - pole_place([])) > ASIDE_MM
         reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
         return bench.at(fitting(plan, reach, SHEET_MM[1] / 2 - OTHER_MM), told=True) if aside else bench
     while not has_room([*bench.true_marks.values()]):

@@ -22,10 +22,8 @@ from planes.check.vision.polygon_cover import NOTHING_MM, Guess, LaidChain
 
 TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden where two others meet
 HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of a millimetre; if no ink is on its way
-BARE, MOST_BARE = (
-    12.0,
-    0.3,
-)  # what it costs that so much more of a vector is not drawn than may be; how much more at most
+# what it costs that so much more of a vector is not drawn than may be; how much more at most
+BARE, MOST_BARE = 12.0, 0.3
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 CROSSED_MM = 0.5  # σ of where lines cross; what ends nearer is there
