@@ -389,10 +389,10 @@ def test_what_is_drawn_in_colour_does_not_fade() -> None:
 def test_a_small_corpus() -> None:
     """Shares of right drawings accepted and of mistakes found, blamed and named; ``picture_corpus`` counts them all."""
     whole = corpus.Count()
-    chosen = [e for e in confusion.easels() if e.sample in ("six-link", "kind-1-rrr", "bntu-3")]
+    chosen = [e for e in confusion.easels() if e.sample in ("kind-1-rrr", "bntu-3")]
     for _, _, count in corpus.draw_all(1, chosen):
         whole.add(count)
     doubted = sum("-> right_as_seen" in f for f in whole.failures)  # a mistake leaves nearly the same polygon
-    assert whole.right > 25 and whole.accepted + doubted >= 0.98 * whole.right and doubted <= 1, whole.failures
-    assert whole.wrong > 20 and whole.found >= 0.98 * whole.wrong and whole.named >= 0.9 * whole.wrong, whole.failures
+    assert whole.right > 15 and whole.accepted + doubted >= 0.98 * whole.right and doubted <= 1, whole.failures
+    assert whole.wrong > 15 and whole.found >= 0.98 * whole.wrong and whole.named >= 0.9 * whole.wrong, whole.failures
     assert whole.blamed >= 0.95 * whole.wrong and whole.innocent_blamed <= 0.02 * whole.innocent, whole.failures

@@ -122,7 +122,7 @@ def zeroed(names: tuple[str, ...]) -> Iterator[tuple[str, str, str]]:
 CASES = list(zeroed(("kind-1-rrr", "kind-3-rpr", "kind-5-rpp", "sliding-driver")))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=14)
 @pytest.mark.parametrize(("name", "length", "text"), CASES, ids=[f"{n} {x}" for n, x, _ in CASES])
 def test_a_length_of_zero_gives_numbers_or_one_sentence(
     name: str, length: str, text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -260,7 +260,7 @@ def test_on_a_telephone_nothing_runs_off_the_page(page: Any) -> None:
         assert box and box["y"] < 700
 
 
-@pytest.mark.few(1, slow=14)
+@pytest.mark.few(1, slow=8)
 @pytest.mark.parametrize("path", SAMPLES, ids=[p.stem for p in SAMPLES])
 def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: Path, path: Path) -> None:
     with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:

@@ -79,7 +79,7 @@ def test_every_view_of_it_is_right(sample: str, tmp_path: Path) -> None:
         assert found.verdict == "right", (plan, found.sentence.told("en"))
 
 
-@pytest.mark.few(0, slow=12)
+@pytest.mark.few(0, slow=6)
 @pytest.mark.parametrize("sample", SAMPLES)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_its_papers_are_written(sample: str, lang: Lang, tmp_path: Path) -> None:

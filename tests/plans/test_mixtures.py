@@ -48,7 +48,7 @@ def test_mixtures_agree_with_the_independent_solver() -> None:
     assert not refused
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("fifth", range(5))
 def test_many_mixtures_agree_with_the_independent_solver(fifth: int) -> None:
     seen, _, refused = compared(range(1000 + 100 * fifth, 1100 + 100 * fifth))
