@@ -6,6 +6,7 @@ import cmath
 import math
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from render.files.writer import Lines, Writer, dashes_of
@@ -25,7 +26,7 @@ NARROWED = 0.85  # of letters that are not fitted: other fonts are wider than ou
 OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
 OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and brings this one of ГОСТ 2.304
 LINE_TYPES = {"axis": "DASHDOT2", "phantom": "DIVIDE2", "dash": "DASHED2"}  # LibreCAD knows line types by their names
-ARROW = "ARROW"
+ARROW, LETTERS = "ARROW", "LETTERS"
 UNKNOWN = frozenset("→←↔↑↓")  # signs that its font does not know
 _FEET = {"start": (7, 0.0), "middle": (8, 0.5), "end": (9, 1.0)}  # where on its base line an MTEXT is held
 
@@ -62,6 +63,7 @@ class Entities(Writer):
 
     def __init__(self, space: BaseLayout, layers: Mapping[str, str] | None = None, lettered: bool = False) -> None:
         self.space, self.layers, self.drawn_letters = space, layers or {}, lettered
+        self.written: dict[Text, str] = {}  # blocks of letters
 
     def looks(self, style: str, layer: str, dashes: Sequence[float] = ()) -> dict[str, object]:
         """Layer of a mark; line type, its stretch and line weight (hundredths of a mm) where they are not its layer's.
@@ -156,7 +158,20 @@ class Entities(Writer):
         entity.dxf.width = 1.0 if text.face.font else NARROWED
 
     def lettering(self, text: Text) -> None:
-        """A text as the strokes of its letters, or their filled outlines where it is in a font."""
+        """A text as the strokes of its letters, or their filled outlines where it is in a font: in a space one block,
+        which moves as a whole, and is one thing to programs that are slow with thousands."""
+        if not self.layers:  # in a block already
+            self._letters(text)
+            return
+        level = replace(text, place=0j, turn_deg=0.0, name="")
+        document = self.space.doc
+        name = self.written.setdefault(level, f"{LETTERS}_{len(document.blocks)}")
+        if name not in document.blocks:
+            Entities(document.blocks.new(name))._letters(level)
+        looks = {"layer": text.layer.upper(), "rotation": text.turn_deg}
+        self.space.add_blockref(name, xy(text.place), dxfattribs=looks)
+
+    def _letters(self, text: Text) -> None:
         laid = layout(text)
         if laid.filled and laid.strokes:  # one hatch with holes
             fill = self._fill(text.layer, text.place, hatch_style=0)

@@ -1,6 +1,6 @@
 """Details of a plan: what is too short to be read is circled, and drawn once more enlarged, with its own scale."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from render import labels
@@ -9,6 +9,7 @@ from render.paper.hues import PART
 from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
 from render.paper.style import tall
 from render.views import TITLE_GAP
+from render.views.plotted import Ends, set_apart
 
 SHORT_MM = 3.0  # a vector shorter than this is drawn again
 TOGETHER_MM = 3.0  # short vectors nearer to each other than this are drawn in one detail
@@ -20,8 +21,8 @@ LETTER_MM = 5.0
 MOST_LABELS = 4  # of a circle, on the plan too
 BESIDE_MM = 8.0
 LOOK_ALIKE = dict(zip("АВЕКМНРСТУ", "ABEKMHPCTY", strict=True))
-
-Ends = tuple[complex, complex]
+ASIDE_MM, TOUCH_MM = 2.0, 0.5  # between vectors of one line; how near those may come that slant but slightly
+SEEN_MM = 1.5  # what is shorter in its detail has another
 
 
 @dataclass(frozen=True)
@@ -67,14 +68,30 @@ class Detail:
         high = min((b * way.conjugate()).real, half)
         return (foot + low * way, foot + high * way) if high - low > 1.0 else None
 
-    def drawn(self, marks: Iterable[Mark], named: Sequence[labels.Label]) -> tuple[Mark, ...]:
-        """The strokes of the plan within the circle, the labels of what is seen whole, and the title."""
+    def drawn(self, marks: Iterable[Mark], named: Sequence[labels.Label], apart: bool = False) -> tuple[Mark, ...]:
+        """The strokes of the plan within the circle, vectors of one line ``apart`` where they are to be, the labels of
+        what is seen whole, and the title."""
         reach = self.times * self.radius
         ground: list[Mark] = [Arc(0j, reach, style="thin", layer="dimension")]
-        ground += [part for mark in marks for part in self.part(mark)]
-        ground += labels.place([self.label(x) for x in named if self.shows(x)], ground).marks
+        ground += self.parts(marks, asides := self.asides(marks) if apart else {})
+        ground += labels.place([self.label(x, asides) for x in named if self.shows(x)], ground).marks
         top = bounds(ground)[3]
         return (*ground, Text(self.title, complex(0, top + TITLE_GAP), tall(LETTER_MM), "middle", name=self.title))
+
+    def parts(self, marks: Iterable[Mark], asides: Mapping[str, complex]) -> list[Mark]:
+        """What is seen of all marks, with some vectors moved."""
+        return [moved(part, asides.get(_whole(part), 0j)) for mark in marks for part in self.part(mark)]
+
+    def asides(self, marks: Iterable[Mark]) -> dict[str, complex]:
+        """How far vectors are moved aside so that none lies upon another."""
+        taken, found = list[Ends](), dict[str, complex]()
+        for part in (part for mark in marks for part in self.part(mark) if _whole(part)):
+            ends = (part.start, part.end) if isinstance(part, Arrow) else part.points  # type: ignore[union-attr]
+            placed = set_apart((ends[0], ends[1]), taken, ASIDE_MM, ASIDE_MM / 2, TOUCH_MM)
+            taken.append(placed)
+            if placed[0] != ends[0]:
+                found[_whole(part)] = placed[0] - ends[0]
+        return found
 
     def part(self, mark: Mark) -> list[Mark]:
         """What is seen of one mark."""
@@ -98,32 +115,49 @@ class Detail:
         held = [x for x in named if self.shows(x)]
         return held if len(held) > MOST_LABELS else []
 
-    def label(self, label: labels.Label) -> labels.Label:
-        """The label at its enlarged place."""
-        z, e = label.at, self.enlarged
-        return replace(label, at=(e(z[0]), e(z[1])) if isinstance(z, tuple) else e(z), clear=0.7)
+    def label(self, label: labels.Label, asides: Mapping[str, complex]) -> labels.Label:
+        """The label at its enlarged place, or where its vector is moved."""
+        z, by = label.at, asides.get(label.name, 0j)
+        at = tuple(self.enlarged(x) + by for x in (z if isinstance(z, tuple) else (z,)))
+        return replace(label, at=(at[0], at[1]) if isinstance(z, tuple) else at[0], clear=0.7)
+
+
+def _whole(part: Mark) -> str:
+    """The vector that a mark is a part of; nothing for other marks."""
+    return part.name.removesuffix(PART) if isinstance(part, (Arrow, Line)) and part.name.endswith(PART) else ""
 
 
 def details(vectors: Iterable[Ends], letters: Sequence[str]) -> list[Detail]:
-    """The details of the vectors that are too short; neighbours share one."""
-    found = []
-    for points, letter in zip(groups_of(vectors), letters, strict=False):
-        x, y = [z.real for z in points], [z.imag for z in points]
-        centre = complex((min(x) + max(x)) / 2, (min(y) + max(y)) / 2)
-        radius = AROUND * max(abs(z - centre) for z in points)
-        times = max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
-        found.append(Detail(centre, radius, times, letter))
+    """The details of the vectors that are too short; neighbours share one, but for those that are too short there."""
+    return [Detail(*_seat(group), letter) for group, letter in zip(groups_of(vectors), letters, strict=False)]
+
+
+def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
+    """The centre and radius of a detail of some vectors, and how many times it is enlarged."""
+    x, y = [z.real for ends in group for z in ends], [z.imag for ends in group for z in ends]
+    centre = complex((min(x) + max(x)) / 2, (min(y) + max(y)) / 2)
+    radius = AROUND * max(abs(z - centre) for ends in group for z in ends)
+    return centre, radius, max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
+
+
+def groups_of(vectors: Iterable[Ends]) -> list[list[Ends]]:
+    """Short vectors by details: neighbours together, and once more, by themselves, those that are hardly seen there."""
+    found = list[list[Ends]]()
+    for group in _neighbours(ends for ends in vectors if abs(ends[1] - ends[0]) < SHORT_MM):
+        times = _seat(group)[2]
+        lost = [(a, b) for a, b in group if abs(b - a) * times < SEEN_MM]
+        parted = len(lost) < len(group)
+        found += [group, *groups_of(lost)] if parted else [[ends] for ends in group]
     return found
 
 
-def groups_of(vectors: Iterable[Ends]) -> list[list[complex]]:
-    """The ends of short vectors, those of neighbours together."""
-    groups: list[list[complex]] = []
-    for ends in vectors:
-        if abs(ends[1] - ends[0]) < SHORT_MM:
-            near = [g for g in groups if any(abs(z - w) < TOGETHER_MM for z in g for w in ends)]
-            groups = [g for g in groups if g not in near]
-            groups.append([z for g in near for z in g] + list(ends))
+def _neighbours(short: Iterable[Ends]) -> list[list[Ends]]:
+    """Vectors, those that are near each other together."""
+    groups: list[list[Ends]] = []
+    for ends in short:
+        near = [g for g in groups if any(abs(z - w) < TOGETHER_MM for two in g for z in two for w in ends)]
+        groups = [g for g in groups if g not in near]
+        groups.append([*(two for g in near for two in g), ends])
     return groups
 
 

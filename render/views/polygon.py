@@ -77,7 +77,8 @@ class Polygon:
             placed = labels.place(outer, circled, None, strokes)
         marks = (*parted(strokes, placed.texts), *circled, *placed.marks)
         apart = {d: self.mark_labels(SAME_MM / d.times) if self.of_rates else named for d in details}
-        marks = detail.beside(marks, [d.drawn(ground, apart[d]) for d in details])
+        marks = detail.beside(marks, [d.drawn(ground, apart[d], not self.of_rates) for d in details])
+        self.shifted |= not self.of_rates and any(d.asides(ground) for d in details)
         for text in self.remarks(placed.texts):
             marks = (*marks, *remark(f"({text})", marks))
         return marks

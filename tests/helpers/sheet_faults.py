@@ -11,7 +11,7 @@ import shapely
 
 from render.labels.footprints import bounds
 from render.paper.hues import PART
-from render.paper.marks import Arrow, Text
+from render.paper.marks import Arrow, Line, Text
 from render.paper.typeset import layout, plain
 from render.sheet import Sheet
 from render.views import View
@@ -66,13 +66,16 @@ def superposed(sheet: Sheet) -> Iterator[str]:
 
 
 def _upon(view: View) -> Iterator[str]:
-    named = [m for m in view.marks if isinstance(m, Arrow) and m.layer == "force" and m.name]
-    arrows = [m for m in named if not m.name.endswith(PART)]  # a detail shows them as they lie
-    lines = [shapely.LineString([(z.real, z.imag) for z in (m.start, m.end)]) for m in arrows]
-    for (one, a), (two, b) in combinations(zip(arrows, lines, strict=True), 2):
-        turn = (one.end - one.start) * (two.end - two.start).conjugate()
+    shown = ("force", "result") if view.key.startswith("force") else ("force",)
+    forces = [m for m in view.marks if m.layer in shown and isinstance(m, (Arrow, Line))]
+    arrows = [m for m in forces if isinstance(m, Arrow) and m.name]
+    parts = [m for m in forces if isinstance(m, Line) and m.name.endswith(PART)]  # of what ends outside of a detail
+    ends = [(m.name, m.start, m.end) for m in arrows] + [(m.name, *m.points) for m in parts]
+    lines = [shapely.LineString([(z.real, z.imag) for z in (a, b)]) for _, a, b in ends]
+    for (one, a), (two, b) in combinations(zip(ends, lines, strict=True), 2):
+        turn = (one[2] - one[1]) * (two[2] - two[1]).conjugate()
         if abs(turn.imag) < ASKEW * abs(turn) and a.buffer(0.3).intersection(b).length > BESIDE_MM:
-            yield f"{one.name} and {two.name} are drawn upon each other in {view.key}"
+            yield f"{one[0]} and {two[0]} are drawn upon each other in {view.key}"
 
 
 def out_of_rank(sheet: Sheet) -> Iterator[str]:

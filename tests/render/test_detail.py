@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 import re
 from dataclasses import replace
 
@@ -12,10 +14,12 @@ from planes.solving import solve
 from planes.words.lettering import Naming
 from render.paper.hues import PART
 from render.paper.marks import Arc, Arrow, Text
+from render.views import View
 from render.views.detail import ENLARGED, SHORT_MM, details, letters
 from render.views.plotted import of_position
 from render.views.polygon import SAME_MM, Polygon
 from tests.helpers import ROOT
+from tests.helpers.sheet_faults import _upon
 from tests.helpers.sheets import sheet
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
@@ -66,6 +70,26 @@ def test_neighbours_share_a_detail():
     assert [(d.centre, d.title) for d in found] == [(1 + 0.5j, "A (10:1)"), (50.5j, "B (20:1)")]
     assert isinstance(found[0].circle(), Arc)
     assert found[0].holds(2 + 0j) and not found[0].holds(4 + 0j)
+
+
+def test_what_is_lost_in_a_detail_has_one_of_its_own():
+    found = details([(0j, 2 + 0j), (2 + 0j, 2 + 0.1j), (2 + 0.1j, 2 + 2j)], "ABC")
+    assert [(d.centre, d.times) for d in found] == [(1 + 1j, 5), (2 + 0.05j, 100)]
+    spread = details([(2j * k, 2j * k + 0.1) for k in range(9)], "ABCDEFGHI")
+    assert [d.centre for d in spread] == [2j * k + 0.05 for k in range(9)] and {d.times for d in spread} == {100}
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("turn_deg", [0, 1.5, 2.5])
+def test_forces_of_nearly_one_line_are_set_apart_in_a_detail(turn_deg):
+    way = cmath.rect(1, math.radians(90 + turn_deg))
+    marks = [Arrow(-20j, 0j, "vector", "force", "G_1"), Arrow(0j, -way, "vector", "force", "P_1")]
+    (one,) = details([(0j, -way)], "A")
+    drawn = View("force:1", "", one.drawn(marks, (), True), (0, 0, 0, 0))
+    lying = View("force:1", "", one.drawn(marks, ()), (0, 0, 0, 0))
+    assert list(_upon(drawn)) == [] and len(list(_upon(lying))) == 1
+    length = [abs(m.end - m.start) for m in drawn.marks if isinstance(m, Arrow) and m.name.startswith("P")]
+    assert length == [pytest.approx(one.times)]
 
 
 def test_a_detail_is_not_called_like_a_point():

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
+from itertools import pairwise
 
 import numpy as np
 import pypdfium2
@@ -13,6 +14,7 @@ import pytest
 from render.files import dxf
 from render.paper.ink import arrow_parts
 from render.paper.marks import Arc, Arrow, Line, Text
+from render.paper.typeset import layout
 from tests.helpers.sheets import sheet
 
 NEAR_MM = 0.6  # a letter's neighbour is farther off
@@ -105,3 +107,26 @@ def test_freecad_takes_every_text_every_arrowhead_and_what_follows_a_dot(tmp_pat
     assert sum(map(bool, wanted)) > 10
     for corner in (z for head in wanted for z in head):
         assert min(abs(corner - z) for z in tips) < 0.01
+
+
+COUNTED = """
+import json, FreeCAD, Import
+Import.readDXF("sheet.dxf", "sheet")
+shapes = [o.Shape for o in FreeCAD.ActiveDocument.Objects]
+with open("seen.json", "w") as out:
+    json.dump([len(shapes), sum(e.Length for s in shapes for e in s.Edges)], out)
+"""
+
+
+@pytest.mark.slow
+@needs("freecadcmd")
+def test_freecad_takes_letters_drawn_by_lines_as_one_thing_a_text(tmp_path):
+    found = sheet("kind-2-rrp", student="Иванов И. И.")
+    texts = [m for m in found.marks if isinstance(m, Text) and m.layer != "frame"]
+    (tmp_path / "sheet.dxf").write_bytes(dxf.write(texts, found.size, found.title, text="strokes"))
+    (tmp_path / "count.py").write_text(COUNTED)
+    subprocess.run(["freecadcmd", "count.py"], cwd=tmp_path, check=True, capture_output=True, timeout=120)
+    count, long = json.loads((tmp_path / "seen.json").read_text())
+    pieces = [abs(b - a) for m in texts for stroke in layout(m).strokes for a, b in pairwise(stroke)]
+    assert count <= len(texts) and len(pieces) > 10 * len(texts)
+    assert abs(long / sum(pieces) - 1) < 1e-3

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from planes.documents.sheets import DrawnPosition
+from planes.documents.sheets import DrawnPosition, sheet_of
 from planes.scene import load, loads
 from render.labels.footprints import bounds
-from render.paper.marks import Text
+from render.paper.hues import PART
+from render.paper.marks import Arrow, Text
 from render.sheet.sizes import Sizes
 from tests.helpers import ROOT
 from tests.helpers.sheets import sheet
@@ -16,16 +17,34 @@ RPR = ROOT / "samples" / "kind-3-rpr.yaml"
 
 
 def longest(view) -> float:
-    """The longer side of what is drawn, without its words."""
-    x0, y0, x1, y1 = bounds([m for m in view.marks if not isinstance(m, Text) and m.layer != "text"])
+    """The longer side of what is drawn, without its words; of a force plan without its details."""
+    drawn = [m for m in view.marks if not isinstance(m, Text) and m.layer != "text"]
+    if view.key.startswith("force"):
+        drawn = [m for m in drawn if isinstance(m, Arrow) and not m.name.endswith(PART)]
+    x0, y0, x1, y1 = bounds(drawn)
     return max(x1 - x0, y1 - y0)
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize("name", ["kind-3-rpr", "bntu-1", "kind-1-rrr", "assignments/12"])
+@pytest.mark.parametrize(
+    "name", ["kind-3-rpr", "bntu-1", "kind-1-rrr", "assignments/12", "hinge-motor", "assignments/04", "assignments/19"]
+)
 def test_the_scheme_with_loads_is_the_largest_figure(name):
     figures = {v.key: longest(v) for v, _, _ in sheet(name, number=2).views if v.figure and v.key != "apart"}
     assert max(figures, key=figures.__getitem__) == "loaded", figures
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("number", ["04", "07", "28"])
+def test_force_plans_yield_where_the_scheme_has_no_room_and_say_so(number):
+    text = (ROOT / "samples" / "assignments" / f"{number}.yaml").read_text(encoding="utf-8")
+    free = sheet_of(loads(text), None, "ru", 2)
+    assert sum("μ_F этого листа" in said for said in free.warnings) == 1
+    mu = DrawnPosition(loads(text), None, "ru").first.scales["mu_force:2-3"]
+    kept = sheet_of(loads(f"{text}\nplans: {{force: {{mu: {mu:g} mm/N}}}}\n"), None, "ru", 2)
+    assert not any("μ_F этого листа" in said for said in kept.warnings)
+    plans = ({v.title for v, _, _ in one.views if v.key == "force:2-3"} for one in (free, kept))
+    assert next(plans) != next(plans)
 
 
 def test_a_scheme_grows_by_scales_of_the_standard_and_not_where_its_scale_is_stated():
