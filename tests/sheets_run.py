@@ -355,7 +355,7 @@ def report(found: Sequence[Looked]) -> int:
         some = [one for one in drawn if one.job.number == number]
         if some:
             filled = [one.full for one in some]
-            papers = {name: sum(one.paper == name for one in some) for name in ("A4", "A3", "A2", "A1", "A0")}
+            papers = {name: sum(one.paper == name for one in some) for name in ("A4", "A3", "A2", "A1", "A2x3", "A0")}
             print(
                 f"{f'sheet {number}' if number else 'one page'}: {len(some)} drawn on {papers}, full "
                 f"{min(filled):.2f} … {statistics.median(filled):.2f} … {max(filled):.2f}, largest empty rectangle "

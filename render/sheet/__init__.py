@@ -18,6 +18,8 @@ from render.views import View
 
 __all__ = ["Contents", "Held", "Sheet", "compose", "stacking_of", "unseen"]
 
+LONG = "A2x3"  # as high as A1, half as wide again
+
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Sheet(Page):
@@ -33,13 +35,13 @@ class Sheet(Page):
 def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
     """The sheet of a scene: the smallest format, or the one it names, on which all views find room.
 
-    Only where no format holds all of them are those left out that may be; the sheet then says so. A0 is taken where
-    nothing less holds even the others.
+    Only where no format holds all of them are those left out that may be; the sheet then says so. A2×3 is taken where
+    nothing less holds even the others, and A0 where that does not.
     """
     stacking_on.cache_clear()
     chosen = str(scene.sheet.get("format", "auto"))
     *usual, largest = FORMATS
-    papers = ([chosen],) if chosen != "auto" else (usual, [largest])
+    papers = ([chosen],) if chosen != "auto" else (usual, [LONG], [largest])
     for factor, formats in product(contents.factors, papers):
         for whole, name in product((True, False), formats):
             for tried, how, order in attempts(contents, name, factor, whole):

@@ -70,7 +70,7 @@ def _upon(view: View) -> Iterator[str]:
     forces = [m for m in view.marks if m.layer in shown and isinstance(m, (Arrow, Line))]
     arrows = [m for m in forces if isinstance(m, Arrow) and m.name]
     parts = [m for m in forces if isinstance(m, Line) and m.name.endswith(PART)]  # of what ends outside of a detail
-    ends = [(m.name, m.start, m.end) for m in arrows] + [(m.name, *m.points) for m in parts]
+    ends = [(m.name, m.start, m.end) for m in arrows] + [(m.name, m.points[0], m.points[1]) for m in parts]
     lines = [shapely.LineString([(z.real, z.imag) for z in (a, b)]) for _, a, b in ends]
     for (one, a), (two, b) in combinations(zip(ends, lines, strict=True), 2):
         turn = (one[2] - one[1]) * (two[2] - two[1]).conjugate()

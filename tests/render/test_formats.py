@@ -8,12 +8,13 @@ import pypdfium2
 import pytest
 
 from planes.documents.sheets import sheet_of
-from planes.scene import loads
+from planes.scene import load, loads
 from planes.scene.settings import SHEET_WORDS
 from planes.words.errors import PlanesError, SceneError
 from render.files import pdf
 from render.paper.marks import Text
 from render.sheet.frame import EXTENDED, FORMATS, Paper
+from tests.helpers import ROOT
 from tests.helpers.scene_texts import SIX_LINK
 
 PLAIN = SIX_LINK.replace("find:", "# find:").replace("friction:", "# friction:")
@@ -62,6 +63,12 @@ def test_an_extended_sheet_is_filled() -> None:
     found = sheet_of(scene(FREE, format="A3x3"), None)
     assert (found.size, found.warnings) == ((891, 420), ())
     assert all(found.paper.field[0] <= left for _, left, _ in found.views)
+
+
+@pytest.mark.slow
+def test_what_is_too_much_for_a1_is_as_high_and_longer() -> None:
+    found = sheet_of(load(ROOT / "samples" / "class-three" / "three-basic-links.yaml"), None, number=2)
+    assert (found.paper.name, found.size, found.warnings) == ("A2x3", (1261, 594), ())
 
 
 @pytest.mark.slow
