@@ -45,7 +45,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
     "sheet": (
         ("-o --output", "output", OUTPUT),
         ("--remedy", "remedy", FLAG),
-        ("--text", "dxf_text", {"choices": ("text", "strokes")}),
+        ("--text", "dxf_text", {"choices": ("text", "pieces", "strokes")}),
         ("--sheet", "sheet_number", {"type": int, "choices": (1, 2)}),
         ("--view", "view", {"metavar": "NAME"}),
         ("--colour", "colour", FLAG),

@@ -9,6 +9,7 @@ from planes.scene.files import keep
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from render.files import dxf, pdf, svg
+from render.files.dxf_entities import Lettered
 from render.paper.marks import Mark
 from render.paper.photo import Photo
 
@@ -33,7 +34,7 @@ class Page:
         """The picture a notebook shows."""
         return self.rendered(".svg").decode().partition("?>\n")[2]
 
-    def rendered(self, suffix: str, text: dxf.Lettered = "text") -> bytes:
+    def rendered(self, suffix: str, text: Lettered = "text") -> bytes:
         """The contents of its file in the format of a suffix; the same page gives the same bytes. A PNG carries the
         page as SVG."""
         match suffix:
@@ -48,6 +49,6 @@ class Page:
         picture = pdf.write_png(self.marks, self.size, self.title, under=self.under)
         return picture if self.under else carrying(picture, self.rendered(".svg"))
 
-    def write(self, path: str | Path, text: dxf.Lettered = "text") -> None:
+    def write(self, path: str | Path, text: Lettered = "text") -> None:
         """Its file, whole or not at all."""
         keep(self.rendered(Path(path).suffix.lower(), text), path)

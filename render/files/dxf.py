@@ -4,8 +4,8 @@ Lines are really cut under hinges and sliders, so nothing needs a white mask.  H
 arrowheads are blocks, and so is the form.  Its empty cells are attributes, to be filled in the reader's program; filled
 ones are texts, for many programs show no attributes, with the attribute beside them unseen.  A text is fitted between
 the ends of its own lettering, so it is as wide as drawn in whatever font that program puts; one with indices is one
-MTEXT.  ``text="strokes"`` draws the lettering itself instead.  The sheet of the paper is set up to be printed 1:1.  The
-same marks give the same bytes.
+MTEXT; by ``text="pieces"`` its parts are texts so fitted, by "strokes" the lettering itself is drawn.  The sheet of the
+paper is set up to be printed 1:1.  The same marks give the same bytes.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import io
 import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from planes.drafting.pens import THIN
 from planes.words import Lang, say
@@ -26,6 +26,7 @@ from render.files.dxf_entities import (
     NARROWED,
     OBLIQUE_DEG,
     Entities,
+    Lettered,
     style_name,
     text_looks,
     xy,
@@ -45,7 +46,6 @@ if TYPE_CHECKING:
 
 UNSEEN = 1  # flag of an attribute
 OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
-Lettered = Literal["text", "strokes"]
 LAYER_STYLES = dict.fromkeys(map(str, LAYERS), "thin") | {
     "construction": "construction",
     "axis": "axis",
@@ -77,7 +77,7 @@ def write(
         _print_setup(document, size_mm)
         document.set_modelspace_vport(1.1 * size_mm[1], (size_mm[0] / 2, size_mm[1] / 2))
         document.ezdxf_metadata()["TITLE"] = title
-        _fill(document, held, size_mm, lang, text == "strokes")
+        _fill(document, held, size_mm, lang, text)
         for kind in sorted(document.entitydb.dxf_types_in_use()):
             document.classes.add_class(kind)  # left to itself the library takes them as they fall out of a set
         out = io.StringIO()
@@ -87,15 +87,15 @@ def write(
     return out.getvalue().encode()
 
 
-def _fill(document: Drawing, marks: tuple[Mark, ...], size: tuple[float, float], lang: Lang, strokes: bool) -> None:
+def _fill(document: Drawing, marks: tuple[Mark, ...], size: tuple[float, float], lang: Lang, text: Lettered) -> None:
     """The form as one block, known signs as blocks, the rest as they are."""
     form = [m for m in marks if m.layer == "frame"]
     filled = any(isinstance(m, Text) for m in form)
     rest = insert_signs(document, uncovered(m for m in marks if not (filled and m.layer == "frame")))
-    rest = rest if strokes else insert_dimensions(document, rest)
+    rest = rest if text == "strokes" else insert_dimensions(document, rest)
     if filled:
-        insert_form(document, form, size, lang, strokes)
-    Entities(document.modelspace(), LAYER_STYLES, strokes).all(rest)
+        insert_form(document, form, size, lang, text)
+    Entities(document.modelspace(), LAYER_STYLES, text).all(rest)
 
 
 def _tables(document: Drawing, marks: Iterable[Mark], lang: Lang) -> None:
@@ -137,7 +137,9 @@ def _print_setup(document: Drawing, size: tuple[float, float]) -> None:
     paper.add_viewport(middle, size, middle, size[1], dxfattribs={"layer": "VIEWPORT"})
 
 
-def insert_form(document: Drawing, marks: Sequence[Mark], size: tuple[float, float], lang: Lang, strokes: bool) -> None:
+def insert_form(
+    document: Drawing, marks: Sequence[Mark], size: tuple[float, float], lang: Lang, text: Lettered
+) -> None:
     """Frame, title block and side columns as one block, each cell an attribute; one that is filled is a text too.
 
     Cells lettered in strokes are no attributes.
@@ -145,7 +147,8 @@ def insert_form(document: Drawing, marks: Sequence[Mark], size: tuple[float, flo
     form = next((FORMS[m.name] for m in marks if isinstance(m, Line) and m.name in FORMS), form1.FORM)
     block = document.blocks.new(form.drawn_as)
     insert = document.modelspace().add_blockref(form.drawn_as, (0, 0), dxfattribs={"layer": "FRAME"})
-    entities, written = Entities(block, lettered=strokes), Entities(document.modelspace(), LAYER_STYLES)
+    strokes = text == "strokes"
+    entities, written = Entities(block, lettered=text), Entities(document.modelspace(), LAYER_STYLES)
     filled: dict[str, list[Text]] = {}
     for mark in marks:
         if isinstance(mark, Text) and mark.name.startswith("cell ") and not strokes:
@@ -154,10 +157,10 @@ def insert_form(document: Drawing, marks: Sequence[Mark], size: tuple[float, flo
             entities.mark(mark)
     face = next(m.face for m in marks if isinstance(m, Text))
     for key, cell in ({} if strokes else form.cells(size)).items():
-        for k, text in enumerate(filled.get(key) or [_empty(cell, f"cell {key}", face)]):
+        for k, said in enumerate(filled.get(key) or [_empty(cell, f"cell {key}", face)]):
             tag = key.upper() + (f"_LINE_{k + 1}" if k else "")
-            _attribute(block, insert, tag, form1.prompt(key, lang), text)
-            written.all([text] if text.text else [])
+            _attribute(block, insert, tag, form1.prompt(key, lang), said)
+            written.all([said] if said.text else [])
 
 
 def _empty(cell: form1.Cell, name: str, face: Face) -> Text:

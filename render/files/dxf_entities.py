@@ -7,14 +7,14 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from render.files.writer import Lines, Writer, dashes_of
 from render.paper.ink import arc_dashes, is_circle
 from render.paper.lettering import PEN
 from render.paper.marks import Arc, Face, Text
 from render.paper.style import INDEX_SIZE, pen, weight
-from render.paper.typeset import Indexed, LaidText, indexed, layout
+from render.paper.typeset import Indexed, LaidText, Run, indexed, layout, plain
 
 if TYPE_CHECKING:
     from ezdxf.entities import Hatch
@@ -27,6 +27,9 @@ OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
 OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and brings this one of ГОСТ 2.304
 LINE_TYPES = {"axis": "DASHDOT2", "phantom": "DIVIDE2", "dash": "DASHED2"}  # LibreCAD knows line types by their names
 ARROW, LETTERS = "ARROW", "LETTERS"
+PROSE = 40  # letters of a text that is no label
+Lettered = Literal["text", "pieces", "strokes"]
+"""How a text is written: as one; its indices as texts of their own; or the lettering itself, drawn by lines."""
 UNKNOWN = frozenset("→←↔↑↓")  # signs that its font does not know
 _FEET = {"start": (7, 0.0), "middle": (8, 0.5), "end": (9, 1.0)}  # where on its base line an MTEXT is held
 
@@ -58,11 +61,11 @@ def formatted(text: str) -> str:
 class Entities(Writer):
     """Adds marks to a space or a block; ``layers`` names the line style each layer has of itself.
 
-    With no ``layers`` (in a block) every mark says its own.  ``lettered``: letters drawn as lines.
+    With no ``layers`` (in a block) every mark says its own.  ``lettered``: how texts are written.
     """
 
-    def __init__(self, space: BaseLayout, layers: Mapping[str, str] | None = None, lettered: bool = False) -> None:
-        self.space, self.layers, self.drawn_letters = space, layers or {}, lettered
+    def __init__(self, space: BaseLayout, layers: Mapping[str, str] | None = None, lettered: Lettered = "text") -> None:
+        self.space, self.layers, self.lettered = space, layers or {}, lettered
         self.written: dict[Text, str] = {}  # blocks of letters
 
     def looks(self, style: str, layer: str, dashes: Sequence[float] = ()) -> dict[str, object]:
@@ -130,10 +133,14 @@ class Entities(Writer):
 
     def text(self, text: Text) -> None:
         """A text as a TEXT fitted between its ends, but for 1, l and other slim letters by themselves; as an MTEXT, if
-        it has indices; or the lettering itself, with signs that LibreCAD would not show."""
+        it has indices, or in pieces so fitted where it is a line of prose, since an MTEXT is as wide as its font is; or
+        the lettering itself, with signs that LibreCAD would not show."""
         laid = layout(text)
-        if self.drawn_letters or UNKNOWN & set(text.text):
+        if self.lettered == "strokes" or UNKNOWN & set(text.text):
             self.lettering(text)
+        elif len(laid.runs) > 1 and (self.lettered == "pieces" or len(plain(text.text)) > PROSE):
+            for run in laid.runs:
+                self._plain(text, laid, run)
         elif len(laid.runs) > 1:
             foot, part = _FEET[text.anchor]
             held = laid.origin + cmath.rect(part * laid.width, math.radians(laid.turn_deg))
@@ -141,13 +148,13 @@ class Entities(Writer):
             looks |= {"rotation": laid.turn_deg, "attachment_point": foot, "rect_width": round(laid.width, 6)}
             self.space.add_mtext(formatted(text.text.strip()), dxfattribs=looks)
         elif laid.runs:
-            self._plain(text, laid)
+            self._plain(text, laid, laid.runs[0])
 
-    def _plain(self, text: Text, laid: LaidText) -> None:
-        """A text without indices."""
+    def _plain(self, text: Text, laid: LaidText, run: Run) -> None:
+        """A text without indices, or a part of one."""
         from ezdxf.enums import TextEntityAlignment as Align
 
-        (run,), turn = laid.runs, cmath.rect(1, math.radians(laid.turn_deg))
+        turn = cmath.rect(1, math.radians(laid.turn_deg))
         start, said = laid.origin + run.at * turn, run.text.strip()
         entity = self.space.add_text(said, dxfattribs=text_looks(text, run.height))
         if run.width > SLIM * run.height * len(said) or text.narrow < 1:

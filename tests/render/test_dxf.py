@@ -386,3 +386,26 @@ def test_a_full_a1_sheet_is_drawn_within_so_many_calls(suffix, tmp_path):
     with at_most(8_000_000):
         assert main(["sheet", str(tmp_path / "a1.yaml"), "--sheet", "1", "-o", str(drawn)]) == 0
     assert drawn.stat().st_size > 100_000
+
+
+@pytest.mark.parametrize(
+    ("said", "text", "kinds"), [("v_{CB}", "text", ["MTEXT"]), ("v_{CB}", "pieces", ["TEXT", "TEXT"])]
+)
+def test_an_index_is_a_text_of_its_own_by_choice(said, text, kinds):
+    mark = Text(said, 10 + 50j, 5.0)
+    found = list(ezdxf.read(io.StringIO(dxf.write([mark], (100, 100), "t", text=text).decode())).modelspace())
+    assert [e.dxftype() for e in found] == kinds
+    if text == "pieces":
+        assert [(e.dxf.text, round(e.dxf.height, 3)) for e in found] == [
+            (run.text, round(run.height, 3)) for run in layout(mark).runs
+        ]
+
+
+def test_a_line_of_prose_is_as_wide_as_drawn():
+    mark = Text(
+        "значения расходятся с точными на 5 %; вне допуска одно: v_{H} = 1,38 м/с вместо 1,001 м/с", 10 + 50j, 2.5
+    )
+    found = list(ezdxf.read(io.StringIO(dxf.write([mark], (300, 100), "t").decode())).modelspace())
+    assert {e.dxftype() for e in found} == {"TEXT"} and len(found) == len(layout(mark).runs) == 3
+    end = max((e.dxf.align_point if e.dxf.hasattr("align_point") else e.dxf.insert).x for e in found)
+    assert end == pytest.approx(10 + layout(mark).width, abs=0.5)
