@@ -80,8 +80,7 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
 
     if number == 1:
         return compose(scene, Contents(views, extents, free=drawn.free), composer.lang, number)
-    yielding = "force" if scene.mu.get("force") is None else ""
-    held = Contents(views, drawn.extents, drawn.ranked, yielding, free=drawn.free, together=(Together(),))
+    held = Contents(views, drawn.extents, drawn.ranked, free=drawn.free, together=(Together(),))
     return compose(scene, held, composer.lang, number)
 
 
@@ -114,14 +113,14 @@ class DrawnPosition:
     def at(self, sizes: Sizes) -> Position:
         """The position at the scene's scales, or smaller where no paper holds its plans so, each drawn once.
         :class:`PlanesError` where it cannot be drawn."""
-        fits = tuple((kind, sizes.of(kind) * mm) for kind, mm in fits_on(self.scene.sheet, self.stated[0]).items())
-        if fits not in self.kept:
-            self.kept[fits] = self._drawn(dict(fits))
-        return self.kept[fits]
+        if sizes.factor not in self.kept:
+            fits = fits_on(self.scene.sheet, self.stated[0])
+            self.kept[sizes.factor] = self._drawn({kind: sizes.factor * mm for kind, mm in fits.items()})
+        return self.kept[sizes.factor]
 
     @cached_property
-    def kept(self) -> dict[tuple[tuple[str, float], ...], Position]:
-        """The position by how large its plans may be."""
+    def kept(self) -> dict[float, Position]:
+        """The position by the factor of its plans."""
         return {}
 
     @cached_property

@@ -52,15 +52,9 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
                         break  # a larger format holds it
                     missing = [*reversed(waiting.values()), *(() if whole else spare)]
                     left_out = (without(missing, wanted, Paper(name), number, lang),) if missing else ()
-                    said = left_out + smaller(how[0], contents, name, lang)
-                    return finished(scene, Paper(name), places, lang, number, said)
+                    smaller = (say("smaller_mu", lang, format=name),) if factor < 1 else ()
+                    return finished(scene, Paper(name), places, lang, number, left_out + smaller)
     raise no_room(contents, Paper(papers[-1][-1]), lang)
-
-
-def smaller(sizes: Sizes, contents: Contents, name: str, lang: Lang) -> tuple[str, ...]:
-    """Sentences about plans that are smaller than the scene has them."""
-    every = (say("smaller_mu", lang, format=name),) if sizes.factor < 1 else ()
-    return every + ((say("yielding_mu", lang),) if sizes.of(contents.yielding) < sizes.factor else ())
 
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:

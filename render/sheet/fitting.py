@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
-from itertools import accumulate, chain, product, starmap
+from itertools import accumulate, product, starmap
 from typing import NamedTuple
 
 from render.labels import rough, roughly
@@ -52,7 +52,6 @@ class Contents:
     views: Callable[[Sizes, float, Together], Held]
     extents: Extents = lambda sizes: {}
     ranked: Callable[[Sizes], bool] = lambda sizes: True  # whether what is to be the largest figure is
-    yielding: str = ""  # the kind of plans that are drawn smaller than the scene has them, for that
     extras: tuple[str, ...] = ()  # those of the views that wait for room that have found some
     free: bool = False
     together: Sequence[Together] = tuple(starmap(Together, product((True, False), repeat=2)))
@@ -176,12 +175,9 @@ def shown(contents: Contents, how: Way, whole: bool) -> list[View]:
 
 
 def ranked(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:
-    """The same with plans as large as there is room for, in the first letters with which they keep their ranks, or else
-    with those that yield as large as lets them."""
+    """The same with plans as large as there is room for, in the first letters with which they keep their ranks."""
     letters = LETTERS[paper.name[:2]]
-    usual = ((how[0], one, *how[2:]) for one in letters[letters.index(how[1]) :])
-    lesser = (how[0].larger(contents.yielding, times) for times in SMALLER if contents.yielding)
-    tried = chain(usual, ((sizes, *how[1:]) for sizes in lesser))
+    tried = ((how[0], one, *how[2:]) for one in letters[letters.index(how[1]) :])
     best = first = enlarged(contents, next(tried), whole, paper)
     while not contents.ranked(best[0][0]):
         if not (way := next(tried, None)):

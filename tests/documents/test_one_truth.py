@@ -18,7 +18,7 @@ from planes.scene import Scene, load
 from planes.solving import solve
 from planes.solving.document import Block, DocumentTable, Figure, Paragraph
 from planes.solving.given import GivenTable
-from planes.words import decimal, say
+from planes.words import decimal
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, mu_of
 from planes.words.units import Convention, mu_text
@@ -32,8 +32,6 @@ SCENES["format A1"] = Scene(**{**vars(SCENES["kind-3-rpr"]), "sheet": {"format":
 SCHEMES = {"position": "scheme"}
 OF_PLAN = dict.fromkeys(("scheme", "loaded", "group", "apart"), "position") | {"lever": "velocity"}
 """By whose μ a figure of a sheet is drawn that is no plan."""
-YIELDED = say("yielding_mu", "ru")
-"""What a sheet says whose force plans are smaller, so that the scheme with loads is the largest figure."""
 PER_UNIT = re.compile(r"\d мм(/[А-Яа-я°(]|·с)")
 
 
@@ -76,8 +74,7 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
             for p in lesson["plans"]
             if p["key"] == plan
         )
-        shown = [sheet for sheet in sheets.values() if kind_of(plan) != "force" or YIELDED not in sheet.warnings]
-        titles = [v.title for sheet in shown for v, *_ in sheet.views if v.key in (plan, SCHEMES.get(plan))]
+        titles = [v.title for sheet in sheets.values() for v, *_ in sheet.views if v.key in (plan, SCHEMES.get(plan))]
         assert all(told_mu(mu, plan) in title for title in titles), (plan, titles)
         if plan in ("velocity", "acceleration"):
             for vector, _, found in drawn.measured_on(plan):
@@ -100,12 +97,7 @@ def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: 
         sheet = sheet_of(scene, None, "ru", number)
         for key, title in ((v.key, v.title) for v, *_ in sheet.views if " = " in v.title):
             plan = OF_PLAN.get(key, key)
-            own = (
-                key == "loaded"
-                or (key == "lever" and still)
-                or (kind_of(plan) == "force" and YIELDED in sheet.warnings)
-            )
-            if (mu := drawn.scales.get(mu_of(plan))) and not own:
+            if (mu := drawn.scales.get(mu_of(plan))) and key != "loaded" and not (key == "lever" and still):
                 assert title.endswith(decimal(mu_text(mu, kind_of(plan), "ru", convention), "ru")), (key, title, mu)
         written = [text for text in texts(sheet) if "μ" in text]
         assert written and all(bool(PER_UNIT.search(t)) is (convention == "mm_per_unit") for t in written), written

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from planes.documents.sheets import DrawnPosition, sheet_of
+from planes.documents.sheets import DrawnPosition
 from planes.scene import load, loads
 from render.labels.footprints import bounds
 from render.paper.hues import PART
@@ -26,25 +26,10 @@ def longest(view) -> float:
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize(
-    "name", ["kind-3-rpr", "bntu-1", "kind-1-rrr", "assignments/12", "hinge-motor", "assignments/04", "assignments/19"]
-)
+@pytest.mark.parametrize("name", ["kind-3-rpr", "bntu-1", "kind-1-rrr", "assignments/12"])
 def test_the_scheme_with_loads_is_the_largest_figure(name):
     figures = {v.key: longest(v) for v, _, _ in sheet(name, number=2).views if v.figure and v.key != "apart"}
     assert max(figures, key=figures.__getitem__) == "loaded", figures
-
-
-@pytest.mark.few(1)
-@pytest.mark.parametrize("number", ["04", "07", "28"])
-def test_force_plans_yield_where_the_scheme_has_no_room_and_say_so(number):
-    text = (ROOT / "samples" / "assignments" / f"{number}.yaml").read_text(encoding="utf-8")
-    free = sheet_of(loads(text), None, "ru", 2)
-    assert sum("μ_F этого листа" in said for said in free.warnings) == 1
-    mu = DrawnPosition(loads(text), None, "ru").first.scales["mu_force:2-3"]
-    kept = sheet_of(loads(f"{text}\nplans: {{force: {{mu: {mu:g} mm/N}}}}\n"), None, "ru", 2)
-    assert not any("μ_F этого листа" in said for said in kept.warnings)
-    plans = ({v.title for v, _, _ in one.views if v.key == "force:2-3"} for one in (free, kept))
-    assert next(plans) != next(plans)
 
 
 def test_a_scheme_grows_by_scales_of_the_standard_and_not_where_its_scale_is_stated():
