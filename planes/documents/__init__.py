@@ -46,8 +46,8 @@ def draw_sheet(
     Returns a sentence for each thing that must be said of it: what found no room, or cannot be seen or read.
 
     ``number`` 1 or 2 is that sheet of a course project; without it everything stands on one page. ``view`` is one
-    view alone, without a frame. ``text`` "pieces" writes the indices of a DXF as texts of their own, "strokes" draws its
-    letters by lines.
+    view alone, without a frame. ``text`` "pieces" writes the indices of a DXF as texts of their own, "strokes" draws
+    its letters by lines.
     """
     if Path(output).suffix.lower() not in SUFFIXES:
         raise PlanesError(Phrase("bad_suffix", file=output, known=SUFFIXES))
