@@ -90,7 +90,8 @@ class Outcome(Described):
         far = (label_of(m) for m, miss in misses.items() if abs(miss.off) > max(ASTRAY_MM, self.grading.laid_mm(m)))
         untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
         closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
-        return list(dict.fromkeys([*self.grading.unseen, *untold, *closing, *far]))
+        hidden = (n for n in self.grading.unseen if n not in self.paper.named)
+        return list(dict.fromkeys([*hidden, *untold, *closing, *far]))
 
     def right(self, unseen: str) -> Phrase:
         """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""

@@ -79,6 +79,7 @@ class ReadPaper:
     box: Box | None = None  # where it lies
     strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
     untold: list[str] = field(default_factory=list)  # vectors that may as well be others, with a mistake
+    named: list[str] = field(default_factory=list)  # marks not read, but whose names stand where they should be
     apart: bool = False  # whether a mistake explains its force polygon, and no right one nearly as well
     notes: list[Phrase] = field(default_factory=list)
 

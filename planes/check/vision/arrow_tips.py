@@ -12,6 +12,7 @@ import numpy
 from planes.check.vision.heads import SeenHead, heads_of, one_ink
 from planes.check.vision.ink import LIGHT, Ink
 from planes.check.vision.line_fitting import Fitted, Tip
+from planes.check.vision.tip_edges import sharpened
 from planes.geometry.arrays import Array, Complexes
 
 USUAL_MM = 3.0  # about how long a head is
@@ -33,6 +34,7 @@ GOAL_MM = 0.2  # how nearly it is told where a head is to be looked for
 SHORT_MM, BROAD_MM, MORE = 6.0, (1.2, 3.6), 0.12  # of a barb; where a head is broad, and how much ink must be there
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM = 0.1  # no tip is surer
+SEEMS_MM = 0.2  # by how much a head seems to reach too far: strokes laid one upon the other look broader
 
 Likeness = tuple[Array, Array]  # what heads are like, and how much they differ: length, half of the width
 
@@ -56,7 +58,7 @@ def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
     for line in lines:
         line.heads = []
     for sight in sorted((x for x in sights if x.good), key=lambda x: -x.gain):
-        line, head = sight.line, sight.tip
+        line, head = sight.line, sight.tip if sight.end is not None else sharpened(ink, sight.line, sight.tip)
         if line.low - 1.5 < head.s < line.high + 1.5 and not any(one_ink(head, k) for k in line.heads):
             line.heads.append(head)
 
@@ -236,7 +238,7 @@ class Sight:
     @property
     def tip(self) -> Tip:
         """Its tip."""
-        s = self.sign * float(self.p[0])
+        s = self.sign * (float(self.p[0]) - (SEEMS_MM if self.end is None else 0.0))
         z = complex(self.line.at(s)) + 1j * self.line.along * float(self.p[1])
         length = float(self.p[3])
         alike = 0.0 if self.end is not None else HAND * length  # where a line goes on the length tells the tip

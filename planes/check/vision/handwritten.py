@@ -19,6 +19,7 @@ from planes.geometry.arrays import Array, Greys
 
 SHAPES = "0123456789FRGPNФABDEHKTMabdefghknqrtπ_|*"  # Cyrillic and Latin letters of one shape are one; * is none
 SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
+SAME |= {"s": "5", "c": "G"}
 """By letter, the shapes it may have where that is not its own."""
 SIDE_PX, RIM_PX, CELLS = 24, 2, 6  # of a letter's picture as the net sees it, and of what it takes means of
 SOFTENED_MM, ABOUT_MM = 0.12, 1.5  # by which the paper's grain is smoothed; in which ink is held against the darkest

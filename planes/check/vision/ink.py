@@ -43,12 +43,21 @@ class Ink:
 
     def at(self, z: Complexes) -> Array:
         """Darkness of places in mm (an array of complex numbers of one or two axes): 0 of paper, 1 of a line."""
+        dark: Array = (PAPER - self._sampled(self.even, z, 255)) / (PAPER - PENCIL)
+        return dark.clip(0, 1)
+
+    def raw(self, z: Complexes) -> Array:
+        """How much darker than paper the picture is at places in mm."""
+        return self._sampled(self.dark, z, 0)
+
+    def _sampled(self, picture: Greys, z: Complexes, outside: int) -> Array:
+        """A picture's greys at places in mm (an array of one or two axes)."""
         cv2, local = cv(), (z - self.flat.corner) * self.flat.scale
-        rows = numpy.atleast_2d(local.real), numpy.atleast_2d(self.even.shape[0] - local.imag)
+        rows = numpy.atleast_2d(local.real), numpy.atleast_2d(picture.shape[0] - local.imag)
         across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
-        grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
-        dark: Array = (PAPER - grey.astype(numpy.float32)) / (PAPER - PENCIL)
-        return dark.clip(0, 1).reshape(numpy.shape(z))
+        grey = cv2.remap(picture, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=outside)
+        found: Array = grey.astype(numpy.float32).reshape(numpy.shape(z))
+        return found
 
     def darkest(self, z: Complexes) -> Array:
         """How much darker than paper the picture is about places in mm, at the most."""

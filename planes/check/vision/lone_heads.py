@@ -14,6 +14,7 @@ WIDE_MM = (0.5, 2.4)
 PARTS = 5  # of its length, in which its width is measured
 BROADER_MM, POINTED = 0.15, 0.55  # by which a part may be wider than the one behind it; the front to the back
 FILLED = (0.42, 0.8)  # the share of its length and width that is ink
+ASIDE_MM = 1.2  # how far aside of a line that runs on its head may be
 BEND_MM = 0.35  # how far its middle may be aside of its vector's way
 ABOUT_MM = 2.2  # how far its tip may be from where it is looked for
 GAP_MM, LED = 4.5, 0.7  # what is faint behind it at the most; the share of the way before that is drawn
@@ -51,6 +52,16 @@ class LoneHeads:
             if tip is not None and abs(tip - end) < ABOUT_MM and self._led(start, tip):
                 found.append(tip)
         return min(found, key=lambda z: abs(z - end), default=None)
+
+    def past(self, start: complex, end: complex, near: float, far: float) -> bool:
+        """Whether the line of a vector runs on past its end, so far, to a head that stands by itself."""
+        way = (end - start) / abs(end - start)
+        for piece in (*self.pieces, *(_without_shaft(piece, way) for piece in self.left)):
+            off = (complex(piece.mean()) - end) / way
+            beyond = near < off.real < far and abs(off.imag) < ASIDE_MM
+            if beyond and (tip := self._tip(piece, way)) is not None and self._led(end, tip):
+                return True
+        return False
 
     def _tip(self, piece: Complexes, way: complex) -> complex | None:
         """The tip of a piece that narrows along a way as a head does."""

@@ -32,7 +32,9 @@ UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so
 APART = 5.0  # by how much a right polygon is dearer where it is out of the question
 # a mistake that costs so little more than the right plan leaves in doubt what it moves so far
 RIVAL, APART_MM = 1.0, 0.8
+PAST_MM = 4.0, 30.0  # how far past the pole a head may stand
 IN_LINE, ASLANT = 3.0, 0.1  # the same where all lie in one line (so far aslant, of a length), and letters alone tell
+BETTER = 1.0  # or where its ink is so much better than the right plan's, however unlikely such a mistake is
 
 
 @dataclass
@@ -88,8 +90,9 @@ class LaidPolygon:
             return ()
         pole, found = self.polygon.pole.z, set[str]()
         drawn = self.plain.vectors(pole)
-        most = self.plain.cost + (IN_LINE if in_line([*drawn.values()]) else RIVAL)
+        straight = in_line([*drawn.values()])
         for guess in self.wrong:
+            most = self.plain.cost + (max(IN_LINE, guess.cost - BETTER) if straight else RIVAL)
             rival = self.polygon.lay(guess, most) if guess.cost < most else None
             others = rival.vectors(pole) if rival else {}
             found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}
@@ -128,8 +131,15 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
         if not best.left_out(n, one.right, pole.z)
     ]
     spots = by_ruler(seen.ink.flat, near, one.share, rows, explained, {})
-    untold = one.untold() if best is one.plain else ()
+    untold = (*one.untold(), *_past_pole(best, seen, pole.z)) if best is one.plain else ()
     return ReadPolygon(spots, explained > 0.9, explained, best.hidden, untold, dearer > APART)
+
+
+def _past_pole(best: LaidChain, seen: Seen, pole: complex) -> tuple[str, ...]:
+    """The vector that closes a polygon, if its line runs on past the pole to a head that stands there."""
+    start, end = best.routes(pole)[-1]
+    long = end == pole and abs(end - start) > PAST_MM[0]
+    return (best.rows[-1][0],) if long and seen.lone_heads.past(start, end, *PAST_MM) else ()
 
 
 def _likeliest(tried: Sequence[LaidPolygon]) -> LaidPolygon:

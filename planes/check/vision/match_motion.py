@@ -16,6 +16,7 @@ from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.vision.costs import ANYWHERE, slip
 from planes.check.vision.ink_cover import InkCover
 from planes.check.vision.laid_plan import LaidPlan
+from planes.check.vision.named_marks import named
 from planes.check.vision.places import Seen, pole_on
 from planes.check.vision.plan_search import CLOSE, Search
 from planes.check.vision.print_scale import by_ruler, measured_by, shares_of
@@ -58,15 +59,16 @@ def _cost(found: tuple[Search, LaidPlan]) -> float:
     return found[1].cost
 
 
-def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float]:
-    """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
+def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float, tuple[str, ...]]:
+    """The marks of a motion plan with its pole near a place, the share of the ink they explain, and which others have
+    but their names where they should be."""
     pole, ends = pole_on(seen, near), bench.vectors
     shares = shares_of(bench, seen, pole.z)
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
     searches = [replace(Search.of(bench, ink, pole, ends, k), drawn=drawn) for k, drawn in shares.items()]
     search, way = best_way(searches) or (None, None)
     if search is None or way is None or not way.found:
-        return [], 0.0
+        return [], 0.0, ()
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
     read = {label_of(m): way.found[m] for m in bench.marks if m in way.found and not search.blind(m, way)}
@@ -76,4 +78,5 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     if strange and len(way.found) == len(bench.marks):
         seen.ink.flat.notes.append(Phrase("check_strangers", count=len(strange)))
     spots = measured_by(seen.ink.flat, near, spots, search.own)
-    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained
+    right = named(search, way, {label_of(m) for m in bench.marks} - read.keys()) if way.variant is None else ()
+    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, right

@@ -44,6 +44,7 @@ class Look:
     explained: float = -1.0
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
     untold: tuple[str, ...] = ()  # vectors that may as well be others, with a mistake
+    named: tuple[str, ...] = ()  # marks that but their names tell, which stand where they should
     apart: bool = False  # whether a mistake explains it, and no right plan nearly as well
     bare: bool = False  # whether there are no lines at all
     crowd: bool = False  # whether there are too many to look at
@@ -97,6 +98,9 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if not best.spots:
             paper.notes.append(Phrase("check_force_unsure"))
         paper.untold, paper.apart = [n for n in best.untold if n not in pointed], best.apart
+        paper.named = [*best.named]
+        if best.named:
+            paper.notes.append(Phrase("check_by_name", names=", ".join(best.named)))
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
@@ -178,16 +182,17 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
     starts = [near] if near is not None else []
     if kind == "force" and near is not None:
         read = vectors_on(bench, seen, near)
-        return Look(flat, near, read.spots, read.whole, read.explained, read.hidden, read.untold, read.apart)
+        return Look(flat, near, read.spots, read.whole, read.explained, read.hidden, read.untold, apart=read.apart)
     if guessed and kind not in ("position", "force"):
         starts += likely_poles(seen)
     find, best = points_on if kind == "position" else marks_on, Look(flat, 0j, explained=0.0)
     for start in starts:
-        spots, explained = find(bench, seen, start)
+        spots, explained, named = find(bench, seen, start)
         known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
         if start != near:
             explained = min(explained, EXPLAINED)  # on a sheet of another size a plan may tell its pole
-        best = max(best, Look(flat, start if known else 0j, spots, False, explained), key=lambda look: look.explained)
+        look = Look(flat, start if known else 0j, spots, False, explained, named=named)
+        best = max(best, look, key=lambda look: look.explained)
         if known:
             break
     return best

@@ -9,7 +9,7 @@ import numpy
 from planes.check.fiducials import within
 from planes.check.vision.arrow_tips import ABOUT_MM, USUAL_MM, head_about, line_on_to
 from planes.check.vision.drawn_lines import lines_of, on
-from planes.check.vision.heads import head_at
+from planes.check.vision.heads import PENCIL_MM, head_at
 from planes.check.vision.ink import Ink, ink_of
 from planes.check.vision.line_fitting import Fitted, Tip
 from planes.check.vision.line_places import END_MM, HEAD_MM, TIP_REACH_MM, Normal, Place, places_of
@@ -17,6 +17,7 @@ from planes.check.vision.lone_heads import LoneHeads
 from planes.check.vision.picture import Flat
 from planes.check.vision.residual_ink import left_over, patches
 from planes.check.vision.rubbed_out import remaining
+from planes.check.vision.tip_edges import SIGMA_MM, ending
 from planes.geometry.arrays import Complexes
 
 TIP_MM, DIM_TIP_MM, CLOSER_MM = 0.3, 0.5, 2.0  # σ of a tip that was only looked for, or dimly seen; how far astray
@@ -51,6 +52,8 @@ class Seen:
         if key not in self.looked:
             drawn = abs(end - start) > HEADED_MM and not self.all_ink.bare(end, CLOSER_MM)
             found, sigma = self._headed(start, end) if drawn else (None, TIP_MM)
+            if found and (edge := ending(self.ink, found, (found - start) / abs(found - start), PENCIL_MM)):
+                found, sigma = edge, SIGMA_MM
             self.looked[key] = Place(found, sigma, frozenset(), True, self._short(start, found)) if found else None
         return self.looked[key]
 
