@@ -98,6 +98,8 @@ def test_lines_drawn_on_past_their_vectors_hide_no_plan(tmp_path: Path) -> None:
         ("bow", 91, 10),  # a line bent by 0.8 mm
         ("overshoot 12 mm", 91, 11),  # a polygon that runs on past the pole, and its construction line past its head
         ("overshoot 25 mm", 93, 6),  # forces of 3 mm with construction lines of 20 mm
+        ("no heads", 301, 0),  # a mass centre in the middle of a vector, which its name alone tells
+        ("tinted paper", 401, 1),  # a mistake that leaves the ink of the right plan, but other places of names
     ],
 )
 def test_what_was_misjudged_once_is_judged_rightly(factor: str, seed: int, number: int, tmp_path: Path) -> None:
@@ -109,6 +111,17 @@ def test_what_was_misjudged_once_is_judged_rightly(factor: str, seed: int, numbe
     assert taken is not None
     found = corpus.counted(taken)
     assert found.named if one.mistake else found.accepted
+
+
+@pytest.mark.slow
+def test_a_force_that_runs_past_the_pole_to_a_lone_head_is_not_called_right(tmp_path: Path) -> None:
+    """The head stands off the line that was fitted to two vectors beside each other."""
+    factor = "phone, 1280 px"
+    *_, one = corpus.works(8, f"223 {factor}", 12 * list(FACTORS).index(factor))
+    drawn_ = f"223 {factor} 7"
+    taken = corpus.picture(one, varied(Setting(), FACTORS[factor], random.Random(drawn_)), drawn_, tmp_path / "p.jpg")
+    assert taken is not None and one.mistake == Mistake("not_closed", "F_10")
+    assert corpus.counted(taken).false == 0
 
 
 @pytest.mark.slow

@@ -14,7 +14,7 @@ from planes.check.grading.polygons import Side, loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.costs import ANYWHERE
 from planes.check.vision.handwritten import words_on
-from planes.check.vision.ink_cover import InkCover
+from planes.check.vision.ink_cover import COVERED, InkCover
 from planes.check.vision.line_places import WOBBLE_MM, Place
 from planes.check.vision.match_in_order import read_in_order
 from planes.check.vision.places import Seen, pole_on
@@ -32,7 +32,7 @@ UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so
 APART = 5.0  # by how much a right polygon is dearer where it is out of the question
 # a mistake that costs so little more than the right plan leaves in doubt what it moves so far
 RIVAL, APART_MM = 1.0, 0.8
-PAST_MM = 4.0, 30.0  # how far past the pole a head may stand
+PAST_MM, ASIDE_MM = (4.0, 30.0), 0.9  # how far past the pole a head may stand, and its line aside
 IN_LINE, ASLANT = 3.0, 0.1  # the same where all lie in one line (so far aslant, of a length), and letters alone tell
 BETTER = 1.0  # or where its ink is so much better than the right plan's, however unlikely such a mistake is
 
@@ -138,8 +138,11 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
 def _past_pole(best: LaidChain, seen: Seen, pole: complex) -> tuple[str, ...]:
     """The vector that closes a polygon, if its line runs on past the pole to a head that stands there."""
     start, end = best.routes(pole)[-1]
-    long = end == pole and abs(end - start) > PAST_MM[0]
-    return (best.rows[-1][0],) if long and seen.lone_heads.past(start, end, *PAST_MM) else ()
+    if end != pole or abs(end - start) < PAST_MM[0]:
+        return ()
+    beyond = end + PAST_MM[0] * (end - start) / abs(end - start)
+    drawn = seen.all_ink.covered(end, beyond, ASIDE_MM) > COVERED
+    return (best.rows[-1][0],) if drawn and seen.lone_heads.past(start, end, *PAST_MM) else ()
 
 
 def _likeliest(tried: Sequence[LaidPolygon]) -> LaidPolygon:

@@ -16,7 +16,7 @@ from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.vision.costs import ANYWHERE, slip
 from planes.check.vision.ink_cover import InkCover
 from planes.check.vision.laid_plan import LaidPlan
-from planes.check.vision.named_marks import named
+from planes.check.vision.named_marks import by_names, named
 from planes.check.vision.places import Seen, pole_on
 from planes.check.vision.plan_search import CLOSE, Search
 from planes.check.vision.print_scale import by_ruler, measured_by, shares_of
@@ -38,7 +38,10 @@ def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
         best = min(ways, key=_cost, default=None)
         if best and best[1].cost > fair(bench.marks):
             ways += [(best[0], w) for w in best[0].free_ways(best[1])]
-    return min(ways, key=_cost, default=None)
+    best = min(ways, key=_cost, default=None)
+    if best is None or best[1].variant is not None or len(best[1].found) < len(bench.marks):
+        return best
+    return best[0], by_names(*best)
 
 
 def _likely(searches: Sequence[Search], best: tuple[Search, LaidPlan] | None) -> Sequence[Search]:

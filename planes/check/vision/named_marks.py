@@ -1,7 +1,7 @@
-"""Marks whose own ink cannot be told, as a mass centre's in the middle of another vector: told by where their names
-stand.
+"""Letters where they decide: on marks whose own ink cannot be told, as a mass centre's in the middle of another vector,
+and on mistakes that leave the ink of a right plan.
 
-A name counts only if it stands by the place where its mark should be, on ink that leads there, and by none where a
+A name tells a mark only if it stands by the place where that should be, on ink that leads there, and by none where a
 mistake of the catalogue would have it. How far off its mark a name stands nobody can measure, so no place is read.
 """
 
@@ -10,23 +10,66 @@ from typing import Any
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.prepared_plan import redrawn, variants_of
+from planes.check.vision.costs import slip
 from planes.check.vision.handwritten import HandWords, words_on
 from planes.check.vision.ink_cover import COVERED
 from planes.check.vision.laid_plan import LaidPlan
-from planes.check.vision.plan_search import Search
+from planes.check.vision.places import HEADED_MM
+from planes.check.vision.plan_search import EVEN_MM, Search
 from planes.drafting.steps import Step
 from planes.words.names import POLE, label_of
 
+# what a mark costs at the least whose name stands elsewhere, and by how much more a right plan must than a mistake
+PRICED, SURELY = 1.2, 1.0
 BESIDE_MM = 7.0  # how far off its mark a name stands, at the most
 NEARER_MM, APART_MM = 3.0, 2.5  # than to where a mistake has the mark, if that is so far from where it should be
 LIKELY, ELSEWHERE = 0.5, 0.3  # how surely a name is read there, and at the most anywhere else
+
+
+def names_on(search: Search) -> HandWords:
+    """The names on a sheet (remembered)."""
+    if not search.ink.words.words:
+        search.ink.words = words_on(search.seen, [POLE, *(label_of(m) for m in search.bench.marks)])
+    return search.ink.words
+
+
+def by_names(search: Search, plain: LaidPlan) -> LaidPlan:
+    """A plan rightly laid, or what a mistake leaves of nearly the same ink, if names stand where that has its marks;
+    looked for where not every mark shows a head of its own."""
+    if _each_headed(search, plain):
+        return plain
+    said, count = _said(search, plain), len(variants_of(search.bench, {}, search.bench.said_mu))
+    if max(said, default=0.0) < PRICED:
+        return plain
+    best, least = plain, plain.cost + sum(said) - SURELY
+    for variant in variants_of(search.bench, {}, search.bench.said_mu):
+        rival = search.settled(variant, slip(count), least)
+        if rival and (cost := rival.cost + sum(_said(search, rival))) < least:
+            best, least = rival, cost
+    return best
+
+
+def _each_headed(search: Search, way: LaidPlan) -> bool:
+    """Whether there are as many heads as places where longer vectors should end."""
+    ends = {POLE: search.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
+    true, heads, goals = {label_of(m): z for m, z in search.true.items()}, 0, list[complex]()
+    for a, b in ((a, b) for a, b in search.vectors if abs(ends[b] - ends[a]) > 2 * HEADED_MM):
+        heads |= search.ink.along(ends[a], ends[b])[1]
+        goals += [true[b]] if all(abs(true[b] - z) > EVEN_MM for z in goals) else []
+    return search.ink.headed and heads.bit_count() >= len(goals)
+
+
+def _said(search: Search, way: LaidPlan) -> list[float]:
+    """What it costs to believe in each of the marks of a plan for where its name stands."""
+    words = names_on(search)
+    return [words.price(label_of(m), p.z, p.z) for m, p in way.found.items()]
 
 
 def named(search: Search, way: LaidPlan, unread: Collection[str]) -> tuple[str, ...]:
     """Which of some marks that are not read (labels) have their names where they should be."""
     if not unread:
         return ()
-    words = words_on(search.seen, [POLE, *(label_of(m) for m in search.bench.marks)])
+    words = names_on(search)
     right = _places(search, way, None, unread)
     found = [n for n, z in right.items() if _led(search, way, n, z) and _by(words, n, z)]
     if not found:

@@ -10,7 +10,7 @@ from planes.check.vision.line_fitting import Fitted, Tip
 STEP_MM, ASIDE_MM = 0.05, 0.2  # along the way, and how far to either side of it the ink is looked at
 NEAR_MM, FAR_MM = 0.1, 0.4  # from an edge, between which the ink on either side is held against the other's
 REACH_MM, SOFT_MM = 1.0, 0.5  # how far from where a tip seems to be, at the most and commonly
-LEAST = 0.15  # of the darkest ink about, by how much a line is lighter past a head
+LEAST = 0.2  # of the darkest ink about, by how much a line is lighter past a head
 SIGMA_MM = 0.15  # of a tip told so
 CAP_MM = 0.4  # half of a pencil's line, at the most
 
