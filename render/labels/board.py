@@ -12,6 +12,7 @@ from render.labels.candidates import (
     BETWEEN,
     FAR,
     NEAR,
+    Candidates,
     Label,
     Placed,
     beside,
@@ -23,7 +24,6 @@ from render.labels.candidates import (
     placed,
     union,
 )
-from render.labels.footprints import close
 from render.labels.surroundings import HARD, Surroundings
 from render.paper.style import LARGER
 
@@ -42,9 +42,9 @@ class Effect(NamedTuple):
     """What a chosen place does to the candidates of other labels: which it clashes with and how often, and which it
     stands close to."""
 
-    at: Indices
+    clashing: Indices
     clashes: Indices
-    near: Booleans
+    near: Indices
 
 
 class Board:
@@ -66,7 +66,7 @@ class Board:
     def _list(self) -> None:
         """Put the candidates of all labels into one list."""
         self.every = union(self.options)
-        self.reach, self.static = self.every.reach, np.concatenate(self.costs)
+        self.reach, self.static = np.ascontiguousarray(self.every.reach.T), np.concatenate(self.costs)
         ends = np.cumsum([0, *map(len, self.costs)]).tolist()
         self.rows = [slice(*two) for two in pairwise(ends)]
         self.effects: dict[tuple[int, int], Effect] = {}
@@ -80,16 +80,19 @@ class Board:
         if (k, option) not in self.effects:
             self.effects[k, option] = self._effect(k, option)
         effect = self.effects[k, option]
-        self.clashes[effect.at] += sign * effect.clashes
-        self.near[effect.at] += sign * effect.near
+        self.clashes[effect.clashing] += sign * effect.clashes
+        self.near[effect.near] += sign
 
     def _effect(self, k: int, option: int) -> Effect:
         row = self.rows[k].start + option
-        reached = close(self.reach, self.reach[row : row + 1], REACH_MM, REACH_MM / 2)[:, 0]
+        left, low, right, top = self.reach
+        reached = (left < right[row] + REACH_MM) & (right > left[row] - REACH_MM)
+        reached &= (low < top[row] + REACH_MM / 2) & (top > low[row] - REACH_MM / 2)
         reached[self.rows[k]] = False
         at = np.flatnonzero(reached)
         clashes, near = met(self.every.some(at), self.every.some(np.array([row])))
-        return Effect(at, clashes[:, 0], near[:, 0])
+        clashing = np.flatnonzero(clashes[:, 0])
+        return Effect(at[clashing], clashes[clashing, 0], at[near[:, 0]])
 
     def _strays(self, k: int) -> Booleans:
         """Which candidates of label k stand nearer to the point of another label than to their own."""
@@ -140,28 +143,35 @@ class Board:
         kept = dict(self.chosen)
         free = np.argsort(self.costs[k], kind="stable")
         free = free[self.costs[k][free] < HARD]
-        clashes, _ = met(self.options[k].some(free), self.every.some(self.places()))
+        places = self.options[k].some(free)
+        clashes, _ = met(places, self.every.some(self.places()))
         clashes[:, k] = 0
-        self._count(k, -1)
-        stuck = {j for j in np.flatnonzero(clashes.any(axis=0)).tolist() if not self._can_move(j)}
-        self._count(k, 1)
-        for option, row in zip(free.tolist(), clashes, strict=True):
-            held = np.flatnonzero(row).tolist()
+        ways = dict[int, Booleans]()
+        for at, option in enumerate(free.tolist()):
+            held = np.flatnonzero(clashes[at]).tolist()
             if self.moves > PATIENCE:
                 return
-            if held and held[0] in stuck:
+            if held and held[0] not in ways:
+                ways[held[0]] = self._gives_way(held[0], k, places)
+            if held and not ways[held[0]][at]:
                 self.moves += 1
                 continue
             self._take(k, option)
-            if all(map(self._moves, held)) and self.cost(self.places()[k : k + 1])[0] < HARD:
+            if all(map(self._moves, held)) and self.cost(self.rows[k])[option] < HARD:
                 return
             for j, place in kept.items():
                 if self.chosen[j] != place:
                     self._take(j, place)
 
-    def _can_move(self, k: int) -> bool:
-        """Whether label k has another place."""
-        return bool(np.delete(self.cost(self.rows[k]), self.chosen[k]).min() < HARD)
+    def _gives_way(self, j: int, k: int, places: Candidates) -> Booleans:
+        """Which places of label k leave label j one where it overlaps nothing."""
+        self._count(k, -1)
+        rows = np.flatnonzero(self.cost(self.rows[j]) < HARD) + self.rows[j].start
+        near = self.near[rows] > 0
+        self._count(k, 1)
+        clashes, close_by = met(places, self.every.some(rows))
+        found: Booleans = ((clashes == 0) & (self.static[rows] + CLOSE * (close_by | near) < HARD)).any(axis=1)
+        return found
 
     def _moves(self, k: int) -> bool:
         """Move label k to its cheapest place; whether it overlaps nothing there."""
@@ -191,12 +201,14 @@ class Board:
     def excuse(self) -> bool:
         """Let labels that are told elsewhere, too, make room for others by being left out; False if none overlaps."""
         late = [k for k, label in enumerate(self.labels) if label.told] if self.unhappy() else []
+        if not late:
+            return False
         for k in late:
             self.options[k] = union([self.options[k], nowhere(self.labels[k])])
             self.costs[k] = np.append(self.costs[k], AWAY)
         self.moves = 0
         self._list()
-        return bool(late)
+        return True
 
     def placed(self) -> Placed:
         """The labels in the places chosen for them."""

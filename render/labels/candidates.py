@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
-from render.labels.footprints import close, crossed, meeting
+from render.labels.footprints import crossed, gaps, meeting
 from render.paper.marks import Arc, Layer, Line, Text
 from render.paper.typeset import extent
 
@@ -207,8 +207,9 @@ def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
     Letters upon each other clash twice, those nearer than labels may stand once.
     """
     letter = np.minimum(some.heights[:, None], others.heights[None, :])
-    clashes = close(some.boxes, others.boxes, *(share * letter for share in BETWEEN)).astype(np.intp)
-    clashes += close(some.boxes, others.boxes, 0.0, 0.0)
+    sideways, apart = gaps(some.boxes, others.boxes)
+    clashes = ((sideways < BETWEEN[0] * letter) & (apart < BETWEEN[1] * letter)).astype(np.intp)
+    clashes += (sideways < 0.0) & (apart < 0.0)
     led, leading = (np.flatnonzero(~np.isnan(places.leaders[:, 0])) for places in (some, others))
     own, theirs = some.leaders[led][:, None, :], others.leaders[leading][None, :, :]
     if len(leading):
@@ -217,7 +218,7 @@ def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
         clashes[led] += crossed(others.boxes[None, :, :] + _GROWN, own)
     if len(led) and len(leading):
         clashes[np.ix_(led, leading)] += meeting(own, theirs)
-    return clashes, close(some.boxes, others.boxes, APART_MM, CLEAR_MM)
+    return clashes, (sideways < APART_MM) & (apart < CLEAR_MM)
 
 
 def liked(labels: Sequence[Label]) -> Placed:

@@ -6,9 +6,9 @@ from functools import cached_property
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
+from render.labels.nearness import Edges, Shapes, edges_of
 from render.paper.boxes import box_around
 from render.paper.ink import Polyline, arrow_parts, flattened, is_circle
 from render.paper.marks import Arrow, Hatch, Line, Mark, Shape, Text
@@ -17,9 +17,6 @@ from render.paper.typeset import box_of, layout
 
 Bounds = tuple[float, float, float, float]
 """x0, y0, x1, y1 in mm."""
-
-Shapes = NDArray[np.object_]
-"""Geometries of shapely."""
 
 TOUCH_MM = 0.01
 PIECE = 10  # chords of a curve in one shape
@@ -37,17 +34,24 @@ class InkedShapes:
         """The shapes by where they are."""
         return shapely.STRtree(self.shapes)
 
-    def gaps(self, areas: Shapes, clear: float) -> tuple[Indices, Array]:
-        """Pairs (number of the area, number of the shape) that may be nearer than ``clear`` mm, and how far apart."""
-        x0, y0, x1, y1 = shapely.bounds(areas).T
-        most = clear + float(self.halves.max(initial=0.0))
-        pairs = self.tree.query(shapely.box(x0 - most, y0 - most, x1 + most, y1 + most))
-        return pairs, shapely.distance(areas[pairs[0]], self.shapes[pairs[1]]) - self.halves[pairs[1]]
+    @cached_property
+    def edges(self) -> Edges:
+        """The edges of the shapes."""
+        return edges_of(self.shapes, self.halves)
+
+    def near(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
+        """How many shapes have at most so many mm between them and each box (n, 4): for each of ``clears``, of which
+        the first is the greatest."""
+        return self.edges.near(boxes, clears)
 
     def within(self, areas: Shapes, clear: float) -> Indices:
         """Pairs (number of the area, number of the shape) with less than ``clear`` mm between them."""
-        pairs, apart = self.gaps(areas, clear)
-        return pairs[:, apart <= clear]
+        x0, y0, x1, y1 = shapely.bounds(areas).T
+        most = clear + float(self.halves.max(initial=0.0))
+        pairs = self.tree.query(shapely.box(x0 - most, y0 - most, x1 + most, y1 + most))
+        apart = shapely.distance(areas[pairs[0]], self.shapes[pairs[1]]) - self.halves[pairs[1]]
+        found: Indices = pairs[:, apart <= clear]
+        return found
 
 
 def ink(marks: Iterable[Mark]) -> InkedShapes:
@@ -104,18 +108,11 @@ def polygons(areas: Sequence[Polyline]) -> Shapes:
     return np.array(shapely.polygons(_strings(areas, shapely.linearrings)), dtype=object)
 
 
-def close(boxes: Array, others: Array, sideways: float | Array, clear: float | Array) -> Booleans:
-    """Which boxes (rows) come near which others (columns): nearer than so many mm sideways and in height.
-
-    Labels without a place yet come near nothing.
-    """
-    a, b = boxes[:, None, :], others[None, :, :]
-    return (
-        (a[..., 0] < b[..., 2] + sideways)
-        & (b[..., 0] < a[..., 2] + sideways)
-        & (a[..., 1] < b[..., 3] + clear)
-        & (b[..., 1] < a[..., 3] + clear)
-    )
+def gaps(boxes: Array, others: Array) -> tuple[Array, Array]:
+    """How far boxes (rows) are from others (columns), sideways and in height; less than nothing where they overlap."""
+    x0, y0, x1, y1 = (side[:, None] for side in boxes.T)
+    left, low, right, top = (side[None, :] for side in others.T)
+    return np.maximum(x0 - right, left - x1), np.maximum(y0 - top, low - y1)
 
 
 def crossed(boxes: Array, lines: Complexes) -> Booleans:

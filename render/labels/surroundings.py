@@ -18,7 +18,6 @@ THROUGH = 80.0  # cost of its going through a text
 BROKEN = 4.0  # cost of a thin line that is broken for a label
 ROOM_MM = 1.3
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
-AT_ONCE = 5000  # candidates looked at together: what lies near them is held for so many
 
 
 @dataclass(frozen=True)
@@ -43,17 +42,11 @@ class Surroundings:
 
     def _on_ink(self, boxes: Array) -> Array:
         """Cost of the strokes that each box touches or nearly touches."""
-        if len(boxes) > AT_ONCE:
-            parts = np.split(boxes, range(AT_ONCE, len(boxes), AT_ONCE))
-            return np.concatenate([self._on_ink(part) for part in parts])
-        cost, areas = np.zeros(len(boxes)), np.asarray(shapely.box(*boxes.T))
-        if len(self.ground.shapes):
-            pairs, apart = self.ground.gaps(areas, ROOM_MM)
-            cost += TIGHT * (np.bincount(pairs[0, apart <= ROOM_MM], minlength=len(boxes)) > 0)
-            cost += HARD * np.bincount(pairs[0, apart <= CLEAR_MM], minlength=len(boxes))
-        if len(self.yielding.shapes):
-            broken = self.yielding.within(areas, CLEAR_MM)[0]
-            cost += BROKEN * _bounded(np.bincount(broken, minlength=len(boxes)))
+        (roomless, struck), (broken,) = (
+            self.ground.near(boxes, (ROOM_MM, CLEAR_MM)),
+            self.yielding.near(boxes, (CLEAR_MM,)),
+        )
+        cost: Array = TIGHT * (roomless > 0) + HARD * struck + BROKEN * _bounded(broken)
         return cost
 
     def crossing(self, leaders: Complexes) -> Array:

@@ -140,24 +140,27 @@ class Columns:
 
     def _costs(self, last: int) -> Array:
         """The cheapest ways to have the first views in the first units."""
-        if not last:
-            return self.stacking.module.begun
-        known, key = self.stacking.broken, (self.piece[:last], self.torn[:last])
+        return self._known(last)[0]
+
+    def _known(self, last: int) -> tuple[Array, Array]:
+        """The same, and what is to be paid before a column begins, by its end and its span."""
+        known, key, module = self.stacking.broken, (self.piece[:last], self.torn[:last]), self.stacking.module
         if key not in known:
-            known[key] = reduce(numpy.minimum, self._ways(last)).min(axis=1)
+            costs = reduce(numpy.minimum, self._ways(last)).min(axis=1) if last else module.begun
+            known[key] = costs, costs[module.starts]
         return known[key]
 
-    def _ways(self, last: int) -> list[Array]:
+    def _ways(self, last: int) -> Iterator[Array]:
         """What the first views cost, by how many there are in their last column before its last one: by the unit where
         it ends, and by how many it spans."""
-        stacking, starts = self.stacking, self.stacking.module.starts
-        most, found = (1 + OVERFULL) * stacking.module.height, list[Array]()
+        stacking = self.stacking
+        most = (1 + OVERFULL) * stacking.module.height
         for k in range(last - 1, -1, -1):
             part = self.piece[k:last]
-            if found and stacking.high(part)[-1] > most:
+            if k < last - 1 and stacking.high(part)[-1] > most:
                 break
-            found.append((self._costs(k) + self.torn[k])[starts] + self.price(part))
-        return found
+            begun, torn = self._known(k)[1], self.torn[k]
+            yield (begun + torn if torn else begun) + self.price(part)
 
     def price(self, piece: Piece) -> Array:
         """What a column of some views costs, by its end and its span: its white, or what is too much in it."""
@@ -165,10 +168,9 @@ class Columns:
         if piece not in prices:
             module = self.stacking.module
             white = module.heights - self.stacking.high(piece) / module.height
-            fair = module.shares * white**2
-            fair[white < -1e-9] += OVER
-            fair[white <= -OVERFULL] = numpy.inf
-            prices[piece] = fair
+            fair = prices[piece] = module.shares * (white * white)
+            fair += OVER * (white < -1e-9)
+            numpy.copyto(fair, numpy.inf, where=white <= -OVERFULL)
         return prices[piece]
 
     def _placed(self, piece: Piece, unit: int, end: int, level: float) -> Iterator[Spot]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, reduce
 
 import numpy
 
@@ -28,6 +28,17 @@ class Spot:
     top: float
 
 
+@dataclass(frozen=True, slots=True)
+class Part:
+    """How high views are by the units they span; the same by the ``left`` and the ``right`` share of every number of
+    units; and the ``least`` units they need."""
+
+    high: Array
+    left: Array
+    right: Array
+    least: int
+
+
 @dataclass
 class Stacking:
     """Pieces in the units of a module, and what is known of columns of them: what one costs, and what the first ones
@@ -35,29 +46,41 @@ class Stacking:
 
     module: Module
     sizes: dict[Size, int] = field(default_factory=dict)
-    highs: dict[Piece, Array] = field(default_factory=dict, repr=False)
+    parts: dict[Piece, Part] = field(default_factory=dict, repr=False)
     prices: dict[Piece, Array] = field(default_factory=dict, repr=False)
-    broken: dict[tuple[Piece, tuple[float, ...]], Array] = field(default_factory=dict, repr=False)
+    broken: dict[tuple[Piece, tuple[float, ...]], tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
     def piece(self, sizes: Sequence[Size]) -> Piece:
         """Views of these sizes."""
         for size in sizes:
             if size not in self.sizes:
                 self.sizes[size] = len(self.sizes)
-                fits = self.module.spans >= self.module.span(size[0])
-                self.highs[(self.sizes[size],)] = numpy.where(fits, size[1], numpy.inf)
+                least = self.module.span(size[0])
+                fits = self.module.spans >= least
+                self.parts[(self.sizes[size],)] = self._part(numpy.where(fits, size[1], numpy.inf), least)
         return tuple(self.sizes[size] for size in sizes)
 
     def high(self, piece: Piece) -> Array:
         """How high views are at the least, by the units they may span: two parts beneath or beside each other."""
-        found = self.highs.get(piece)
-        if found is None:
-            first = numpy.stack([self.high(piece[:k]) for k in range(1, len(piece))])
-            second = numpy.stack([self.high(piece[k:]) for k in range(1, len(piece))])
-            whole, part = _shares(first.shape[1])
-            beside = numpy.maximum(first[:, part], second[:, whole]).min(axis=2)
-            found = self.highs[piece] = numpy.minimum(first + GAP_MM + second, beside).min(axis=0)
+        return self._known(piece).high
+
+    def _known(self, piece: Piece) -> Part:
+        return self.parts.get(piece) or self._found(piece)
+
+    def _found(self, piece: Piece) -> Part:
+        """What is found out of more views than one."""
+        parts = [(self._known(piece[:k]), self._known(piece[k:])) for k in range(1, len(piece))]
+        beneath = reduce(numpy.minimum, (first.high + GAP_MM + second.high for first, second in parts))
+        if narrow := [(a, b) for a, b in parts if a.least + b.least < len(beneath)]:
+            beside = reduce(numpy.minimum, (numpy.maximum(a.left, b.right) for a, b in narrow))
+            shared = numpy.minimum.reduceat(beside, _shares(len(beneath))[2])
+            numpy.minimum(beneath[2:], shared, out=beneath[2:])
+        found = self.parts[piece] = self._part(beneath, max(parts[0][0].least, parts[0][1].least))
         return found
+
+    def _part(self, high: Array, least: int) -> Part:
+        left, right, _ = _shares(len(high))
+        return Part(high, high[left], high[right], least)
 
     def rows(self, piece: Piece, span: int) -> list[Piece]:
         """The parts of a piece that stand beneath each other."""
@@ -85,7 +108,8 @@ class Stacking:
 
 
 @lru_cache
-def _shares(count: int) -> tuple[Indices, Indices]:
-    """The two shares into which each number of units can be parted, the last of them repeated."""
-    whole, part = numpy.mgrid[:count, :count]
-    return numpy.maximum(whole - part, 0), numpy.minimum(part, whole)
+def _shares(count: int) -> tuple[Indices, Indices, Indices]:
+    """The two shares into which each number of units from 2 can be parted, all in a row; where each number begins."""
+    every = [(share, whole - share) for whole in range(2, count) for share in range(1, whole)]
+    left, right = numpy.array(every, dtype=numpy.intp).reshape(-1, 2).T
+    return left, right, numpy.cumsum([0, *range(1, count - 2)])

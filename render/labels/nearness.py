@@ -1,0 +1,148 @@
+"""How many shapes are near to each of many boxes; all in mm of the sheet.
+
+Boxes come in runs of those that stand near each other, so that most edges are ruled out for a whole run at once; of the
+others the distance is known by the axes that may part a box and an edge: across, upright, and that normal to the edge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from planes.geometry.arrays import Array, Booleans, Indices
+
+RUN, CELL_MM = 24, 8.0  # boxes to a run; they are taken by strips so wide
+AT_ONCE = 4000  # boxes looked at together
+Shapes = NDArray[np.object_]
+"""Geometries of shapely."""
+
+
+@dataclass(frozen=True)
+class Edges:
+    """The edges of shapes, in their order, each with its two ends: (4, n); a polygon has one more, the corners of the
+    box around it, for what is inside it. ``owners`` (n,) are the shapes, ``halves`` (n,) the widths of their pens,
+    ``inside`` (n,) tells the edges for insides, and ``shapes`` are all of them."""
+
+    ends: Array
+    owners: Indices
+    halves: Array
+    inside: Booleans
+    shapes: Shapes
+
+    def near(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
+        """How many shapes have at most so many mm between them and each box (n, 4): for each of ``clears``, of which
+        the first is the greatest."""
+        if not len(self.shapes):
+            return [np.zeros(len(boxes), np.intp) for _ in clears]
+        order = np.lexsort((boxes[:, 1], boxes[:, 0] // CELL_MM))
+        counts = np.zeros((len(clears), len(boxes)), np.intp)
+        for part in np.split(order, range(AT_ONCE, len(order), AT_ONCE)):
+            box, edge = self._reached(boxes[part], clears[0])
+            apart = self._apart(tuple(boxes[part[box]].T), edge)
+            for count, clear in zip(counts, clears, strict=True):
+                close = apart <= clear
+                count[part] = self._counted(box[close], edge[close], len(part))
+        return list(counts)
+
+    def _reached(self, boxes: Array, clear: float) -> tuple[Indices, Indices]:
+        """Pairs of boxes and edges that may be so near."""
+        reach, runs = self._reach(clear), _runs(boxes)
+        run, edge = np.nonzero(_over([side[None] for side in reach], _around(runs)))
+        row, at = np.nonzero(_over([side[edge, None] for side in reach], [side[run] for side in runs]))
+        return run[row] * RUN + at, edge[row]
+
+    def _counted(self, boxes: Indices, edges: Indices, count: int) -> Indices:
+        """How many shapes there are for each box, by pairs of boxes and edges; more edges of one shape count once."""
+        owners = self.owners[edges]
+        many = self._many[owners]
+        pairs = np.unique(boxes[many] * len(self.shapes) + owners[many]) // len(self.shapes)
+        found: Indices = np.bincount(boxes[~many], minlength=count) + np.bincount(pairs, minlength=count)
+        return found
+
+    @cached_property
+    def _many(self) -> Booleans:
+        """Which shapes have more edges than one."""
+        found: Booleans = np.bincount(self.owners, minlength=len(self.shapes)) > 1
+        return found
+
+    def _reach(self, clear: float) -> list[Array]:
+        """The boxes around all that is so near to each edge."""
+        ax, ay, bx, by = self.ends
+        most = clear + self.halves
+        return [
+            np.minimum(ax, bx) - most,
+            np.minimum(ay, by) - most,
+            np.maximum(ax, bx) + most,
+            np.maximum(ay, by) + most,
+        ]
+
+    @cached_property
+    def _ways(self) -> Array:
+        """Which way edges go, and how long they are: (3, n); a point goes nowhere."""
+        ax, ay, bx, by = self.ends
+        long = np.hypot(bx - ax, by - ay)
+        safe = np.where(long == 0, 1.0, long)
+        found: Array = np.array([(bx - ax) / safe, (by - ay) / safe, long])
+        return found
+
+    def _apart(self, boxes: Sequence[Array], edges: Indices) -> Array:
+        """How far boxes are from edges, as many of both."""
+        wide, high = (boxes[2] - boxes[0]) / 2, (boxes[3] - boxes[1]) / 2
+        x, y = boxes[0] + wide, boxes[1] + high
+        (ax, ay, bx, by), (along, up, long) = self.ends[:, edges], self._ways[:, edges]
+        ax, ay, bx, by = ax - x, ay - y, bx - x, by - y
+        ends = np.minimum(_outside(ax, wide, ay, high), _outside(bx, wide, by, high))
+        across = ax * up - ay * along
+        past = np.abs(across) - (np.abs(up) * wide + np.abs(along) * high)
+        to_x, to_y = np.copysign(wide, across * up) - ax, np.copysign(high, -across * along) - ay
+        corner = to_x * along + to_y * up
+        level = (np.minimum(ax, bx) <= wide) & (np.maximum(ax, bx) >= -wide)
+        level &= (np.minimum(ay, by) <= high) & (np.maximum(ay, by) >= -high)
+        found = np.where((past > 0) & (corner > 0) & (corner < long), past, ends)
+        found[(past <= 0) & level] = 0.0
+        (areas,) = np.nonzero(self.inside[edges])
+        held = shapely.contains_xy(self.shapes[self.owners[edges[areas]]], x[areas], y[areas])
+        found[areas] = np.where(held, 0.0, np.inf)
+        apart: Array = found - self.halves[edges]
+        return apart
+
+
+def edges_of(shapes: Shapes, halves: Array) -> Edges:
+    """The edges of lines and polygons without holes, drawn with pens of half those widths."""
+    areas = shapely.get_type_id(shapes) == shapely.GeometryType.POLYGON
+    points, owners = shapely.get_coordinates(shapes, return_index=True)
+    (one,) = np.nonzero(np.diff(owners) == 0)
+    every = np.concatenate([owners[one], np.flatnonzero(areas)])
+    order = np.argsort(every, kind="stable")
+    ends = np.concatenate([np.hstack([points[one], points[one + 1]]), shapely.bounds(shapes[areas]).reshape(-1, 4)])
+    inside = np.repeat([False, True], [len(one), len(every) - len(one)])[order]
+    return Edges(np.ascontiguousarray(ends[order].T), every[order], halves[every[order]], inside, shapes)
+
+
+def _runs(boxes: Array) -> list[Array]:
+    """The sides of boxes in runs, the last of them filled up with boxes that are nowhere."""
+    lacking = np.full((-len(boxes) % RUN, 4), np.nan)
+    return [side.reshape(-1, RUN) for side in np.ascontiguousarray(np.concatenate([boxes, lacking]).T)]
+
+
+def _around(runs: Sequence[Array]) -> list[Array]:
+    """The box around each run."""
+    low, high = (np.fmin.reduce, np.fmax.reduce)
+    return [lesser(side, axis=1)[:, None] for lesser, side in zip((low, low, high, high), runs, strict=True)]
+
+
+def _over(some: Sequence[Array], others: Sequence[Array]) -> Booleans:
+    """Which boxes overlap which, by broadcasting."""
+    found: Booleans = (some[0] <= others[2]) & (others[0] <= some[2]) & (some[1] <= others[3]) & (others[1] <= some[3])
+    return found
+
+
+def _outside(x: Array, wide: Array, y: Array, high: Array) -> Array:
+    """How far points are from boxes about 0 of half those sides."""
+    found: Array = np.hypot(np.maximum(np.abs(x) - wide, 0.0), np.maximum(np.abs(y) - high, 0.0))
+    return found

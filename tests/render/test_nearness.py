@@ -1,0 +1,39 @@
+"""Which strokes are near to boxes, against shapely's own distances."""
+
+from __future__ import annotations
+
+import random
+
+import numpy as np
+import pytest
+import shapely
+
+from render.labels.nearness import edges_of
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_as_many_shapes_are_near_as_shapely_says(seed: int) -> None:
+    dice = random.Random(seed)
+    drawn = [curve(dice) for _ in range(60)]
+    shapes = np.array([shapely.LineString(z) if k % 3 else shapely.Polygon(z) for k, z in enumerate(drawn)])
+    shapes = shapes[shapely.is_valid(shapes)]
+    halves = np.array([dice.choice((0.0, 0.25, 0.5)) for _ in shapes])
+    corners = np.array([[dice.uniform(0, 80), dice.uniform(0, 80)] for _ in range(300)])
+    boxes = np.hstack([corners, corners + [[dice.uniform(0.5, 12), dice.uniform(0.5, 6)] for _ in corners]])
+    apart = shapely.distance(shapely.box(*boxes.T)[:, None], shapes[None, :]) - halves
+    for clear, found in zip((1.3, 0.5), edges_of(shapes, halves).near(boxes, (1.3, 0.5)), strict=True):
+        assert found.tolist() == (apart <= clear).sum(axis=1).tolist()
+        assert found.max() > 1
+
+
+def curve(dice: random.Random) -> list[tuple[float, float]]:
+    """A line of some chords, or one that stays at its point."""
+    x, y, wide = dice.uniform(0, 80), dice.uniform(0, 80), dice.choice((0.0, 3.0, 30.0))
+    return [(x + dice.uniform(0, wide), y + dice.uniform(0, wide)) for _ in range(dice.randint(4, 8))]
+
+
+def test_a_box_inside_a_filled_shape_is_on_ink_and_one_within_a_ring_is_not() -> None:
+    round_ = [(0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0), (0.0, 0.0)]
+    shapes, inside = np.array([shapely.Polygon(round_), shapely.LineString(round_)]), np.array([[15.0, 15, 25, 25]])
+    assert [edges_of(shapes[k : k + 1], np.zeros(1)).near(inside, (1.0,))[0].tolist() for k in (0, 1)] == [[1], [0]]
+    assert edges_of(shapes[:0], np.zeros(0)).near(inside, (1.0,))[0].tolist() == [0]
