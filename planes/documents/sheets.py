@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -67,7 +67,7 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
     scene, project, forces = drawn.scene, Project(composer), ForceSheet(composer)
     if number == 1:
         turned = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions", True)))
-        project = replace(turned, reduced=drawn.reduced)
+        project = replace(turned, reduced=cache(drawn.reduced))
 
     def views(sizes: Sizes, letter: float, together: Together) -> Held:
         if number == 2:

@@ -64,6 +64,12 @@ class Composer:
             self.made[key] = make()
         return self.made[key]  # type: ignore[no-any-return]
 
+    def written(self, key: tuple[object, ...], make: Callable[[], Shown]) -> Shown:
+        """The same of a view without labels that look for their places: it is made roughly as it is made wholly."""
+        if (large(), *key) not in self.made:
+            self.made[large(), *key] = make()
+        return self.made[large(), *key]  # type: ignore[no-any-return]
+
     def stack(self, key: str, *views: View | None, gap: float = 6.0) -> View:
         """Views of this composer one beneath the other, those there are."""
         there = [v for v in views if v]
@@ -86,11 +92,11 @@ class Composer:
             return replace(paragraph(key, title, text, width, high), extra=True)
 
         shapes = enumerate(NOTE_MM if text else ())
-        return [self.once((f"note {k}", high), partial(made, f"note {k}", wide)) for k, wide in shapes]
+        return [self.written((f"note {k}", high), partial(made, f"note {k}", wide)) for k, wide in shapes]
 
     def tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
-        return Tables(position, self.naming, letter, self.scene.parameters, self.once)
+        return Tables(position, self.naming, letter, self.scene.parameters, self.written)
 
     def plans(self, plotted: Plotted, plans: list[str], letter: float, beneath: bool) -> list[View | None]:
         """Plans with their equations: ``beneath`` each, or all of a kind in one view."""
@@ -149,7 +155,7 @@ class Composer:
             marks = Formulas(plotted, self.naming, LARGER[letter], asked).drawn(plans)
             return view("equations", title, marks) if marks else None
 
-        return self.once(("formulas", plans, letter, title, asked), make)
+        return self.written(("formulas", plans, letter, title, asked), make)
 
     def moments(self, position: Position, letter: float, links: tuple[str, ...] | None = None) -> View | None:
         """The moment equations with their numbers: under a title, or those of some links alone."""
@@ -159,7 +165,7 @@ class Composer:
             return view("moments", "" if links else say("moments", self.lang), marks) if marks else None
 
         mus = tuple(position.scales.get(mu_of(plan)) for plan in ("position", "lever"))
-        return self.once(("moments", letter, links, mus), make)
+        return self.written(("moments", letter, links, mus), make)
 
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from planes.plans.assur.alignment import aligned
 from planes.plans.measuring import counted
@@ -48,6 +48,7 @@ class Project:
     curves: Sequence[DiagramCurve] = ()
     loops: Sequence[Hodograph] = ()
     reduced: Callable[[float], Position] | None = None
+    known: dict[float, ManyPositions] = field(default_factory=dict, repr=False)
 
     def kinematics(self, position: Position, size: float, letter: float, together: Together) -> list[View]:
         """Sheet 1: scheme in many positions, groups, plans of rates, tables, diagrams."""
@@ -77,8 +78,8 @@ class Project:
             return c.scheme(position)
 
         def make() -> View:
-            many, title = ManyPositions(position.plans, self.numbered, self.turn, mu), c.titled(position, "scheme")
-            scheme, thin = Scheme(position, c.naming), many.marks()
+            many, title = self.positions(position, mu), c.titled(position, "scheme")
+            scheme, thin = Scheme(position, c.naming), many.marks
             angle, named = driver_angle(scheme.places, c.naming)
             strokes = many.strokes(c.lang)
             frame = frame_sizes(scheme.places, mu, bounds([*thin, *sizes_drawn(strokes)]), c.lang)
@@ -92,6 +93,12 @@ class Project:
             return view("scheme", title, drawn, True, said)
 
         return c.once(("many", mu), make)
+
+    def positions(self, position: Position, mu: float) -> ManyPositions:
+        """The many positions at a μ, looked at once."""
+        if mu not in self.known:
+            self.known[mu] = ManyPositions(position.plans, self.numbered, self.turn, mu)
+        return self.known[mu]
 
     def directions(self, position: Position) -> View | None:
         """The small figures of directions."""
@@ -140,11 +147,13 @@ class Project:
             told = alignment_told(found, c.naming, say("self_aligning", c.lang), letter)
             return replace(told, extra=c.scene.sheet.get("format", "auto") != "auto")
 
-        return c.once(("self-aligning", letter), make)
+        return c.written(("self-aligning", letter), make)
 
     def part(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""
-        drawn = view("part", "", Scheme(position, self.composer.naming, links, framed).drawn(False))
+        c, mu = self.composer, position.scales[mu_of("position")]
+        found = Scheme(position, c.naming, links, framed)
+        drawn = c.once(("part", links, mu), lambda: view("part", "", found.drawn(False)))
         return stacked("part", [drawn, view("part", "", [Text(text, 0j, letter, "middle")])], 3.0, True)
 
     def diagrams(self, position: Position, size: float = 1.0) -> View | None:

@@ -85,6 +85,7 @@ class ManyPositions:
         """The finer turn, with whether each of its positions is on the paper."""
         return [(result, self.near(result)) for result in self.turn]
 
+    @cached_property
     def marks(self) -> list[Mark]:
         """Bars of all links in all positions, the extreme ones blacker, and the paths."""
         found: list[Mark] = []
@@ -205,21 +206,25 @@ class ManyPositions:
             return -1j * cmath.rect(1, math.radians(self.plans.mechanism.guide(link.slides.guide).angle_deg))
         return z - next(frame.points[p] for p in link.points if p in frame.points) * self.mu
 
+    @cached_property
+    def finely(self) -> list[complex]:
+        """Places all along the links in the positions that are drawn."""
+        moving = self.plans.mechanism.links.values()
+        shapes = [shape for _, r in self.shown() for x in moving for shape in self.outlines(x, r)]
+        return [a + k / FINE * (b - a) for shape in shapes for a, b in pairwise(shape) for k in range(FINE + 1)]
+
     def strokes(self, lang: Lang) -> list[Size]:
         """How far sliders go on the frame's guides, in mm as they are, beyond everything that is drawn beside; nothing
         where the ends of the range are not drawn."""
         found, shown = list[Size](), [r for r in self.turn if r]
         if not all(map(self.near, shown)):
             return found
-        moving = self.plans.mechanism.links.values()
-        shapes = [shape for _, r in self.shown() for x in moving for shape in self.outlines(x, r)]
-        drawn = [a + k / FINE * (b - a) for shape in shapes for a, b in pairwise(shape) for k in range(FINE + 1)]
         for link, slides in ((link, link.slides) for link, _ in self.followers() if shown):
             if not slides:
                 continue
             through, along = self.line(slides.guide, shown[0])
             at = [((self.place(r, link.first_point) - through) * along.conjugate()).real for r in shown]
-            ways = ((z - through) * along.conjugate() for z in drawn)
+            ways = ((z - through) * along.conjugate() for z in self.finely)
             beside = [0.0, *(w.imag for w in ways if min(at) < w.real < max(at))]
             off = min(min(beside) - BELOW_MM, max(beside) + BELOW_MM, key=abs)
             ends = (through + min(at) * along, through + max(at) * along)

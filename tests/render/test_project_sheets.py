@@ -138,7 +138,7 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
     inked = shapely.union_all([shapely.LineString([(z.real, z.imag) for z in line]) for line in lines]).buffer(0.05)
     here = PlacedMechanism(drawn.r, {name: f.number for name, f in drawn.of("links", "angle_deg").items()})
     many = ManyPositions(drawn.plans, [Numbered("1", here)], [here], drawn.scales["mu_position"])
-    for one in many.marks():
+    for one in many.marks:
         if one.style == "construction":
             line = [(z.real, z.imag) for z in (*one.points, *one.points[: one.closed])]
             assert inked.covers(shapely.LineString(line)), line
