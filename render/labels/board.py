@@ -186,14 +186,15 @@ class Board:
         if not late:
             return False
         far = [far_off(self.labels[k], FAR) for k in late]
-        for k, option, cost in zip(late, far, self.around.judged(far), strict=True):
-            times = self.wide.get(k, 0)
-            best = np.argsort(cost, kind="stable")[FAR_PLACES[times - 1] if times else 0 : FAR_PLACES[times]]
+        times = [self.wide.get(k, 0) for k in late]
+        costs = self.around.cheapest(far, [FAR_PLACES[n] for n in times])
+        for k, n, option, cost in zip(late, times, far, costs, strict=True):
+            best = np.argsort(cost, kind="stable")[FAR_PLACES[n - 1] if n else 0 : FAR_PLACES[n]]
             free = best[cost[best] < HARD]
             some = option.some(free)
             self.options[k] = union([self.options[k], some])
             self.costs[k] = np.concatenate([self.costs[k], cost[free] + self.around.crossing(some.leaders)])
-            self.wide[k] = times + 1
+            self.wide[k] = n + 1
         self.moves = 0
         self._list()
         return True

@@ -57,8 +57,15 @@ def freest(
     """Of curved arrows, each with the middle of its arc, the first that comes near least of what is drawn."""
     if labels.rough():
         return next(iter(arrows))
-    inked = ink(ground)
-    return min(arrows, key=lambda arrow: len(inked.within(ink(arrow[0]).shapes, clear)[0]))
+    inked, least, found = ink(ground), math.inf, None
+    for arrow in arrows:
+        near = len(inked.within(ink(arrow[0]).shapes, clear)[0])
+        if near < least:
+            least, found = near, arrow
+        if not near:
+            break
+    assert found
+    return found
 
 
 def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:
