@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import groupby, pairwise
 
+import numpy as np
 import shapely
 
 from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Shape, Text
@@ -97,8 +98,6 @@ def head(tip: complex, direction: complex, long: float, wide: float) -> Polyline
 
 def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
     """The strokes of a hatched region, in order across it; neighbouring regions continue each other."""
-    import shapely
-
     if hatch.gap <= 0:
         raise ValueError(f"hatching needs a gap above 0 mm between its strokes, not {hatch.gap}")
     turn = cmath.rect(1, -math.radians(hatch.angle_deg))
@@ -126,15 +125,16 @@ def cut(lines: Iterable[Mark], hinges: Sequence[Arc | Shape]) -> tuple[Mark, ...
     """
     lines = tuple(lines)
     regions = [_region(hinge) for hinge in hinges]
-    tree = shapely.STRtree(regions)
-    done: list[Mark] = []
-    for mark in lines:
-        if isinstance(mark, (Shape, Text)):
-            done.append(mark)
-            continue
-        hit = sorted(int(k) for k in tree.query(_line(_track(mark)), predicate="intersects"))
-        done.extend(_without(mark, shapely.union_all([regions[k] for k in hit])) if hit else (mark,))
-    return tuple(done)
+    strokes = [(k, mark) for k, mark in enumerate(lines) if not isinstance(mark, (Shape, Text))]
+    tracks = np.array([_line(_track(mark)) for _, mark in strokes], dtype=object)
+    hits: dict[int, list[int]] = {}
+    for at, region in shapely.STRtree(regions).query(tracks, predicate="intersects").T.tolist():
+        hits.setdefault(at, []).append(region)
+    pieces = {
+        strokes[at][0]: _without(strokes[at][1], shapely.union_all([regions[k] for k in sorted(hit)]))
+        for at, hit in hits.items()
+    }
+    return tuple(part for k, mark in enumerate(lines) for part in pieces.get(k, (mark,)))
 
 
 def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
@@ -155,7 +155,8 @@ def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
 
 
 def _line(points: Sequence[complex]) -> shapely.LineString:
-    return shapely.LineString([(z.real, z.imag) for z in points])
+    along = np.array(points, dtype=complex)
+    return shapely.linestrings(np.column_stack([along.real, along.imag]))
 
 
 def _region(hinge: Arc | Shape) -> shapely.Geometry:

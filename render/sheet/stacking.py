@@ -30,10 +30,11 @@ class Spot:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """How high views are by the units they span; the same by the ``left`` and the ``right`` share of every number of
-    units; and the ``least`` units they need."""
+    """How high views are by the units they span, and with what is ``over`` the next; the same by the ``left`` and the
+    ``right`` share of every number of units; and the ``least`` units they need."""
 
     high: Array
+    over: Array
     left: Array
     right: Array
     least: int
@@ -70,7 +71,7 @@ class Stacking:
     def _found(self, piece: Piece) -> Part:
         """What is found out of more views than one."""
         parts = [(self._known(piece[:k]), self._known(piece[k:])) for k in range(1, len(piece))]
-        beneath = reduce(numpy.minimum, (first.high + GAP_MM + second.high for first, second in parts))
+        beneath = reduce(numpy.minimum, (first.over + second.high for first, second in parts))
         if narrow := [(a, b) for a, b in parts if a.least + b.least < len(beneath)]:
             beside = reduce(numpy.minimum, (numpy.maximum(a.left, b.right) for a, b in narrow))
             shared = numpy.minimum.reduceat(beside, _shares(len(beneath))[2])
@@ -80,7 +81,7 @@ class Stacking:
 
     def _part(self, high: Array, least: int) -> Part:
         left, right, _ = _shares(len(high))
-        return Part(high, high[left], high[right], least)
+        return Part(high, high + GAP_MM, high[left], high[right], least)
 
     def rows(self, piece: Piece, span: int) -> list[Piece]:
         """The parts of a piece that stand beneath each other."""
