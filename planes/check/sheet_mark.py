@@ -12,6 +12,7 @@ import unicodedata
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -98,7 +99,7 @@ def mark_on(grey: Greys) -> SheetMark | None:
     from planes.check.vision.picture import flatten, smaller
 
     flat = flatten(grey)
-    return _decoded(smaller(grey, LOOK_PX)[0]) if flat is None else mark_of(flat)
+    return _decoded(smaller(grey, LOOK_PX)[0], close=False) if flat is None else mark_of(flat)
 
 
 def mark_of(flat: Flat) -> SheetMark | None:
@@ -108,13 +109,13 @@ def mark_of(flat: Flat) -> SheetMark | None:
     return _decoded(flat.grey[max(0, int(top)) : int(low), int(left) : int(right)])
 
 
-def _decoded(grey: Greys) -> SheetMark | None:
-    """The mark on a part of a picture, looked at in several ways."""
+def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
+    """The mark on a part of a picture, looked at in several ways; more of them where only the code is looked at."""
     from planes.check.vision.picture import cv
 
     cv2 = cv()
-    detector = cv2.QRCodeDetector()
-    for look in _looks(grey):
+    detectors = (cv2.QRCodeDetector(), *([cv2.QRCodeDetectorAruco()] if close else []))
+    for look, detector in product(_looks(grey, close), detectors):
         with suppress(cv2.error, UnicodeDecodeError):  # a damaged code may hold anything
             found = parsed(detector.detectAndDecode(look)[0])
             if found:
@@ -122,8 +123,8 @@ def _decoded(grey: Greys) -> SheetMark | None:
     return None
 
 
-def _looks(grey: Greys) -> Iterator[Greys]:
-    """The picture as it is, smaller, and sharper against what a hand's motion has smeared."""
+def _looks(grey: Greys, close: bool) -> Iterator[Greys]:
+    """The picture as it is, smaller, sharper against what a hand's motion has smeared, if ``close`` black and white."""
     from planes.check.vision.picture import cv
 
     cv2 = cv()
@@ -131,3 +132,5 @@ def _looks(grey: Greys) -> Iterator[Greys]:
     yield cv2.resize(grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
     for by in (1.5, 3.0):
         yield cv2.addWeighted(grey, 1 + by, cv2.GaussianBlur(grey, (0, 0), 3), -by, 0)
+    if close:
+        yield cv2.threshold(grey, 0, 255, cv2.THRESH_OTSU)[1]

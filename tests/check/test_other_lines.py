@@ -7,10 +7,13 @@ from itertools import pairwise
 import pytest
 
 from planes.check.reading.arrowheads import settle
+from planes.check.reading.as_planned import is_right
 from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.hatching import FEWEST, without_hatching
+from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import without_letters
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke, Words, headed
+from tests import confusion
 
 TRIANGLE: list[Stroke] = [(0j, 40 + 0j), (40 + 0j, 10 + 30j), (0j, 10 + 30j)]
 
@@ -70,3 +73,20 @@ def test_construction_lines_along_each_other_run_on_from_their_vectors(turned: f
     vectors: list[Stroke] = [(0j, 30 * u), (0j, 50 * w), (0j, 30j), (30j, 30 * u), (30j, 50 * w)]
     lines: list[Stroke] = [(-5 * u, 38 * u), (-5 * w, 61 * w)]
     assert vectors_of(ReadDrawing(strokes=[*vectors, *lines])) == [0, 1, 2, 3, 4]
+
+
+@pytest.mark.parametrize("both", [False, True])
+def test_vectors_without_heads_that_run_past_each_other_end_where_they_cross(both: bool) -> None:
+    """The mass centre, whose vector lies along the crank's, ends nowhere: it is not seen, and nothing is wrong."""
+    bench = confusion.bench("kind-1-rrr", "velocity")
+    pole, places = 100 + 100j, {"p": 0j, **bench.true_marks}
+    strokes = []
+    for one, two in [*(("p", n) for n in bench.true_marks), *bench.vectors]:
+        a, b = places[one], places[two]
+        over = (3 + len(strokes)) * (b - a) / abs(b - a)
+        strokes.append((pole + a - both * over, pole + b + over))
+    words = [Words(n, pole + z + 1 + 1j) for n, z in places.items()]
+    paper = paper_of(ReadDrawing(strokes=strokes, words=words), bench)
+    read = {s.name: s.place - paper.spots[0].place for s in paper.spots}
+    assert {"b", "c"} < set(read) and all(abs(read[n] - places[n]) < 0.1 for n in read)
+    assert is_right(bench, paper)

@@ -21,6 +21,7 @@ import numpy as np  # noqa: E402
 
 from planes.check.reading.opened import MB  # noqa: E402
 from planes.check.vision.decoding import MOST_PAGE, load  # noqa: E402
+from planes.check.vision.no_paper import shows_paper  # noqa: E402
 from planes.check.vision.page_parts import parts_of  # noqa: E402
 from planes.check.vision.picture import MOST_FLAT, PX_PER_MM, Flat  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
@@ -166,3 +167,25 @@ def test_the_largest_page_is_taken_apart_within_500_mb() -> None:
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert grey.size <= MOST_FLAT and len(page.boxes) == 2 and peak < 500 * MB
+
+
+@pytest.mark.parametrize("kind", ["even", "soft", "pepper"])
+def test_noise_is_refused_at_a_glance(kind: str, tmp_path: Path) -> None:
+    grain = np.random.default_rng(7)
+    noise = {
+        "even": grain.integers(0, 255, (900, 1300)),
+        "soft": 128 + 400 * cv2.GaussianBlur(grain.normal(0, 1, (900, 1300)), (0, 0), 3),
+        "pepper": 255 * (grain.random((900, 1300)) > 0.1),
+    }[kind]
+    cv2.imwrite(str(tmp_path / "n.png"), np.clip(noise, 0, 255).astype(np.uint8))
+    with pytest.raises(PlanesError, match=r"n\.png"):
+        load(tmp_path / "n.png")
+
+
+@pytest.mark.parametrize(("every", "dark"), [(8, 40), (8, 150), (39, 200)])
+def test_squared_paper_is_paper(every: int, dark: int) -> None:
+    """A millimetre and five apart, at 200 dpi, in lines as dark as print."""
+    sheet = np.full((1655, 2339), 240, np.uint8)
+    sheet[::every] = sheet[:, ::every] = 240 - dark
+    sheet[1::every] = sheet[:, 1::every] = 240 - dark
+    assert shows_paper(sheet)

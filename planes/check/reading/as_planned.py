@@ -51,15 +51,29 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     starts = [z for z, _ in arrows]
     most = sorted(starts, key=lambda z: -sum(abs(z - w) < SHORT_MM for w in starts))[:1]  # most vectors begin there
     for pole in (*poles, *most) if tips else ():
-        found = {n: _nearest(pole + z, [pole, *tips]) for n, z in truth.items()}
+        shown = {n: z for n, z in truth.items() if n not in unshown(sketch, bench, pole)}
+        found = {n: _nearest(pole + z, [pole, *tips]) for n, z in shown.items()}
         ends = [pole, *found.values()]
-        there = all(abs(found[n] - pole - z) <= REACH_MM for n, z in truth.items())
+        there = all(abs(found[n] - pole - z) <= REACH_MM for n, z in shown.items())
         if there and all(abs(_nearest(z, ends) - z) <= REACH_MM for arrow in arrows for z in arrow):
             spots = [ReadMark(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
             paper = ReadPaper(sketch.file, spots, whole=False)
-            if named(found, near.keys() & truth, far_from) and is_right(bench, paper):
+            if named(found, near.keys() & found, far_from) and is_right(bench, paper):
                 return paper
     return ReadPaper(sketch.file, whole=False)
+
+
+def unshown(sketch: ReadDrawing, bench: PreparedPlan, pole: complex) -> set[str]:
+    """Marks that may be anywhere along a vector that runs on past its end, and at no other's end."""
+    lines = sketch.endless or ()
+    along = {n: pole + z for n, z in bench.true_marks.items() if any(_along(pole + z, line) for line in lines)}
+    return {n for n, z in along.items() if all(abs(w - z) > REACH_MM for stroke in sketch.strokes for w in stroke)}
+
+
+def _along(z: complex, line: Stroke) -> bool:
+    """Whether a place is on a vector that runs on past its end."""
+    local = (z - line[0]) / (line[1] - line[0]) * abs(line[1] - line[0])
+    return abs(local.imag) < REACH_MM and REACH_MM < local.real < abs(line[1] - line[0]) + REACH_MM
 
 
 def _nearest(z: complex, places: Sequence[complex]) -> complex:
@@ -121,7 +135,12 @@ def _ring(strokes: Sequence[Stroke]) -> bool:
 
 def _alike(stroke: Stroke, true: complex) -> bool:
     """Whether a stroke may be a vector."""
-    return abs(stroke[1] - stroke[0] - true) <= min(REACH_MM + SHARE * abs(true), 0.5 * abs(true) + 0.1)
+    return alike(stroke[1] - stroke[0], true)
+
+
+def alike(v: complex, true: complex) -> bool:
+    """Whether what is drawn may be a vector."""
+    return abs(v - true) <= min(REACH_MM + SHARE * abs(true), 0.5 * abs(true) + 0.1)
 
 
 def _upon(one: Stroke, two: Stroke) -> bool:

@@ -1,6 +1,6 @@
 """Construction lines told from the vectors upon them, where no arrowheads tell: they run on to where nothing ends."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from planes.check.grading.paper import MISREAD
 from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, Stroke, headed
@@ -21,29 +21,45 @@ def doubt_of(sketch: ReadDrawing) -> float:
     if any(sketch.ways):
         return 0.0
     ends = [(k, z) for k in vectors_of(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
-    met = sum(_met(sketch.strokes, z, (k,), FARTHEST_MM) for k, z in ends if len(ends) < CROSSINGS)
+    met = meeting(sketch.strokes, ends, FARTHEST_MM) >= MEETING
     if len(ends) < CROSSINGS and (_in_rows(sketch.strokes) or _past(sketch.strokes, ends) >= PAST):
         return LOOSE
-    return CONFUSED if met >= MEETING * len(ends) else MISREAD
+    return CONFUSED if met else MISREAD
+
+
+def apart(sketch: ReadDrawing) -> bool:
+    """Whether nothing but where its lines cross tells where vectors without heads end."""
+    ends = [(k, z) for k, stroke in enumerate(sketch.strokes) for z in stroke]
+    return not any(sketch.ways) and (sketch.endless is not None or meeting(sketch.strokes, ends, FARTHEST_MM) < MEETING)
+
+
+def meeting(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]], near: float = SNAPPED_MM) -> float:
+    """Which share of the ends of strokes meet others."""
+    return sum(_met(strokes, z, (k,), near) for k, z in ends if len(ends) < CROSSINGS) / max(len(ends), 1)
+
+
+def past(sketch: ReadDrawing) -> int:
+    """How many ends lie a little past where another stroke crosses theirs, or ends upon it, and meet none."""
+    ends = [(k, z) for k, stroke in enumerate(sketch.strokes) for z in stroke]
+    return _past(sketch.strokes, ends)
 
 
 def _past(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]]) -> int:
-    """How many ends lie a little past where another stroke crosses theirs, or ends upon it, and meet none."""
-    count = 0
-    for k, z in ends:
-        other = next(w for w in strokes[k] if w != z)
-        length, u = abs(other - z), (other - z) / abs(other - z)
-        if _met(strokes, z, (k,), SNAPPED_MM):
+    free = ((k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
+    return sum(any(at < PAST_MM for at in crossed(strokes, k, z)) for k, z in free)
+
+
+def crossed(strokes: Sequence[Stroke], k: int, z: complex) -> Iterator[float]:
+    """How far from its end a stroke is crossed by others, or these end upon it."""
+    other = next(w for w in strokes[k] if w != z)
+    length, u = abs(other - z), (other - z) / abs(other - z)
+    for i, (a, b) in enumerate(strokes):
+        p, q = (a - z) / u, (b - z) / u
+        if i == k or _along((a, b), strokes[k]) or p.imag * q.imag > SNAPPED_MM**2:
             continue
-        for i, (a, b) in enumerate(strokes):
-            p, q = (a - z) / u, (b - z) / u
-            if i == k or _along((a, b), strokes[k]) or p.imag * q.imag > SNAPPED_MM**2:
-                continue
-            at = (p + (q - p) * p.imag / (p.imag - q.imag)).real if p.imag != q.imag else p.real
-            if SNAPPED_MM < at < min(PAST_MM, length - SNAPPED_MM):
-                count += 1
-                break
-    return count
+        at = (p + (q - p) * p.imag / (p.imag - q.imag)).real if p.imag != q.imag else p.real
+        if SNAPPED_MM < at < length - SNAPPED_MM:
+            yield at
 
 
 def _in_rows(strokes: Sequence[Stroke]) -> bool:

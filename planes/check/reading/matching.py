@@ -12,10 +12,11 @@ from planes.check.grading.grading import NAMELESS
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_named, worth
+from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, unshown, vectors_named, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
-from planes.check.reading.construction_lines import covered, vectors_alone, vectors_of
+from planes.check.reading.construction_lines import apart, covered, vectors_alone, vectors_of
 from planes.check.reading.lone_vectors import HEADLESS_MM, lone_vectors, others
+from planes.check.reading.running_on import cut_off
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
 from planes.words import Phrase
@@ -34,6 +35,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of a plan found on a sketch."""
     paper = ReadPaper(sketch.file, whole=False)
     sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
+    sketch = cut_off(sketch, bench) or sketch
     kind, vectors, dots = kind_of(bench.asked.plan), list[int](), [z for z, r in sketch.rounds if r < DOT_MM]
     if kind == "position":
         sketch = hinged(sketch)
@@ -78,9 +80,9 @@ def _plan_of_marks(
     if found.spots:
         return replace(found, pole_told=told)
     paper.pole_told = told
-    places = _marks(bench, sketch, nodes, origin, near)
+    places, hidden = _marks(bench, sketch, nodes, origin, near), unshown(sketch, bench, origin)
     paper.spots = [ReadMark(POLE, origin, sketch.error_mm)]
-    paper.spots += [ReadMark(n, places[n], sketch.error_mm) for n in labels if n in places]
+    paper.spots += [ReadMark(n, places[n], sketch.error_mm) for n in labels if n in places and n not in hidden]
     tips = [stroke[way > 0] for stroke, way in zip(sketch.strokes, sketch.ways, strict=False) if way]
     if any(all(abs(z - w) > APART_MM for w in (origin, *places.values())) for z in tips):  # one is another mark's
         upon = [pair for pair in combinations(places, 2) if abs(places[pair[0]] - places[pair[1]]) < APART_MM]
@@ -107,7 +109,7 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
             paper = lone
     names = bench.written(true_vectors(bench))
     told = any((names.find(w.text) or POLE) != POLE for w in sketch.words)
-    if paper.spots and not told and not is_right(bench, paper):  # whose name is whose is guessed
+    if paper.spots and (not told or apart(sketch)) and not is_right(bench, paper):  # what is which is guessed
         paper.spots = []
         paper.notes.append(Phrase("check_force_unsure"))
     paper = told_apart(sketch, bench, paper)

@@ -84,6 +84,7 @@ class ReadDrawing:
     mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
     rounds: list[Round] = field(default_factory=list)
     passed: list[complex] = field(default_factory=list)  # vertices that polylines go straight on through
+    endless: list[Stroke] | None = None  # where vectors run on past their ends: those that nothing shows the ends of
 
     def way(self, k: int) -> int:
         """Which end of a stroke has a head."""
@@ -136,9 +137,8 @@ def hinged(sketch: ReadDrawing) -> ReadDrawing:
 
 
 def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
-    """How far apart, mm, ends that are one place may be: hardly where a program joined them, more where the eye did.
-
-    Where ``vectors`` are known, their ends alone tell."""
+    """How far apart, mm, ends that are one place may be: hardly where a program joined them, more where the eye did;
+    where ``vectors`` are known, their ends alone tell."""
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
     if len(ends) > 2 * CROSSINGS:
         return LOOSE_MM
@@ -153,8 +153,8 @@ def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
 class Nodes:
     """Places where strokes end or cross, those nearer than ``near`` (mm) taken for one.
 
-    Ends of vectors come first; of other lines only those that meet something are corners: the rest run on beyond
-    their crossing. Nothing but an end of its own kind moves a node. Vertices lines go straight on through come late.
+    Ends of vectors come first; of other lines only those that meet something are corners. Nothing but an end of its own
+    kind moves a node. Vertices lines go straight on through come late.
     """
 
     def __init__(

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy
 
 from planes.check.reading.opened import LARGEST, MB, contents, hushed
+from planes.check.vision.no_paper import shows_paper
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
@@ -47,7 +48,8 @@ class DecodedPicture:
 
 
 def load(path: str | Path, page: int = 0) -> DecodedPicture:
-    """A picture, or a page of a PDF or TIFF. :class:`PlanesError` where it is none, or is too large."""
+    """A picture, or a page of a PDF or TIFF. :class:`PlanesError` where it is none, is too large, or
+    shows no paper."""
     cv()  # or a sentence that it is missing
     data = contents(path, LARGEST)
     if not data:
@@ -59,6 +61,8 @@ def load(path: str | Path, page: int = 0) -> DecodedPicture:
     height, width = found.grey.shape
     if min(height, width) < LEAST_PX:
         raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{width} × {height}"))
+    if not shows_paper(found.grey):
+        raise PlanesError(Phrase("check_no_paper", file=str(path)))
     return found
 
 
