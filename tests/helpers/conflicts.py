@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from render.labels.footprints import TOUCH_MM, Bounds, InkedShapes, Shapes, ink, polygons
+from render.labels.footprints import TOUCH_MM, Bounds, InkedShapes, ink, polygons
+from render.labels.nearness import Shapes
 from render.paper.marks import Arc, Arrow, Mark, Text
 from render.paper.typeset import layout
 
