@@ -17,7 +17,7 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
 
 if TYPE_CHECKING:
-    from planes.check.vision.decoding import DecodedPicture
+    from planes.check.vision.image.decoding import DecodedPicture
 
 LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
@@ -162,7 +162,7 @@ def opened(file: str, page: int = 0) -> DecodedPicture | None:
     suffix = Path(file).suffix.lower()
     with telling(file):
         if suffix in PICTURES:
-            from planes.check.vision.decoding import load
+            from planes.check.vision.image.decoding import load
 
             return load(file, page)
         if suffix not in (*LINES, *TABLES):

@@ -20,7 +20,7 @@ from planes.check.fiducials import CODE_MM, code_centre
 
 if TYPE_CHECKING:
     from planes.check.grading.prepared_plan import Asked
-    from planes.check.vision.picture import Flat
+    from planes.check.vision.image.picture import Flat
     from planes.geometry.arrays import Greys
 
 BEGINS = "planes1"
@@ -96,7 +96,7 @@ LOOK_PX = 2000
 
 def mark_on(grey: Greys) -> SheetMark | None:
     """The mark of the sheet on a picture: where the corner marks tell that it stands, else anywhere."""
-    from planes.check.vision.picture import flatten, smaller
+    from planes.check.vision.image.picture import flatten, smaller
 
     flat = flatten(grey)
     return _decoded(smaller(grey, LOOK_PX)[0], close=False) if flat is None else mark_of(flat)
@@ -111,7 +111,7 @@ def mark_of(flat: Flat) -> SheetMark | None:
 
 def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
     """The mark on a part of a picture, looked at in several ways; more of them where only the code is looked at."""
-    from planes.check.vision.picture import cv
+    from planes.check.vision.image.picture import cv
 
     cv2 = cv()
     detectors = (cv2.QRCodeDetector(), *([cv2.QRCodeDetectorAruco()] if close else []))
@@ -125,7 +125,7 @@ def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
 
 def _looks(grey: Greys, close: bool) -> Iterator[Greys]:
     """The picture as it is, smaller, sharper against what a hand's motion has smeared, if ``close`` black and white."""
-    from planes.check.vision.picture import cv
+    from planes.check.vision.image.picture import cv
 
     cv2 = cv()
     yield grey

@@ -28,7 +28,7 @@ def glance(file: str, page: int = 0) -> Glance:
     picture = opened(file, page)
     if picture is None:
         return Glance()
-    from planes.check.vision.picture import cv, smaller
+    from planes.check.vision.image.picture import cv, smaller
 
     small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
     return Glance(mark_on(picture.grey), bytes(small))

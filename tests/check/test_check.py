@@ -510,8 +510,8 @@ def test_the_printed_report_keeps_to_its_sheet(sample: str, plan: str) -> None:
 @pytest.mark.parametrize("suffix", [".pdf", ".svg", ".png"])
 def test_a_printed_blank_is_found_by_its_corners(tmp_path: Path, suffix: str) -> None:
     pytest.importorskip("cv2")
-    from planes.check.vision.decoding import load as picture
-    from planes.check.vision.picture import find_marks, flatten
+    from planes.check.vision.image.decoding import load as picture
+    from planes.check.vision.image.picture import find_marks, flatten
 
     file = tmp_path / f"blank{suffix}"
     assert main(["blank", SIX, "--plan", "velocity", "-o", str(file)]) == 0

@@ -13,13 +13,13 @@ pytest.importorskip("cv2")
 import cv2
 import numpy as np
 
-from planes.check.vision.drawn_lines import lines_of
-from planes.check.vision.ink import Ink, ink_of
-from planes.check.vision.line_fitting import Fitted, Tip, _last
-from planes.check.vision.line_places import places_of
-from planes.check.vision.picture import PX_PER_MM, Flat
-from planes.check.vision.residual_ink import patches
-from planes.check.vision.rubbed_out import remaining
+from planes.check.vision.image.picture import PX_PER_MM, Flat
+from planes.check.vision.strokes.drawn_lines import lines_of
+from planes.check.vision.strokes.ink import Ink, ink_of
+from planes.check.vision.strokes.line_fitting import Fitted, Tip, _last
+from planes.check.vision.strokes.line_places import places_of
+from planes.check.vision.strokes.residual_ink import patches
+from planes.check.vision.strokes.rubbed_out import remaining
 from planes.geometry.arrays import Array, Complexes
 from tests.physical.paper import PX_PER_MM as FINE
 from tests.physical.paper import Paper

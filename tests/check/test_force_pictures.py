@@ -12,13 +12,13 @@ cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
 from planes.check.grading.prepared_plan import PreparedPlan  # noqa: E402
-from planes.check.vision.heads import one_ink  # noqa: E402
-from planes.check.vision.ink_cover import InkCover  # noqa: E402
-from planes.check.vision.line_fitting import Tip  # noqa: E402
-from planes.check.vision.lone_heads import LoneHeads  # noqa: E402
-from planes.check.vision.match_force import start_of, vectors_on  # noqa: E402
-from planes.check.vision.picture import PX_PER_MM, Flat  # noqa: E402
-from planes.check.vision.places import Seen, sheet_of  # noqa: E402
+from planes.check.vision.image.picture import PX_PER_MM, Flat  # noqa: E402
+from planes.check.vision.marks.places import Seen, sheet_of  # noqa: E402
+from planes.check.vision.match.match_force import start_of, vectors_on  # noqa: E402
+from planes.check.vision.search.ink_cover import InkCover  # noqa: E402
+from planes.check.vision.strokes.heads import one_ink  # noqa: E402
+from planes.check.vision.strokes.line_fitting import Tip  # noqa: E402
+from planes.check.vision.strokes.lone_heads import LoneHeads  # noqa: E402
 from tests import confusion  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.confusion import easel  # noqa: E402

@@ -9,9 +9,9 @@ import pytest
 pytest.importorskip("cv2")
 import cv2
 
-from planes.check.vision.handwritten import HandWord, HandWords, words_on
-from planes.check.vision.picture import by_scale
-from planes.check.vision.places import sheet_of
+from planes.check.vision.image.picture import by_scale
+from planes.check.vision.marks.handwritten import HandWord, HandWords, words_on
+from planes.check.vision.marks.places import sheet_of
 from tests.physical.letters import Writer
 from tests.physical.paper import PX_PER_MM, Paper
 from tests.physical.setting import Setting

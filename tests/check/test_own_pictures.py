@@ -15,7 +15,7 @@ from planes.check import Outcome, check
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import read_paper
-from planes.check.vision.match_printed import shapes
+from planes.check.vision.match.match_printed import shapes
 from planes.documents.sheets import sheet_of
 from planes.scene.carried import carried, carrying
 from planes.solving import Position

@@ -26,10 +26,10 @@ from planes.check.fiducials import SHEET_MM  # noqa: E402
 from planes.check.grading.paper import Known, ReadPaper  # noqa: E402
 from planes.check.grading.prepared_plan import Asked  # noqa: E402
 from planes.check.report import as_json  # noqa: E402
-from planes.check.vision.decoding import plainest  # noqa: E402
-from planes.check.vision.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
+from planes.check.vision.image.decoding import plainest  # noqa: E402
+from planes.check.vision.image.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
+from planes.check.vision.image.picture import flatten  # noqa: E402
 from planes.check.vision.photograph import paper_of_picture  # noqa: E402
-from planes.check.vision.picture import flatten  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 from tests.helpers.photographs import PHONE, SCAN, Camera  # noqa: E402

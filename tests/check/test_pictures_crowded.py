@@ -12,8 +12,8 @@ import pytest
 from tests.helpers.drawings import Mistake
 
 pytest.importorskip("cv2")
-from planes.check.vision.polygon_cover import Guess
-from planes.check.vision.polygon_search import MOST_OF_ALL, SoughtPolygon
+from planes.check.vision.search.polygon_cover import Guess
+from planes.check.vision.search.polygon_search import MOST_OF_ALL, SoughtPolygon
 from tests import picture_corpus as corpus
 from tests.check.test_pictures import looked
 from tests.confusion import easel

@@ -10,9 +10,9 @@ pytest.importorskip("cv2")
 import cv2
 import numpy
 
-from planes.check.vision.ink import Ink, ink_of
-from planes.check.vision.picture import by_scale
-from planes.check.vision.tip_edges import ending
+from planes.check.vision.image.picture import by_scale
+from planes.check.vision.strokes.ink import Ink, ink_of
+from planes.check.vision.strokes.tip_edges import ending
 from tests.physical.paper import PX_PER_MM, Paper
 from tests.physical.setting import Setting
 from tests.physical.strokes import Hand

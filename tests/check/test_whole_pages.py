@@ -17,11 +17,11 @@ from PIL import Image  # noqa: E402
 from planes.check import check  # noqa: E402
 from planes.check.grading.paper import Known  # noqa: E402
 from planes.check.handed_in import read_paper, sheets_of  # noqa: E402
-from planes.check.vision.decoding import load  # noqa: E402
-from planes.check.vision.ink_cover import hanging  # noqa: E402
-from planes.check.vision.line_fitting import Fitted  # noqa: E402
-from planes.check.vision.picture import Flat, flatten  # noqa: E402
-from planes.check.vision.print_scale import by_ruler, likely_shares, printed_share  # noqa: E402
+from planes.check.vision.image.decoding import load  # noqa: E402
+from planes.check.vision.image.picture import Flat, flatten  # noqa: E402
+from planes.check.vision.marks.print_scale import by_ruler, likely_shares, printed_share  # noqa: E402
+from planes.check.vision.search.ink_cover import hanging  # noqa: E402
+from planes.check.vision.strokes.line_fitting import Fitted  # noqa: E402
 from planes.cli import main  # noqa: E402
 from planes.words.errors import PlanesError  # noqa: E402
 from tests import confusion  # noqa: E402

@@ -84,12 +84,17 @@ def test_a_room_imports_only_from_lower_layers_and_earlier_rooms(room: str) -> N
             assert lower, f"{module} imports {other}: {there} stands above {room}"
 
 
-def test_rooms_of_plans_import_from_those_before_them() -> None:
-    order = ("assur", "position", "motion", "force", "statements")
-    of = {m: m.split(".")[2] for m in MODULES if m.startswith("planes.plans.") and m.split(".")[2] in order}
+@pytest.mark.parametrize(
+    ("house", "order"),
+    [("plans", "assur position motion force statements"), ("check.vision", "image strokes marks search match")],
+)
+def test_rooms_within_a_room_import_from_those_before_them(house: str, order: str) -> None:
+    front, rooms = f"planes.{house}.", order.split()
+    of = {m: m.removeprefix(front).split(".")[0] for m in MODULES if m.startswith(front)}
+    of = {m: room for m, room in of.items() if room in rooms}
     ways = [(m, other) for m in of for other in imports(m) if other in of]
     assert len(ways) > 50
-    assert not [(m, other) for m, other in ways if order.index(of[other]) > order.index(of[m])]
+    assert not [(m, other) for m, other in ways if rooms.index(of[other]) > rooms.index(of[m])]
 
 
 def test_every_module_stands_in_a_room() -> None:

@@ -9,17 +9,27 @@ from planes.check.grading.paper import MISREAD, Box, Known, ReadMark, ReadPaper,
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
 from planes.check.reading.as_planned import worth
 from planes.check.sheet_mark import mark_of
-from planes.check.vision.decoding import DecodedPicture, load
-from planes.check.vision.frame import by_frame
-from planes.check.vision.match_force import start_of, vectors_on
-from planes.check.vision.match_motion import marks_on
-from planes.check.vision.match_printed import PrintedSheet
-from planes.check.vision.match_scheme import origin_found, points_on
-from planes.check.vision.page_parts import A2_MM2, parts_of
-from planes.check.vision.picture import LARGEST_PX, Flat, by_points, by_scale, cv, find_marks, fits, flatten, smaller
-from planes.check.vision.places import Seen, pole_on, sheet_of
-from planes.check.vision.pole_guess import likely_poles, pole_found
-from planes.check.vision.print_scale import printed_share
+from planes.check.vision.image.decoding import DecodedPicture, load
+from planes.check.vision.image.frame import by_frame
+from planes.check.vision.image.picture import (
+    LARGEST_PX,
+    Flat,
+    by_points,
+    by_scale,
+    cv,
+    find_marks,
+    fits,
+    flatten,
+    smaller,
+)
+from planes.check.vision.marks.page_parts import A2_MM2, parts_of
+from planes.check.vision.marks.places import Seen, pole_on, sheet_of
+from planes.check.vision.marks.pole_guess import likely_poles, pole_found
+from planes.check.vision.marks.print_scale import printed_share
+from planes.check.vision.match.match_force import start_of, vectors_on
+from planes.check.vision.match.match_motion import marks_on
+from planes.check.vision.match.match_printed import PrintedSheet
+from planes.check.vision.match.match_scheme import origin_found, points_on
 from planes.geometry.arrays import Greys
 from planes.plans.scales import fitting
 from planes.words import Phrase

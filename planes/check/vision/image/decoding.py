@@ -1,0 +1,213 @@
+"""Pictures and pages of PDF decoded within bounds: what a header promises is looked at before any memory is taken.
+
+A picture comes in one shade: of paper with a coloured grid, in the colour in which the grid is lightest.
+"""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+import numpy
+
+from planes.check.reading.opened import LARGEST, MB, contents, hushed
+from planes.check.vision.image.no_paper import shows_paper
+from planes.check.vision.image.picture import cv
+from planes.geometry.arrays import Array, Booleans, Greys
+from planes.words import Phrase
+from planes.words.errors import PlanesError, guarded
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+MOST_BYTES = 360 * MB  # of a file and to decode it: 64 million pixels, half of that where they are held twice over
+MOST_PAGE = 34_000_000
+LEAST_PX = 40
+ROWS = 256
+PAGE_DPI, LEAST_DPI = 200, 100  # of a page that is drawn; a file that says less says nothing of its paper
+EXIF, EXPOSURE = 0x8769, 0x829A  # where a camera tells it
+MOST_MM = 900.0  # nor does one that would be of larger paper
+PDF_IMAGES, PDF_DEPTH = 1000, 5
+PNG, PNG_END, PDF = b"\x89PNG", b"IEND", b"%PDF-"
+COLOURED = 14  # how much farther than usual two colours of a place are apart, on coloured paper
+COLOURED_SHARE = 0.03  # of all places
+FAINT, DARK = 0.08, 0.4  # how much darker than paper a grid is at least, and what is drawn
+LOOK_PX, PARTS = 1000, 8
+EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture in which a grid is, and in which a drawing may be
+
+
+@dataclass(frozen=True)
+class DecodedPicture:
+    """A picture in one shade; its pixels to a mm, where the file tells them."""
+
+    grey: Greys
+    scale: float | None = None
+
+
+def load(path: str | Path, page: int = 0) -> DecodedPicture:
+    """A picture, or a page of a PDF or TIFF. :class:`PlanesError` where it is none, is too large, or
+    shows no paper."""
+    cv()  # or a sentence that it is missing
+    data = contents(path, LARGEST)
+    if not data:
+        raise PlanesError(Phrase("check_empty", file=str(path)))
+    with guarded("check_picture", path), hushed():
+        found = _page(data, str(path), page) if data[:5] == PDF else _decoded(data, str(path), page)
+    if found is None:
+        raise PlanesError(Phrase("check_picture", file=str(path)))
+    height, width = found.grey.shape
+    if min(height, width) < LEAST_PX:
+        raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{width} × {height}"))
+    if not shows_paper(found.grey):
+        raise PlanesError(Phrase("check_no_paper", file=str(path)))
+    return found
+
+
+def _alone(head: Image.Image) -> bytes:
+    """A page of a TIFF as a file of its own."""
+    page = io.BytesIO()
+    head.save(page, "TIFF", dpi=head.info.get("dpi", (1, 1)))
+    return page.getvalue()
+
+
+def _decoded(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
+    """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
+    see_through, head = _looked_into(data, file, page)
+    data = _alone(head) if page else data
+    cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
+    if data[:4] == PNG and PNG_END not in data[-64:]:
+        return None  # it was cut short
+    told = cv2.utils.logging.getLogLevel()
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    try:
+        whole: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
+        solid = whole is None or whole.ndim < 3 or whole.shape[2] != 4
+        grey = in_one_shade(cv2, bits) if whole is None or solid else _on_paper(cv2, whole)
+    finally:
+        cv2.utils.logging.setLogLevel(told)
+    return None if grey is None else DecodedPicture(grey, _scale_of(head))
+
+
+def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
+    """Whether a picture may be transparent, by its header alone, and that; refused if decoding it would take too much
+    memory, or it has no such page."""
+    import warnings
+
+    from PIL import Image
+
+    with warnings.catch_warnings(), guarded("check_picture", file):
+        warnings.simplefilter("ignore")
+        try:
+            head = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "BMP", "TIFF", "WEBP"))
+        except Image.DecompressionBombError:
+            raise PlanesError(Phrase("check_large_picture", file=file, size="> 10⁸")) from None
+        _has(page, getattr(head, "n_frames", 1) if head.format == "TIFF" else 1, file)
+        head.seek(page)
+    see_through = head.format in ("PNG", "WEBP") and ("A" in head.mode or "transparency" in head.info)
+    tiles = getattr(head, "tag_v2", {})
+    pixels = max(head.width * head.height, int(tiles.get(322, 0)) * int(tiles.get(323, 0)))
+    each = 10 if see_through or head.format == "TIFF" or "progressive" in head.info else 5
+    if pixels * each + len(data) > MOST_BYTES:
+        raise PlanesError(Phrase("check_large_picture", file=file, size=f"{head.width} × {head.height}"))
+    return bool(see_through), head
+
+
+def _scale_of(head: Image.Image) -> float | None:
+    """The pixels to a mm a file tells of; a camera, which tells its exposure, knows nothing of the paper."""
+    across, down = (float(dpi) for dpi in head.info.get("dpi", (0, 0)))
+    true = across > LEAST_DPI and abs(across - down) < 1 and max(head.size) * 25.4 / across < MOST_MM
+    return across / 25.4 if true and EXPOSURE not in head.getexif().get_ifd(EXIF) else None
+
+
+def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
+    """A transparent picture on white paper in grey, some rows at a time."""
+    most, out = numpy.iinfo(whole.dtype).max, numpy.empty(whole.shape[:2], numpy.uint8)
+    for top in range(0, len(whole), ROWS):
+        rows = whole[top : top + ROWS]
+        cover = rows[..., 3].astype(numpy.float32) / most
+        grey = cv2.cvtColor(rows[..., :3], cv2.COLOR_BGR2GRAY).astype(numpy.float32) * (255 / most)
+        out[top : top + ROWS] = (255 - cover * (255 - grey)).round()
+    return out
+
+
+def _has(page: int, count: int, file: str) -> None:
+    """Refuse a page that a file does not have."""
+    if not 0 <= page < count:
+        raise PlanesError(Phrase("check_no_page", file=file, page=page + 1, count=count))
+
+
+def _page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
+    """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
+    import pypdfium2
+
+    document = pypdfium2.PdfDocument(data)
+    _has(number, len(document), file)
+    page = document[number]
+    images = page.get_objects(filter=[pypdfium2.raw.FPDF_PAGEOBJ_IMAGE], max_depth=PDF_DEPTH)
+    for count, image in enumerate(images):
+        width, height = image.get_px_size()
+        if width * height * 5 > MOST_BYTES or count > PDF_IMAGES:
+            raise PlanesError(Phrase("check_large_picture", file=file, size=f"{width} × {height}"))
+    w, h = page.get_size()
+    scale = min(PAGE_DPI / 72, (MOST_PAGE / max(w * h, 1.0)) ** 0.5, 30_000 / max(w, h, 1.0))
+    if min(w, h) * scale < LEAST_PX:
+        raise PlanesError(Phrase("check_small_picture", file=file, size=f"{w * scale:.0f} × {h * scale:.0f}"))
+    grey = plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3]))
+    return DecodedPicture(grey, scale * 72 / 25.4)
+
+
+def in_one_shade(cv2: ModuleType, data: Greys) -> Greys | None:
+    """The picture encoded as ``data`` in grey, or in the colour that shows no grid; None where it is no picture."""
+    if not _coloured(cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)):
+        grey: Greys | None = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
+        return grey
+    return plainest(cv2, cv2.imdecode(data, cv2.IMREAD_COLOR))
+
+
+def _coloured(picture: Greys | None) -> bool:
+    """Whether it is a picture some of which differs in colour from most of it."""
+    if picture is None:
+        return False
+    some = picture[:: max(1, picture.shape[0] // 400)].astype(numpy.int16)
+    apart = (some[..., 0] - some[..., 1], some[..., 2] - some[..., 1])
+    far = numpy.maximum(*(abs(d - numpy.median(d)) for d in apart))
+    return bool((far > COLOURED).mean() > COLOURED_SHARE)
+
+
+def plainest(cv2: ModuleType, picture: Greys) -> Greys:
+    """Grey, or that of the three colours in which a grid that is everywhere fades most and nothing else does."""
+    middle = _middle(picture)
+    inked = _ink(cv2, cv2.cvtColor(middle, cv2.COLOR_BGR2GRAY))
+    best, most = None, 0.0
+    for k in range(3):
+        ink = _ink(cv2, cv2.extractChannel(middle, k))
+        faded = (inked > FAINT) & (ink < 0.5 * inked)
+        lost = _spread((inked > DARK) & (ink < DARK / 2))
+        if _spread(faded) > EVERYWHERE and not 0 < lost < SOMEWHERE and float((inked - ink)[faded].sum()) > most:
+            best, most = k, float((inked - ink)[faded].sum())
+    grey: Greys = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) if best is None else cv2.extractChannel(picture, best)
+    return grey
+
+
+def _middle(picture: Greys) -> Greys:
+    """The middle of a picture."""
+    h, w = picture.shape[:2]
+    high, wide = min(h, LOOK_PX) // 2, min(w, LOOK_PX) // 2
+    return picture[h // 2 - high : h // 2 + high, w // 2 - wide : w // 2 + wide]
+
+
+def _ink(cv2: ModuleType, part: Greys) -> Array:
+    """How much darker than paper a picture is, its grain aside."""
+    light = cv2.GaussianBlur(cv2.dilate(part, numpy.ones((25, 25), numpy.uint8)), (0, 0), 12).astype(numpy.float32)
+    dark: Array = 1 - cv2.GaussianBlur(part, (0, 0), 1.0) / numpy.maximum(light, 1)
+    return dark
+
+
+def _spread(places: Booleans) -> float:
+    """In which share of its parts a picture has such places, more than by chance."""
+    h, w = (n // PARTS for n in places.shape)
+    parts = places[: h * PARTS, : w * PARTS].reshape(PARTS, h, PARTS, w).mean(axis=(1, 3))
+    return float((parts > 0.003).mean())

@@ -1,0 +1,124 @@
+"""A sheet told by its printed frame when it has no corner marks: the frame's four lines, its format, its straight view.
+
+The frame of ГОСТ 2.301 sheets stands 20 mm from the left edge and 5 mm from the others, so the ratio of its sides tells
+how the sheet lies and, less surely, its format; several formats may be worth trying.
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy
+
+from planes.check.vision.image.bend import LEFT_MM, OTHER_MM
+from planes.check.vision.image.picture import LARGEST_PX, PX_PER_MM, Flat, cv, smaller
+from planes.geometry.arrays import Array, Greys
+
+SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # lying
+LEAST_SHARE = 0.2  # of the picture that a frame takes up
+NEAR_RATIO = (0.004, 0.15)  # formats whose frames are so nearly of the shape seen, straight or askew, are worth trying
+LOOK_PX = 2000
+
+
+def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
+    """The sheet seen straight by its frame, for every format it may be (only ``paper`` if named), the likeliest first.
+
+    Nothing where there is no frame.
+    """
+    corners = frame_corners(grey)
+    if corners is None:
+        return
+    ratio, askew = shape_of(corners, grey.shape)
+    sizes = [(name, w, h) for name, (a, b) in SIZES_MM.items() for w, h in ((a, b), (b, a))]
+    fits = [(float(abs(math.log(ratio * (h - 2 * OTHER_MM) / (w - LEFT_MM - OTHER_MM)))), n, w, h) for n, w, h in sizes]
+    named, likely = [f for f in fits if f[1] == paper], [f for f in fits if f[0] < NEAR_RATIO[askew]]
+    for _, _, w, h in sorted(named)[:1] if paper is not None else sorted(likely):
+        yield _straight(grey, corners, (w, h))
+
+
+def frame_corners(grey: Greys) -> Array | None:
+    """Corners of the frame in pixels: lower left, lower right, upper right, upper left; None where there is none."""
+    cv2 = cv()
+    small, factor = smaller(grey, LOOK_PX)
+    dark = cv2.adaptiveThreshold(small, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY_INV, 31, 7)
+    dark = cv2.morphologyEx(dark, cv2.MORPH_CLOSE, numpy.ones((3, 3), numpy.uint8))
+    contours, _ = cv2.findContours(dark, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
+    quads = []
+    for contour in contours:
+        hull = cv2.convexHull(contour)
+        area = cv2.contourArea(hull)
+        if area > LEAST_SHARE * small.size and cv2.contourArea(contour) > 0.9 * area:
+            quad = cv2.approxPolyDP(hull, 0.02 * cv2.arcLength(hull, True), True)
+            if len(quad) == 4:
+                quads.append((area, quad.reshape(4, 2).astype(float)))
+    quads.sort(key=lambda q: q[0])
+    refined = (_refined(grey, _ordered((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
+    return next((c for c in refined if c is not None), None)  # the innermost dark line: paper's edge is none
+
+
+def _ordered(quad: Array) -> Array:
+    """Lower left first, counter-clockwise as one sees it, of a picture that is about upright."""
+    x, y = (quad - quad.mean(axis=0)).T
+    quad = quad[numpy.argsort(numpy.arctan2(-y, x))]
+    return numpy.roll(quad, -int(numpy.argmin(quad[:, 0] - quad[:, 1])), axis=0)
+
+
+def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
+    """Corners where the middles of the frame's lines cross; None where a side is no line on both sides of paper."""
+    cv2 = cv()
+    sides = []
+    t = numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5)
+    for a, b in zip(quad, numpy.roll(quad, -1, axis=0), strict=True):
+        along = (b - a) / numpy.linalg.norm(b - a)
+        across = numpy.array([-along[1], along[0]])
+        places = a + numpy.linspace(0.03, 0.97, 200)[:, None] * (b - a)
+        grid = places[:, None, :] + t[None, :, None] * across
+        maps = (numpy.ascontiguousarray(grid[..., k], numpy.float32) for k in (0, 1))
+        seen = 255.0 - cv2.remap(grey, *maps, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE).astype(float)
+        base = numpy.maximum(seen[:, :4].mean(axis=1), seen[:, -4:].mean(axis=1))[:, None]
+        line = numpy.maximum(seen - base - 0.35 * (seen.max(axis=1)[:, None] - base), 0)
+        good = (seen.max(axis=1) - base[:, 0]) > 15
+        if good.mean() < 0.5:
+            return None
+        middle = (line * t).sum(axis=1) / numpy.maximum(line.sum(axis=1), 1e-6)
+        points = (places + middle[:, None] * across)[good]
+        vx, vy, x, y = cv2.fitLine(points.astype(numpy.float32), cv2.DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
+        sides.append((complex(x, y), complex(vx, vy)))
+    pairs = zip([sides[-1], *sides[:-1]], sides, strict=True)
+    corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
+    return numpy.array([(z.real, z.imag) for z in corners])
+
+
+def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
+    """Width over height of a rectangle, and whether it is seen askew, by a camera looking at the picture's middle.
+
+    The lens's length follows from the two vanishing points; where the view is nearly straight the sides tell.
+    (Zhang and He, Whiteboard scanning and image enhancement, 2007.)
+    """
+    middle = numpy.array([size_px[1] / 2, size_px[0] / 2])
+    ll, lr, ur, ul = (numpy.append(c - middle, 1.0) for c in corners)
+    k2 = numpy.dot(numpy.cross(ll, ur), ul) / numpy.dot(numpy.cross(lr, ur), ul)
+    k3 = numpy.dot(numpy.cross(ll, ur), lr) / numpy.dot(numpy.cross(ul, ur), lr)
+    n2, n3 = k2 * lr - ll, k3 * ul - ll
+    sides = [float(numpy.linalg.norm(a - b)) for a, b in ((ll, lr), (ul, ur), (ll, ul), (lr, ur))]
+    plain = (sides[0] + sides[1]) / (sides[2] + sides[3])
+    if max(abs(k2 - 1), abs(k3 - 1)) < 0.003:
+        return plain, False
+    lens = -(n2[0] * n3[0] + n2[1] * n3[1]) / (n2[2] * n3[2] or math.nan)
+    if not 0.3 < lens / max(size_px) ** 2 < 9:
+        return plain, True
+    across, up = (n[0] ** 2 / lens + n[1] ** 2 / lens + n[2] ** 2 for n in (n2, n3))
+    return math.sqrt(across / up), True
+
+
+def _straight(grey: Greys, corners: Array, size_mm: tuple[float, float]) -> Flat:
+    """The sheet from above."""
+    cv2 = cv()
+    w, h = size_mm
+    scale = min(PX_PER_MM, LARGEST_PX / max(w, h))
+    right, top = w - OTHER_MM, h - OTHER_MM
+    true = [(LEFT_MM, OTHER_MM), (right, OTHER_MM), (right, top), (LEFT_MM, top)]
+    goal = numpy.array([(x * scale, (h - y) * scale) for x, y in true], numpy.float32)
+    warp = cv2.getPerspectiveTransform(corners.astype(numpy.float32), goal)
+    size = round(w * scale), round(h * scale)
+    flat = cv2.warpPerspective(grey, warp, size, flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    return Flat(flat, scale, 0j, "frame", warp)

@@ -1,0 +1,204 @@
+"""A photograph or scan of a plan on paper, made straight and to scale by the blank's corner marks or by two points."""
+
+import cmath
+import math
+from dataclasses import dataclass, field, replace
+from types import ModuleType
+
+import numpy
+
+from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
+from planes.check.vision.image.bend import Bend, add_paper, bend_of
+from planes.geometry.arrays import Array, Greys
+from planes.words import Phrase, Written
+from planes.words.errors import PlanesError
+
+PX_PER_MM = 8.0
+LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
+LEAST_ASKEW_DEG, MOST_ASKEW_DEG = 0.5, 4.0  # less is a hand's own error, more is no sheet's that was laid straight
+SHORT_MM = 3.0  # a vector that tells neither scale nor direction
+DRAWN_MM = 1.5  # no more is a vector longer or shorter for a hand's error
+MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
+
+
+@dataclass
+class Flat:
+    """A picture made flat: grey, ``scale`` pixels to a millimetre, its lower left corner at ``corner`` (mm)."""
+
+    grey: Greys
+    scale: float
+    corner: complex = 0j
+    by: str = "marks"  # what it was made flat by: "marks" of a blank, "points" named, the "frame", its file's "scale"
+    warp: Array | None = None
+    notes: list[Phrase] = field(default_factory=list)
+    bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
+    told: tuple[str, float] | None = None  # the mark its scale was taken from, and how far from the pole that was put
+    aslant: bool = False  # whether it may be a photograph, taken from aside
+    by_file: bool = False  # whether two points but turn it straight, and its scale is what its file tells
+    printed: float = 1.0  # the share of its size a blank was printed at, where the file tells how large it is
+
+    @property
+    def size_mm(self) -> tuple[float, float]:
+        """Width and height."""
+        return self.grey.shape[1] / self.scale, self.grey.shape[0] / self.scale
+
+    def place(self, pixel: complex) -> complex:
+        """Where a pixel of the source (x right, y down) is on the sheet."""
+        if self.bend is not None:
+            z = complex(self.bend.flat(pixel))
+            return self.mm(z.real, z.imag)
+        x, y, w = (self.warp @ numpy.array([pixel.real, pixel.imag, 1.0])).tolist()
+        return self.mm(x / w, y / w)
+
+    def mm(self, x: float, y: float) -> complex:
+        """Pixels to millimetres, y up."""
+        return self.corner + complex(x, self.grey.shape[0] - y) / self.scale
+
+    def px(self, z: complex) -> tuple[float, float]:
+        """Millimetres to pixels."""
+        local = (z - self.corner) * self.scale
+        return local.real, self.grey.shape[0] - local.imag
+
+    def as_if(self, area: float) -> "Flat":
+        """Itself, or, if it is larger, as if it were drawn smaller, on paper of that area (mm²)."""
+        width, height = self.size_mm
+        share = math.sqrt(area / (width * height))
+        if share >= 1:
+            return self
+        return Flat(cv().resize(self.grey, None, fx=share, fy=share, interpolation=cv().INTER_AREA), self.scale)
+
+
+def cv() -> ModuleType:
+    """OpenCV, or a sentence that says how to get it."""
+    try:
+        import cv2
+    except ImportError:
+        raise PlanesError(Phrase("check_needs", what="opencv-python-headless")) from None
+    return cv2
+
+
+def smaller(grey: Greys, longest: float) -> tuple[Greys, float]:
+    """The picture with its longer side no longer than that, and by which it was made smaller."""
+    cv2, factor = cv(), min(1.0, longest / max(grey.shape))
+    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+    return small, factor
+
+
+def dictionary() -> object:
+    """The blank's corner marks for OpenCV's detector."""
+    aruco = cv().aruco
+    rows = [1 - numpy.array(cells(k), numpy.uint8)[1:-1, 1:-1] for k in range(len(PATTERNS))]
+    table = numpy.concatenate([aruco.Dictionary.getByteListFromBits(r) for r in rows])
+    return aruco.Dictionary(table, 5, 3)
+
+
+def find_marks(grey: Greys) -> dict[int, Array]:
+    """Corners of the blank's marks in pixels, by their numbers."""
+    cv2 = cv()
+    parameters = cv2.aruco.DetectorParameters()
+    parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = 13, 53
+    parameters.adaptiveThreshWinSizeStep = 20
+    parameters.minMarkerPerimeterRate = 0.07  # a mark's outline is a sixth of the sheet's length; a grid's cell is none
+    detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
+    found: dict[int, Array] = {}
+    for longest in (1100, 700, 2000, 3200):  # small is quick, and hides the grain
+        if len(found) < 4:
+            small, factor = smaller(grey, longest)
+            corners, numbers, _ = detector.detectMarkers(small)
+            for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
+                found.setdefault(int(number), _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5))
+    return found
+
+
+def _sharpened(grey: Greys, quad: Array) -> Array:
+    """Corners of a mark to a fraction of a pixel, where its edges meet in the whole picture."""
+    cv2 = cv()
+    side = float(numpy.linalg.norm(quad - numpy.roll(quad, 1, axis=0), axis=1).mean())
+    reach = int(min(max(side / CELLS * 0.6, 2), 12))
+    stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 30, 0.005)
+    start = numpy.ascontiguousarray(quad, numpy.float32).reshape(-1, 1, 2)
+    sharp: Array = cv2.cornerSubPix(grey, start, (reach, reach), (-1, -1), stop).reshape(4, 2)
+    return sharp
+
+
+def flatten(grey: Greys) -> Flat | None:
+    """The sheet seen straight from above, if its corner marks (three at least) are found."""
+    cv2 = cv()
+    small, factor = smaller(grey, LARGEST_PX)
+    marks = find_marks(small)
+    if len(marks) < 3:
+        return None
+    turns = [SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
+    places = [centres(SHEET_MM)[number] + turn for number in marks for turn in turns]
+    seen = [corner for quad in marks.values() for corner in quad]
+    true = [(z.real * PX_PER_MM, (SHEET_MM[1] - z.imag) * PX_PER_MM) for z in places]
+    warp, _ = cv2.findHomography(numpy.array(seen), numpy.array(true), cv2.RANSAC, 0.6 * PX_PER_MM)
+    if warp is None:
+        return None
+    notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
+    bend = bend_of(small, warp, PX_PER_MM)
+    if bend is not None:
+        unbent = _unbent(small, bend, seen, true)
+        return Flat(unbent, PX_PER_MM, 0j, "marks", None, notes, replace(bend, shrink=factor))
+    width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
+    flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    whole = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
+    return Flat(flat, PX_PER_MM, 0j, "marks", whole, notes)
+
+
+def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, float]]) -> Greys:
+    """The flat picture of a bent one, by its corner marks as they would be seen without the lens's bend."""
+    cv2 = cv()
+    straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
+    bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
+    add_paper(bend, grey, PX_PER_MM)
+    width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
+    cell = 16  # a map that is so smooth need not be told for every pixel
+    across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in (width, height))
+    source = bend.source(across[None, :] + 1j * down[:, None])
+    size = len(across) * cell, len(down) * cell
+    maps = (cv2.resize(m.astype(numpy.float32), size)[:height, :width] for m in (source.real, source.imag))
+    flat: Greys = cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    return flat
+
+
+def by_points(
+    grey: Greys, pole: complex, mark: complex, vector: complex, name: str = "", told: float | None = None
+) -> Flat:
+    """The picture by the two ends of a true vector, of the pole and a named mark, in pixels (x right, y down): to its
+    scale, or to the one ``told`` by its file, if a hand's error is all they differ by, or the vector is too short to
+    tell any; and turned straight if it is as little askew as a sheet lies. The pole becomes the origin."""
+    short = abs(vector) < SHORT_MM
+    if not (short and told) and (abs(mark - pole) < 10 or not vector):
+        raise PlanesError(Phrase("check_points"))
+    seen = told if short and told else abs(mark - pole) / abs(vector)
+    by_file = told is not None and abs(seen / told - 1) * abs(vector) < DRAWN_MM
+    askew = 0.0 if short else math.degrees(cmath.phase((mark - pole).conjugate() / vector))
+    turned = LEAST_ASKEW_DEG < abs(askew) < MOST_ASKEW_DEG
+    flat = by_scale(grey, told if told and by_file else seen, pole, askew if turned else 0.0)
+    flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if turned else []
+    flat.told, flat.aslant, flat.by_file = (name, abs(vector)), told is None, by_file
+    return flat
+
+
+def fits(grey: Greys, scale: float) -> bool:
+    """Whether a picture of so many pixels to a mm is of a sheet no larger than people draw on."""
+    factor = PX_PER_MM / scale
+    return 0.05 < factor < 8 and grey.size * factor * factor <= MOST_FLAT
+
+
+def by_scale(grey: Greys, scale: float, pole: complex | None = None, askew_deg: float = 0.0) -> Flat:
+    """The picture of so many pixels to a mm, turned back by how much it lies askew; the pole, if it is named, becomes
+    the origin."""
+    cv2, factor = cv(), PX_PER_MM / scale
+    if not fits(grey, scale):
+        raise PlanesError(Phrase("check_points"))
+    how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
+    flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
+    warp, at = numpy.diag([factor, factor, 1.0]), (pole or 0j) * factor
+    if askew_deg:
+        back = cv2.getRotationMatrix2D((at.real, at.imag), -askew_deg, 1.0)
+        flat = cv2.warpAffine(flat, back, flat.shape[::-1], flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+        warp = numpy.vstack([back, [0, 0, 1]]) @ warp
+    corner = -complex(at.real, flat.shape[0] - at.imag) / PX_PER_MM if pole is not None else 0j
+    return Flat(flat, PX_PER_MM, corner, "scale" if pole is None else "points", warp)

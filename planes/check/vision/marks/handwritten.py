@@ -1,0 +1,248 @@
+"""Names written by hand beside vectors: letters told by their shapes, words by the names a plan has.
+
+A net tells the shapes (`handwritten.npz`, trained by `python -m tests.physical.handwriting`). A name that stands far
+from the vector laid for it speaks against that, no more.
+"""
+
+import math
+import statistics
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache, cached_property
+from pathlib import Path
+
+import numpy
+
+from planes.check.vision.image.picture import cv
+from planes.check.vision.marks.places import Seen
+from planes.geometry.arrays import Array, Greys
+
+SHAPES = "0123456789FRGPNФABDEHKTMabdefghknqrtπ_|*"  # Cyrillic and Latin letters of one shape are one; * is none
+SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
+SAME |= {"s": "5", "c": "G"}
+"""By letter, the shapes it may have where that is not its own."""
+SIDE_PX, RIM_PX, CELLS = 24, 2, 6  # of a letter's picture as the net sees it, and of what it takes means of
+SOFTENED_MM, ABOUT_MM = 0.12, 1.5  # by which the paper's grain is smoothed; in which ink is held against the darkest
+DARK, LEAST_DARK = 0.45, 0.3  # the shares of the darkest ink about, and of lines' ink, that are ink
+LEAST_MM, MOST_MM = 0.5, 7.5  # of a piece of a letter
+WIDE_MM, WIDEST_MM = 2.2, 5.0  # a wider piece may be two letters; no letter is wider
+BESIDE_MM, HIGH_MM = 2.0, 6.5  # how far apart letters of a word may be; how high a word is
+AROUND_MM, ERASED_MM = 15.0, 0.35  # how far from lines names are looked for; what is a line's own beside it
+IN_LETTER, IN_WORD, MOST = 3, 16, 400  # pieces at the most: of a letter, of a word, of all that is read
+STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a letter not there, one more piece
+NEVER, OTHER = math.log(1e-3), 0.7  # of a shape, the least; how much likelier a word is none of the names than one
+ROUNDS = 8  # in which it is settled which word is whose
+SURE = 0.85  # how likely a name is read that stands there, at the most
+WARMTH = 1.2  # by which logarithms are divided: what is told with 90 % is right in 90 %
+NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # how far off its vector a name is, how surely; how likely it is elsewhere
+
+
+@dataclass(frozen=True)
+class HandWord:
+    """Letters in a row: where they lie, mm, and how likely they are each name."""
+
+    low: complex
+    high: complex
+    likely: Mapping[str, float]
+
+    def off(self, a: complex, b: complex) -> float:
+        """How far the word's middle line is from the way from a to b."""
+        up, u = 1j * (self.low + self.high).imag / 2, b - a
+        spots = [x + up for x in (self.low.real, (self.low + self.high).real / 2, self.high.real)]
+        along = (((z - a) * u.conjugate()).real / abs(u) ** 2 if u else 0.0 for z in spots)
+        return min(abs(a + min(max(t, 0.0), 1.0) * u - z) for t, z in zip(along, spots, strict=True))
+
+
+@dataclass
+class HandWords:
+    """The words on a sheet, as they tell vectors apart; what was asked of them is remembered."""
+
+    words: Sequence[HandWord] = ()
+    known: dict[tuple[str, complex, complex], tuple[float, float]] = field(default_factory=dict)
+
+    def price(self, name: str, a: complex, b: complex) -> float:
+        """What it costs to believe that the vector of a name leads from a to b, for where that name stands."""
+        return self._weighed(name, a, b)[0]
+
+    def told(self, name: str, a: complex, b: complex) -> float:
+        """How surely a name was read by the vector from a to b."""
+        return self._weighed(name, a, b)[1]
+
+    def unwritten(self, name: str) -> float:
+        """What it costs to believe that nobody drew the vector of a name: less than nothing, where the others' names
+        were read and this one was not."""
+        whole = self._read(name)
+        others = statistics.fmean(map(self._read, self.names - {name})) if self.names - {name} else 0.0
+        return math.log(1 - others * SURE * (1 - whole)) - math.log(1 - whole + AWAY * whole)
+
+    def _read(self, name: str) -> float:
+        """How likely a name is one of the words."""
+        return 1 - math.prod(1 - w.likely.get(name, 0.0) for w in self.words)
+
+    @cached_property
+    def names(self) -> set[str]:
+        """The names that words may be."""
+        return {name for word in self.words for name in word.likely}
+
+    def _weighed(self, name: str, a: complex, b: complex) -> tuple[float, float]:
+        if (key := (name, a, b)) not in self.known:
+            read = [(w.likely.get(name, 0.0), w.off(a, b)) for w in self.words]
+            near = sum(p * max(math.exp(-0.5 * max((off - NEAR_MM) / SOFT_MM, 0.0) ** 2), AWAY) for p, off in read)
+            whole = sum(p for p, _ in read)
+            told = near / max(whole, 1.0)
+            self.known[key] = -math.log(max(1 - whole, 0.0) + told), told
+        return self.known[key]
+
+
+@dataclass(frozen=True)
+class LetterPiece:
+    """A piece of ink that may be a letter, or part of one: its box in pixels, and a mask of its ink there."""
+
+    left: int
+    top: int
+    right: int
+    bottom: int
+    mask: Greys
+
+
+@cache
+def _net() -> tuple[Array, ...]:
+    """The net's weights."""
+    with numpy.load(Path(__file__).with_suffix(".npz")) as held:
+        return tuple(held[k].astype(numpy.float32) for k in ("w1", "b1", "w2", "b2"))
+
+
+def odds(seen: Array) -> Array:
+    """The logarithms of how likely what the net sees is each of the shapes: a row each."""
+    w1, b1, w2, b2 = _net()
+    z = numpy.maximum(seen @ w1 + b1, 0) @ w2 + b2
+    found: Array = z - numpy.log(numpy.exp(z).sum(axis=1, keepdims=True))
+    return found
+
+
+def features(picture: Greys) -> Array:
+    """What the net sees of a letter's picture (ink is light): its ink and which way it gets darker, part by part."""
+    cv2, (h, w) = cv(), picture.shape
+    scale = (SIDE_PX - 2 * RIM_PX) / max(h, w)
+    size, how = (max(round(w * scale), 1), max(round(h * scale), 1)), cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR
+    whole = numpy.zeros((SIDE_PX, SIDE_PX), numpy.float32)
+    top, left = (SIDE_PX - size[1]) // 2, (SIDE_PX - size[0]) // 2
+    whole[top : top + size[1], left : left + size[0]] = cv2.resize(picture, size, interpolation=how)
+    whole = cv2.GaussianBlur(whole / max(float(whole.max()), 1.0), (0, 0), 0.8)
+    gx, gy = cv2.Sobel(whole, cv2.CV_32F, 1, 0), cv2.Sobel(whole, cv2.CV_32F, 0, 1)
+    ways = (sign * g for g in (gx, gy, (gx + gy) * 0.7, (gx - gy) * 0.7) for sign in (1, -1))
+    planes = [whole, *(numpy.maximum(way, 0) for way in ways)]
+    return numpy.concatenate([cv2.resize(p, (CELLS, CELLS), interpolation=cv2.INTER_AREA).ravel() for p in planes])
+
+
+def words_on(seen: Seen, names: Iterable[str]) -> HandWords:
+    """The words of a sheet as they may be some names."""
+    known, flat, found = list(names), seen.ink.flat, list[HandWord]()
+    for row in _rows(_pieces(seen), flat.scale):
+        shapes = _shapes(seen.ink.dark, row, WIDEST_MM * flat.scale)
+        scores = numpy.array([_aligned(len(row), shapes, name) for name in (*known, "")])
+        scores[-1] += OTHER
+        told = numpy.exp((scores - scores.max()) / WARMTH)
+        low, high = flat.mm(row[0].left, max(p.bottom for p in row)), flat.mm(row[-1].right, min(p.top for p in row))
+        found.append(HandWord(low, high, dict(zip(known, (told / told.sum()).tolist(), strict=False))))
+    return HandWords(_each_once(found, known))
+
+
+def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:
+    """The words, where each name stands but once: what is surely another word's is less likely this one's."""
+    likely = numpy.array([[word.likely[name] for name in names] for word in words]).reshape(len(words), len(names))
+    none = 1 - likely.sum(axis=1, keepdims=True)
+    for _ in range(ROUNDS):
+        likely = likely / numpy.maximum(likely.sum(axis=0), 1.0)
+        whole = likely.sum(axis=1, keepdims=True) + none
+        likely, none = likely / whole, none / whole
+    return [
+        replace(w, likely=dict(zip(names, row, strict=True))) for w, row in zip(words, likely.tolist(), strict=True)
+    ]
+
+
+def _pieces(seen: Seen) -> list[LetterPiece]:
+    """Pieces of ink off the lines of a sheet, but not far from them."""
+    cv2, scale = cv(), seen.ink.flat.scale
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(_off_lines(seen), connectivity=8)
+    found: list[LetterPiece] = []
+    for k, (x, y, w, h, area) in enumerate(stats.tolist()):
+        if k and LEAST_MM * scale < min(max(w, h), area) and max(w, h) < MOST_MM * scale:
+            mask = (labels[y : y + h, x : x + w] == k).astype(numpy.uint8)
+            found += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
+    return found if len(found) < MOST else []
+
+
+def _off_lines(seen: Seen) -> Greys:
+    """Where there is ink near lines that is not theirs."""
+    cv2, flat = cv(), seen.ink.flat
+    dark = cv2.GaussianBlur(seen.ink.dark, (0, 0), SOFTENED_MM * flat.scale)
+    about = numpy.ones((round(ABOUT_MM * flat.scale),) * 2, numpy.uint8)
+    middles = numpy.array([x.at((x.low + x.high) / 2) for x in seen.lines])
+    least = numpy.maximum(DARK * cv2.dilate(dark, about), LEAST_DARK * float(numpy.median(seen.ink.darkest(middles))))
+    near = numpy.zeros_like(dark)
+    paths = [[flat.px(x.at(float(s))) for s in numpy.linspace(x.low, x.high, 9)] for x in seen.lines]
+    bent = [numpy.array(path).round().astype(numpy.int32) for path in paths]
+    cv2.polylines(near, bent, False, 1, round(2 * AROUND_MM * flat.scale))
+    for line, path in zip(seen.lines, bent, strict=True):
+        cv2.polylines(near, [path], False, 0, max(1, round((line.width + ERASED_MM) * flat.scale)))
+    found: Greys = near * (dark > least)
+    return found
+
+
+def _cut(piece: LetterPiece, wide: float) -> list[LetterPiece]:
+    """A wide piece in two (and again), cut where it has least ink: letters that touch."""
+    h, w = piece.mask.shape
+    if w < wide or h < w / 4:
+        return [piece]
+    k = round(w / 4) + int(piece.mask[:, round(w / 4) : round(3 * w / 4)].sum(axis=0).argmin())
+    at = piece.left + k
+    halves = replace(piece, right=at, mask=piece.mask[:, :k]), replace(piece, left=at, mask=piece.mask[:, k:])
+    return [part for half in halves for part in _cut(half, wide)]
+
+
+def _rows(pieces: Iterable[LetterPiece], scale: float) -> list[list[LetterPiece]]:
+    """Pieces beside each other, from left to right."""
+    rows: list[list[LetterPiece]] = []
+    for one in sorted(pieces, key=lambda p: p.left + p.right):
+        near = [r for r in rows if len(r) < IN_WORD and one.left - max(p.right for p in r) < BESIDE_MM * scale]
+        near = [r for r in near if max(p.bottom for p in (*r, one)) - min(p.top for p in (*r, one)) < HIGH_MM * scale]
+        row = min(near, key=lambda r: abs(one.top + one.bottom - r[-1].top - r[-1].bottom), default=None)
+        if row is None:
+            rows.append(row := [])
+        row.append(one)
+    return rows
+
+
+def _shapes(dark: Greys, row: Sequence[LetterPiece], widest: float) -> dict[tuple[int, int], Array]:
+    """The logarithms of how likely pieces from one to before another, as one letter, are each of the shapes."""
+    spans = [(i, j) for i in range(len(row)) for j in range(i + 1, min(i + IN_LETTER, len(row)) + 1)]
+    spans = [(i, j) for i, j in spans if j == i + 1 or max(p.right for p in row[i:j]) - row[i].left < widest]
+    seen = odds(numpy.array([features(_joined(dark, row[i:j])) for i, j in spans]))
+    return dict(zip(spans, seen.clip(NEVER), strict=True))
+
+
+def _joined(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
+    """The picture of pieces as one letter."""
+    left, top = min(p.left for p in pieces), min(p.top for p in pieces)
+    page = numpy.zeros((max(p.bottom for p in pieces) - top, max(p.right for p in pieces) - left), numpy.uint8)
+    for p in pieces:
+        page[p.top - top : p.bottom - top, p.left - left : p.right - left] |= p.mask
+    x, y, w, h = cv().boundingRect(page)
+    found: Greys = (dark[top:, left:][: len(page), : page.shape[1]] * page)[y : y + h, x : x + w]
+    return found
+
+
+def _aligned(count: int, shapes: Mapping[tuple[int, int], Array], name: str) -> float:
+    """The logarithm of how likely so many pieces in a row are a name: its letters in order, and stray pieces."""
+    ways = [[SHAPES.index(c) for c in SAME.get(char, char) if c in SHAPES] for char in name if char not in "_^"]
+    best = {(0, k): LOST * k for k in range(len(ways) + 1)}
+    for j in range(1, count + 1):
+        stray = max(float(shapes[j - 1, j][[SHAPES.index("_"), -1]].max()), STRAY)
+        for k in range(len(ways) + 1):
+            found = [best[j - 1, k] + stray, *([best[j, k - 1] + LOST] if k else [])]
+            for i in range(max(0, j - IN_LETTER), j) if k and ways[k - 1] else ():
+                if (i, j) in shapes:
+                    found.append(best[i, k - 1] + float(shapes[i, j][ways[k - 1]].max()) + TORN * (j - i - 1))
+            best[j, k] = max(found)
+    return best[count, len(ways)]

@@ -1,0 +1,81 @@
+"""What stands on a page of known scale: its ink in parts that hang together, each as a picture of its own."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy
+
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.reading.parts import TOGETHER_MM
+from planes.check.vision.image.picture import Flat, cv
+from planes.check.vision.strokes.ink import ink_of, light_of
+from planes.geometry.arrays import Greys, Indices
+from planes.words.names import kind_of
+from planes.words.units import standard_mu, standard_scale
+
+MOST = 8  # parts that are looked at, at a scale each
+LEAST_MM, RIM_MM = 6.0, 3.0  # of a part; of paper around it
+PX_PER_MM = 2.0  # of the smaller picture on which parts are told
+A3_MM2 = 125_000.0  # a larger page is looked over as if it were of that size: its parts are looked at closely
+A2_MM2 = 250_000.0  # no part that is larger is a plan
+INK = 40  # of 255, in its pixels
+SOFT_MM = 6.0  # what counts little in a size
+SIZES = (0.7, 0.8, 0.9, 1.0, 1.05)  # of a part, that its plan may have: lines run on, a scheme has its supports
+
+
+@dataclass(frozen=True)
+class PageParts:
+    """The parts of a page: their numbers on a small picture of it, and their boxes there (left, top, wide, high)."""
+
+    flat: Flat
+    light: Greys
+    labels: Indices
+    boxes: list[list[int]]
+
+    def likely(self, bench: PreparedPlan) -> list[tuple[int, float | None]]:
+        """Parts that may be the plan, at a standard scale if none is stated; the likeliest first."""
+        plan = [0j, *bench.true_marks.values()]
+        xs, ys = [z.real for z in plan], [z.imag for z in plan]
+        size = max(xs) - min(xs), max(ys) - min(ys)
+        found = []
+        for k, seen in enumerate((w / PX_PER_MM, h / PX_PER_MM) for _, _, w, h in self.boxes):
+            fits = k and max(seen) > LEAST_MM and math.prod(seen) <= A2_MM2
+            for mu in _scales(bench, max(size), max(seen)) if fits else ():
+                pairs = zip(seen, size, strict=True)
+                unlike = (abs(math.log((a + SOFT_MM) / (b * mu / bench.said_mu + SOFT_MM))) for a, b in pairs)
+                found.append((sum(unlike), k, mu))
+        return [(k, mu if mu != bench.said_mu else None) for _, k, mu in sorted(found)[:MOST]]
+
+    def cut(self, k: int) -> Flat:
+        """A part cut out with paper around it, the others' ink painted over."""
+        up, rim, (height, width) = self.flat.scale / PX_PER_MM, RIM_MM * self.flat.scale, self.flat.grey.shape
+        x, y, w, h = self.boxes[k]
+        left, top = max(int(x * up - rim), 0), max(int(y * up - rim), 0)
+        right, low = min(int((x + w) * up + rim), width), min(int((y + h) * up + rim), height)
+        rows = (numpy.arange(top, low) / up).astype(int).clip(0, self.labels.shape[0] - 1)
+        columns = (numpy.arange(left, right) / up).astype(int).clip(0, self.labels.shape[1] - 1)
+        held = self.labels[rows[:, None], columns[None, :]]
+        place = slice(top, low), slice(left, right)
+        grey = numpy.where((held == 0) | (held == k), self.flat.grey[place], self.light[place])
+        return Flat(grey, self.flat.scale, self.flat.mm(left, low), "part")
+
+
+def _scales(bench: PreparedPlan, true_mm: float, seen_mm: float) -> Iterator[float]:
+    """The stated scale, or the standard ones at which a plan is about as large as what is seen."""
+    kind = kind_of(bench.asked.plan)
+    if bench.asked.mu or bench.asked.scene.mu.get(kind):
+        yield bench.said_mu
+    else:
+        standard = standard_scale if kind == "position" else standard_mu
+        yield from {standard(true_mm / bench.said_mu, seen_mm * size) for size in SIZES}
+
+
+def parts_of(flat: Flat) -> PageParts:
+    """The parts of a page."""
+    cv2, size = cv(), tuple(round(mm * PX_PER_MM) for mm in flat.size_mm)
+    small = cv2.resize(ink_of(flat.as_if(A3_MM2)).mask * 255, size, interpolation=cv2.INTER_AREA)
+    near = round(TOGETHER_MM / 2 * PX_PER_MM) * 2 + 1
+    spread = cv2.dilate((small > INK).astype(numpy.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (near, near)))
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(spread, connectivity=8)
+    return PageParts(flat, light_of(flat), labels, stats[:, :4].tolist())

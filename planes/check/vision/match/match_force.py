@@ -1,0 +1,188 @@
+"""A force polygon on a picture: its vectors told apart by laying every way it may have been drawn on the ink.
+
+Rightly drawn, with each mistake of the catalogue, or with one vector anywhere: what leaves the least ink unexplained
+tells the names. Where a mistake explains it nearly as well as the right plan, what differs is told as not seen.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import InitVar, dataclass, replace
+from itertools import product
+
+from planes.check.grading.paper import ReadMark
+from planes.check.grading.polygons import Side, loads_of, sides_of
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.vision.marks.handwritten import words_on
+from planes.check.vision.marks.places import Seen, pole_on
+from planes.check.vision.marks.print_scale import UNLIKELY, by_ruler, likely_shares
+from planes.check.vision.match.match_in_order import read_in_order
+from planes.check.vision.search.costs import ANYWHERE
+from planes.check.vision.search.ink_cover import COVERED, InkCover
+from planes.check.vision.search.polygon_cover import (
+    Guess,
+    LaidChain,
+    ReadPolygon,
+    guesses,
+    polygon_of,
+    seen_like,
+    spread_of,
+)
+from planes.check.vision.search.polygon_search import MANY, OPEN, SoughtPolygon
+from planes.check.vision.strokes.line_places import WOBBLE_MM, Place
+from planes.words.names import POLE
+
+MOST_COST = 60.0  # of a chain that explains a picture at all
+DEEPER = 26.0, MOST_COST  # a chain is first looked for among the cheapest
+POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for each vector, is not surely one
+MOST_CORNERS = 12  # of a polygon, at which it may begin
+NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
+UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
+APART = 5.0  # by how much a right polygon is dearer where it is out of the question
+# a mistake that costs so little more than the right plan leaves in doubt what it moves so far
+RIVAL, APART_MM = 1.0, 0.8
+PAST_MM, ASIDE_MM = (4.0, 30.0), 0.9  # how far past the pole a head may stand, and its line aside
+IN_LINE, ASLANT = 3.0, 0.1  # the same where all lie in one line (so far aslant, of a length), and letters alone tell
+BETTER = 1.0  # or where its ink is so much better than the right plan's, however unlikely such a mistake is
+
+
+@dataclass
+class LaidPolygon:
+    """A plan's polygon on a sheet printed at a share of its size: laid rightly, and the likeliest that was laid."""
+
+    bench: InitVar[PreparedPlan]
+    ink: InitVar[InkCover]
+    pole: InitVar[Place]
+    sides: InitVar[list[Side]]
+    share: float
+    best: LaidChain | None = None
+
+    def __post_init__(self, bench: PreparedPlan, ink: InkCover, pole: Place, sides: list[Side]) -> None:
+        self.polygon = SoughtPolygon(ink, pole, spread_of(bench, sides))
+        self.right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
+        self.wrong = [replace(g, cost=g.cost + g.unwritten(ink.words, self.right)) for g in wrong]
+        self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
+
+    @property
+    def unlikely(self) -> float:
+        """What it costs to believe that the sheet was printed so."""
+        return UNLIKELY * (self.share != self.polygon.ink.seen.ink.flat.printed)
+
+    def look(self, most: float) -> None:
+        """The likeliest chain that costs less than that, or the right one: that if it fits well, else a mistake's, at
+        last one with a vector anywhere."""
+        most = min(self.plain.cost if self.plain else MOST_COST, most - self.unlikely)
+        if most > min((guess.cost for guess in self.wrong), default=math.inf):
+            self.best = self._likeliest(self.wrong, most) or self.best
+            most = min(self.best.cost if self.best else most, most)
+        if most > ANYWHERE + 4.0 + len(self.polygon.spread):
+            free = (Guess(self.right.known, self.right.closing, ANYWHERE, name) for name in self.right.known)
+            self.best = self._likeliest([*free], most) or self.best
+
+    def _likeliest(self, ways: Sequence[Guess], most: float) -> LaidChain | None:
+        """The cheapest chain of some guesses, if it costs less than that."""
+        best = None
+        for guess in ways:
+            best = self.polygon.lay(guess, best.cost if best else most) or best
+        return best
+
+    def cost(self, plainly: bool = False) -> float:
+        """What it costs to believe in it, or in the plan rightly drawn on such a sheet, if by a poor hand."""
+        chain = self.plain if plainly else self.best
+        if chain is None or (plainly and chain.astray(self.right, self.polygon.pole.z) > HAND_MM):
+            return math.inf
+        return chain.cost + self.unlikely
+
+    def untold(self) -> tuple[str, ...]:
+        """Known vectors, rightly laid, that some mistake puts elsewhere and explains the ink nearly as well."""
+        if self.plain is None:
+            return ()
+        pole, found = self.polygon.pole.z, set[str]()
+        drawn = self.plain.vectors(pole)
+        straight = in_line([*drawn.values()])
+        for guess in self.wrong:
+            most = self.plain.cost + (max(IN_LINE, guess.cost - BETTER) if straight else RIVAL)
+            rival = self.polygon.lay(guess, most) if guess.cost < most else None
+            others = rival.vectors(pole) if rival else {}
+            found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}
+        return tuple(n for n in self.right.known if n in found or self.polygon.endless)
+
+
+def in_line(vectors: Sequence[complex]) -> bool:
+    """Whether vectors lie in one line."""
+    longest = max(vectors, key=abs)
+    return all(abs((v * longest.conjugate()).imag) <= ASLANT * abs(v * longest) for v in vectors)
+
+
+def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
+    """The polygon drawn on a sheet about a place."""
+    every = sides_of(bench.plans, bench.asked.plan)
+    if len(every) >= MANY and (read := read_in_order(bench, every, seen, near)):
+        return read
+    sides, pole = polygon_of(every, bench.asked.plan), pole_on(seen, near)
+    shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()], words=words_on(seen, [s.name for s in sides]))
+    tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=LaidPolygon.cost)
+    one = _likeliest(tried)
+    if one.polygon.endless:
+        return ReadPolygon(explained=1.0)
+    if (best := one.best) is None:
+        return ReadPolygon()
+    dearer = min(other.cost(plainly=True) for other in tried) - one.cost()  # by which a right polygon is
+    most = _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z)
+    if (best is not one.plain and dearer < UNSURE) or best.cost > most:
+        return ReadPolygon(explained=1.0)
+    explained = one.polygon.ink.explained(best.routes(pole.z))
+    rows = [ReadMark(POLE, pole.z, pole.sigma)]
+    rows += [
+        ReadMark(n, z, math.hypot(sigma, WOBBLE_MM))
+        for n, z, sigma in best.rows
+        if not best.left_out(n, one.right, pole.z)
+    ]
+    spots = by_ruler(seen.ink.flat, near, one.share, rows, explained, {})
+    untold = (*one.untold(), *_past_pole(best, seen, pole.z)) if best is one.plain else ()
+    return ReadPolygon(spots, explained > 0.9, explained, best.hidden, untold, dearer > APART)
+
+
+def _past_pole(best: LaidChain, seen: Seen, pole: complex) -> tuple[str, ...]:
+    """The vector that closes a polygon, if its line runs on past the pole to a head that stands there."""
+    start, end = best.routes(pole)[-1]
+    if end != pole or abs(end - start) < PAST_MM[0]:
+        return ()
+    beyond = end + PAST_MM[0] * (end - start) / abs(end - start)
+    drawn = seen.all_ink.covered(end, beyond, ASIDE_MM) > COVERED
+    return (best.rows[-1][0],) if drawn and seen.lone_heads.past(start, end, *PAST_MM) else ()
+
+
+def _likeliest(tried: Sequence[LaidPolygon]) -> LaidPolygon:
+    """The likeliest of what was tried at several sizes, the likeliest first: looked for among what fits well, at last
+    among all at the first size."""
+    for limit, sizes in zip(DEEPER, (tried, tried[:1]), strict=True):
+        for one in sizes:
+            one.look(min(limit, *map(LaidPolygon.cost, tried)))
+            if one.best and one.best is one.plain and not one.unlikely:
+                break  # it fits well
+        if min(map(LaidPolygon.cost, tried)) < limit:
+            break
+    return min(tried, key=LaidPolygon.cost)
+
+
+def start_of(bench: PreparedPlan, seen: Seen) -> complex | None:
+    """Where a polygon begins whose pole nobody told: where the cheapest one does, drawn rightly or with a mistake;
+    None where none fits well."""
+    sides = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan)
+    right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
+    words, spread = words_on(seen, [s.name for s in sides]), spread_of(bench, sides)
+    corners = sorted((p for p in seen.places if p.ended), key=lambda p: -len(p.ended))[:MOST_CORNERS]
+    inks = [InkCover(seen, p.z, [*bench.true_marks.values()], words=words) for p in corners]
+    sought = [SoughtPolygon(ink, corner, spread) for ink, corner in zip(inks, corners, strict=True)]
+    most, start = DEEPER[0], None
+    for guess, polygon in [*product([right], sought), *product(wrong, sought)]:
+        if chain := polygon.lay(guess, most):
+            most, start = chain.cost, polygon.pole.z
+    return start
+
+
+def _most(best: LaidChain, plain: LaidChain | None, count: int, pole: complex) -> float:
+    """What the likeliest polygon may cost to be one at all."""
+    gapes = bool(best.rows) and best.rows[-1][1] != pole
+    return POOR + POORLY * count + (OPEN * gapes if best is plain else ANYWHERE)

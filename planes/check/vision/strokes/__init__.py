@@ -1,0 +1,1 @@
+"""What the pen left: ink by its contrast, lines fitted to it, heads of arrows, what was rubbed out."""

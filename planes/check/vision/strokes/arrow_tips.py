@@ -1,0 +1,250 @@
+"""Arrowheads along lines of ink: told by how the ink grows wide and narrow again, and fitted to it as triangles."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy
+
+from planes.check.vision.strokes.heads import SeenHead, heads_of, one_ink
+from planes.check.vision.strokes.ink import LIGHT, Ink
+from planes.check.vision.strokes.line_fitting import Fitted, Tip
+from planes.check.vision.strokes.tip_edges import sharpened
+from planes.geometry.arrays import Array, Complexes
+
+USUAL_MM = 3.0  # about how long a head is
+STEP_MM, CELL_MM = 0.2, 0.1  # along a line and across
+SOFT_MM = 0.18  # half of how far an edge is blurred
+OUTSIDE_MM = 0.08  # how far outside of a line's ink its edges are
+LENGTH_MM, HALF_MM = (1.5, 6.0), (0.2, 1.6)  # of a head, and half of its width
+ASKEW = 0.25  # of a head to its line
+NEEDED, CLEAR = 0.35, 0.75  # of the ink that no line explains, the share a head must, and one that is seen well
+TIE_MM = 0.3  # of a head beside its line
+END_MM, AT_END_MM = 0.08, 1.5  # σ of where a line is seen to end; how far its head's tip may seem to be from there
+ENOUGH, EVEN, UNEVEN = 3, 0.02, 0.08  # heads that tell how alike all are, and how alike they may be; fewer do not
+SHAPE_MM = (0.2, 0.03)  # σ of a fitted head's length and half of its width
+ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a picture err together
+HAND = 0.08  # by how much a hand's heads differ in length, whatever those few that are seen well say
+HALF, UNLIKE = 0.2, 0.15  # of a head's length, half of its width; how much one may differ from the others
+BESIDE_MM, ABOUT_MM = 0.9, 2.0  # how far beside a line its vector may run, and a tip from where it should be
+GOAL_MM = 0.2  # how nearly it is told where a head is to be looked for
+SHORT_MM, BROAD_MM, MORE = 6.0, (1.2, 3.6), 0.12  # of a barb; where a head is broad, and how much ink must be there
+NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
+LEAST_MM = 0.1  # no tip is surer
+SEEMS_MM = 0.2  # by how much a head seems to reach too far: strokes laid one upon the other look broader
+
+Likeness = tuple[Array, Array]  # what heads are like, and how much they differ: length, half of the width
+
+
+def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
+    """Put to every line the arrowheads along it: all are of one hand, so those less well seen are taken to be alike."""
+    filled = [sight for line in lines for sight in _sights(ink, line, lines)]
+    barbed = [replace(sight, barbs=True) for sight in filled]
+    for sight in (*filled, *barbed):
+        sight.fit(None)
+    sights = max(filled, barbed, key=lambda some: sum(x.gain for x in some if x.good))  # one hand's are of one kind
+    clear = [x.p for x in sights if x.clear]
+    if clear:
+        shapes = numpy.array(clear)[:, 3:]
+        usual = numpy.median(shapes, axis=0)
+        spread = 1.5 * numpy.median(numpy.abs(shapes - usual), axis=0)
+        least = (EVEN if len(clear) >= ENOUGH else UNEVEN) * usual
+        like = (usual, numpy.sqrt(numpy.maximum(spread**2 - numpy.square(SHAPE_MM), least**2)))
+        for sight in sights:
+            sight.fit(like)
+    for line in lines:
+        line.heads = []
+    for sight in sorted((x for x in sights if x.good), key=lambda x: -x.gain):
+        line, head = sight.line, sight.tip if sight.end is not None else sharpened(ink, sight.line, sight.tip)
+        if line.low - 1.5 < head.s < line.high + 1.5 and not any(one_ink(head, k) for k in line.heads):
+            line.heads.append(head)
+
+
+def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
+    """Where heads may be along a line."""
+    s = numpy.arange(line.low - 8, line.high + 8, STEP_MM)
+    t = numpy.arange(-1.5, 1.51, CELL_MM)
+    z = line.at(s)[:, None] + 1j * line.along * t[None, :]
+    dark = ink.at(z)
+    seen = heads_of(ink, line)
+    for found in (*seen, *_supposed(line, lines, seen)):
+        tip, sign, thin = found.tip, found.sign, replace(line, width=min(line.width, found.width))
+        base, others = tip - sign * USUAL_MM, _beside(line, line.at(tip), lines)
+        near = (sign * (s - base) > -3.0) & (sign * (s - tip) < 2.5)
+        x, y = numpy.broadcast_arrays(sign * s[near, None], t[None, :])
+        end = sign * (line.high if sign > 0 else line.low)
+        free = line.clear[(sign + 1) // 2] and abs(sign * tip - end) < AT_END_MM
+        start = numpy.array([end if free else sign * tip, 0.0, 0.0, abs(tip - base), 0.7])
+        known = _known(z[near], [thin, *others])
+        more = (dark[near] - known)[(x < sign * tip - BROAD_MM[0]) & (x > sign * tip - BROAD_MM[1]) & (abs(y) < 1)]
+        if found in seen or more.clip(0).mean() > MORE:
+            yield Sight(line, thin.width, sign, x, y, dark[near], known, start, end if free else None)
+
+
+def _supposed(line: Fitted, lines: Sequence[Fitted], seen: Sequence[SeenHead]) -> Iterator[SeenHead]:
+    """Heads that may be where a line ends or meets others, though others' ink hides their sides."""
+    met = [(s, sign) for s, sign in ((line.low, -1), (line.high, 1))]
+    for other in lines:
+        for end in other.ends if other is not line and other.length > SHORT_MM else ():
+            s, off = line.local(end)
+            if abs(off) < BESIDE_MM and line.low < s < line.high:
+                met += [(s, 1), (s, -1)]
+    kept = [(one.tip, one.sign) for one in seen]
+    for s, sign in met if line.length > SHORT_MM else ():
+        if all(abs(s - k) > 1 or sign != way for k, way in kept):
+            kept.append((s, sign))
+            yield SeenHead(s - sign * USUAL_MM, s, sign, 0.0, 0.0, line.width)
+
+
+def _beside(line: Fitted, tip: complex, lines: Sequence[Fitted]) -> list[Fitted]:
+    """The other lines, but those that may be the barbs of a head with its tip at a place of the line."""
+    others = (x for x in lines if x is not line)
+    return [x for x in others if x.length > SHORT_MM or min(abs(z - tip) for z in x.ends) > ABOUT_MM]
+
+
+def line_on_to(lines: Sequence[Fitted], start: complex, end: complex) -> tuple[Fitted, float, int] | None:
+    """The line along which a vector from ``start`` leads that goes on at its ``end``; where on it that is (to a fifth
+    of a millimetre, towards the vector's tip), and whether the vector runs along it or against it."""
+    way = (end - start) / abs(end - start)
+    near = [x for x in lines if abs((x.along * way.conjugate()).imag) < ASKEW / 2 and abs(x.local(end)[1]) < BESIDE_MM]
+    line = min(near, key=lambda x: abs(x.local(end)[1]), default=None)
+    if line is None or not line.low + AT_END_MM < line.local(end)[0] < line.high - AT_END_MM:
+        return None
+    sign = 1 if (line.along * way.conjugate()).real > 0 else -1
+    return line, round(sign * line.local(end)[0] / GOAL_MM) * GOAL_MM, sign
+
+
+def head_about(ink: Ink, lines: Sequence[Fitted], line: Fitted, goal: float, sign: int, length: float) -> Tip | None:
+    """The tip of the head that a vector has about a place of a line that goes on there: told by how much of the ink no
+    line explains such a head does, where heads are about so long."""
+    usual = numpy.array([length, HALF * length])
+    x, y = numpy.meshgrid(numpy.arange(goal - length - 3, goal + 2.5, STEP_MM), numpy.arange(-1.5, 1.51, CELL_MM))
+    z = line.at(sign * x) + 1j * line.along * y
+    thin = replace(line, width=min(line.width, statistics.median(one.width for one in lines)))
+    known = _known(z, [thin, *(one for one in lines if one is not line)])
+    sight = Sight(line, thin.width, sign, x, y, ink.at(z), known, numpy.array([goal, 0.0, 0.0, *usual]))
+    sight.fit(None)
+    sight.fit((usual, UNLIKE * usual))
+    return sight.tip if sight.good else None
+
+
+def _known(z: Complexes, lines: Sequence[Fitted]) -> Array:
+    """How dark the lines alone make places."""
+    dark = numpy.zeros(z.shape)
+    for line in lines:
+        p = (z - line.origin) * line.along.conjugate()
+        s = numpy.clip(p.real, line.low, line.high)
+        far = numpy.hypot(p.real - s, p.imag - line.bow(s))
+        dark = numpy.maximum(dark, _shade(far - line.width / 2 - OUTSIDE_MM))
+    return dark
+
+
+def _shade(far: Array) -> Array:
+    """Darkness at a distance outside of an edge."""
+    return numpy.clip(0.5 - far / (2 * SOFT_MM), 0, 1)
+
+
+def _head(x: Array, y: Array, p: Array, width: float, barbs: bool) -> Array:
+    """Darkness of a head and of the line it ends: tip at p[0], p[1], turned by p[2], p[3] long, p[4] half as wide; of
+    two barbs, or filled: by strokes as wide as the line."""
+    dx, dy = x - p[0], y - p[1]
+    u, v = dx * math.cos(p[2]) + dy * math.sin(p[2]), numpy.abs(dy * math.cos(p[2]) - dx * math.sin(p[2]))
+    shaft = numpy.hypot(numpy.maximum(u, 0), v)
+    if barbs:
+        along = ((p[4] * v - p[3] * u) / (p[3] ** 2 + p[4] ** 2)).clip(0, 1)
+        head = numpy.hypot(u + along * p[3], v - along * p[4])
+    else:
+        side = (v + p[4] / p[3] * u) / math.hypot(1, p[4] / p[3])
+        head = numpy.where(u > 0, math.inf, numpy.maximum(side, -p[3] - u))
+    return _shade(numpy.minimum(head, shaft) - width / 2 - OUTSIDE_MM)
+
+
+@dataclass
+class Sight:
+    """A piece of ink along a line that may be an arrowhead, x towards its tip; what the lines alone make of it."""
+
+    line: Fitted
+    width: float  # of the line behind the head
+    sign: int
+    x: Array
+    y: Array
+    dark: Array
+    known: Array
+    p: Array  # of the head: where its tip is along and aside, its turn, its length, half of its width
+    end: float | None = None  # where the line ends, if nothing else does there
+    barbs: bool = False
+    sigma: float = 1.0
+    gain: float = 0.0  # how much of the ink that no line explains it does
+    error: float = 2.0  # of its ink, in which places err together
+
+    def off(self, p: Array, like: Likeness | None) -> Array:
+        """What such a head is off the ink, and off what heads are like."""
+        model = numpy.maximum(_head(self.x, self.y, p, self.width, self.barbs), self.known)
+        ties = [p[1] / TIE_MM, 2 * p[2] / ASKEW]
+        if self.end is not None:
+            ties.append((p[0] - self.end) / END_MM)
+        if like is not None:
+            ties.extend((p[3:] - like[0]) / like[1])
+        return numpy.append((_seen(model) - self.dark).ravel(), self.error * numpy.array(ties))
+
+    def fit(self, like: Likeness | None) -> None:
+        """The head that fits best (Levenberg and Marquardt's way)."""
+        p, damp = self.p.copy(), 0.1
+        left = self.off(p, like)
+        for _ in range(12):
+            slope = numpy.stack([(self.off(p + d, like) - left) / d.sum() for d in numpy.diag(NUDGES)], axis=1)
+            normal = slope.T @ slope + 1e-3 * numpy.eye(5)
+            move = numpy.linalg.solve(normal + damp * numpy.diag(numpy.diag(normal)), -slope.T @ left)
+            trial = p + numpy.clip(move, -0.5, 0.5)
+            trial[3:] = numpy.clip(trial[3:], (LENGTH_MM[0], HALF_MM[0]), (LENGTH_MM[1], HALF_MM[1]))
+            new, step = self.off(trial, like), float(numpy.abs(trial - p).max())
+            better = new @ new < left @ left
+            p, left, damp = (trial, new, damp / 3) if better else (p, left, damp * 5)
+            if better and step < 0.005:
+                break
+        self.p = p
+        self._weigh(settled=like is not None)
+        self.sigma = self.error * math.sqrt(float(numpy.linalg.inv(normal)[0, 0]))
+
+    def _weigh(self, settled: bool) -> None:
+        """How much of the ink the head explains, and (but once) how far ink can be believed."""
+        p = self.p
+        about = numpy.abs(self.x - p[0] + p[3] / 2) < p[3] / 2 + 0.5
+        about &= numpy.abs(self.y - p[1]) < p[4] + 0.4
+        if not about.any():  # it has slid off what is looked at
+            self.gain = 0.0
+            return
+        model = numpy.maximum(_head(self.x, self.y, p, self.width, self.barbs), self.known)
+        left_over, without = (((_seen(m) - self.dark)[about] ** 2).mean() for m in (model, self.known))
+        self.gain = 1 - float(left_over) / max(float(without), 1e-9)
+        if not settled:
+            self.error = min(max(ERROR * math.sqrt(float(left_over)), 1.0), 6.0)
+
+    @property
+    def good(self) -> bool:
+        """Whether it is an arrowhead at all."""
+        _, aside, turn, length, half = self.p.tolist()
+        return self.gain > NEEDED and abs(turn) < ASKEW and abs(aside) < 0.8 and half < 0.6 * length
+
+    @property
+    def clear(self) -> bool:
+        """Whether it tells what heads are like."""
+        inside = LENGTH_MM[0] < self.p[3] < LENGTH_MM[1] and HALF_MM[0] < self.p[4] < HALF_MM[1]
+        return self.good and inside and self.gain > CLEAR and self.end is not None
+
+    @property
+    def tip(self) -> Tip:
+        """Its tip."""
+        s = self.sign * (float(self.p[0]) - (SEEMS_MM if self.end is None else 0.0))
+        z = complex(self.line.at(s)) + 1j * self.line.along * float(self.p[1])
+        length = float(self.p[3])
+        alike = 0.0 if self.end is not None else HAND * length  # where a line goes on the length tells the tip
+        return Tip(s, self.sign, z, max(math.hypot(self.sigma, alike), LEAST_MM), length, self.gain)
+
+
+def _seen(dark: Array) -> Array:
+    """Darkness as :meth:`Ink.at` tells it, of which the lightest part is taken for paper."""
+    return (dark - LIGHT).clip(0) / (1 - LIGHT)

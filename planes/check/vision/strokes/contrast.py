@@ -1,0 +1,222 @@
+"""How dark ink is by the line it is of: a hard pencil's, a fading stroke's and a pen's lines come out alike.
+
+How strongly a line runs through a place is felt, at every angle, by the ink along it against the paper to either side.
+What is felt over much of a sheet is its paper, with a grid. Strokes plainly drawn are followed, at their angle, as far
+as they can be told from that; the ink of a line is held against that line, all other ink against what lines usually
+are on the sheet, or, where it is darker, against itself.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cache
+
+import numpy
+
+from planes.check.vision.image.picture import cv
+from planes.geometry.arrays import Array, Booleans, Greys, Indices
+
+PX_PER_MM = 3.0  # of the smaller picture on which lines are felt
+FINE = 64  # parts of a grey in which they are counted, in whole numbers: half the room and time of fractions
+ANGLES = 12
+ALONG_MM, ACROSS_MM, ASIDE_MM = 3.0, 0.2, 0.85  # of a line that is felt: its length, σ of its width, where paper is
+TILE_MM, COVERED, ABOVE = (20.0, 0.93, 1.6)  # paper: in most parts of a sheet this share is felt less; a line, more
+PLAIN, FIRM, FAINTEST = 0.4, 0.28, 0.06  # of a usual line: what is plainly drawn, not faint, and nothing anywhere
+FOREMOST = 0.9  # of what is felt at any angle, at a line's own
+APART, AMONG, AMONG_MM = 0.5, 0.5, 1.5  # of a stroke's ink, what its darker side lacks; of the most about it, a stroke
+STROKE_MM, LONG_MM = 5.0, 7.5  # of what is plainly drawn; of lines that tell what is usual
+FEW, MAINLY, USUAL = 60, 0.7, 65.0 * FINE  # places that tell it, the share rubbed out or less; a firm pencil
+TAIL_MM, ENDS = 7.0, 0.5  # a line that is faint for longer was rubbed out; how far apart are the strokes it leads to
+NEAR_MM, BESIDE_MM = 1.0, 0.5  # how far what is followed goes on under other ink; how far aside its ink is
+PEAK, SHARPEST, EVEN = 1.35, 2.5, 0.85  # how much darker a line's middle is than it is felt: of a pencil's line, of a
+# thin one; of the darkest middle, what counts
+MOST, BLOT = 1.3, 0.7  # of a usual line: the most a line is held against; of other ink, that it is
+FILLED_MM = 1.2  # of a line, over which the pits of paper's grain are filled
+HELD = 0.4  # of its line's darkness: ink that surely is a followed line's
+
+Place = tuple[slice, slice]
+
+
+def inked(dark: Greys, scale: float, whole: int) -> tuple[Greys, Booleans]:
+    """The darkness of a picture's pixels by that of the line each is of (``whole``: in the middle of a line), and where
+    lines are followed."""
+    cv2, size = cv(), dark.shape[::-1]
+    even, against, lines = _evened_along(dark, scale)
+    against = cv2.resize(against, size, interpolation=cv2.INTER_LINEAR)
+    shares = numpy.minimum(cv2.divide(even, against, scale=whole), whole)
+    near = cv2.resize(lines.view(numpy.uint8), size, interpolation=cv2.INTER_NEAREST).view(bool)
+    return shares, near & (shares > HELD * whole)
+
+
+def _evened_along(dark: Greys, scale: float) -> tuple[Greys, Greys, Booleans]:
+    """The picture with its lines filled; on a smaller one what ink is held against, and where lines are followed."""
+    cv2, felt = cv(), FeltLines.of(dark, scale)
+    strength, even, peaks = numpy.zeros_like(felt.most), dark.copy(), [numpy.full(1, PEAK)]
+    for k in range(ANGLES):
+        for place, response, mine in felt.followed(k):
+            near = cv2.dilate(mine.view(numpy.uint8), _disk(NEAR_MM)) > 0
+            strength[place] = numpy.maximum(strength[place], numpy.where(near, response, 0))
+            middle = _fill(dark, even, place, mine, k, scale)
+            ridge = mine & (response == cv2.dilate(response, numpy.ones((3, 3), numpy.uint8)))
+            peaks.append(middle[ridge] / (response[ridge] / FINE))
+    peak = float((EVEN * numpy.median(numpy.concatenate(peaks))).clip(PEAK, SHARPEST))
+    against = numpy.minimum(cv2.dilate(strength, _disk(BESIDE_MM)), MOST * felt.usual)
+    other = numpy.maximum(BLOT * cv2.dilate(felt.darkest, _disk(BESIDE_MM)), felt.usual)
+    against = cv2.GaussianBlur(numpy.where(against > 0, against, other).astype(numpy.float32), (0, 0), 0.7)
+    return even, (peak / FINE * against).clip(1, 255).astype(numpy.uint8), strength > 0
+
+
+@dataclass
+class FeltLines:
+    """What is felt of lines at every angle: their ink, and the most of it less that of the paper beside."""
+
+    along: list[Array]
+    darkest: Array
+    most: Array
+    best: Indices  # the angle at which it is
+    paper: float = 0.0
+    usual: float = USUAL
+    nearby: Array = field(init=False)
+    own: list[Greys] = field(init=False)  # of strokes by themselves
+
+    @classmethod
+    def of(cls, dark: Greys, scale: float) -> FeltLines:
+        """Lines felt on a picture."""
+        cv2, factor = cv(), PX_PER_MM / scale
+        small = cv2.resize(dark, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA).astype(numpy.int16) * FINE
+        out = cls([], numpy.zeros_like(small), numpy.zeros_like(small), numpy.zeros(small.shape, numpy.int8))
+        for k in range(ANGLES):
+            along = cv2.filter2D(small, -1, _kernel(k))
+            out.along.append(along)
+            response = out.at(k)[0]
+            out.best[response > out.most] = k
+            out.most, out.darkest = numpy.maximum(out.most, response), numpy.maximum(out.darkest, along)
+        out.nearby = cv2.dilate(out.most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
+        out.paper = ABOVE * _usual_on_paper(out.most)
+        out.own = [out._strokes(k) for k in range(ANGLES)]
+        strong = numpy.concatenate([own[_long(own > 2 * out.paper / FINE, LONG_MM)] for own in out.own])
+        out.usual = float(numpy.quantile(strong, MAINLY)) * FINE if len(strong) > FEW else USUAL
+        return out
+
+    def at(self, k: int) -> tuple[Array, Array, Array]:
+        """The ink of lines at an angle less that of the paper to both sides; less that of the darker side; and it."""
+        along = self.along[k]
+        across = ASIDE_MM * PX_PER_MM * numpy.exp(1j * math.pi * (k / ANGLES + 0.5))
+        shift = round(float(across.imag)), round(float(across.real))
+        one, other = (numpy.roll(along, (sign * shift[0], sign * shift[1]), (0, 1)) for sign in (1, -1))
+        return along - (one + other) // 2, along - numpy.maximum(one, other), along
+
+    def foremost(self, k: int, response: Array) -> Booleans:
+        """Where a line runs at an angle; if between two, at both."""
+        turn = (self.best - k + ANGLES + 1) % ANGLES
+        at_it: Booleans = (turn <= 2) | (response > FOREMOST * self.most)
+        return at_it
+
+    def _strokes(self, k: int) -> Greys:
+        """What is felt of strokes by themselves: both sides of a row of letters' foot are not paper."""
+        response, alone, along = self.at(k)
+        own = self.foremost(k, response) & (alone > APART * along) & (alone > AMONG * self.nearby)
+        return numpy.where(own, alone // FINE, 0).astype(numpy.uint8)
+
+    def followed(self, k: int) -> Iterator[tuple[Place, Array, Booleans]]:
+        """Lines at an angle as far as they hang together with strokes plainly drawn: the box of each, what is felt of
+        it there, and where it is the foremost.
+
+        What is faint ends a stroke soon or leads from one to another; else it was rubbed out.
+        """
+        plain = _long(self.own[k] > PLAIN * self.usual / FINE, STROKE_MM)
+        if not plain.any():
+            return
+        response = self.at(k)[0]
+        least = max(min(self.paper, 0.5 * PLAIN * self.usual), FAINTEST * self.usual)
+        foremost, (labels, boxes) = self.foremost(k, response), _parts(response > least)
+        for number in numpy.unique(labels[plain]).tolist():
+            place = _box(boxes[number])
+            whole = labels[place] == number
+            faint = whole & (response[place] <= FIRM * self.usual)
+            _drop_long(whole, faint, plain[place])
+            yield place, numpy.where(whole, response[place], 0), whole & foremost[place]
+
+
+def _drop_long(whole: Booleans, faint: Booleans, plain: Booleans) -> None:
+    """Take out of a line what is faint for long and does not lead from stroke to stroke."""
+    strokes, _ = _parts(whole & ~faint)
+    drawn = numpy.setdiff1d(strokes[plain & whole], 0)
+    parts, boxes = _parts(faint)
+    for k, box in enumerate(boxes):
+        if k and max(box[2:]) > TAIL_MM * PX_PER_MM:
+            place = _box(box, 1)
+            about = cv().dilate((parts[place] == k).view(numpy.uint8), numpy.ones((3, 3), numpy.uint8)) > 0
+            met = about & numpy.isin(strokes[place], drawn)
+            ends = numpy.argwhere(met)
+            if len(numpy.unique(strokes[place][met])) < 2 or numpy.ptp(ends, axis=0).max() < ENDS * max(box[2:]):
+                whole[place] &= parts[place] != k
+
+
+def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> Greys:
+    """Fill the pits that paper's grain leaves in a line, from the ink along it to both sides; how dark it is."""
+    cv2, up = cv(), scale / PX_PER_MM
+    rows, columns = (slice(int(side.start * up), int(side.stop * up)) for side in place)
+    part, reach = dark[rows, columns], max(round(FILLED_MM / 2 * scale), 1)
+    y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1]
+    local = (x + 1j * y) * numpy.exp(-1j * math.pi * k / ANGLES)
+    kernel = numpy.clip(1 - numpy.abs(local.imag), 0, 1) * (numpy.abs(local.real) <= reach)
+    ahead = numpy.where(local.real > 0, kernel, 0) + 0.5 * numpy.where(local.real == 0, kernel, 0)
+    ahead = (ahead / (2 * ahead.sum())).astype(numpy.float32)
+    one, other = cv2.filter2D(part, -1, ahead), cv2.filter2D(part, -1, ahead[::-1, ::-1])
+    smooth = numpy.minimum(one, 2 * other) + numpy.minimum(other, 2 * one)  # beyond a line's end one of them is none
+    inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST).view(bool)
+    numpy.maximum(even[rows, columns], smooth, out=even[rows, columns], where=inside)
+    del inside
+    middle = cv2.dilate(smooth, numpy.ones((3, 3), numpy.uint8))
+    found: Greys = cv2.resize(middle, of_it.shape[::-1], interpolation=cv2.INTER_NEAREST)
+    return found
+
+
+def _usual_on_paper(felt: Array) -> float:
+    """What is felt on paper: more covers little of most parts of the sheet."""
+    side = int(TILE_MM * PX_PER_MM)
+    tops, lefts = (range(0, max(n - side // 2, 1), side) for n in felt.shape)
+    parts = (felt[top : top + side, left : left + side] for top in tops for left in lefts)
+    return float(numpy.median([numpy.quantile(part, COVERED) for part in parts]))
+
+
+def _long(places: Booleans, least_mm: float) -> Booleans:
+    """The places that hang together over a length."""
+    labels, boxes = _parts(places)
+    long = boxes[:, 2:].max(axis=1) >= least_mm * PX_PER_MM
+    long[0] = False
+    found: Booleans = long[labels]
+    return found
+
+
+def _parts(places: Booleans) -> tuple[Indices, Indices]:
+    """The places in parts that hang together: the number of each place's (0: none), and their boxes."""
+    _, labels, stats, _ = cv().connectedComponentsWithStats(places.view(numpy.uint8), connectivity=8)
+    return labels, stats[:, :4]
+
+
+def _box(box: Indices, rim: int = 0) -> Place:
+    x, y, w, h = box.tolist()
+    return slice(max(y - rim, 0), y + h + rim), slice(max(x - rim, 0), x + w + rim)
+
+
+def _disk(reach_mm: float) -> Greys:
+    """The places within reach."""
+    side = 2 * round(reach_mm * PX_PER_MM) + 1
+    disk: Greys = cv().getStructuringElement(cv().MORPH_ELLIPSE, (side, side))
+    return disk
+
+
+@cache
+def _kernel(k: int) -> Array:
+    """The mean of the ink along a line."""
+    reach = math.ceil((ALONG_MM / 2 + ACROSS_MM) * PX_PER_MM)
+    y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1] / PX_PER_MM
+    local = (x + 1j * y) * numpy.exp(-1j * math.pi * k / ANGLES)
+    ends = numpy.clip((ALONG_MM / 2 - numpy.abs(local.real)) * PX_PER_MM + 0.5, 0, 1)
+    kernel = ends * numpy.exp(-(local.imag**2) / (2 * ACROSS_MM**2))
+    mean: Array = (kernel / kernel.sum()).astype(numpy.float32)
+    return mean
