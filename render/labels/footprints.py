@@ -40,7 +40,7 @@ class InkedShapes:
         return edges_of(self.shapes, self.halves)
 
     def near(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
-        """How many shapes have at most so many mm between them and each box (n, 4): for each of ``clears``, of which
+        """How many shapes have less than so many mm between them and each box (n, 4): for each of ``clears``, of which
         the first is the greatest."""
         return self.edges.near(boxes, clears)
 

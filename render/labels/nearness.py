@@ -18,6 +18,7 @@ from planes.geometry.arrays import Array, Booleans, Indices
 
 RUN, CELL_MM = 24, 8.0  # boxes to a run; they are taken by strips so wide
 AT_ONCE = 4000  # boxes looked at together
+ROUNDING_MM = 1e-9  # what is just as far off as it should be is not near
 Shapes = NDArray[np.object_]
 """Geometries of shapely."""
 
@@ -35,7 +36,7 @@ class Edges:
     shapes: Shapes
 
     def near(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
-        """How many shapes have at most so many mm between them and each box (n, 4): for each of ``clears``, of which
+        """How many shapes have less than so many mm between them and each box (n, 4): for each of ``clears``, of which
         the first is the greatest."""
         if not len(self.shapes):
             return [np.zeros(len(boxes), np.intp) for _ in clears]
@@ -45,7 +46,7 @@ class Edges:
             box, edge = self._reached(boxes[part], clears[0])
             apart = self._apart(tuple(boxes[part[box]].T), edge)
             for count, clear in zip(counts, clears, strict=True):
-                close = apart <= clear
+                close = apart <= clear - ROUNDING_MM
                 count[part] = self._counted(box[close], edge[close], len(part))
         return list(counts)
 
