@@ -18,7 +18,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from planes.check import Outcome, check
-from planes.check.vision.photograph import blank_pole, paper_of_picture
+from planes.check.blank import blank_pole
+from planes.check.vision.photograph import paper_of_picture
 from planes.words.names import label_of
 from tests import confusion
 from tests.confusion import Easel, easels, motion, possible, size

@@ -6,13 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from planes.check import Outcome, report
+from planes.check.blank import blank_pole, roomy
 from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
-from planes.check.vision.photograph import blank_pole, roomy
 from planes.plans.measuring import lettering, say_plan
 from planes.scene import Scene
 from planes.scene.files import keep

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 pytest.importorskip("cv2")
+from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.vision.image.decoding import load
 from planes.check.vision.image.picture import flatten
 from planes.check.vision.marks.places import sheet_of
-from planes.check.vision.photograph import blank_pole
 from tests import confusion
 from tests.confusion import SAMPLES, easel
 from tests.helpers.drawings import Mistake

@@ -15,8 +15,9 @@ from tests.sample_oracle import HIGHER, SKETCHES
 
 cv2 = pytest.importorskip("cv2")
 from planes.check import Outcome, check  # noqa: E402
+from planes.check.blank import blank_pole, roomy  # noqa: E402
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare  # noqa: E402
-from planes.check.vision.photograph import blank_pole, paper_of_picture, roomy  # noqa: E402
+from planes.check.vision.photograph import paper_of_picture  # noqa: E402
 from planes.scene import load  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 from tests.helpers import position_pictures as schemes  # noqa: E402

@@ -21,11 +21,11 @@ cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
 from planes.check import check  # noqa: E402
+from planes.check.blank import blank_pole, roomy  # noqa: E402
 from planes.check.sheet_mark import mark_on  # noqa: E402
 from planes.check.vision.image.decoding import load as picture_of  # noqa: E402
 from planes.check.vision.image.picture import Flat, flatten  # noqa: E402
 from planes.check.vision.marks.places import sheet_of  # noqa: E402
-from planes.check.vision.photograph import blank_pole, roomy  # noqa: E402
 from planes.check.vision.strokes.ink import ink_of, printed_on  # noqa: E402
 from tests.helpers.class_pictures import scanned  # noqa: E402
 from tests.helpers.line_drawings import head  # noqa: E402

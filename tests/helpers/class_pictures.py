@@ -10,10 +10,10 @@ import cv2
 import numpy as np
 import pypdfium2
 
+from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.report.shown import vectors
-from planes.check.vision.photograph import blank_pole
 from planes.scene import Scene
 from planes.words.names import POLE
 

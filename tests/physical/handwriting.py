@@ -19,8 +19,8 @@ import matplotlib
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from planes.check.vision.marks import handwritten
-from planes.check.vision.marks.handwritten import SHAPES, features
+from planes.check.vision.marks import letter_net
+from planes.check.vision.marks.letter_net import SHAPES, features
 from render.paper.lettering import strokes as pen_paths
 
 EACH, HIDDEN, ROUNDS, BATCH = 600, 64, 20, 256
@@ -207,7 +207,7 @@ def trained(x: Any, y: Any, rng: Any) -> list[Any]:
 
 def calibration(x: Any, y: Any) -> str:
     """Shares told rightly by how sure they were."""
-    p = np.exp(handwritten.odds(x))
+    p = np.exp(letter_net.odds(x))
     best, sure = p.argmax(1), p.max(1)
     lines = [f"{(best == y).mean():.3f} of {len(y)} rightly told"]
     for low, high in ((0, 0.5), (0.5, 0.7), (0.7, 0.85), (0.85, 0.95), (0.95, 1.01)):
@@ -230,11 +230,11 @@ def main(folders: list[str]) -> None:
     used = [f for f in fonts if f not in kept]
     x, y = letters([by_strokes] * len(used) + [by_hershey] * 4 + used, EACH, rng)
     weights = trained(x, y, np.random.default_rng(1))
-    place = Path(handwritten.__file__).with_suffix(".npz")
+    place = Path(letter_net.__file__).with_suffix(".npz")
     np.savez_compressed(
         place, **{k: w.astype(np.float16) for k, w in zip(("w1", "b1", "w2", "b2"), weights, strict=True)}
     )
-    handwritten._net.cache_clear()
+    letter_net._net.cache_clear()
     print(f"strokes: {calibration(*letters([by_strokes], 20, random.Random(2)))}")
     print(f"fonts not seen: {calibration(*letters(kept, 40, random.Random(3)))}")
     print(f"{place.stat().st_size} bytes")

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import astuple
 
 from planes.check import Outcome
+from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading import evidence, judging
 from planes.check.grading.grading import Grading
@@ -15,7 +16,6 @@ from planes.check.grading.prepared_plan import variants_of
 from planes.check.grading.readable import READABLE, key_marks
 from planes.check.report.regrading import SURELY_MM, retrace
 from planes.check.report.shown import own_marks, own_order, pair, shown_plans, vectors
-from planes.check.vision.photograph import blank_pole
 from planes.drafting.steps import Same
 from planes.geometry.plane import corners
 from planes.plans.measuring import lettering

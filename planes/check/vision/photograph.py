@@ -2,12 +2,10 @@
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
-from planes.check.fiducials import OTHER_MM, SHEET_MM, has_room, pole_place
-from planes.check.grading.paper import MISREAD, Box, Known, ReadMark, ReadPaper, with_told
+from planes.check.fiducials import SHEET_MM
+from planes.check.grading.paper import MISREAD, Known, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
-from planes.check.reading.as_planned import worth
 from planes.check.sheet_mark import mark_of
 from planes.check.vision.image.decoding import DecodedPicture, load
 from planes.check.vision.image.frame import by_frame
@@ -22,51 +20,13 @@ from planes.check.vision.image.picture import (
     flatten,
     smaller,
 )
-from planes.check.vision.marks.page_parts import A2_MM2, parts_of
-from planes.check.vision.marks.places import Seen, pole_on, sheet_of
-from planes.check.vision.marks.pole_guess import likely_poles, pole_found
+from planes.check.vision.looking import EXPLAINED, MOST_LINES, seen_best
 from planes.check.vision.marks.print_scale import printed_share
-from planes.check.vision.match.match_force import start_of, vectors_on
-from planes.check.vision.match.match_motion import marks_on
-from planes.check.vision.match.match_printed import PrintedSheet
-from planes.check.vision.match.match_scheme import origin_found, points_on
 from planes.geometry.arrays import Greys
-from planes.plans.scales import fitting
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE, Names, kind_of, label_of
-
-SMALLER = 0.99  # of a scale: the next one of the standard is smaller
-ASIDE_MM = 12.0  # how far from a blank's middle its pole tells nobody where the plan goes
-MOST_LINES = 120  # a plan has far fewer
-EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
-
-
-@dataclass
-class Look:
-    """One way of looking at a picture: made flat so, and what was found."""
-
-    flat: Flat
-    pole: complex
-    spots: list[ReadMark] = field(default_factory=list)
-    whole: bool = False
-    explained: float = -1.0
-    hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
-    untold: tuple[str, ...] = ()  # vectors that may as well be others, with a mistake
-    named: tuple[str, ...] = ()  # marks that but their names tell, which stand where they should
-    apart: bool = False  # whether a mistake explains it, and no right plan nearly as well
-    bare: bool = False  # whether there are no lines at all
-    crowd: bool = False  # whether there are too many to look at
-    mu: float | None = None  # the scale it was found at, where that is not the stated one
-
-    def box(self, bench: PreparedPlan) -> Box:
-        """Where the flat picture lies."""
-        printed = not self.spots and self.flat.by == "marks"
-        low = self.flat.corner - (blank_pole(bench) if printed else self.pole)
-        h, w = self.flat.grey.shape[:2]
-        high = low + complex(w, h) / self.flat.scale
-        return low.real, low.imag, high.real, high.imag
+from planes.words.names import POLE, Names, label_of
 
 
 def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> ReadPaper:
@@ -79,7 +39,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     paper, best, pole = ReadPaper(file, whole=False), None, known.pole
     for flat, named in _flats(bench, picture, known):
         bench = _as_printed(bench, flat)
-        look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
+        look = seen_best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
         if best is None or look.explained > best.explained:
             best, paper.scale_mark = look, None if flat.by_file else named
         if best.flat.by in ("scale", "part") and best.explained >= EXPLAINED:
@@ -142,72 +102,6 @@ def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterat
         yield from ((flat, None) for flat in by_frame(grey, known.format))
 
 
-def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
-    """What a flat picture shows best: all of it, or of a page of known scale one of its parts."""
-    if flat.by != "scale" or pole is not None:
-        return looked(bench, flat, pole, sheet_of(flat, _printed(bench, flat)))
-    page, looks = parts_of(flat), [(-math.inf, Look(flat, 0j, explained=0.0))]
-    seen: dict[int, tuple[Flat, Seen | None]] = {}
-    for k, mu in page.likely(bench):
-        part, sheet = seen[k] = seen.get(k) or (one := page.cut(k), sheet_of(one))
-        there = bench.at(mu, told=True) if mu else bench
-        look = _on_part(there, part, sheet)
-        look.mu = mu
-        good = worth(there, ReadPaper("", look.spots, whole=look.whole)) if look.explained >= EXPLAINED else -math.inf
-        looks.append((good, look))
-        if good >= len(bench.marks):
-            break
-    if math.prod(flat.size_mm) <= A2_MM2 and all(good == -math.inf for good, _ in looks):
-        looks.append((0.0, looked(bench, flat, None, sheet_of(flat))))
-    return max(looks, key=lambda found: (found[0], found[1].explained))[1]
-
-
-def _on_part(bench: PreparedPlan, flat: Flat, seen: Seen | None) -> Look:
-    """What a part of a page shows: a plan printed rightly, told by its arrowheads, or one drawn by hand."""
-    motion = kind_of(bench.asked.plan) not in ("position", "force")
-    spots = PrintedSheet(bench, seen).right() if motion and seen and len(seen.lines) <= MOST_LINES else []
-    return Look(flat, spots[0].place, spots, True, 1.0) if spots else looked(bench, flat, None, seen)
-
-
-def _printed(bench: PreparedPlan, flat: Flat) -> complex | None:
-    """Where a blank has its pole, if the picture is of its size."""
-    return blank_pole(bench) if flat.size_mm == SHEET_MM else None
-
-
-def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | None) -> Look:
-    """What a flat picture shows; the pole may be named, is printed on a blank, or must be found."""
-    printed = _printed(bench, flat)
-    if seen is None or len(seen.lines) > MOST_LINES:
-        return Look(flat, 0j, crowd=True)
-    if not seen.lines:
-        return Look(flat, 0j, explained=0.0, bare=True)
-    kind = kind_of(bench.asked.plan)
-    if flat.by in ("scale", "part") and kind == "force" and pole is None:
-        return Look(flat, 0j, explained=0.0)
-    near = pole if pole is not None else printed
-    guessed = near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended)
-    if guessed:
-        find_pole = {"position": origin_found, "force": start_of}.get(kind)
-        near = (find_pole(bench, seen) if find_pole else None) or pole_found(bench, seen)
-    starts = [near] if near is not None else []
-    if kind == "force" and near is not None:
-        read = vectors_on(bench, seen, near)
-        return Look(flat, near, read.spots, read.whole, read.explained, read.hidden, read.untold, apart=read.apart)
-    if guessed and kind not in ("position", "force"):
-        starts += likely_poles(seen)
-    find, best = points_on if kind == "position" else marks_on, Look(flat, 0j, explained=0.0)
-    for start in starts:
-        spots, explained, named = find(bench, seen, start)
-        known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
-        if start != near:
-            explained = min(explained, EXPLAINED)  # on a sheet of another size a plan may tell its pole
-        look = Look(flat, start if known else 0j, spots, False, explained, named=named)
-        best = max(best, look, key=lambda look: look.explained)
-        if known:
-            break
-    return best
-
-
 def shown(flat: Flat) -> bytes:
     """The flat picture, small enough for a page."""
     cv2 = cv()
@@ -238,23 +132,3 @@ def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: s
     likely = [z for z in ways if z and fits(picture.grey, length / abs(z))]
     area = picture.grey.size / length**2
     return min(likely, key=lambda z: abs(math.log(area * abs(z) ** 2 / math.prod(SHEET_MM))), default=true)
-
-
-def roomy(bench: PreparedPlan) -> PreparedPlan:
-    """A plan as a blank has it: at the largest standard scale, no larger than the scene's, that has room for it there;
-    if of motion, with its pole in the middle of the sheet, for any plan of that size, whichever way it goes."""
-    plan = bench.asked.plan
-    if bench.asked.mu:
-        return bench
-    if kind_of(plan) not in ("position", "force"):
-        aside = abs(blank_pole(bench) - pole_place([])) > ASIDE_MM
-        reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
-        return bench.at(fitting(plan, reach, SHEET_MM[1] / 2 - OTHER_MM), told=True) if aside else bench
-    while not has_room([*bench.true_marks.values()]):
-        bench = bench.at(fitting(plan, 1.0, SMALLER * bench.said_mu), told=True)
-    return bench
-
-
-def blank_pole(bench: PreparedPlan) -> complex:
-    """Where the blank of this plan has its pole."""
-    return pole_place([*bench.true_marks.values()])

@@ -1,27 +1,24 @@
 """Names written by hand beside vectors: letters told by their shapes, words by the names a plan has.
 
-A net tells the shapes (`handwritten.npz`, trained by `python -m tests.physical.handwriting`). A name that stands far
-from the vector laid for it speaks against that, no more.
+A net tells the shapes. A name that stands far from the vector laid for it speaks against that, no more.
 """
 
 import math
 import statistics
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property
-from pathlib import Path
+from functools import cached_property
 
 import numpy
 
 from planes.check.vision.image.picture import cv
+from planes.check.vision.marks.letter_net import SHAPES, features, odds
 from planes.check.vision.marks.places import Seen
 from planes.geometry.arrays import Array, Greys
 
-SHAPES = "0123456789FRGPNФABDEHKTMabdefghknqrtπ_|*"  # Cyrillic and Latin letters of one shape are one; * is none
 SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
 SAME |= {"s": "5", "c": "G"}
 """By letter, the shapes it may have where that is not its own."""
-SIDE_PX, RIM_PX, CELLS = 24, 2, 6  # of a letter's picture as the net sees it, and of what it takes means of
 SOFTENED_MM, ABOUT_MM = 0.12, 1.5  # by which the paper's grain is smoothed; in which ink is held against the darkest
 DARK, LEAST_DARK = 0.45, 0.3  # the shares of the darkest ink about, and of lines' ink, that are ink
 LEAST_MM, MOST_MM = 0.5, 7.5  # of a piece of a letter
@@ -105,39 +102,17 @@ class LetterPiece:
     mask: Greys
 
 
-@cache
-def _net() -> tuple[Array, ...]:
-    """The net's weights."""
-    with numpy.load(Path(__file__).with_suffix(".npz")) as held:
-        return tuple(held[k].astype(numpy.float32) for k in ("w1", "b1", "w2", "b2"))
-
-
-def odds(seen: Array) -> Array:
-    """The logarithms of how likely what the net sees is each of the shapes: a row each."""
-    w1, b1, w2, b2 = _net()
-    z = numpy.maximum(seen @ w1 + b1, 0) @ w2 + b2
-    found: Array = z - numpy.log(numpy.exp(z).sum(axis=1, keepdims=True))
-    return found
-
-
-def features(picture: Greys) -> Array:
-    """What the net sees of a letter's picture (ink is light): its ink and which way it gets darker, part by part."""
-    cv2, (h, w) = cv(), picture.shape
-    scale = (SIDE_PX - 2 * RIM_PX) / max(h, w)
-    size, how = (max(round(w * scale), 1), max(round(h * scale), 1)), cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR
-    whole = numpy.zeros((SIDE_PX, SIDE_PX), numpy.float32)
-    top, left = (SIDE_PX - size[1]) // 2, (SIDE_PX - size[0]) // 2
-    whole[top : top + size[1], left : left + size[0]] = cv2.resize(picture, size, interpolation=how)
-    whole = cv2.GaussianBlur(whole / max(float(whole.max()), 1.0), (0, 0), 0.8)
-    gx, gy = cv2.Sobel(whole, cv2.CV_32F, 1, 0), cv2.Sobel(whole, cv2.CV_32F, 0, 1)
-    ways = (sign * g for g in (gx, gy, (gx + gy) * 0.7, (gx - gy) * 0.7) for sign in (1, -1))
-    planes = [whole, *(numpy.maximum(way, 0) for way in ways)]
-    return numpy.concatenate([cv2.resize(p, (CELLS, CELLS), interpolation=cv2.INTER_AREA).ravel() for p in planes])
-
-
 def words_on(seen: Seen, names: Iterable[str]) -> HandWords:
-    """The words of a sheet as they may be some names."""
-    known, flat, found = list(names), seen.ink.flat, list[HandWord]()
+    """The words of a sheet as they may be some names (remembered)."""
+    known = tuple(names)
+    read: HandWords = seen.read.get(known) or HandWords(_each_once(_words(seen, known), known))
+    seen.read[known] = read
+    return read
+
+
+def _words(seen: Seen, known: Sequence[str]) -> list[HandWord]:
+    """The words of a sheet, each as it may be any of the names."""
+    flat, found = seen.ink.flat, list[HandWord]()
     for row in _rows(_pieces(seen), flat.scale):
         shapes = _shapes(seen.ink.dark, row, WIDEST_MM * flat.scale)
         scores = numpy.array([_aligned(len(row), shapes, name) for name in (*known, "")])
@@ -145,7 +120,7 @@ def words_on(seen: Seen, names: Iterable[str]) -> HandWords:
         told = numpy.exp((scores - scores.max()) / WARMTH)
         low, high = flat.mm(row[0].left, max(p.bottom for p in row)), flat.mm(row[-1].right, min(p.top for p in row))
         found.append(HandWord(low, high, dict(zip(known, (told / told.sum()).tolist(), strict=False))))
-    return HandWords(_each_once(found, known))
+    return found
 
 
 def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:

@@ -3,6 +3,7 @@
 import statistics
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy
 
@@ -39,6 +40,7 @@ class Seen:
     spots: Complexes | None = None  # the places as an array
     looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
     fits: dict[tuple[int, float, int], Tip | None] = field(default_factory=dict)  # heads on lines
+    read: dict[tuple[str, ...], Any] = field(default_factory=dict)  # words, by the names they may be
 
     def within(self, z: complex, reach: float) -> list[Place]:
         """Places no farther than ``reach``."""
