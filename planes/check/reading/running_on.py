@@ -33,14 +33,14 @@ def cut_off(sketch: ReadDrawing, bench: PreparedPlan) -> ReadDrawing | None:
     Of the places where a vector may end those are taken that make it one of the plan's, else the outermost. One of a
     plan of motion that may be the plan's, though nothing shows where it ends, is put aside.
     """
-    force = kind_of(bench.asked.plan) == "force"
-    if any(sketch.ways) or len(sketch.strokes) > CROSSINGS:
+    kind = kind_of(bench.asked.plan)
+    if kind == "position" or any(sketch.ways) or len(sketch.strokes) > CROSSINGS:
         return None
-    alone = vectors_alone(sketch, vectors_of(sketch, force)).strokes
+    alone = vectors_alone(sketch, vectors_of(sketch, kind == "force")).strokes
     joined = meeting(alone, [(k, z) for k, stroke in enumerate(alone) for z in stroke])
     if past(sketch) < PAST or joined > JOINED:
         return None
-    if force:
+    if kind == "force":
         known = [*true_vectors(bench).values(), *others(bench).values()]
         return replace(sketch, strokes=[_like(_ways(sketch, k), known) for k in range(len(sketch.strokes))], endless=[])
     pairs = _placed(bench, _pole(sketch, bench))
@@ -58,7 +58,8 @@ def _placed(bench: PreparedPlan, pole: complex) -> list[Stroke]:
     """The vectors of a plan of motion, drawn from a pole."""
     places = {**bench.true_marks, POLE: 0j}
     ends = dict.fromkeys([*((POLE, n) for n in bench.true_marks), *bench.vectors])
-    return [(pole + places[a], pole + places[b]) for a, b in ends if abs(places[a] - places[b]) > SNAPPED_MM]
+    drawn = [(places[a], places[b]) for a, b in ends if a in places and b in places]  # not from marks nobody asks for
+    return [(pole + a, pole + b) for a, b in drawn if abs(a - b) > SNAPPED_MM]
 
 
 def _pole(sketch: ReadDrawing, bench: PreparedPlan) -> complex:

@@ -53,7 +53,8 @@ def _each_headed(search: Search, way: LaidPlan) -> bool:
     """Whether there are as many heads as places where longer vectors should end."""
     ends = {POLE: search.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
     true, heads, goals = {label_of(m): z for m, z in search.true.items()}, 0, list[complex]()
-    for a, b in ((a, b) for a, b in search.vectors if abs(ends[b] - ends[a]) > 2 * HEADED_MM):
+    read = [(a, b) for a, b in search.vectors if a in ends and b in ends]
+    for a, b in ((a, b) for a, b in read if abs(ends[b] - ends[a]) > 2 * HEADED_MM):
         heads |= search.ink.along(ends[a], ends[b])[1]
         goals += [true[b]] if all(abs(true[b] - z) > EVEN_MM for z in goals) else []
     return search.ink.headed and heads.bit_count() >= len(goals)
