@@ -106,10 +106,13 @@ function draw() {
   $("moved").hidden = false;
   table();
 }
-function say(text) { // the mark it begins with is lettered as on the plan
-  const name = [...document.querySelectorAll("tr[data-mark]")].map(r => r.dataset.mark).find(n => text.startsWith(`${n}: `));
-  $("sentence").textContent = name ? text.slice(name.length) : text;
-  if (name) $("sentence").insertAdjacentHTML("afterbegin", html(name, data.kind));
+function say(text) { // names lettered as on the plan, commands unbroken
+  let told = "", end = 0;
+  for (const m of text.matchAll(new RegExp(data.sought, "g"))) {
+    told += safe(text.slice(end, m.index)) + (m[1] ? `<span class="command">${safe(m[1])}</span>` : `<i>${html(m[2], data.kind)}</i>`);
+    end = m.index + m[0].length;
+  }
+  $("sentence").innerHTML = told + safe(text.slice(end));
 }
 function table() {
   const sign = document.documentElement.lang !== "en" ? "," : ".";
@@ -210,6 +213,4 @@ $("save").onclick = save;
 $("reset").onclick = reset;
 addEventListener("resize", draw);
 addEventListener("beforeprint", draw);
-say($("sentence").textContent);
-document.querySelectorAll("tbody th").forEach(e => { e.innerHTML = html(e.textContent, data.kind); });
 draw();

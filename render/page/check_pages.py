@@ -5,14 +5,15 @@ whose, and a row for each, sorted at will. Tracing paper lies over a picture tha
 """
 
 import html
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
 
 from planes.check.report.class_rows import UNSURE, ClassRow
 from planes.words import Lang, say, under
 from planes.words.lettering import Naming
 from planes.words.records import Json
 from render.page import web_page
-from render.paper.letters import tagged, written
+from render.paper.letters import sentence, sought, tagged, written
 
 SCRIPTS = ("figure", "tape", "judge", "check")
 LAYERS = ("own", "next", "truth", "picture")
@@ -21,29 +22,40 @@ LAYERS = ("own", "next", "truth", "picture")
 def report_page(data: Json, lang: Lang) -> str:
     """The page of what :func:`planes.check.report.page_data` exports."""
     words = under("check_page_", lang, "check")
-    drawn, e = "page" in data, html.escape
+    drawn, e, naming = "page" in data, html.escape, Naming(lang, **data["lettering"])
+    names = _names(data)
+
+    def told(text: str) -> str:
+        return sentence(text, names, naming, data["kind"])
+
     parts = {
         "title": e(data["title"]),
-        "sentence": e(data["sentence"]),
+        "sentence": told(data["sentence"]),
         "chance": e(data["chance"]),
         "drawing": _drawing(data, words) if drawn else "",
-        "tables": _table("marks", words["steps"], data["head"], data["rows"])
-        + _table("numbers", words["numbers"], data["number_head"], data["numbers"]),
-        "notes": "".join(f"<p>{e(n)}</p>" for n in data["notes"]),
+        "tables": _table("marks", words["steps"], data["head"], data["rows"], told)
+        + _table("numbers", words["numbers"], data["number_head"], data["numbers"], told),
+        "notes": "".join(f"<p>{told(n)}</p>" for n in data["notes"]),
         "noscript": f"<noscript><p>{e(words['noscript'])}</p></noscript>" if drawn else "",
     }
     body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
     code = web_page.part(*(f"{name}.js" for name in SCRIPTS)) if drawn else ""
-    held = {"data": data["page"], "letters": _letters(data)} if drawn else {}
+    held = {"data": {**data["page"], "sought": sought(names)}, "letters": _letters(data, names)} if drawn else {}
     return web_page.page(data["title"], lang, style, body, code=code, data=held, kind=data["verdict"])
 
 
-def _letters(data: Json) -> Mapping[str, object]:
-    """The names of marks and vectors as a sheet has them."""
-    page = data["page"]
+def _names(data: Json) -> list[str]:
+    """The names of marks and vectors that a page shows or tells of."""
+    page = data.get("page", {"rows": [], "order": [], "truth": [], "marks": []})
     rows = (row[1] for row in (*data["rows"], *data["numbers"]))
     sides = (name for key in ("rows", "order") for name, *_ in page[key])
-    return written((*rows, *sides, *page["truth"], *(m["name"] for m in page["marks"])), page["lettering"])
+    return [*dict.fromkeys((*rows, *sides, *page["truth"], *(m["name"] for m in page["marks"])))]
+
+
+def _letters(data: Json, names: Sequence[str]) -> Mapping[str, object]:
+    """The names as a sheet has them, with those in sentences a page may come to."""
+    told = " ".join((*(v["said"] for v in data["page"]["variants"]), (data["page"]["otherwise"] or {}).get("said", "")))
+    return written((*names, *filter(None, (m[2] for m in re.finditer(sought(names), told)))), data["lettering"])
 
 
 def _drawing(data: Json, words: Mapping[str, str]) -> str:
@@ -65,7 +77,9 @@ def _drawing(data: Json, words: Mapping[str, str]) -> str:
     )
 
 
-def _table(key: str, caption: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def _table(
+    key: str, caption: str, head: Sequence[str], rows: Sequence[Sequence[str]], letter: Callable[[str], str]
+) -> str:
     """A table of rows that begin with their verdict and their name."""
     if not rows:
         return ""
@@ -73,7 +87,7 @@ def _table(key: str, caption: str, head: Sequence[str], rows: Sequence[Sequence[
     cells = "".join(f'<th scope="col">{e(h)}</th>' for h in head)
     for verdict, name, *row in rows:
         told = "".join(f"<td>{e(c)}</td>" for c in row)
-        body += f'<tr class="{e(verdict)}" data-mark="{e(name)}"><th scope="row">{e(name)}</th>{told}</tr>\n'
+        body += f'<tr class="{e(verdict)}" data-mark="{e(name)}"><th scope="row">{letter(name)}</th>{told}</tr>\n'
     parts = f"<caption>{e(caption)}</caption><thead><tr>{cells}</tr></thead><tbody>{body}</tbody>"
     return f'<table id="{key}">{parts}</table>'
 
@@ -92,30 +106,31 @@ def class_page(
 ) -> str:
     """The page. ``rows`` are what was found, and its cells in words; ``common`` sentences with whose: name, link;
     ``absent`` says whose drawings there are none of."""
-    e = html.escape
+    e, links = html.escape, {row.file: row.link for row, _ in rows if row.link}
     cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
     often = ""
     for said, names in common:
         whose = ", ".join(_linked(e(name), link) for name, link in names)
-        often += f"<li>{e(said)} — <b>{len(names)}</b>: {whose}</li>"
+        often += f"<li>{sentence(said, (), Naming(lang))} — <b>{len(names)}</b>: {whose}</li>"
     parts = {
         "title": e(title),
         "counts": "".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts),
         "absent": f"<p>{e(absent)}</p>" if absent else "",
         "common": f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else "",
         "head": cells,
-        "rows": "".join(_row(number, row, told, lang) for number, (row, told) in enumerate(rows)),
+        "rows": "".join(_row(number, row, told, lang, links) for number, (row, told) in enumerate(rows)),
     }
     body, style = web_page.filled(web_page.part("class.html"), parts), web_page.part("check.css", "class.css")
     return web_page.page(title, lang, style, body, code=web_page.part("class.js"))
 
 
-def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang) -> str:
+def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Mapping[str, str]) -> str:
     """A drawing: its name with a small picture, its cells, and windows about its wrong places."""
-    name, *rest = (html.escape(c) for c in cells)
-    if row.first:
-        rest = [tagged(f"⟨{row.first}⟩", Naming(lang)) if c == html.escape(row.first) else c for c in rest]
-    if rest and row.places:
+    naming = Naming(lang, **row.lettering)
+    name, *rest, said = cells
+    rest = [tagged(f"⟨{c}⟩", naming, row.kind) if c and c == row.first else html.escape(c) for c in rest]
+    name, rest = html.escape(name), [*rest, sentence(said, row.names, naming, row.kind, links)]
+    if row.places:
         places = "".join(place_picture(place, f"{number}-{k}") for k, place in enumerate(row.places))
         rest[-1] += f'<div class="places">{places}</div>'
     told = "".join(f"<td>{c}</td>" for c in rest)

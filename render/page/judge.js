@@ -88,7 +88,10 @@ class Judge {
     const missing = rule.key.filter(n => !misses.has(n)).join(", ");
     out.verdict = "unreadable";
     if (!count) return fill(said.nothing, { names: missing });
-    if (found.length < rule.readable * rule.key.length) return fill(said.too_little, { found: found.length, count: rule.key.length, names: missing });
+    if (found.length < rule.readable * rule.key.length) {
+      const drawn = Object.keys(out.marks).filter(n => !rule.same.includes(n)); // on a line of marks only one may be key
+      return fill(said.too_little, { found: drawn.filter(n => misses.has(n)).length, count: drawn.length, names: missing });
+    }
     const size = Math.max(...read.map(m => Math.hypot(m.x, m.y))), told = { count, size: size.toFixed(1) };
     if (size < rule.smallest) return fill(said.nothing_drawn, told);
     const left = this.data.otherwise, strays = left && !(left.mark && misses.has(left.mark));

@@ -1,7 +1,7 @@
 """Names and numbers as a language writes them: ⟨a_CB^t⟩ as pieces of plain, lowered and raised letters, units, μ."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from html import escape
 
@@ -13,6 +13,9 @@ from planes.words.units import mm_per, number
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 _INDEX = re.compile(r"([_^])\{([^{}]*)\}")
+COMMAND = r"(?<![\w-])--?[a-z]+(?: [^\s()]*[.=,][^\s();]*\w)?"  # an option, with what it is given
+_QUANTITY = r"(?:[A-Za-z]{1,2}|omega|epsilon)_[A-Z0-9][A-Za-z0-9]*(?:\^[a-z])?"
+_ARTICLE = r"(?=[,:;.)=–]| \(|$)"  # "a" is a mark only before one of these
 
 
 @dataclass(frozen=True)
@@ -38,6 +41,33 @@ def tagged(text: str, naming: Naming, plan: str = "") -> str:
         inner = f"<{piece.shift}>{inner}</{piece.shift}>" if piece.shift else inner
         found += f"<i>{inner}</i>" if piece.name else inner
     return found
+
+
+def sought(names: Iterable[str]) -> str:
+    """What is looked for in a sentence, as Python and a page's script read it: a command (group 1), or a name of these
+    or of any quantity (group 2)."""
+    known = sorted(filter(None, set(names)), key=lambda n: (-len(n), n))
+    escaped = [re.escape(n) + (_ARTICLE if n in ("a", "A") else "") for n in known]
+    return rf"({COMMAND})|(?<![\w.'′/\\-])({'|'.join([*escaped, _QUANTITY])})(?![\w'′^]|[.-]\w)"
+
+
+def sentence(
+    text: str, names: Iterable[str], naming: Naming, plan: str = "", links: Mapping[str, str] | None = None
+) -> str:
+    """The HTML of a sentence that was told plainly: its names lettered, its commands unbroken, the names of files (of
+    ``links``) leading to their addresses."""
+    found, end, links = "", 0, links or {}
+    for match in re.finditer(sought([*names, *links]), text):
+        whole, command = match[0], match[1]
+        found += escape(text[end : match.start()])
+        if command:
+            found += f'<span class="command">{escape(whole)}</span>'
+        elif whole in links:
+            found += f'<a href="{escape(links[whole])}">{escape(whole)}</a>' if links[whole] else escape(whole)
+        else:
+            found += tagged(f"⟨{whole}⟩", naming, plan)
+        end = match.end()
+    return found + escape(text[end:])
 
 
 def written(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[tuple[str, str]]]]:

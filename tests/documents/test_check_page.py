@@ -196,8 +196,14 @@ def test_marks_nobody_read_are_put_in_place(browser: Any, tmp_path: Path) -> Non
     whole = handed_in("six-link", "velocity", None)
     found = handed_in("six-link", "velocity", None, ("c", "h"))
     assert found.verdict == "unreadable"
+    assert found.sentence.told().startswith("Too little could be read (marks: 3 of 5): without c, h the plan")
     page, errors = opened(browser, found, tmp_path)
     same(page, found)
+    lettered = "[...document.querySelectorAll('#sentence i')].map(e => e.textContent)"
+    unbroken = "[...document.querySelectorAll('#sentence .command')].map(e => e.textContent)"
+    for _ in ("as printed", "as judged anew"):
+        assert (page.evaluate(lettered), page.evaluate(unbroken)) == (["c", "h"], ["-o report.html"])
+        page.evaluate("move('l', marks.find(m => m.name === 'l').x, marks.find(m => m.name === 'l').y)")
     for name in ("c", "h"):
         place = next(s for s in whole.paper.spots if s.name == name).place - whole.paper.spots[0].place
         page.evaluate(f"move({name!r}, {place.real}, {place.imag})")

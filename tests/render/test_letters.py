@@ -15,7 +15,7 @@ from planes.plans.measuring import lettering
 from planes.scene import Scene, loads
 from planes.words.lettering import Naming
 from render.page.lesson_page import page
-from render.paper.letters import pieces
+from render.paper.letters import pieces, sentence
 from tests.helpers import ROOT
 
 RRP = (ROOT / "samples" / "kind-2-rrp.yaml").read_text(encoding="utf-8").replace("frame:\n", "frame:\n  number: 6\n")
@@ -72,3 +72,23 @@ def test_a_page_letters_as_the_sheet_does(text: str) -> None:
 def test_only_the_balancing_load_differs_by_the_language() -> None:
     told = written(RRP)
     assert {*told["en"]} <= {"MZ_1"} and len(told["ru"]) > 20
+
+
+@pytest.mark.parametrize(
+    ("told", "shown"),
+    [
+        ("F_21t: it is reversed", "<i>F</i><i><sub>21</sub></i><i><sup>t</sup></i>: it is reversed"),
+        ("Not seen: a, s5 and c'.", "Not seen: <i>a</i>, <i>s</i><i><sub>5</sub></i> and <i>c′</i>."),
+        ("a similar figure, v_CB < 2", "a similar figure, <i>v</i><i><sub>CB</sub></i> &lt; 2"),
+        ("(-o report.html) or --mark c'=x,y (px)", "(<+-o report.html+>) or <+--mark c&#x27;=x,y+> (px)"),
+        (
+            "mark,x_mm,y_mm; force-2-3, y-y, --plan, IMG_002.jpg",
+            "mark,x_mm,y_mm; force-2-3, y-y, <+--plan+>, IMG_002.jpg",
+        ),
+        ("again: s5.jpg, c.pdf.", 'again: <a href="s5.html">s5.jpg</a>, c.pdf.'),
+    ],
+)
+def test_a_plain_sentence_has_its_names_lettered_and_its_commands_whole(told: str, shown: str) -> None:
+    shown = shown.replace("<+", '<span class="command">').replace("+>", "</span>")
+    names = ["a", "c", "c'", "s5", "F_21t"]
+    assert sentence(told, names, Naming("en"), "acceleration", {"s5.jpg": "s5.html"}) == shown

@@ -24,8 +24,10 @@ def readable(grading: Grading) -> Phrase | None:
     key = key_marks(grading)
     found = [m for m in key if m in grading.judgement.misses]
     if len(found) < READABLE * len(key):
-        missing = ", ".join(label_of(m) for m in key if m not in found)
-        return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
+        missing, steps = ", ".join(label_of(m) for m in key if m not in found), grading.plans.program.makers
+        drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # on a line of marks only one may be key
+        read = sum(m in grading.judgement.misses for m in drawn)
+        return Phrase("check_too_little", found=read, count=len(drawn), names=missing)
     reach, count = size_of(grading.hand, grading.marks), len(grading.judgement.misses)
     size = Written(f"{reach:.1f}")
     if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the error of a pencil from the pole

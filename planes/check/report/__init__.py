@@ -13,7 +13,7 @@ from planes.check.grading.perturbing import HAND
 from planes.check.grading.written_numbers import Scored
 from planes.check.report.moved_marks import moved_marks
 from planes.geometry.arithmetic import Real
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.words import Lang, Phrase, decimal, langs, say
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, label_of
@@ -212,6 +212,8 @@ def page_data(found: Outcome, lang: Lang) -> Json:
         "numbers": numbers_of(found, lang),
         "command": command(found),
         "saved": saved_as(found),
+        "kind": kind_of(found.bench.asked.plan),
+        "lettering": lettering(found.bench.asked.scene, found.bench.plans),
         **({"page": moved_marks(found, grading, lang)} if grading else {}),
     }
 

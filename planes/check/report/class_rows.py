@@ -17,7 +17,7 @@ from planes.check.grading.paper import Box
 from planes.check.report import Checked
 from planes.check.report.shown import Vector, pair, shown_plans, true_marks
 from planes.geometry.plane import corners
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.words import Lang, say
 from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Json
@@ -46,6 +46,7 @@ class ClassRow:
     places: list[Json] = field(default_factory=list)
     object: Json = field(default_factory=dict)  # what --json prints
     task: str = ""  # the file of its scene
+    lettering: Json = field(default_factory=dict)  # how its sheets letter names
 
     @classmethod
     def of(cls, one: Checked, lang: Lang) -> ClassRow:
@@ -66,7 +67,18 @@ class ClassRow:
             picture=address(thumb(one)),
             places=list(islice(wrong_places(one), MOST_PLACES)),
             object=one.as_json(lang),
+            lettering=lettering(found.bench.asked.scene, found.bench.plans) if found else {},
         )
+
+    @property
+    def names(self) -> list[str]:
+        """The names that may stand in what is said of it."""
+        return [self.first, *(str(row["mark"]) for row in self.object.get("marks", ()))]
+
+    @property
+    def kind(self) -> str:
+        """The kind of its plan, "" where that is not known."""
+        return kind_of(str(self.object["plan"])) if "plan" in self.object else ""
 
     def again_in(self, other: ClassRow) -> bool:
         """Whether another sheet is of the same plan of the same task."""

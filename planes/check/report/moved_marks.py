@@ -18,7 +18,6 @@ from planes.check.report.regrading import SURELY_MM, retrace
 from planes.check.report.shown import own_marks, own_order, pair, shown_plans, vectors
 from planes.drafting.steps import Same
 from planes.geometry.plane import corners
-from planes.plans.measuring import lettering
 from planes.plans.scales import extent
 from planes.words import Lang, Phrase, say
 from planes.words.names import POLE, kind_of, label_of, plan_of
@@ -37,7 +36,6 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
     earlier = {m: pair(t.place) for m, t in taken.items() if plan_of(m) != plan}
     force = kind_of(plan) == "force"
     return {
-        "lettering": lettering(bench.asked.scene, bench.plans),
         "kind": kind_of(plan),
         "marks": [_mark(grading, m, misses[m]) for m in grading.marks],
         "vectors": vectors(bench),
