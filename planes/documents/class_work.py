@@ -62,7 +62,7 @@ class ClassWork:
         if self.ledger and one.found:
             shown = report.page_data(one.found, self.lang)
             shown["title"] = ". ".join(filter(None, (one.whose, shown["title"])))
-            page = check_pages.report_page({**shown, "of_class": True, "command": self.command}, self.lang)
+            page = check_pages.report_page({**shown, "of_class": one.file, "command": self.command}, self.lang)
             self._keep(f"{kept_as(one.file)}.html", source, page.encode())
             one = replace(one, report=quote(f"{kept_as(one.file)}.html"))
         self.add_row(ClassRow.of(one, self.lang), source, task)

@@ -212,5 +212,10 @@ document.querySelectorAll("input[data-layer]").forEach(i => { i.onchange = () =>
 $("save").onclick = save;
 $("reset").onclick = reset;
 addEventListener("resize", draw);
-addEventListener("beforeprint", draw);
+addEventListener("beforeprint", () => { // of a sheet's width, so that its letters keep their size
+  sheet.node.style.cssText = "width: 700px; height: 400px";
+  draw();
+  sheet.node.style.cssText = "";
+});
+addEventListener("afterprint", draw);
 draw();

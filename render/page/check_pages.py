@@ -30,6 +30,7 @@ def report_page(data: Json, lang: Lang) -> str:
 
     parts = {
         "title": e(data["title"]),
+        "file": f'<p class="file">{e(data["of_class"])}</p>' if "of_class" in data else "",
         "sentence": told(data["sentence"]),
         "chance": e(data["chance"]),
         "drawing": _drawing(data, words) if drawn else "",
@@ -107,7 +108,7 @@ def class_page(
     """The page. ``rows`` are what was found, and its cells in words; ``common`` sentences with whose: name, link;
     ``absent`` says whose drawings there are none of."""
     e, links = html.escape, {row.file: row.link for row, _ in rows if row.link}
-    cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
+    cells = "".join(f'<th scope="col" data-name="{e(h)}"><button type="button">{e(h)}</button></th>' for h in head)
     often = ""
     for said, names in common:
         whose = ", ".join(_linked(e(name), link) for name, link in names)
@@ -131,7 +132,12 @@ def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Ma
     rest = [tagged(f"⟨{c}⟩", naming, row.kind) if c and c == row.first else html.escape(c) for c in rest]
     name, rest = html.escape(name), [*rest, sentence(said, row.names, naming, row.kind, links)]
     if row.places:
-        places = "".join(place_picture(place, f"{number}-{k}") for k, place in enumerate(row.places))
+        places = "".join(
+            place_picture(
+                place, f"{number}-{k}", tagged(f"⟨{place['name']}⟩", naming, row.kind) * (len(row.places) > 1)
+            )
+            for k, place in enumerate(row.places)
+        )
         rest[-1] += f'<div class="places">{places}</div>'
     told = "".join(f"<td>{c}</td>" for c in rest)
     small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
@@ -143,27 +149,32 @@ def _linked(name: str, link: str) -> str:
     return f'<a href="{html.escape(link, quote=True)}">{name}</a>' if link else name
 
 
-GAP, RING_MM = 0.04, 2.2  # between the windows, of their width; about the wrong place
-HEAD_MM, HALF_MM = 2.6, 0.65  # of an arrowhead
+GAP, RING, HEAD, HALF = (
+    0.04,
+    0.06,
+    0.06,
+    0.25,
+)  # of a window: to the next, about the wrong place, an arrowhead, its half
 
 
-def place_picture(place: Json, name: str) -> str:
+def place_picture(place: Json, name: str, caption: str = "") -> str:
     """A wrong place of a drawing in two windows side by side: as it was drawn, and with the right construction upon it;
-    ``name`` tells it from all others of the page."""
+    ``name`` tells it from all others of the page; ``caption``, HTML, stands over it."""
     x0, y0, x1, y1 = (float(v) for v in place["box"])
     w, h = x1 - x0, y1 - y0
     e, under = html.escape, _lines(place, "strokes", "stroke")
     picture = f'<image id="w{name}" href="{e(place["picture"])}" width="{w:.2f}" height="{h:.2f}"/>'
     again = f'<use href="#w{name}" opacity=".4"/>'
     x, y = float(place["at"][0]) - x0, y1 - float(place["at"][1])
-    ring = f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{RING_MM}"/>'
+    ring = f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{RING * w:.2f}"/>'
     drawn = picture if place["picture"] else under + _plan(place, "own")
     right = again if place["picture"] else under
     plans = _plan(place, "own") + _plan(place, "true") + _lines(place, "next", "next")
     box = f'y="0" width="{w:.2f}" height="{h:.2f}" viewBox="0 0 {w:.2f} {h:.2f}"'
     whole, beside = w * (2 + GAP), w * (1 + GAP)
     return (
-        f'<span class="place"><svg viewBox="0 0 {whole:.2f} {h:.2f}" role="img" aria-label="{e(place["name"])}">'
+        f'<span class="place">{caption}'
+        f'<svg viewBox="0 0 {whole:.2f} {h:.2f}" role="img" aria-label="{e(place["name"])}">'
         f'<svg x="0" {box}>{drawn}{ring}</svg><svg x="{beside:.2f}" {box}>{right}{plans}{ring}</svg></svg></span>'
     )
 
@@ -189,10 +200,11 @@ def _ends(place: Json, vector: Sequence[float]) -> tuple[complex, complex]:
 
 def _head(place: Json, vector: Sequence[float]) -> str:
     a, b = _ends(place, vector)
-    if abs(b - a) < HEAD_MM:
+    length = HEAD * (place["box"][2] - place["box"][0])
+    if abs(b - a) < length:
         return ""
-    along = (b - a) / abs(b - a)
-    corners = (b, b - along * complex(HEAD_MM, HALF_MM), b - along * complex(HEAD_MM, -HALF_MM))
+    along = length * (b - a) / abs(b - a)
+    corners = (b, b - along * complex(1, HALF), b - along * complex(1, -HALF))
     return f'<polygon points="{" ".join(f"{z.real:.2f},{z.imag:.2f}" for z in corners)}"/>'
 
 

@@ -16,6 +16,7 @@ from planes.check.grading.grading import Grading, empty
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
 from planes.check.report import Checked
+from planes.check.report.class_rows import wrong_places
 from planes.check.report.regrading import SURELY_MM, retrace
 from planes.documents.check import write_report
 from planes.documents.class_work import ClassWork
@@ -215,6 +216,33 @@ def test_marks_nobody_read_are_put_in_place(browser: Any, tmp_path: Path) -> Non
         assert abs(complex(*shown["marks"][mark][1:3]) - miss.off) < 1e-6 + 0.01 * miss.reach(1.0)
     page.close()
     assert errors == []
+
+
+@pytest.mark.slow
+def test_a_printed_report_is_a_sheet_and_says_what_to_draw_anew(browser: Any, tmp_path: Path) -> None:
+    pdfium = pytest.importorskip("pypdfium2")
+    page, errors = opened(browser, handed_in("six-link", "velocity", Mistake("relative_from_pole", "c")), tmp_path)
+    assert "Draw this step anew" in page.inner_text("#chance")
+    sheets = pdfium.PdfDocument(page.pdf(prefer_css_page_size=True))
+    assert [round(side) for side in sheets[0].get_size()] == [595, 842]
+    assert len(sheets) == 1 and "Steps" in sheets[0].get_textpage().get_text_range()
+    page.close()
+    assert errors == []
+    page, errors = opened(browser, handed_in("six-link", "velocity", None), tmp_path)
+    assert page.inner_text("#chance") == "(Sure.)"
+    page.close()
+
+
+def test_a_window_shows_a_force_and_where_it_should_end() -> None:
+    """Its order is free, so the right end is where the construction leads from what was laid before."""
+    found = handed_in("six-link", "force:2-3", Mistake("inertia_along_acceleration", "I_2"))
+    place = next(iter(wrong_places(Checked("a.csv", found))))
+    miss = graded(found).judgement.misses["force:2-3:I_2"].off
+    left, low, right, high = place["box"]
+    goal = complex(*place["at"]) - miss
+    assert place["name"] == "I_2" and abs(miss) > 8
+    assert left < goal.real < right and low < goal.imag < high
+    assert abs((left + right) / 2 - goal.real) == pytest.approx(abs(miss.real) / 2, abs=0.02)
 
 
 UNSEEN = [("six-link", "velocity", ("s2",)), ("six-link", "acceleration", ("s2'",)), ("kind-1-rrr", "velocity", ("e",))]

@@ -206,6 +206,11 @@ def test_the_page_shows_wrong_places_beside_the_right_construction(
     assert page.get_attribute("th a >> text=IMG_3.png", "href").endswith("/photos/IMG_3.png")
     page.set_viewport_size({"width": 390, "height": 800})
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    assert page.evaluate("document.querySelector('tr.wrong .places').clientWidth") > 330
+    page.emulate_media(media="print")
+    shown = "[...document.querySelectorAll('thead th')].map(e => getComputedStyle(e, '::before').content)"
+    assert '"файл"' in page.evaluate(shown) and not page.is_visible("thead button")
+    page.emulate_media(media="screen")
     page.click("th a >> text=IMG_2")
     assert page.get_attribute("#save", "data-name") == "IMG_2.csv"
     page.close()

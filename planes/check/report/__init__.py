@@ -12,6 +12,7 @@ from planes.check.grading.judging import WARN
 from planes.check.grading.perturbing import HAND
 from planes.check.grading.written_numbers import Scored
 from planes.check.report.moved_marks import moved_marks
+from planes.check.report.shown import shown_plans
 from planes.geometry.arithmetic import Real
 from planes.plans.measuring import lettering, say_plan
 from planes.words import Lang, Phrase, decimal, langs, say
@@ -148,6 +149,14 @@ def chance_told(found: Outcome, lang: Lang) -> str:
     return say(key, lang, percent=f"{100 * found.chance:.0f}" if found.chance >= 0.005 else "< 1")
 
 
+def redo_told(found: Outcome, lang: Lang) -> str:
+    """What to do about a wrong mark whose construction is shown; nothing of others."""
+    shown = shown_plans(found)
+    at = shown.marks.get(found.first_wrong or "")
+    led = found.verdict == "wrong" and any(start == at for start, _ in shown.next)
+    return say("check_redo", lang) if led else ""
+
+
 def title(found: Outcome, lang: Lang) -> str:
     """The plan and the scene."""
     scene = found.bench.asked.scene
@@ -204,7 +213,7 @@ def page_data(found: Outcome, lang: Lang) -> Json:
         "verdict": found.verdict,
         "title": title(found, lang),
         "sentence": sentence.told(lang),
-        "chance": chance_told(found, lang),
+        "chance": f"{chance_told(found, lang)} {redo_told(found, lang)}".strip(),
         "notes": [n.told(lang) for n in notes],
         "head": marks,
         "rows": rows_of(found, lang),

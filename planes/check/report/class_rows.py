@@ -25,7 +25,7 @@ from planes.words.records import Json
 UNREADABLE, UNSURE, WRONG, RIGHT = range(4)
 MOST_PLACES = 3  # wrong places shown of a drawing
 WINDOW_MM = (18.0, 90.0)  # about a wrong place: at least and at most that to each side
-THUMB_PX, PLACE_PX, QUALITY, RIM_MM = 170, 230, 62, 12.0
+THUMB_PX, PLACE_PX, QUALITY, RIM_MM = 170, 320, 62, 12.0
 HEADS = ("check_file", "check_verdict", "check_mark", "check_first")
 
 
@@ -127,7 +127,8 @@ def wrong_places(one: Checked) -> Iterable[Json]:
     if found is None or found.grading is None or one.verdict != "wrong":
         return
     shown, paper = shown_plans(found), found.paper
-    truth = {} if kind_of(found.bench.asked.plan) == "force" else true_marks(found)  # there its order is free
+    free = kind_of(found.bench.asked.plan) == "force"  # there its order is free, and a step leads to where it should be
+    truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z} if free else true_marks(found)
     verdicts = found.grading.verdicts
     wrong = [label_of(m) for m, verdict in verdicts.items() if verdict == "wrong"]
     for name in dict.fromkeys([one.first, *wrong]):
