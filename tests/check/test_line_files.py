@@ -121,6 +121,13 @@ ARROWS = {
             "80,90 77,89 77,89.9 20,89.9 20,90.1 77,90.1 77,91",
         )
     ),
+    "large heads of FreeCAD, whose prefix is not declared": '<g transform="translate(20,90) scale(1,-1)" '
+    'stroke="#000"><path d="M 0 0 L 30 40 "/><path d="M 30 40 L 60 0 "/><path d="M 0 0 L 60 0 "/></g>'
+    + "".join(
+        f'<path transform="translate(20,90) scale(1,-1) rotate({turn},{x},{y}) translate({x},{y}) scale(4,4)" '
+        'freecad:skip="1" fill="#000000" stroke="none" d="M 0 0 L 4 1 L 4 -1 Z"/>'
+        for turn, x, y in ((-126.8699, 30, 40), (126.8699, 60, 0), (180, 60, 0))
+    ),
     "heads drawn twice": '<g stroke="#000"><path d="M50 50 20 90"/><path d="M50 50 80 90"/><path d="M20 90H80"/></g>'
     + 2
     * (
@@ -147,6 +154,12 @@ def test_dashes_drawn_as_figures_are_no_heads(tmp_path: Path) -> None:
     dashes = "".join(f'<path fill="#000" d="M{x} 89.9h3v.2h-3z"/>' for x in range(20, 80, 5))
     found = svg(tmp_path, PAGE + '<path stroke="#000" d="M20 90 50 50 80 90z"/>' + dashes + "</svg>")
     assert not found.heads and len(found.strokes) == 3
+
+
+@pytest.mark.parametrize("figure", ["M50 50 20 90 80 90z", "M20 90 80 90 50 64z"])
+def test_a_large_filled_triangle_that_is_not_slender_is_no_head(figure: str, tmp_path: Path) -> None:
+    found = svg(tmp_path, PAGE + f'<path stroke="#000" d="M20 90 50 50"/><path fill="#000" d="{figure}"/></svg>')
+    assert not found.heads
 
 
 def test_a_page_of_two_lines_is_read_as_lines(tmp_path: Path) -> None:

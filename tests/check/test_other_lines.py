@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from itertools import pairwise
 
 import pytest
@@ -12,8 +13,10 @@ from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.hatching import FEWEST, without_hatching
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import without_letters
+from planes.check.reading.running_on import cut_off
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke, Words, headed
 from tests import confusion
+from tests.helpers.drawings import NONE, Hand, Mistake
 
 TRIANGLE: list[Stroke] = [(0j, 40 + 0j), (40 + 0j, 10 + 30j), (0j, 10 + 30j)]
 
@@ -80,7 +83,7 @@ def test_vectors_without_heads_that_run_past_each_other_end_where_they_cross(bot
     """The mass centre, whose vector lies along the crank's, ends nowhere: it is not seen, and nothing is wrong."""
     bench = confusion.bench("kind-1-rrr", "velocity")
     pole, places = 100 + 100j, {"p": 0j, **bench.true_marks}
-    strokes = []
+    strokes: list[Stroke] = []
     for one, two in [*(("p", n) for n in bench.true_marks), *bench.vectors]:
         a, b = places[one], places[two]
         over = (3 + len(strokes)) * (b - a) / abs(b - a)
@@ -90,3 +93,26 @@ def test_vectors_without_heads_that_run_past_each_other_end_where_they_cross(bot
     read = {s.name: s.place - paper.spots[0].place for s in paper.spots}
     assert {"b", "c"} < set(read) and all(abs(read[n] - places[n]) < 0.1 for n in read)
     assert is_right(bench, paper)
+
+
+def test_lines_of_a_scheme_are_no_vectors_that_run_on() -> None:
+    bench = confusion.bench("six-link", "position")
+    crossing: list[Stroke] = [(0j, 40 + 0j), (20 - 5j, 20 + 30j), (5 - 5j, 5 + 30j), (0j, 30 + 30j)]
+    assert cut_off(ReadDrawing(strokes=crossing), bench) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "where", "told"), [("inertia_along_acceleration", "I_3", False), ("force_missing", "I_3", True)]
+)
+def test_a_wrong_polygon_without_heads_that_is_as_good_the_other_way_round_is_not_blamed(
+    name: str, where: str, told: bool
+) -> None:
+    """Either the inertia is reversed, or all but it."""
+    easel, bench, z = confusion.easel("bntu-5", "force:2-3"), confusion.bench("bntu-5", "force:2-3"), 100 + 100j
+    vectors = easel.draw(Mistake(name, where, 0), Hand(NONE, random.Random(0)))[0]
+    strokes, words = list[Stroke](), [Words("p", z + 3)]
+    for n, v in vectors.items():
+        strokes.append((z, z + v))
+        words.append(Words(n, z + v / 2 + 1j * v / abs(v)))
+        z += v
+    assert bool(paper_of(ReadDrawing(strokes=strokes, words=words), bench).spots) is told

@@ -12,6 +12,7 @@ from itertools import islice, pairwise
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke, goes_on
 
 LARGEST_MM = 8.0  # a closed figure no larger may be a head
+LARGEST_FILLED_MM, SLENDER = 24.0, 0.7  # nor a filled one, which is no polygon, if it is so narrow between equal sides
 NEAR_MM = 0.7  # a tip is at the end of its stroke, or that end is within the head
 TURNED = 10.0  # how much better it is for a stroke to point as its head does than to end at the tip, mm per radian
 MOST_PAIRS = 1_000_000  # of more strokes and heads none is told whose it is
@@ -28,8 +29,9 @@ AGAIN_MM, AGAIN = 0.1, 0.05  # a head so near another one that points as it does
 NARROW_MM = 1.5  # a drawn arrow's shaft is no wider
 
 
-def head_of(points: Sequence[complex]) -> Arrowhead | None:
-    """The head a small closed figure is: its tip is the corner farthest from the middle, or between equal sides."""
+def head_of(points: Sequence[complex], filled: bool = False) -> Arrowhead | None:
+    """The head a small closed figure is: its tip is the corner farthest from the middle, or between equal sides; one
+    that is ``filled`` may be larger."""
     corners = [a for a, b in pairwise([*points, *points[:1]]) if abs(b - a) > 0.02]
     if not 3 <= len(corners) <= 12:
         return None
@@ -40,13 +42,15 @@ def head_of(points: Sequence[complex]) -> Arrowhead | None:
     if len(corners) == 4 and abs(corners[0] - corners[1] + corners[2] - corners[3]) < EVEN * size:
         return None  # a dash of a line
     others = [z for z in corners if abs(z - tip) > 0.05 * size]
-    if not 0.3 < size <= LARGEST_MM or len(others) < 2:
+    largest = LARGEST_FILLED_MM if filled and len(apexes) == 1 else LARGEST_MM
+    if not 0.3 < size <= largest or len(others) < 2:
         return None
     way = tip - sum(others) / len(others)
     u = way / abs(way)
     across = [((z - tip) * u.conjugate()).imag for z in others]
     long = max(((tip - z) * u.conjugate()).real for z in others)
-    flat = not 0.02 * size < max(across) - min(across) < 1.3 * size
+    widest = SLENDER if size > LARGEST_MM else 1.3
+    flat = not 0.02 * size < max(across) - min(across) < widest * size
     return None if flat else Arrowhead(tip, u, long, even=len(apexes) == 3)
 
 
@@ -58,11 +62,11 @@ def _apexes(corners: Sequence[complex]) -> list[complex]:
     return [z for z, (one, two) in zip(corners, sides, strict=True) if abs(one - two) < EVEN * (one + two)]
 
 
-def figure_of(points: Sequence[complex]) -> tuple[Sequence[complex], Arrowhead] | None:
+def figure_of(points: Sequence[complex], filled: bool = False) -> tuple[Sequence[complex], Arrowhead] | None:
     """What a closed figure is, if it is one: a whole arrow, its vector and its head; or a head alone."""
     if arrow := _arrow_of(points):
         return arrow
-    head = head_of(points)
+    head = head_of(points, filled)
     return ((), head) if head else None
 
 

@@ -16,6 +16,7 @@ from planes.check.grading.polygons import loads_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.readable import readable
 from planes.check.reading.chains import MOST_LINES, SURELY_MM, WIDE, ahead_of, alongside, back_and_forth, true_vectors
+from planes.check.reading.construction_lines import apart
 from planes.check.reading.lone_vectors import arrows_of
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
@@ -124,7 +125,9 @@ def vectors_named(
     if over or not named(rows, rows, word, nearer):
         return nothing
     spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
-    return ReadPaper(sketch.file, spots, whole=len(rows) + len(undrawn) == len(sides))
+    either = not arrows and not written & sides.keys() and len(sides) == 2  # there and back
+    untold = [*rows][:1] if either else []
+    return ReadPaper(sketch.file, spots, whole=len(rows) + len(undrawn) == len(sides), untold=untold)
 
 
 def _ring(strokes: Sequence[Stroke]) -> bool:
@@ -216,6 +219,23 @@ def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> Re
         elif not right and not is_right(bench, other) and worth(bench, other) > worth(bench, paper):
             paper = other
     return paper
+
+
+def vague(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> bool:
+    """Whether it is only guessed what is which of a wrong polygon: its vectors have no names, or nothing shows where
+    they end, or, as none has an arrowhead, it may as well have been drawn the other way round."""
+    if is_right(bench, paper):
+        return False
+    names = bench.written(true_vectors(bench))
+    told = any((names.find(w.text) or POLE) != POLE for w in sketch.words)
+    return not told or apart(sketch) or (not any(sketch.ways) and worth(bench, _turned(paper)) >= worth(bench, paper))
+
+
+def _turned(paper: ReadPaper) -> ReadPaper:
+    """A polygon drawn the other way round."""
+    ends = [one.place for one in reversed(paper.spots)]
+    back = [replace(one, place=z) for one, z in zip(paper.spots[:0:-1], ends[1:], strict=True)]
+    return replace(paper, spots=[replace(paper.spots[0], place=ends[0]), *back])
 
 
 def worth(bench: PreparedPlan, paper: ReadPaper) -> float:

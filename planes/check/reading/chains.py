@@ -10,6 +10,7 @@ from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
+from planes.words import Phrase
 from planes.words.names import POLE, Names
 
 NEAR_MM = 9.0
@@ -46,8 +47,9 @@ Beside = dict[str, dict[tuple[Edge, int], float]]  # how far names stand from li
 
 
 def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
-    """The polygon as rows: the pole, then the end of every vector in the order they were drawn."""
-    truth, best = true_vectors(bench), None  # how well it fits, its rows, whether it is whole
+    """The polygon as rows: the pole, then the end of every vector in the order they were drawn; none where no arrowhead
+    tells and a line is left over, or a vector is none of the plan's."""
+    truth, best = true_vectors(bench), None  # how well it fits, its rows, whether it is whole, and passes every line
     pole = _pole(sketch.words, nodes)
     for split in (False, True):
         few = not split or len(sketch.strokes) <= MOST_LINES
@@ -59,10 +61,12 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
             rows = _rows(start, trail, nodes, words, truth, sketch)
             whole = trail[-1][1] == start and len(trail) == len(edges)
             if rows and (best is None or rows[0] + WHOLE * whole > best[0]):
-                best = rows[0] + WHOLE * whole, rows[1], whole
+                best = rows[0] + WHOLE * whole, rows[1], whole, len(trail) == len(edges)
         if best and (best[2] or best[0] > ENOUGH * len(truth)) and not nodes.passed:
             break
-    if best:
+    if best and not any(sketch.ways) and not (best[3] and all(row.name in truth for row in best[1][1:])):
+        paper.notes.append(Phrase("check_force_unsure"))
+    elif best:
         paper.spots, paper.whole = best[1], best[2]
     return paper
 

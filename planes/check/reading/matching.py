@@ -12,9 +12,9 @@ from planes.check.grading.grading import NAMELESS
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, unshown, vectors_named, worth
+from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, unshown, vague, vectors_named, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
-from planes.check.reading.construction_lines import apart, covered, vectors_alone, vectors_of
+from planes.check.reading.construction_lines import covered, vectors_alone, vectors_of
 from planes.check.reading.lone_vectors import HEADLESS_MM, lone_vectors, others
 from planes.check.reading.running_on import cut_off
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, headed, hinged
@@ -107,9 +107,7 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
         all_chained = named == len(paper.spots) - 1 == len(heads)  # one that no name fits is then no other's
         if every or 2 * named <= len(rows) or (not all_chained and worth(bench, lone) > worth(bench, paper)):
             paper = lone
-    names = bench.written(true_vectors(bench))
-    told = any((names.find(w.text) or POLE) != POLE for w in sketch.words)
-    if paper.spots and (not told or apart(sketch)) and not is_right(bench, paper):  # what is which is guessed
+    if paper.spots and vague(sketch, bench, paper):
         paper.spots = []
         paper.notes.append(Phrase("check_force_unsure"))
     paper = told_apart(sketch, bench, paper)

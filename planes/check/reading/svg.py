@@ -24,7 +24,6 @@ LETTERS_OF_CSS = 10  # the same, where they were not read before
 DEEPEST = 60  # groups within groups
 DRAWN = ("text", "circle", "line", "polyline", "polygon", "path")
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
-_HREF = "http://www.w3.org/1999/xlink}href"
 
 
 def read_svg(path: str | Path) -> ReadDrawing:
@@ -91,7 +90,7 @@ class _Reader:
             case tag if tag in DRAWN and looks.get("visibility") in ("hidden", "collapse"):
                 pass  # what stands in a hidden group may be seen all the same
             case "use":
-                target = self.named.get((e.get("href") or e.get(_HREF) or "").removeprefix("#"))
+                target = self.named.get(e.get("href", "").removeprefix("#"))
                 if target is not None and depth < 20:
                     self.walk(target, m.translate(number(e, "x"), number(e, "y")), depth + 1, looks, True)
             case "text":
@@ -119,7 +118,7 @@ class _Reader:
         figures = [f for one in parts if one.closed and (f := figure_of([_at(m, z) for z in one.corners]))]
         for points, closed in (line for one in parts for line in one.lines()) if not figures else ():
             places = [_at(m, z) for z in points]
-            if figure := figure_of(places) if closed or solid else None:
+            if figure := figure_of(places, solid) if closed or solid else None:
                 figures.append(figure)
             elif not solid:
                 self.sketch.add(places, closed)

@@ -21,21 +21,24 @@ STRAIGHT = 0.01  # a curve that leaves its chord by less is a line
 
 
 def tree(data: bytes, file: str) -> ElementTree.Element:
-    """The root element; tags have no namespaces. :class:`PlanesError` where it is no XML, holds entities, which may
-    grow without bound, or too many elements."""
-    builder, parser, count, depth = ElementTree.TreeBuilder(), expat.ParserCreate(None, "}"), 0, 0
+    """The root element; tags have no prefixes, whether these are declared (FreeCAD's is not) or not.
+
+    :class:`PlanesError` where it is no XML, holds entities, which may grow without bound, or too many elements.
+    """
+    builder, parser, count, depth = ElementTree.TreeBuilder(), expat.ParserCreate(), 0, 0
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         nonlocal count, depth
         count, depth = count + 1, depth + 1
         if count > MOST or depth > DEEPEST:
             raise too_many(file, "elements" if count > MOST else "levels", MOST if count > MOST else DEEPEST)
-        builder.start(tag.rpartition("}")[2], attributes)
+        link = next((said for name, said in attributes.items() if name.endswith(":href")), "")
+        builder.start(tag.rpartition(":")[2], {"href": link, **attributes})
 
     def end(tag: str) -> None:
         nonlocal depth
         depth -= 1
-        builder.end(tag.rpartition("}")[2])
+        builder.end(tag.rpartition(":")[2])
 
     def entity(*_: object) -> None:
         raise PlanesError(Phrase("check_svg_entities", file=file))
