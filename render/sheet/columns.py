@@ -18,7 +18,7 @@ import numpy
 
 from planes.geometry.arrays import Array
 from render.sheet.module import GAP_MM, UNITS
-from render.sheet.stacking import Piece, Spot, Stacking
+from render.sheet.stacking import TOO_MUCH, Piece, Spot, Stacking
 
 MOST_GAP_MM = 29.0  # of rows of a column between which its white is shared out
 FULLEST = 0.8  # no field can hold more in columns
@@ -57,6 +57,7 @@ class Columns:
         best = self.ordered(now)
         needed = sum((i.width + GAP_MM) * (i.height + GAP_MM) for i in self.items)
         hopeful = needed < FULLEST * self.stacking.module.area and self._roomy
+        hopeful = hopeful and (best.cost < OVER or not self.hopeless)
         for k in (k for k, item in enumerate(self.items) if k and item.loose and hopeful):
             rest = [i for i in now if i != k]
             for tried in ([*rest[:at], k, *rest[at:]] for at in range(1, len(now))):
@@ -76,6 +77,16 @@ class Columns:
     def cost(self) -> float:
         """How far they are from being filled well; less than ``OVER`` where every view has room."""
         return float(self._ended.min()) if self._roomy else math.inf
+
+    @cached_property
+    def hopeless(self) -> bool:
+        """Whether the views have no room wherever the tables stand that may be moved about: the others have none by
+        themselves, or none with some table among them."""
+        moved = [k for k, item in enumerate(self.items) if k and item.loose]
+        piece, last, units = self.piece, self.stacking.last, self.stacking.module.units
+        fixed = tuple(size for k, size in enumerate(piece) if k not in moved)
+        among = (((*fixed[:at], piece[k], *fixed[at:]) for at in range(1, len(fixed) + 1)) for k in moved)
+        return last(fixed) > units or any(all(last(some) > units for some in ways) for ways in among)
 
     @property
     def _roomy(self) -> bool:
@@ -166,10 +177,9 @@ class Columns:
         """What a column of some views costs, by its end and its span: its white, or what is too much in it."""
         prices = self.stacking.prices
         if piece not in prices:
-            module = self.stacking.module
-            white = module.heights - self.stacking.high(piece) / module.height
-            fair = prices[piece] = module.shares * (white * white)
-            fair += OVER * (white < -1e-9)
+            white = self.stacking.white(piece)
+            fair = prices[piece] = self.stacking.module.shares * (white * white)
+            fair += OVER * (white < -TOO_MUCH)
             numpy.copyto(fair, numpy.inf, where=white <= -OVERFULL)
         return prices[piece]
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache, reduce
+from itertools import takewhile
 
 import numpy
 
@@ -18,6 +19,7 @@ from render.sheet.module import GAP_MM, Indices, Module
 Piece = tuple[int, ...]
 """Views that follow each other: each as the number of its size."""
 Size = tuple[float, float]
+TOO_MUCH = 1e-9  # of the field's height: what a column may hold more than there is room for
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,8 @@ class Stacking:
     parts: dict[Piece, Part] = field(default_factory=dict, repr=False)
     prices: dict[Piece, Array] = field(default_factory=dict, repr=False)
     broken: dict[tuple[Piece, tuple[float, ...]], tuple[Array, Array]] = field(default_factory=dict, repr=False)
+    nexts: dict[Piece, list[int]] = field(default_factory=dict, repr=False)
+    lasts: dict[Piece, int] = field(default_factory=lambda: {(): 0}, repr=False)
 
     def piece(self, sizes: Sequence[Size]) -> Piece:
         """Views of these sizes."""
@@ -82,6 +86,29 @@ class Stacking:
     def _part(self, high: Array, least: int) -> Part:
         left, right, _ = _shares(len(high))
         return Part(high, high + GAP_MM, high[left], high[right], least)
+
+    def white(self, piece: Piece) -> Array:
+        """What a column of some views leaves white, by its end and its span, as a share of the field's height."""
+        found: Array = self.module.heights - self.high(piece) / self.module.height
+        return found
+
+    def last(self, piece: Piece) -> int:
+        """The least unit before which views have room in columns, with units to spare between them as may be; one more
+        than there are, if they have none. Views taken out of them, those left never need more."""
+        if piece not in self.lasts:
+            nowhere = self.module.units + 1
+            parts = takewhile(lambda k: self.next(piece[k:])[0] < nowhere, range(len(piece) - 1, -1, -1))
+            self.lasts[piece] = min((self.next(piece[k:])[self.last(piece[:k])] for k in parts), default=nowhere)
+        return self.lasts[piece]
+
+    def next(self, piece: Piece) -> list[int]:
+        """The least unit where a column of some views may end, by the one before which it may not begin."""
+        if piece not in self.nexts:
+            ends, spans = numpy.nonzero(self.white(piece) >= -TOO_MUCH)
+            found = numpy.full(self.module.units + 2, self.module.units + 1)
+            numpy.minimum.at(found, ends - spans, ends)
+            self.nexts[piece] = numpy.minimum.accumulate(found[::-1])[::-1].tolist()
+        return self.nexts[piece]
 
     def rows(self, piece: Piece, span: int) -> list[Piece]:
         """The parts of a piece that stand beneath each other."""

@@ -94,6 +94,31 @@ def test_a_table_gives_way_to_figures_and_stands_where_there_is_room() -> None:
     assert found.cost < OVER and order == [0, 2, 1]
 
 
+def test_views_without_hope_have_no_room_in_any_order_of_tables() -> None:
+    """Of views that find no room most are known not to before other orders are tried."""
+    rng, paper, known = random.Random(7), Paper("A3"), {True: 0, False: 0}
+    field = Module(paper.field, paper.taken)
+    for seed in range(40):
+        columns = broken(some(seed)[:7], field)
+        figures = [k for k, item in enumerate(columns.items) if not (k and item.loose)]
+        for _ in range(10 if columns.hopeless else 0):
+            order = list(figures)
+            for k in set(range(len(columns.items))) - set(figures):
+                order.insert(rng.randint(1, len(order)), k)
+            assert columns.ordered(order).cost >= OVER
+        known[columns.hopeless] += columns.arranged()[1].cost >= OVER
+    assert known[True] > 3 * known[False] > 0
+
+
+def test_there_is_hope_where_columns_stand_side_by_side_but_for_a_table_between_them() -> None:
+    field = Module((0.0, 0.0, 740.0, 100.0), ((385.0, 0.0, 550.0, 40.0),))
+    wide, tall, table = Item(350.0, 80.0), Item(150.0, 80.0), Item(150.0, 40.0, loose=True)
+    assert broken([wide, tall], field).cost >= OVER
+    columns = broken([wide, tall, table], field)
+    assert not columns.hopeless
+    assert columns.arranged()[0] == [0, 2, 1] and columns.arranged()[1].cost < OVER
+
+
 def test_no_table_stands_before_the_first_view_nor_for_nothing_before_an_earlier_table() -> None:
     field = Module((0.0, 0.0, 370.0, 210.0), ())
     views = [Item(80.0, 190.0), *(Item(80.0, high, loose=True) for high in (40.0, 60.0, 50.0, 30.0))]
