@@ -145,14 +145,20 @@ def test_a_mark_that_gives_the_scale_may_be_one_a_mistake_moved(tmp_path: Path) 
 
 
 @pytest.mark.slow
-def test_a_pole_nobody_told_of_is_guessed_though_the_drawing_has_a_mistake(tmp_path: Path) -> None:
-    """On a sheet with a frame: most marks follow from the mistake, so that few are where the right plan has them."""
-    quick = easel("kind-3-rpr", "acceleration")
-    assert named(quick, "tangential_along_link", "b'", shot_as="frame, pole guessed", file=tmp_path / "p.jpg") == (
-        1,
-        1,
-        1,
-    )
+@pytest.mark.parametrize(
+    ("sample", "plan", "mistake", "where"),
+    [
+        ("kind-3-rpr", "acceleration", "tangential_along_link", "b'"),  # most marks follow from it
+        ("kind-4-prp", "acceleration", "coriolis_missing", "k_BB1"),
+        ("kind-4-prp", "force:2-3", "weight_missing", "G_3"),
+    ],
+)
+def test_a_pole_nobody_told_of_is_guessed_though_the_drawing_has_a_mistake(
+    sample: str, plan: str, mistake: str, where: str, tmp_path: Path
+) -> None:
+    """On a sheet with a frame; what was left out is said where all else is as it should be."""
+    file = tmp_path / "p.jpg"
+    assert named(easel(sample, plan), mistake, where, shot_as="frame, pole guessed", file=file) == (1, 1, 1)
 
 
 def named(of: confusion.Easel, mistake: str, where: str, shot_as: str, file: Path) -> tuple[int, int, int]:

@@ -12,8 +12,12 @@ import pytest
 from tests.helpers.drawings import Mistake
 
 pytest.importorskip("cv2")
+from planes.check.vision.match.match_force import in_line
+from planes.check.vision.search.laid_plan import LaidPlan
+from planes.check.vision.search.plan_search import Search
 from planes.check.vision.search.polygon_cover import Guess
 from planes.check.vision.search.polygon_search import MOST_OF_ALL, SoughtPolygon
+from planes.check.vision.strokes.line_places import Place
 from tests import picture_corpus as corpus
 from tests.check.test_pictures import looked
 from tests.confusion import easel
@@ -67,3 +71,16 @@ def test_a_polygon_is_not_laid_for_ever() -> None:
     polygon = SoughtPolygon(nowhere, nowhere, {}, taken=MOST_OF_ALL + 1)
     assert polygon.endless and polygon.lay(Guess({"G_2": 5j}, {"F_21": 1 + 0j}), 60.0) is None
     assert not SoughtPolygon(nowhere, nowhere, {}).endless
+
+
+def test_a_mark_hidden_by_the_pole_s_cross_is_not_surely_at_the_pole() -> None:
+    """One that should be 2 mm from it may be there; one that should be farther off is at the pole."""
+    nowhere: Any = None
+    pole = Place(0j, 0.06, frozenset())
+    search = Search(nowhere, nowhere, pole, {}, {"velocity:e": 2 + 0j, "velocity:c": 9j}, [], nowhere)
+    way = LaidPlan(0.0, {"velocity:e": pole, "velocity:c": pole})
+    assert search.error_mm("velocity:e", way) == 2 and search.error_mm("velocity:c", way) == pole.error_mm
+
+
+def test_forces_are_in_one_line_whichever_way_a_tiny_one_points() -> None:
+    assert in_line([50j, -7.5j, 0.7 + 0j, -43j]) and not in_line([50j, -7.5j, 4 + 0j, -43j])

@@ -185,8 +185,7 @@ class Grading:
         off = max((abs(found.misses[m].off) for m in found.wrong), default=0.0)
         fitting = found.explained if found.named else found.misses.keys() - found.wrong
         others = [m for m in self.shown_by if label_of(m) != found.first_wrong]
-        left_out = found.named is not None and found.named.mistake.endswith(LEFT_OUT)
-        return not left_out and off > FAR_MM and sum(m in fitting for m in others) >= FITTING * len(others)
+        return off > FAR_MM and sum(m in fitting for m in others) >= FITTING * len(others)
 
     @property
     def verdicts(self) -> dict[str, str]:

@@ -27,7 +27,7 @@ from planes.check.vision.search.polygon_cover import (
     seen_like,
     spread_of,
 )
-from planes.check.vision.search.polygon_search import MANY, OPEN, SoughtPolygon
+from planes.check.vision.search.polygon_search import MANY, OPEN, TINY_MM, SoughtPolygon
 from planes.check.vision.strokes.line_places import WOBBLE_MM, Place
 from planes.words.names import POLE
 
@@ -108,9 +108,9 @@ class LaidPolygon:
 
 
 def in_line(vectors: Sequence[complex]) -> bool:
-    """Whether vectors lie in one line."""
-    longest = max(vectors, key=abs)
-    return all(abs((v * longest.conjugate()).imag) <= ASLANT * abs(v * longest) for v in vectors)
+    """Whether vectors lie in one line, but for those too short to show their direction."""
+    longest, shown = max(vectors, key=abs), [v for v in vectors if abs(v) > TINY_MM]
+    return all(abs((v * longest.conjugate()).imag) <= ASLANT * abs(v * longest) for v in shown)
 
 
 def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
@@ -167,8 +167,8 @@ def _likeliest(tried: Sequence[LaidPolygon]) -> LaidPolygon:
 
 
 def start_of(bench: PreparedPlan, seen: Seen) -> complex | None:
-    """Where a polygon begins whose pole nobody told: where the cheapest one does, drawn rightly or with a mistake;
-    None where none fits well."""
+    """Where a polygon begins whose pole nobody told: where the cheapest one does, drawn rightly, or with a mistake if
+    no right one comes near; None where none fits well."""
     sides = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan)
     right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
     words, spread = words_on(seen, [s.name for s in sides]), spread_of(bench, sides)
@@ -176,9 +176,11 @@ def start_of(bench: PreparedPlan, seen: Seen) -> complex | None:
     inks = [InkCover(seen, p.z, [*bench.true_marks.values()], words=words) for p in corners]
     sought = [SoughtPolygon(ink, corner, spread) for ink, corner in zip(inks, corners, strict=True)]
     most, start = DEEPER[0], None
-    for guess, polygon in [*product([right], sought), *product(wrong, sought)]:
-        if chain := polygon.lay(guess, most):
-            most, start = chain.cost, polygon.pole.z
+    for ways in ([right], wrong):
+        for guess, polygon in product(ways, sought):
+            if chain := polygon.lay(guess, most):
+                most, start = chain.cost, polygon.pole.z
+        most -= APART if start is not None else 0.0
     return start
 
 

@@ -74,12 +74,12 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
         return [], 0.0, ()
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
-    read = {label_of(m): way.found[m] for m in bench.marks if m in way.found and not search.blind(m, way)}
-    spots += [ReadMark(n, p.z, p.error_mm) for n, p in read.items() if n != left_out]
+    found = {label_of(m): m for m in bench.marks if m in way.found and not search.blind(m, way)}
+    spots += [ReadMark(n, way.found[m].z, search.error_mm(m, way)) for n, m in found.items() if n != left_out]
     routes = search.routes(way)
     explained, strange = ink.explained(routes), ink.strangers(routes)
     if strange and len(way.found) == len(bench.marks):
         seen.ink.flat.notes.append(Phrase("check_strangers", count=len(strange)))
     spots = measured_by(seen.ink.flat, near, spots, search.own)
-    right = named(search, way, {label_of(m) for m in bench.marks} - read.keys()) if way.variant is None else ()
+    right = named(search, way, {label_of(m) for m in bench.marks} - found.keys()) if way.variant is None else ()
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, right

@@ -14,7 +14,7 @@ from planes.check.grading.prepared_plan import GivenUp, PreparedPlan, redrawn
 from planes.check.vision.marks.places import Seen
 from planes.check.vision.marks.print_scale import UNLIKELY
 from planes.check.vision.search.costs import ANYWHERE, DOUBTFUL, GATE, NO_END, NO_LINE, NO_MARK, VAGUE, sigmas_of
-from planes.check.vision.search.ink_cover import COVERED, InkCover
+from planes.check.vision.search.ink_cover import COVERED, CROSS_MM, InkCover
 from planes.check.vision.search.laid_plan import LaidPlan, Stop
 from planes.check.vision.strokes.line_places import Place
 from planes.drafting.steps import Step
@@ -120,7 +120,7 @@ class Search:
                 return drawn
             out.found[step.makes] = found
             places[step.makes] = found.z
-            out.vanished |= found is self.pole and abs(drawn) > EVEN_MM and abs(self.true[step.makes]) > 3
+            out.vanished |= found is self.pole and abs(drawn) > EVEN_MM and abs(self.true[step.makes]) > CROSS_MM
             return found.z - self.pole.z
 
         if redrawn(self.bench, variant, snap, drawing) is None:
@@ -185,6 +185,11 @@ class Search:
             return 0.0 if abs(place.z - goal) < EVEN_MM else NO_END
         price = VAGUE * place.sigma + (DOUBTFUL if place.doubtful else 0.0)
         return price + (0.0 if place.ended or place.tip else NO_END)
+
+    def error_mm(self, mark: str, way: LaidPlan) -> float:
+        """σ of reading a mark that is found; one put at the pole may be anywhere in the cross printed there."""
+        place, off = way.found[mark], abs(self.true[mark])
+        return off if place is self.pole and EVEN_MM < off <= CROSS_MM else place.error_mm
 
     def blind(self, mark: str, way: LaidPlan) -> bool:
         """Whether a mark is found but where lines run out that have no heads."""
