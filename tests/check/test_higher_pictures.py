@@ -29,8 +29,10 @@ def test_a_right_one_is_right_and_a_mistake_is_found(condition: str, sample: str
 
 
 @pytest.mark.slow
-def test_a_polygon_nobody_can_read_is_told_so_in_seconds(tmp_path: Path) -> None:
-    """It took 53 s of processor time; three on an idle core, as many more beside others' work."""
-    taken = next(higher.pictures("scan", ["force:2-3-4-5"], 1, tmp_path, ["class-three/press"]))
-    found, seconds = higher.looked_at(taken)
-    assert seconds < 8.0 and (isinstance(found, str) or found.verdict != "wrong")
+def test_a_polygon_nobody_can_read_is_told_so_soon(tmp_path: Path) -> None:
+    """It took twenty times the processor time of the same mechanism's plan of accelerations; now little more."""
+    plans = ("acceleration", "force:2-3-4-5")
+    press = (higher.pictures("scan", [plan], 1, tmp_path, ["class-three/press"]) for plan in plans)
+    taken = [next(made) for made in press]
+    (_, usual), (found, seconds) = map(higher.looked_at, taken)
+    assert seconds < 4 * usual and (isinstance(found, str) or found.verdict != "wrong")

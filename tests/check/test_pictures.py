@@ -394,5 +394,5 @@ def test_a_small_corpus() -> None:
         whole.add(count)
     doubted = sum("-> right_as_seen" in f for f in whole.failures)  # a mistake leaves nearly the same polygon
     assert whole.right > 15 and whole.accepted + doubted >= 0.98 * whole.right and doubted <= 1, whole.failures
-    assert whole.wrong > 15 and whole.found >= 0.98 * whole.wrong and whole.named >= 0.9 * whole.wrong, whole.failures
+    assert whole.wrong > 10 and whole.found >= 0.98 * whole.wrong and whole.named >= 0.9 * whole.wrong, whole.failures
     assert whole.blamed >= 0.95 * whole.wrong and whole.innocent_blamed <= 0.02 * whole.innocent, whole.failures

@@ -11,6 +11,7 @@ import pytest
 from planes.lesson.data import lesson_data
 from planes.scene import load
 from tests.helpers import ROOT
+from tests.helpers.firefox import installed
 from tests.helpers.lessons import lesson_written
 from tests.lessons_run import COUNTS, count, scenes, window
 
@@ -30,6 +31,8 @@ def counted(browser_name: str, file: Path, folder: Path) -> tuple[int, int, list
 @pytest.mark.parametrize("browser_name", ["chromium", "firefox"])
 @pytest.mark.parametrize("file", [SIX, ROOT / "samples" / "kind-3-rpr.yaml"], ids=lambda f: f.stem)
 def test_a_page_in_two_browsers(browser_name: str, file: Path, tmp_path: Path) -> None:
+    if browser_name == "firefox":
+        installed()
     with ProcessPoolExecutor(1, get_context("spawn")) as apart:  # other tests hold a browser open in this process
         positions, reached, wrong = apart.submit(counted, browser_name, file, tmp_path).result()
     assert positions == 12 and reached and wrong == []

@@ -85,12 +85,18 @@ class Firefox:
         self.loop.close()
 
 
-@contextmanager
-def firefox() -> Iterator[Firefox]:
-    """A window of it. Without any the test is skipped, and says what to install."""
+def installed() -> str:
+    """Where it is. Without any the test is skipped, and says what to install."""
     found = next(filter(None, map(shutil.which, NAMES)), "")
     if not found:
         pytest.skip("no Firefox here: apt-get install firefox-esr")
+    return found
+
+
+@contextmanager
+def firefox() -> Iterator[Firefox]:
+    """A window of it, if it is :func:`installed`."""
+    found = installed()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         command = [found, "--headless", "--no-remote", "--profile", profile, "--remote-debugging-port", "0"]
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as started:

@@ -1,5 +1,6 @@
 """Elements of an SVG file: read within bounds, and their shapes as straight pieces."""
 
+import re
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -16,6 +17,7 @@ from planes.words.errors import PlanesError, guarded
 
 MOST = 60_000  # elements
 DEEPEST = 200
+PREFIX = re.compile(r"^[^:]*:")  # of a tag or an attribute
 ROUND = 0.05  # how unequal the radii of a circle may be, and how far its ends apart, for its size
 STRAIGHT = 0.01  # a curve that leaves its chord by less is a line
 
@@ -32,13 +34,13 @@ def tree(data: bytes, file: str) -> ElementTree.Element:
         count, depth = count + 1, depth + 1
         if count > MOST or depth > DEEPEST:
             raise too_many(file, "elements" if count > MOST else "levels", MOST if count > MOST else DEEPEST)
-        link = next((said for name, said in attributes.items() if name.endswith(":href")), "")
-        builder.start(tag.rpartition(":")[2], {"href": link, **attributes})
+        link = next((said for name, said in attributes.items() if PREFIX.sub("", name) == "href"), "")
+        builder.start(PREFIX.sub("", tag), {"href": link, **attributes})
 
     def end(tag: str) -> None:
         nonlocal depth
         depth -= 1
-        builder.end(tag.rpartition(":")[2])
+        builder.end(PREFIX.sub("", tag))
 
     def entity(*_: object) -> None:
         raise PlanesError(Phrase("check_svg_entities", file=file))
