@@ -132,12 +132,10 @@ def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Ma
     rest = [tagged(f"⟨{c}⟩", naming, row.kind) if c and c == row.first else html.escape(c) for c in rest]
     name, rest = html.escape(name), [*rest, sentence(said, row.names, naming, row.kind, links)]
     if row.places:
-        places = "".join(
-            place_picture(
-                place, f"{number}-{k}", tagged(f"⟨{place['name']}⟩", naming, row.kind) * (len(row.places) > 1)
-            )
-            for k, place in enumerate(row.places)
-        )
+        several = len(row.places) > 1  # each then names its mark
+        captions = [tagged(f"⟨{place['name']}⟩", naming, row.kind) if several else "" for place in row.places]
+        windows = enumerate(zip(row.places, captions, strict=True))
+        places = "".join(place_picture(place, f"{number}-{k}", caption) for k, (place, caption) in windows)
         rest[-1] += f'<div class="places">{places}</div>'
     told = "".join(f"<td>{c}</td>" for c in rest)
     small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
@@ -149,12 +147,8 @@ def _linked(name: str, link: str) -> str:
     return f'<a href="{html.escape(link, quote=True)}">{name}</a>' if link else name
 
 
-GAP, RING, HEAD, HALF = (
-    0.04,
-    0.06,
-    0.06,
-    0.25,
-)  # of a window: to the next, about the wrong place, an arrowhead, its half
+# of a window: to the next, about the wrong place, an arrowhead and (of that) its half
+GAP, RING, HEAD, HALF = 0.04, 0.06, 0.06, 0.25
 
 
 def place_picture(place: Json, name: str, caption: str = "") -> str:

@@ -16,7 +16,7 @@ from planes.check.grading.polygons import loads_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.readable import readable
 from planes.check.reading.chains import MOST_LINES, SURELY_MM, WIDE, ahead_of, alongside, back_and_forth, true_vectors
-from planes.check.reading.construction_lines import apart
+from planes.check.reading.construction_lines import apart, ends_of
 from planes.check.reading.lone_vectors import arrows_of
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
@@ -52,7 +52,8 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     starts = [z for z, _ in arrows]
     most = sorted(starts, key=lambda z: -sum(abs(z - w) < SHORT_MM for w in starts))[:1]  # most vectors begin there
     for pole in (*poles, *most) if tips else ():
-        shown = {n: z for n, z in truth.items() if n not in unshown(sketch, bench, pole)}
+        hidden = unshown(sketch, bench, pole)
+        shown = {n: z for n, z in truth.items() if n not in hidden}
         found = {n: _nearest(pole + z, [pole, *tips]) for n, z in shown.items()}
         ends = [pole, *found.values()]
         there = all(abs(found[n] - pole - z) <= REACH_MM for n, z in shown.items())
@@ -132,7 +133,7 @@ def vectors_named(
 
 def _ring(strokes: Sequence[Stroke]) -> bool:
     """Whether every stroke begins and ends where others do."""
-    ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
+    ends = ends_of(strokes)
     return all(any(abs(z - w) < REACH_MM for j, w in ends if j != k) for k, z in ends)
 
 

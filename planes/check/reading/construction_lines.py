@@ -22,15 +22,21 @@ def doubt_of(sketch: ReadDrawing) -> float:
         return 0.0
     ends = [(k, z) for k in vectors_of(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
     met = meeting(sketch.strokes, ends, FARTHEST_MM) >= MEETING
-    if len(ends) < CROSSINGS and (_in_rows(sketch.strokes) or _past(sketch.strokes, ends) >= PAST):
+    if len(ends) < CROSSINGS and (_in_rows(sketch.strokes) or past(sketch.strokes, ends) >= PAST):
         return LOOSE
     return CONFUSED if met else MISREAD
 
 
 def apart(sketch: ReadDrawing) -> bool:
     """Whether nothing but where its lines cross tells where vectors without heads end."""
-    ends = [(k, z) for k, stroke in enumerate(sketch.strokes) for z in stroke]
-    return not any(sketch.ways) and (sketch.endless is not None or meeting(sketch.strokes, ends, FARTHEST_MM) < MEETING)
+    if any(sketch.ways) or sketch.endless is not None:
+        return not any(sketch.ways)
+    return meeting(sketch.strokes, ends_of(sketch.strokes), FARTHEST_MM) < MEETING
+
+
+def ends_of(strokes: Sequence[Stroke]) -> list[tuple[int, complex]]:
+    """Every end, with which stroke it is of."""
+    return [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
 
 
 def meeting(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]], near: float = SNAPPED_MM) -> float:
@@ -38,13 +44,8 @@ def meeting(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]], near
     return sum(_met(strokes, z, (k,), near) for k, z in ends if len(ends) < CROSSINGS) / max(len(ends), 1)
 
 
-def past(sketch: ReadDrawing) -> int:
+def past(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]]) -> int:
     """How many ends lie a little past where another stroke crosses theirs, or ends upon it, and meet none."""
-    ends = [(k, z) for k, stroke in enumerate(sketch.strokes) for z in stroke]
-    return _past(sketch.strokes, ends)
-
-
-def _past(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]]) -> int:
     free = ((k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
     return sum(any(at < PAST_MM for at in crossed(strokes, k, z)) for k, z in free)
 

@@ -14,6 +14,7 @@ from planes.check.reading.construction_lines import (
     PAST_MM,
     UPON_MM,
     crossed,
+    ends_of,
     meeting,
     past,
     vectors_alone,
@@ -37,8 +38,7 @@ def cut_off(sketch: ReadDrawing, bench: PreparedPlan) -> ReadDrawing | None:
     if kind == "position" or any(sketch.ways) or len(sketch.strokes) > CROSSINGS:
         return None
     alone = vectors_alone(sketch, vectors_of(sketch, kind == "force")).strokes
-    joined = meeting(alone, [(k, z) for k, stroke in enumerate(alone) for z in stroke])
-    if past(sketch) < PAST or joined > JOINED:
+    if past(sketch.strokes, ends_of(sketch.strokes)) < PAST or meeting(alone, ends_of(alone)) > JOINED:
         return None
     if kind == "force":
         known = [*true_vectors(bench).values(), *others(bench).values()]

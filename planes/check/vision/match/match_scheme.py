@@ -123,7 +123,7 @@ class SoughtScheme(Search):
 
     def _lines(self, way: LaidPlan) -> Iterator[tuple[complex, complex]]:
         """Where the lines of a scheme with these points run."""
-        ends = {POLE: self.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
+        ends = way.ends(self.pole.z)
         yield from ((ends[a], ends[b]) for a, b in self.vectors if a in ends and b in ends)
         for slider, base in self.bases:
             if slider in ends and base in ends and abs(ends[slider] - ends[base]) > 1:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from planes.check.grading.handwork import Variant
 from planes.check.grading.prepared_plan import Begun
 from planes.check.vision.strokes.line_places import Place
+from planes.words.names import POLE, label_of
 
 
 class Stop(NamedTuple):
@@ -34,6 +35,10 @@ class LaidPlan:
     vanished: bool = False  # whether a mark that should be elsewhere came to the pole, where it leaves no trace
     others: list[tuple[str, Place | None]] = field(default_factory=list)  # nearly as likely places of marks, or nowhere
     stops: dict[str, Stop] = field(default_factory=dict)  # by mark
+
+    def ends(self, pole: complex) -> dict[str, complex]:
+        """Where the pole and the marks that are found lie, by their labels."""
+        return {POLE: pole, **{label_of(m): p.z for m, p in self.found.items()}}
 
     def copy(self) -> LaidPlan:
         """The same, to go on from."""

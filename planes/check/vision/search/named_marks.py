@@ -38,12 +38,12 @@ def by_names(search: Search, plain: LaidPlan) -> LaidPlan:
     looked for where not every mark shows a head of its own."""
     if _each_headed(search, plain):
         return plain
-    said, count = _said(search, plain), len(variants_of(search.bench, {}, search.bench.said_mu))
+    said, variants = _said(search, plain), variants_of(search.bench, {}, search.bench.said_mu)
     if max(said, default=0.0) < PRICED:
         return plain
     best, least = plain, plain.cost + sum(said) - SURELY
-    for variant in variants_of(search.bench, {}, search.bench.said_mu):
-        rival = search.settled(variant, slip(count), least)
+    for variant in variants:
+        rival = search.settled(variant, slip(len(variants)), least)
         if rival and (cost := rival.cost + sum(_said(search, rival))) < least:
             best, least = rival, cost
     return best
@@ -51,7 +51,7 @@ def by_names(search: Search, plain: LaidPlan) -> LaidPlan:
 
 def _each_headed(search: Search, way: LaidPlan) -> bool:
     """Whether there are as many heads as places where longer vectors should end."""
-    ends = {POLE: search.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
+    ends = way.ends(search.pole.z)
     true, heads, goals = {label_of(m): z for m, z in search.true.items()}, 0, list[complex]()
     read = [(a, b) for a, b in search.vectors if a in ends and b in ends]
     for a, b in ((a, b) for a, b in read if abs(ends[b] - ends[a]) > 2 * HEADED_MM):
@@ -96,7 +96,7 @@ def _places(search: Search, way: LaidPlan, variant: Variant | None, labels: Coll
 
 def _led(search: Search, way: LaidPlan, label: str, z: complex) -> bool:
     """Whether there is ink all along the vectors that should lead to a place."""
-    ends = {POLE: search.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
+    ends = way.ends(search.pole.z)
     starts = [a for a, b in search.vectors if b == label]
     return bool(starts) and all(a in ends and search.seen.covered(ends[a], z) >= COVERED for a in starts)
 

@@ -198,7 +198,7 @@ class Search:
 
     def routes(self, way: LaidPlan) -> list[tuple[complex, complex]]:
         """The vectors of the plan, those whose ends were found."""
-        ends = {POLE: self.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
+        ends = way.ends(self.pole.z)
         return [(ends[a], ends[b]) for a, b in self.vectors if a in ends and b in ends and ends[a] != ends[b]]
 
     def _ended(self) -> list[Place]:
