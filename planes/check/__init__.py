@@ -9,6 +9,7 @@ from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
 from planes.check.grading.readable import doubts_of, readable
+from planes.check.grading.remedies import asking, told_to
 from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
 from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written, under
@@ -107,7 +108,7 @@ def check(asked: Asked, paper: ReadPaper) -> Outcome:
     try:
         _look(out)
     except PlanesError as error:
-        out.unreadable = error.phrase if isinstance(error.phrase, Phrase) else Phrase("check_nothing_read", names="")
+        out.unreadable = error.phrase if isinstance(error.phrase, Phrase) else asking("check_nothing_read", names="")
     return out
 
 
@@ -125,11 +126,18 @@ def _look(out: Outcome) -> None:
     if paper.results:
         _results(out)
     if not (out.grading or (out.segments and out.segments.scored) or (out.results and out.results.scored)):
-        out.unreadable = Phrase("check_nothing_read", names=", ".join(label_of(m) for m in bench.marks))
+        out.unreadable = _nothing(out)
     elif not paper.pole_told and out.grading and not out.grading.sure_by_itself:
-        out.unreadable = out.unreadable or Phrase("check_unsure")
+        out.unreadable = out.unreadable or asking("check_unsure", "pole")
     elif out.grading:
         out.unreadable = out.unreadable or doubts_of(out.grading)
+
+
+def _nothing(out: Outcome) -> Phrase:
+    """Why no mark could be read; marks can be put right on a report only where it has a picture."""
+    names = ", ".join(label_of(m) for m in out.bench.marks)
+    said = out.paper.reason or asking("check_nothing_read", names=names)
+    return said if out.paper.picture else told_to("table", said)
 
 
 def _scale_notes(out: Outcome) -> list[Phrase]:

@@ -103,6 +103,7 @@ function draw() {
   say(found.sentence);
   document.body.className = found.verdict;
   $("chance").style.visibility = "hidden"; // what is drawn stays where it is
+  for (const old of document.querySelectorAll(".places, #as-read")) old.hidden = true;
   $("moved").hidden = false;
   table();
 }
@@ -210,6 +211,7 @@ sheet.node.addEventListener("focusin", e => { held = e.target.closest("[data-mar
 sheet.node.addEventListener("focusout", () => { if (!sheet.node.dragged) held = null; });
 document.querySelectorAll("input[data-layer]").forEach(i => { i.onchange = () => { sheet.layers[i.dataset.layer] = i.checked; draw(); }; });
 $("save").onclick = save;
+$("as-read")?.addEventListener("click", () => { moved = true; draw(); });
 $("reset").onclick = reset;
 addEventListener("resize", draw);
 addEventListener("beforeprint", () => { // of a sheet's width, so that its letters keep their size

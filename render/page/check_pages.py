@@ -33,6 +33,8 @@ def report_page(data: Json, lang: Lang) -> str:
         "file": f'<p class="file">{e(data["of_class"])}</p>' if "of_class" in data else "",
         "sentence": told(data["sentence"]),
         "chance": e(data["chance"]),
+        "asked": f'<p id="as-read"><button type="button">{e(words["as_read"])}</button></p>' if data["asked"] else "",
+        "places": _places(data["places"], "", naming, data["kind"], words["places"]),
         "drawing": _drawing(data, words) if drawn else "",
         "tables": _table("marks", words["steps"], data["head"], data["rows"], told)
         + _table("numbers", words["numbers"], data["number_head"], data["numbers"], told),
@@ -119,10 +121,18 @@ def class_page(
         "absent": f"<p>{e(absent)}</p>" if absent else "",
         "common": f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else "",
         "head": cells,
+        "sort": _sort(head, lang),
         "rows": "".join(_row(number, row, told, lang, links) for number, (row, told) in enumerate(rows)),
     }
     body, style = web_page.filled(web_page.part("class.html"), parts), web_page.part("check.css", "class.css")
     return web_page.page(title, lang, style, body, code=web_page.part("class.js"))
+
+
+def _sort(head: Sequence[str], lang: Lang) -> str:
+    """A choice of the column to sort by, for a screen so narrow that rows have no head."""
+    columns = "".join(f'<option value="{k}">{html.escape(h)}</option>' for k, h in enumerate(head))
+    told = html.escape(say("check_sort", lang))
+    return f'<p class="sort"><label>{told}: <select><option value="">—</option>{columns}</select></label></p>'
 
 
 def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Mapping[str, str]) -> str:
@@ -131,12 +141,7 @@ def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Ma
     name, *rest, said = cells
     rest = [tagged(f"⟨{c}⟩", naming, row.kind) if c and c == row.first else html.escape(c) for c in rest]
     name, rest = html.escape(name), [*rest, sentence(said, row.names, naming, row.kind, links)]
-    if row.places:
-        several = len(row.places) > 1  # each then names its mark
-        captions = [tagged(f"⟨{place['name']}⟩", naming, row.kind) if several else "" for place in row.places]
-        windows = enumerate(zip(row.places, captions, strict=True))
-        places = "".join(place_picture(place, f"{number}-{k}", caption) for k, (place, caption) in windows)
-        rest[-1] += f'<div class="places">{places}</div>'
+    rest[-1] += _places(row.places, f"{number}-", naming, row.kind)
     told = "".join(f"<td>{c}</td>" for c in rest)
     small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
     kind = f"{row.verdict} unsure" if row.rank == UNSURE else row.verdict
@@ -145,6 +150,15 @@ def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Ma
 
 def _linked(name: str, link: str) -> str:
     return f'<a href="{html.escape(link, quote=True)}">{name}</a>' if link else name
+
+
+def _places(places: Sequence[Json], page: str, naming: Naming, kind: str, caption: str = "") -> str:
+    """Windows about wrong places; several name their marks. ``page`` tells a drawing's from others of the page."""
+    names = [tagged(f"⟨{place['name']}⟩", naming, kind) if len(places) > 1 else "" for place in places]
+    windows = enumerate(zip(places, names, strict=True))
+    shown = "".join(place_picture(place, f"{page}{k}", name) for k, (place, name) in windows)
+    said = f"<p>{html.escape(caption)}</p>" if caption else ""
+    return f'<div class="places">{said}{shown}</div>' if places else ""
 
 
 # of a window: to the next, about the wrong place, an arrowhead and (of that) its half

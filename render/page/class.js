@@ -1,1 +1,12 @@
-for (const th of document.querySelectorAll('thead th')) th.firstChild.onclick = () => { const down = th.ariaSort === 'ascending', body = document.querySelector('tbody'); const key = row => row.children[th.cellIndex].textContent; const rows = [...body.rows].sort((a, b) => (key(a) === '') - (key(b) === '') || key(a).localeCompare(key(b), document.documentElement.lang, { numeric: true }) * (down ? -1 : 1)); for (const one of th.parentNode.children) one.removeAttribute('aria-sort'); th.ariaSort = down ? 'descending' : 'ascending'; body.append(...rows); };
+const heads = [...document.querySelectorAll("thead th")], choice = document.querySelector(".sort select");
+function sort(th) { // by its column, the other way round if it is sorted by that
+  const down = th.ariaSort === "ascending", body = document.querySelector("tbody");
+  const key = row => row.children[th.cellIndex].textContent;
+  const rows = [...body.rows].sort((a, b) => (key(a) === "") - (key(b) === "") || key(a).localeCompare(key(b), document.documentElement.lang, { numeric: true }) * (down ? -1 : 1));
+  for (const one of heads) one.removeAttribute("aria-sort");
+  th.ariaSort = down ? "descending" : "ascending";
+  choice.value = th.cellIndex;
+  body.append(...rows);
+}
+for (const th of heads) th.firstChild.onclick = () => sort(th);
+choice.onchange = () => { if (choice.value) sort(heads[choice.value]); };

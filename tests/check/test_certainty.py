@@ -14,10 +14,11 @@ from planes.check.grading.evidence import SURE
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import MISREAD, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
-from planes.check.report import Checked, as_json
+from planes.check.report import Checked, as_json, page_data
 from planes.cli import main
 from planes.documents.class_work import ClassWork
 from planes.scene import load
+from planes.words import table
 from tests import confusion
 from tests.check.test_check import RIGHT, SIX, csv
 from tests.helpers.drawings import SHAKY, Mistake
@@ -90,6 +91,9 @@ def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
     asked = seen(astray)
     assert asked.verdict == "unreadable" and asked.chance is None and asked.sentence.key == "check_ask"
     assert "s2 (60.3; 9.9)" in asked.sentence.told("en") and "--mark s2=x,y" in asked.sentence.told("en")
+    page, row = page_data(asked, "en"), Checked("t", asked, report="t.html").said("en")
+    assert page["asked"] and "“The marks are right”" in page["sentence"] and "in its report" in row
+    assert not any(way in told for way in ("--mark", "report.html") for told in (page["sentence"], row))
     spots = with_told([ReadMark(n, z, 0.2) for n, z in RIGHT.items()], {"s2": astray["s2"]}, MISREAD)
     told = check(asked.bench.asked, ReadPaper("t", spots))
     assert (told.verdict, told.first_wrong) == ("wrong", "s2")
@@ -208,3 +212,10 @@ def test_what_is_said_for_sure_is_true() -> None:
                 true += (found.verdict == "wrong") == (mistake is not None)
     print("said for sure", said, "true", true)
     assert said > 100 and true >= 0.99 * said
+
+
+@pytest.mark.parametrize("lang", ["ru", "en", "uk", "be"])
+def test_every_reader_is_told_a_way_that_is_open_to_him(lang: str) -> None:
+    """Before a drawing, or a row of a class, nobody is at a command line."""
+    ways = [key for key in table(lang, "check") if key.endswith(("_here", "_sheet"))]
+    assert len(ways) == 8 and not any(sign in table(lang)[key] for key in ways for sign in ("--", "-o ", "x,y"))

@@ -15,8 +15,8 @@ from planes.check import Outcome, check
 from planes.check.grading.grading import Grading, empty
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
-from planes.check.report import Checked
-from planes.check.report.class_rows import wrong_places
+from planes.check.report import Checked, told_all
+from planes.check.report.places import wrong_places
 from planes.check.report.regrading import SURELY_MM, retrace
 from planes.documents.check import write_report
 from planes.documents.class_work import ClassWork
@@ -73,7 +73,7 @@ def judged(page: Any) -> dict[str, Any]:
 def same(page: Any, found: Outcome) -> None:
     """The page and the program find the same."""
     shown, grading = judged(page), graded(found)
-    assert (shown["verdict"], shown["sentence"]) == (found.verdict, found.sentence.told("en"))
+    assert (shown["verdict"], shown["sentence"]) == (found.verdict, told_all(found, "here")[0].told("en"))
     assert found.verdict == "unreadable" or (shown["first"], shown["mistake"]) == (found.first_wrong, found.mistake)
     assert set(shown["marks"]) == set(grading.judgement.misses)
     for mark, miss in grading.judgement.misses.items():
@@ -203,7 +203,8 @@ def test_marks_nobody_read_are_put_in_place(browser: Any, tmp_path: Path) -> Non
     lettered = "[...document.querySelectorAll('#sentence i')].map(e => e.textContent)"
     unbroken = "[...document.querySelectorAll('#sentence .command')].map(e => e.textContent)"
     for _ in ("as printed", "as judged anew"):
-        assert (page.evaluate(lettered), page.evaluate(unbroken)) == (["c", "h"], ["-o report.html"])
+        assert (page.evaluate(lettered), page.evaluate(unbroken)) == (["c", "h"], [])
+        assert "in the drawing below" in page.inner_text("#sentence")
         page.evaluate("move('l', marks.find(m => m.name === 'l').x, marks.find(m => m.name === 'l').y)")
     for name in ("c", "h"):
         place = next(s for s in whole.paper.spots if s.name == name).place - whole.paper.spots[0].place
@@ -236,7 +237,7 @@ def test_a_printed_report_is_a_sheet_and_says_what_to_draw_anew(browser: Any, tm
 def test_a_window_shows_a_force_and_where_it_should_end() -> None:
     """Its order is free, so the right end is where the construction leads from what was laid before."""
     found = handed_in("six-link", "force:2-3", Mistake("inertia_along_acceleration", "I_2"))
-    place = next(iter(wrong_places(Checked("a.csv", found))))
+    place = wrong_places(found)[0]
     miss = graded(found).judgement.misses["force:2-3:I_2"].off
     left, low, right, high = place["box"]
     goal = complex(*place["at"]) - miss
@@ -287,7 +288,7 @@ def test_the_page_says_where_too_little_is_seen_to_judge_by(browser: Any, tmp_pa
 
 def test_layers_and_a_telephone(browser: Any, tmp_path: Path) -> None:
     page, errors = opened(browser, handed_in("six-link", "velocity", CASES[0][2]), tmp_path)
-    for layer, drawn in (("own", ".arrow.own"), ("truth", ".arrow.truth"), ("next", "line.next")):
+    for layer, drawn in (("own", ".arrow.own"), ("truth", ".arrow.truth"), ("next", "#sheet line.next")):
         assert page.locator(drawn).count() > 0
         page.uncheck(f'input[data-layer="{layer}"]')
         assert page.locator(drawn).count() == 0
@@ -341,7 +342,14 @@ def test_the_page_of_a_class_tells_whose_mistakes_and_is_sorted_at_will(browser:
     page.click("thead th:nth-child(4) button")
     assert page.evaluate(names)[-1] == "anna"
     assert page.get_attribute("thead th:nth-child(4)", "aria-sort") == "descending"
+    page.set_viewport_size({"width": 390, "height": 800})  # rows have no head there
+    assert not page.is_visible("thead")
+    page.select_option(".sort select", "1")
+    assert page.evaluate(names) == ["anna", "vera", "boris", "gleb"]
     page.click("li a >> text=gleb")
     assert "c" in page.inner_text("#sentence")
+    assert page.locator(".place").count() == 1 and page.is_visible(".place")  # the same window as in the table
+    page.evaluate("move('c', marks[0].x, marks[0].y)")
+    assert not page.is_visible(".place")  # it shows what was read
     page.close()
     assert errors == []

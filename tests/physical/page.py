@@ -38,7 +38,7 @@ def sheet(easel: Easel, one: Drawn, setting: Setting, rng: random.Random) -> Pag
         return None
     page.pole = pole
     _print(page, easel)
-    _draw(page, one)
+    drawn_on(page, one)
     add(page, easel)
     _spoil(page)
     return page
@@ -78,12 +78,16 @@ def _print(page: Page, easel: Easel) -> None:
     if s.sheet == "frame":
         frame = [20 + 5j, 292 + 5j, 292 + 205j, 20 + 205j, 20 + 5j]
         paper.printed(frame, PRINT, 0.6)
-    if s.sheet != "blank":
-        return
+    if s.sheet == "blank":
+        printed_on(paper, _blank(easel.sample, easel.plan))
+
+
+def printed_on(paper: Paper, blank: Any) -> None:
+    """A blank, grey, as a printer lays it on the sheet."""
     h, w = paper.colour.shape[:2]
-    blank = cv2.resize(_blank(easel.sample, easel.plan), (w, h), interpolation=cv2.INTER_AREA)
-    if s.print_scale != 1:
-        smaller = cv2.getRotationMatrix2D(((w - 1) / 2, (h - 1) / 2), 0, s.print_scale)
+    blank = cv2.resize(blank, (w, h), interpolation=cv2.INTER_AREA)
+    if paper.setting.print_scale != 1:
+        smaller = cv2.getRotationMatrix2D(((w - 1) / 2, (h - 1) / 2), 0, paper.setting.print_scale)
         blank = cv2.warpAffine(blank, smaller, (w, h), flags=cv2.INTER_AREA, borderValue=255)
     blank = cv2.GaussianBlur(blank, (0, 0), 0.5)
     rows, columns = np.nonzero(blank < 250)
@@ -91,7 +95,7 @@ def _print(page: Page, easel: Easel) -> None:
     paper.colour[rows, columns] = (under * (1 - toner) + np.array(PRINT) * toner).astype(np.uint8)
 
 
-def _draw(page: Page, one: Drawn) -> None:
+def drawn_on(page: Page, one: Drawn) -> None:
     """The drawing: what is rubbed out lies under it, what is smeared over it."""
     s, pole = page.paper.setting, page.pole
     ends = [z + pole for stroke in one.strokes for z in stroke]

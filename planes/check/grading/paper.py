@@ -82,6 +82,7 @@ class ReadPaper:
     named: list[str] = field(default_factory=list)  # marks not read, but whose names stand where they should be
     apart: bool = False  # whether a mistake explains its force polygon, and no right one nearly as well
     notes: list[Phrase] = field(default_factory=list)
+    reason: Phrase | None = None  # why none of its marks could be read
 
     def refuse(self, key: str, **parts: object) -> PlanesError:
         """A refusal that names the file."""

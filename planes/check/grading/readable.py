@@ -3,6 +3,7 @@
 from planes.check.grading.evidence import ASKED, MOST_BY_CHANCE, SMALLEST, size_of
 from planes.check.grading.grading import Grading
 from planes.check.grading.judging import WARN
+from planes.check.grading.remedies import asking
 from planes.drafting.steps import Same
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.words import Phrase, Written
@@ -27,11 +28,11 @@ def readable(grading: Grading) -> Phrase | None:
         missing, steps = ", ".join(label_of(m) for m in key if m not in found), grading.plans.program.makers
         drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # on a line of marks only one may be key
         read = sum(m in grading.judgement.misses for m in drawn)
-        return Phrase("check_too_little", found=read, count=len(drawn), names=missing)
+        return asking("check_too_little", found=read, count=len(drawn), names=missing)
     reach, count = size_of(grading.hand, grading.marks), len(grading.judgement.misses)
     size = Written(f"{reach:.1f}")
     if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the error of a pencil from the pole
-        return Phrase("check_nothing_drawn", size=size)
+        return asking("check_nothing_drawn", size=size)
     if not grading.fault and grading.chance > MOST_BY_CHANCE:
         return Phrase("check_by_chance", size=size, count=count)
     wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
@@ -56,8 +57,8 @@ def doubts_of(grading: Grading) -> Phrase | None:
     """Whether some marks were rightly read, and how to tell; None where that is sure enough."""
     marks = _unsure_marks(grading)
     if not marks or grading.rebuilt:
-        return Phrase("check_force_unsure") if marks else None
+        return asking("check_force_unsure") if marks else None
     places = [(label_of(m), grading.hand.taken[m].place) for m in marks]
     first = places[0][0]
     told = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
-    return Phrase("check_ask", marks=Written(told), mark=first)
+    return asking("check_ask", "mark", marks=Written(told), mark=first)

@@ -8,9 +8,9 @@ from itertools import combinations, pairwise
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.remedies import asking
 from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
-from planes.words import Phrase
 from planes.words.names import POLE, Names
 
 NEAR_MM = 9.0
@@ -65,7 +65,7 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
         if best and (best[2] or best[0] > ENOUGH * len(truth)) and not nodes.passed:
             break
     if best and not any(sketch.ways) and not (best[3] and all(row.name in truth for row in best[1][1:])):
-        paper.notes.append(Phrase("check_force_unsure"))
+        paper.reason = asking("check_force_unsure")
     elif best:
         paper.spots, paper.whole = best[1], best[2]
     return paper

@@ -12,6 +12,7 @@ from planes.check.grading.grading import NAMELESS
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
+from planes.check.grading.remedies import asking
 from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, unshown, vague, vectors_named, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.construction_lines import covered, vectors_alone, vectors_of
@@ -46,7 +47,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         vectors = vectors_of(sketch, kind == "force")
         nodes = Nodes(sketch.strokes, vectors=vectors, passed=sketch.passed)
     if not nodes.places:
-        paper.notes.append(Phrase("check_no_lines"))
+        paper.reason = Phrase("check_no_lines")
         return paper
     near = by_words([*sketch.words, *led(sketch, nodes)], nodes, bench.names)
     first = len(sketch.rounds) if len(sketch.rounds) >= len(bench.marks) else nodes.corners if vectors else None
@@ -61,7 +62,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)
     sketch = _joined(sketch, nodes)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
-        paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
+        paper.reason = Phrase("check_crowd", count=len(nodes.places))
         return paper
     return _plan_of_marks(sketch, vectors_alone(sketch, vectors), nodes, bench, near, paper)
 
@@ -109,7 +110,7 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
             paper = lone
     if paper.spots and vague(sketch, bench, paper):
         paper.spots = []
-        paper.notes.append(Phrase("check_force_unsure"))
+        paper.reason = asking("check_force_unsure")
     paper = told_apart(sketch, bench, paper)
     over = (one.name for one, two in pairwise(paper.spots) if two.name.startswith(NAMELESS))  # it may run on as that
     paper.untold += [n for n in over if n != POLE and not n.startswith(NAMELESS)]

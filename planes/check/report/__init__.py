@@ -10,8 +10,10 @@ from planes.check.grading.evidence import SURE
 from planes.check.grading.grading import empty
 from planes.check.grading.judging import WARN
 from planes.check.grading.perturbing import HAND
+from planes.check.grading.remedies import Reader, told_to
 from planes.check.grading.written_numbers import Scored
 from planes.check.report.moved_marks import moved_marks
+from planes.check.report.places import wrong_places
 from planes.check.report.shown import shown_plans
 from planes.geometry.arithmetic import Real
 from planes.plans.measuring import lettering, say_plan
@@ -124,8 +126,8 @@ class Checked:
         if self.found is None:
             return self.refused.told(lang) if self.refused else ""
         if self.verdict == "unreadable":  # the notes say what to do
-            first = [] if tells_nothing(self.found) else [self.found.sentence]
-            return " ".join(phrase.told(lang) for phrase in (*first, *self.found.notes))
+            every = told_all(self.found, "sheet") if self.report else [self.found.sentence, *self.found.notes]
+            return " ".join(one.told(lang) for one in every)
         return "" if self.verdict == "right" else self.found.sentence.told(lang)
 
     def as_json(self, lang: Lang) -> Json:
@@ -136,9 +138,10 @@ class Checked:
         return {**head, "verdict": self.verdict, "sentence": {one: self.said(one) for one in langs("check")}}
 
 
-def tells_nothing(found: Outcome) -> bool:
-    """Whether the sentence only says that nothing is read, and the notes say why."""
-    return found.sentence.key == "check_nothing_read" and bool(found.notes)
+def told_all(found: Outcome, reader: Reader) -> list[Phrase]:
+    """The sentence and the notes for a reader of a report, where marks can be moved if it has a drawing."""
+    every, drawn = (found.sentence, *found.notes), bool(found.grading or found.paper.picture)
+    return [told_to(reader, one) if drawn else one for one in every]
 
 
 def chance_told(found: Outcome, lang: Lang) -> str:
@@ -208,7 +211,7 @@ def page_data(found: Outcome, lang: Lang) -> Json:
     """All a page shows and judges by. Without marks there is nothing to move, so no tape."""
     marks, numbers = heads(lang)
     grading = found.grading or (empty(found.bench) if found.paper.picture else None)
-    sentence, *notes = found.notes if tells_nothing(found) else [found.sentence, *found.notes]
+    sentence, *notes = told_all(found, "here")
     return {
         "verdict": found.verdict,
         "title": title(found, lang),
@@ -223,6 +226,8 @@ def page_data(found: Outcome, lang: Lang) -> Json:
         "saved": saved_as(found),
         "kind": kind_of(found.bench.asked.plan),
         "lettering": lettering(found.bench.asked.scene, found.bench.plans),
+        "places": wrong_places(found),
+        "asked": sentence.key == "check_ask",
         **({"page": moved_marks(found, grading, lang)} if grading else {}),
     }
 

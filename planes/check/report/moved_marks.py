@@ -14,6 +14,7 @@ from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
 from planes.check.grading.readable import READABLE, key_marks
+from planes.check.grading.remedies import asking, told_to
 from planes.check.report.regrading import SURELY_MM, retrace
 from planes.check.report.shown import own_marks, own_order, pair, shown_plans, vectors
 from planes.drafting.steps import Same
@@ -115,14 +116,14 @@ def _said(found: Outcome, lang: Lang) -> dict[str, str]:
     phrases = {
         "right": found.right(""),
         "as_seen": found.right("⟦names⟧"),
-        "nothing_drawn": Phrase("check_nothing_drawn", size="⟦size⟧"),
+        "nothing_drawn": asking("check_nothing_drawn", size="⟦size⟧"),
         "by_chance": Phrase("check_by_chance", size="⟦size⟧", count="⟦count⟧"),
-        "nothing": Phrase("check_nothing_read", names="⟦names⟧"),
-        "too_little": Phrase("check_too_little", found="⟦found⟧", count="⟦count⟧", names="⟦names⟧"),
+        "nothing": asking("check_nothing_read", names="⟦names⟧"),
+        "too_little": asking("check_too_little", found="⟦found⟧", count="⟦count⟧", names="⟦names⟧"),
         "other": Phrase("check_other_drawing", count="⟦count⟧", wrong="⟦wrong⟧"),
         "unclear": Phrase("check_unclear", mark="⟦mark⟧", off="⟦off⟧"),
     }
-    return {k: p.told(lang) for k, p in phrases.items()}
+    return {k: told_to("here", p).told(lang) for k, p in phrases.items()}
 
 
 def _otherwise(grading: Grading, lang: Lang) -> Json | None:

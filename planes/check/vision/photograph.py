@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import MISREAD, Known, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
+from planes.check.grading.remedies import asking
 from planes.check.sheet_mark import mark_of
 from planes.check.vision.image.decoding import DecodedPicture, load
 from planes.check.vision.image.frame import by_frame
@@ -54,11 +55,11 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
         paper.notes.append(Phrase("check_code_says", **plans))
     if best.crowd:
-        paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
+        paper.reason = Phrase("check_crowd", count=f"> {2 * MOST_LINES}")
     elif best.bare:
-        paper.notes.append(Phrase("check_no_lines"))
+        paper.reason = Phrase("check_no_lines")
     elif best.explained < EXPLAINED:
-        paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
+        paper.reason = asking("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}")
     else:
         pointed = bench.pointed(known.marks, best.flat.place) if best.spots else {}
         paper.spots, paper.whole = with_told(best.spots, pointed, MISREAD), best.whole
@@ -66,7 +67,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.mu and best.mu != bench.said_mu:
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
-            paper.notes.append(Phrase("check_force_unsure"))
+            paper.reason = asking("check_force_unsure")
         paper.untold, paper.apart = [n for n in best.untold if n not in pointed], best.apart
         paper.named = [*best.named]
         if best.named:

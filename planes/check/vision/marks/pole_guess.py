@@ -5,9 +5,9 @@ from collections.abc import Iterator
 import numpy
 
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.grading.remedies import asking
 from planes.check.vision.marks.places import Seen
 from planes.geometry.arrays import Array, Complexes
-from planes.words import Phrase
 from planes.words.names import kind_of, label_of
 
 REACH_MM = 2.5  # of a mark from where it should be
@@ -27,7 +27,7 @@ def pole_found(bench: PreparedPlan, seen: Seen) -> complex | None:
         hits = _hits(starts, ends)
         at, enough = int(numpy.argmax(hits + lines)), max(LEAST, (SHARE_MISTAKEN if k else SHARE) * len(ends))
         if k == 0 and len(ends) >= MANY and (abs(starts[hits >= len(ends)] - starts[at]) > APART_MM).any():
-            seen.ink.flat.notes.append(Phrase("check_two_plans"))
+            seen.ink.flat.notes.append(asking("check_two_plans", "which"))
         worth = float(hits[at] + lines[at]) - MISTAKEN * (k > 0)
         if hits[at] >= enough and worth > best:
             best, place = worth, complex(starts[at])
