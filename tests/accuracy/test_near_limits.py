@@ -63,7 +63,7 @@ def test_no_number_near_a_limit_is_wrong_without_a_word(family: str) -> None:
     assert found["arrays left out"] <= 0.25 * found["arrays numbers"], "a table leaves out more than it must"
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("family", HIGHER)
 def test_no_number_near_a_dead_point_of_a_higher_class_is_wrong_without_a_word(family: str) -> None:
     found = walk(family, 0, 12) + walk(family, 21, 12)

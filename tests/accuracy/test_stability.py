@@ -77,7 +77,7 @@ def test_a_bare_crank_comes_to_none() -> None:
     assert approach(plans_of(mechanism)) is None
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("name", SHOWN)
 def test_what_is_claimed_is_honest_all_the_way(name: str) -> None:
     a = way(name)
@@ -86,7 +86,7 @@ def test_what_is_claimed_is_honest_all_the_way(name: str) -> None:
     assert (np.diff(a.sharpness) < 0).all() and (a.errors["method_digits"] < 1e-15).all()
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=6)
 @pytest.mark.parametrize("name", SHOWN)
 @pytest.mark.parametrize("other", ["method_newton", "method_differences", "method_single"])
 def test_no_other_way_to_reckon_is_better_anywhere(name: str, other: str) -> None:

@@ -46,6 +46,7 @@ def _benches() -> Iterator[PreparedPlan]:
             yield prepare(Asked(scene, plan))
 
 
+@pytest.mark.slow
 def test_an_empty_blank_is_unreadable(tmp_path: Path) -> None:
     for bench in benches():
         file = tmp_path / "blank.svg"
@@ -77,7 +78,7 @@ def test_an_empty_blank_on_paper_is_unreadable(tmp_path: Path, suffix: str) -> N
         assert main(["check", scene, file, "--plan", plan]) == 2
 
 
-@pytest.mark.few(0)
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize("size", SIZES)
 def test_marks_put_anywhere_are_never_right(size: float) -> None:
     rng = random.Random(size)
@@ -92,7 +93,7 @@ def test_marks_put_anywhere_are_never_right(size: float) -> None:
             )
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize("size", SIZES)
 def test_scribbles_are_never_right(size: float) -> None:
     rng = random.Random(size)

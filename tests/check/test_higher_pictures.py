@@ -10,7 +10,7 @@ pytest.importorskip("cv2")
 from tests.physical import higher
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(
     ("condition", "sample", "plan"),
     [

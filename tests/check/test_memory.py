@@ -62,7 +62,7 @@ FILES: dict[str, tuple[str, Callable[[Path], None], tuple[str, ...]]] = {
 }
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("name", FILES)
 def test_a_picture_takes_no_more_than_half_a_gigabyte(name: str, tmp_path: Path) -> None:
     """Whatever comes of it, in words."""

@@ -131,7 +131,7 @@ ANEW = (
 )
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("sample", "plan", "verdict"), ANEW)
 def test_a_right_picture_saved_anew_is_right_by_its_arrowheads(
     sample: str, plan: str, verdict: str, tmp_path: Path
@@ -153,12 +153,14 @@ def test_a_wrong_picture_saved_anew_is_asked_about(tmp_path: Path) -> None:
     assert "--pole" in judged("crank-slider", "velocity", view("crank-slider", "velocity", wrong), tmp_path)
 
 
+@pytest.mark.slow
 def test_forces_saved_anew_are_asked_about(tmp_path: Path) -> None:
     """Printed side by side they are told by their names alone, which letters in a picture do not say."""
     page = view("crank-slider", "force:2-3", drawn("crank-slider")[1])
     assert "--pole" in judged("crank-slider", "force:2-3", page, tmp_path)
 
 
+@pytest.mark.slow
 def test_a_print_of_another_plan_is_not_this_one(tmp_path: Path) -> None:
     assert judged("six-link", "acceleration", view("six-link", "velocity", drawn("six-link")[1]), tmp_path) != "right"
 

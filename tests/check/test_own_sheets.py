@@ -198,7 +198,7 @@ def test_a_force_that_is_nowhere_on_its_plan_is_left_out_however_unsure_its_size
     assert (found.first_wrong, found.mistake) == ("F_12", "force_missing"), found.sentence.told("en")
 
 
-@pytest.mark.few(0, slow=50)
+@pytest.mark.few(0, slow=25)
 @pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_view_of_every_sample(sample: str, suffix: str, tmp_path: Path) -> None:

@@ -170,6 +170,7 @@ def named(of: confusion.Easel, mistake: str, where: str, shot_as: str, file: Pat
     return found.found, found.step, found.named
 
 
+@pytest.mark.slow
 def test_a_dropped_picture_with_its_marks_is_counted(tmp_path: Path) -> None:
     """The table begins with the command its report page shows; a table without one takes the folder's."""
     one = work(None, 3)

@@ -79,11 +79,12 @@ def test_a_vector_that_is_none_of_the_plan_s_is_told_of(tmp_path: Path) -> None:
     assert notes == [[], ["check_strangers"]]
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
+@pytest.mark.parametrize("first", range(2))
 @pytest.mark.parametrize(("camera", "most"), [(SCAN, 0.3), (PHONE, 0.6)], ids=["scan", "phone"])
-def test_marks_are_read_where_they_were_put(camera: Camera, most: float, tmp_path: Path) -> None:
+def test_marks_are_read_where_they_were_put(camera: Camera, most: float, first: int, tmp_path: Path) -> None:
     errors, count = [], 0
-    for sample, plan in MOTION:
+    for sample, plan in MOTION[first::2]:
         drawn, found = looked(easel(sample, plan), camera, tmp_path)
         assert found.verdict == "right", (sample, plan, found.sentence.told("en"))
         errors += corpus.mark_errors(easel(sample, plan), drawn, found)
@@ -93,11 +94,12 @@ def test_marks_are_read_where_they_were_put(camera: Camera, most: float, tmp_pat
     assert errors[len(errors) // 2] < 0.1 and errors[int(0.95 * len(errors))] < most
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
+@pytest.mark.parametrize("first", range(2))
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
-def test_force_polygons_are_read_in_any_order(camera: Camera, tmp_path: Path) -> None:
+def test_force_polygons_are_read_in_any_order(camera: Camera, first: int, tmp_path: Path) -> None:
     """The weight of slider 5 lies within two longer forces of its line, no end of it is seen: that is said."""
-    for sample, plan in FORCES:
+    for sample, plan in FORCES[first::2]:
         drawn, found = looked(easel(sample, plan), camera, tmp_path, seed=3)
         told = found.verdict, set(found.unseen) - ({"G_5", "I_5"} if plan == "force:4-5" else set())
         assert told in (("right", set()), ("right_as_seen", set())), (sample, plan, found.sentence.told("en"))
@@ -105,7 +107,7 @@ def test_force_polygons_are_read_in_any_order(camera: Camera, tmp_path: Path) ->
         assert {s.name for s in found.paper.spots} >= set(drawn.marks), (sample, plan)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize(
     "camera",
     [
@@ -140,7 +142,7 @@ def test_lines_drawn_beyond_their_crossings(plan: str, tmp_path: Path) -> None:
     assert found.verdict in (("right", "right_as_seen", "unreadable") if plan.startswith("force") else ("right",))
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize(
     ("plan", "mistake"),
     [
@@ -189,7 +191,7 @@ def test_the_frame_tells_the_format() -> None:
             assert ratio == pytest.approx((size[0] - 25) / (size[1] - 10), rel=0.002)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize(
     ("size", "camera"),
     [("A4", SCAN), ("A3", replace(SCAN, dpi=150)), ("A3", replace(PHONE, dpi=150))],
@@ -281,6 +283,7 @@ def on_plain_paper(one: Easel, askew_deg: float, file: Path, name: str) -> tuple
     return drawn, paper_of_picture(str(file), b, Known(pixel(0j), {name: pixel(drawn.marks[name])}))
 
 
+@pytest.mark.slow
 def test_the_vector_that_gave_the_scale_is_not_judged_in_length(tmp_path: Path) -> None:
     one = easel("six-link", "velocity")
     drawn, paper = on_plain_paper(one, 0.0, tmp_path / "p.png", "b")
@@ -295,7 +298,7 @@ def test_the_vector_that_gave_the_scale_is_not_judged_in_length(tmp_path: Path) 
         assert abs(complex(*row["read_mm"]) - drawn.marks[name] * stretched) < 0.3, name
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("askew", [-2.0, 3.0])
 def test_a_sheet_without_print_that_lies_askew_is_turned_straight(askew: float, tmp_path: Path) -> None:
     """By the vector it takes its scale from; what is turned further is no sheet askew, but a wrong vector."""
@@ -362,7 +365,7 @@ def test_pixels_of_a_bent_picture_are_found_on_the_sheet() -> None:
     assert abs(flat.place(complex(seen.real * k, (SHEET_MM[1] - seen.imag) * k)) - place) < 0.3
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize(
     "inks", [(0.2, 1.2, 2.2), (0.5, 2.9, 3.8), (3.9, 2.9, 0.4)], ids=["blue", "dark blue", "dark orange"]
 )
@@ -385,11 +388,12 @@ def test_what_is_drawn_in_colour_does_not_fade() -> None:
     assert np.array_equal(plainest(cv2, colour), cv2.cvtColor(colour, cv2.COLOR_BGR2GRAY))
 
 
-@pytest.mark.slow
-def test_a_small_corpus() -> None:
+@pytest.mark.few(0, slow=1)
+@pytest.mark.parametrize("sample", ["bntu-3", "kind-1-rrr"])
+def test_a_small_corpus(sample: str) -> None:
     """Shares of right drawings accepted and of mistakes found, blamed and named; ``picture_corpus`` counts them all."""
     whole = corpus.Count()
-    chosen = [e for e in confusion.easels() if e.sample in ("kind-1-rrr", "bntu-3")]
+    chosen = [e for e in confusion.easels() if e.sample == sample]
     for _, _, count in corpus.draw_all(1, chosen):
         whole.add(count)
     doubted = sum("-> right_as_seen" in f for f in whole.failures)  # a mistake leaves nearly the same polygon

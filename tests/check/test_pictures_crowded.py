@@ -24,7 +24,7 @@ from tests.confusion import easel
 from tests.helpers.photographs import PHONE, SCAN, Camera
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("sample", ["bntu-1", "bntu-2"])
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
 def test_a_vector_that_goes_back_past_the_pole(sample: str, camera: Camera, tmp_path: Path) -> None:

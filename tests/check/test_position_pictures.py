@@ -47,13 +47,16 @@ def off(drawn: schemes.Scheme, found: Outcome) -> list[float]:
     return [abs(s.place - origin - drawn.places[s.name]) for s in found.paper.spots if s.name in drawn.places]
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
+@pytest.mark.parametrize("first", range(3))
 @pytest.mark.parametrize(
     "camera", [replace(SCAN, grid="millimetre"), replace(PHONE, grid="square", erased=2)], ids=["scan", "phone"]
 )
-def test_right_schemes_are_right_and_their_points_where_they_were_put(camera: Camera, tmp_path: Path) -> None:
+def test_right_schemes_are_right_and_their_points_where_they_were_put(
+    camera: Camera, first: int, tmp_path: Path
+) -> None:
     errors, count = [], 0
-    for sample in SKETCHES:
+    for sample in list(SKETCHES)[first::3]:
         drawn, found = looked(sample, schemes.solved(sample), camera, tmp_path)
         hidden = sample.endswith("pp-rr-rr")  # its D is in the slider between two guides, where no line ends
         assert found.verdict == ("right_as_seen" if hidden else "right"), (sample, found.sentence.told("en"))
@@ -64,12 +67,13 @@ def test_right_schemes_are_right_and_their_points_where_they_were_put(camera: Ca
     assert errors[len(errors) // 2] < 0.15 and errors[int(0.95 * len(errors))] < 0.4
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
+@pytest.mark.parametrize("first", range(3))
 @pytest.mark.parametrize("symbols", [0, 1])
-def test_a_scheme_without_its_signs(symbols: int, tmp_path: Path) -> None:
+def test_a_scheme_without_its_signs(symbols: int, first: int, tmp_path: Path) -> None:
     """Lines alone, or with circles and dots: read, or said to be unreadable where links in one line hide a hinge, or
     a guide of class III runs over one, so that no end is seen there."""
-    found = {s: looked(s, schemes.solved(s), SCAN, tmp_path, symbols=symbols)[1] for s in SKETCHES}
+    found = {s: looked(s, schemes.solved(s), SCAN, tmp_path, symbols=symbols)[1] for s in list(SKETCHES)[first::3]}
     assert "wrong" not in {f.verdict for f in found.values()}
     unread = {s for s, f in found.items() if f.verdict == "unreadable"}
     assert unread <= ({"bntu-5", "assignment-12", "shaper", "excavator", *HIGHER} if symbols == 0 else set())
@@ -86,7 +90,7 @@ def through_pivot(scene: dict[str, Any]) -> None:
     scene["frame"]["guides"]["q-q"]["through"] = [0, 0]
 
 
-@pytest.mark.few(0)
+@pytest.mark.few(0, slow=7)
 @pytest.mark.parametrize(
     ("sample", "mistake", "where", "made"),
     [

@@ -116,7 +116,7 @@ TAKEN = [
 ]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("factor", [*TAKEN, "printed at 97 %", "together: phone", "together: scan"])
 def test_the_code_is_read_from_pictures_by_physics(
     factor: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -47,6 +47,7 @@ def refusal(capfd: pytest.CaptureFixture[str], file: Path, plan: str = "velocity
     return told.err
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     "text",
     [

@@ -90,8 +90,7 @@ def test_a_spoiled_step_is_found_on_a_whole_sheet(
     assert (found.verdict, found.first_wrong) == ("wrong", mistakes(sample, plan)[k].blames), found.sentence.told("en")
 
 
-@pytest.mark.slow
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_plan_of_a_whole_sheet_is_right(suffix: str, tmp_path: Path) -> None:
     """Frame, title block, tables, equations and the other plans are not lines of the plan."""
@@ -124,7 +123,7 @@ LED_ASTRAY = (
 )
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize(("sample", "number", "plan", "suffix"), LED_ASTRAY)
 def test_what_stands_about_a_spoiled_plan_leads_nobody_astray(
     sample: str, number: int | None, plan: str, suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

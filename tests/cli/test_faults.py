@@ -61,7 +61,7 @@ def small_disk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         subprocess.run(["umount", str(at)], check=True)
 
 
-@pytest.mark.few(0)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize(("argv", "name"), BIG, ids=[name for _, name in BIG])
 def test_a_full_disk_is_a_sentence_and_leaves_what_was_there(small_disk: Path, argv: list[str], name: str) -> None:
     target = small_disk / name

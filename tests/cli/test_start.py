@@ -75,6 +75,7 @@ def test_what_is_begun_names_the_schema_beside_it(name: str, kind: str, tmp_path
     assert beside.read_text("utf-8") == "{}" and len(list(tmp_path.iterdir())) == 3
 
 
+@pytest.mark.slow
 def test_a_scene_comes_through_a_pipe_and_a_sheet_goes_through_one() -> None:
     text = (TEMPLATES / "four-bar.yaml").read_bytes()
     run = [sys.executable, "-m", "planes"]

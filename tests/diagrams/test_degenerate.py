@@ -122,7 +122,7 @@ def zeroed(names: tuple[str, ...]) -> Iterator[tuple[str, str, str]]:
 CASES = list(zeroed(("kind-1-rrr", "kind-3-rpr", "kind-5-rpp", "sliding-driver")))
 
 
-@pytest.mark.few(1, slow=14)
+@pytest.mark.few(1, slow=7)
 @pytest.mark.parametrize(("name", "length", "text"), CASES, ids=[f"{n} {x}" for n, x, _ in CASES])
 def test_a_length_of_zero_gives_numbers_or_one_sentence(
     name: str, length: str, text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -154,7 +154,7 @@ def test_one_such_scene_does_not_stop_the_others(tmp_path: Path, capsys: pytest.
 @pytest.mark.slow
 def test_a_cycle_of_many_links_holds_little_memory() -> None:
     sizes = []
-    for dyads in (5, 10):
+    for dyads in (4, 8):
         tracemalloc.start()
         as_json(summed(chain(dyads)))
         sizes.append(tracemalloc.get_traced_memory()[1])

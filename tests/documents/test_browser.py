@@ -59,7 +59,7 @@ def test_play_goes_on_by_itself(page: Any) -> None:
     assert page.inner_text("#play") == "▶▶"
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("value", [140, 150, 163.25, 180.5, 200, 303.125])
 def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, value: float) -> None:
     page.evaluate(f"state.frame = data.frames.length - 1; turn({value}); draw()")
@@ -105,6 +105,7 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
     page.close()
 
 
+@pytest.mark.slow
 def test_the_crank_turns_everything(page: Any) -> None:
     page.evaluate("go(27)")
     shown = """["sentence", "scheme", "plan", "rates"].map(id => document.getElementById(id).innerHTML)"""
@@ -148,6 +149,7 @@ def test_a_number_that_is_typed_changes_everything(page: Any) -> None:
     until(page, "live.at_home && document.getElementById('zone').className === ''")
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("figure", "frame", "mark", "by", "free"),
     [
@@ -260,7 +262,7 @@ def test_on_a_telephone_nothing_runs_off_the_page(page: Any) -> None:
         assert box and box["y"] < 700
 
 
-@pytest.mark.few(1, slow=8)
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize("path", SAMPLES, ids=[p.stem for p in SAMPLES])
 def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: Path, path: Path) -> None:
     with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:

@@ -48,7 +48,7 @@ def test_every_number_of_a_text_is_one_of_the_figures(number: int) -> None:
         assert set(paragraph["knobs"]) <= known
 
 
-@pytest.mark.few(1, slow=5)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("number", NUMBERS)
 def test_a_page_answers_and_nothing_is_complained_of(browser: Any, folder: Path, number: int) -> None:
     page = browser.new_page()

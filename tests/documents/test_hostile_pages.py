@@ -135,7 +135,7 @@ def visit(browser: Any, file: Path, kind: str) -> tuple[list[str], str]:
     return wrong, title
 
 
-@pytest.mark.few(1, slow=7)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("name", NAMES)
 def test_a_hostile_name_is_letters_in_every_page(
     browser: Any, told: dict[str, dict[str, Any]], tmp_path: Path, name: str

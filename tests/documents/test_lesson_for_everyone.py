@@ -47,7 +47,7 @@ def complaints(page: Any) -> list[str]:
     return [f"{v['id']}: {[n['html'][:90] for n in v['nodes'][:3]]}" for v in found]
 
 
-@pytest.mark.few(2, slow=10)
+@pytest.mark.few(1, slow=6)
 @pytest.mark.parametrize("state", STATES)
 def test_axe_finds_nothing(page: Any, state: str) -> None:
     for scheme in ("light", "dark"):

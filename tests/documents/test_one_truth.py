@@ -57,7 +57,7 @@ def told(blocks: list[Block]) -> str:
     return "\n".join(lines)
 
 
-@pytest.mark.few(1, slow=7)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
     scene = SCENES[name]
@@ -85,7 +85,7 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
     assert drawn.plans.structure.formula_as(naming.frame, True) in told(Note(scene, drawn, "ru").blocks())
 
 
-@pytest.mark.few(1, slow=12)
+@pytest.mark.few(0, slow=6)
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.parametrize("convention", ["mm_per_unit", "unit_per_mm"])
 def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: Convention) -> None:
@@ -106,7 +106,7 @@ def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: 
         assert not any(found := [PER_UNIT.search(paper) for paper in papers]), found
 
 
-@pytest.mark.few(1, slow=7)
+@pytest.mark.few(1, slow=4)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_given_number_is_on_paper(name: str) -> None:
     scene = SCENES[name]

@@ -207,6 +207,7 @@ def test_what_cannot_be_told_apart_is_named_with_the_other(desk: Any) -> None:
     assert "вдвое меньше" in told and "; или " in told and "сама величина" in told
 
 
+@pytest.mark.slow
 def test_fresh_numbers_come_from_the_address(browser: Any, lesson: str) -> None:
     told = []
     for seed in (7, 7, 8):
@@ -258,7 +259,7 @@ def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path
     assert "not of the scene" in capsys.readouterr().out
 
 
-@pytest.mark.few(1, slow=18)
+@pytest.mark.few(0, slow=8)
 @pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
 def test_every_scene_is_practised_to_the_end_whatever_its_numbers(browser: Any, tmp_path: Path, path: Path) -> None:
     with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:

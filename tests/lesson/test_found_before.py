@@ -103,6 +103,7 @@ MOMENTS = [ROOT / "samples" / f"{name}.yaml" for name in DYADS]
 MOMENTS += [*(ROOT / "samples" / "class-three").glob("*.yaml"), ROOT / "samples" / "class-four" / "tray.yaml"]
 
 
+@pytest.mark.few(6)
 @pytest.mark.parametrize("path", sorted(MOMENTS), ids=lambda p: p.stem)
 def test_terms_of_moments_have_the_signs_they_are_told_with(path):
     """Signs and sizes as the sentence has them add up to what is found."""

@@ -66,7 +66,7 @@ def told(path: Path):
     return teller, teller.frames(), drawing
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1, slow=8)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_every_mark_of_every_frame_is_exported(path: Path) -> None:
     exported = data(path)
@@ -402,6 +402,7 @@ def test_the_command_writes_a_note(tmp_path: Path, suffix: str) -> None:
         assert target.read_bytes() == found
 
 
+@pytest.mark.slow
 def test_a_word_note_lowers_and_raises_its_indices(tmp_path: Path) -> None:
     docx = pytest.importorskip("docx", reason="python-docx is not installed")
     target = tmp_path / "note.docx"

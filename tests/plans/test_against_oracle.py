@@ -53,7 +53,7 @@ def test_chains_of_up_to_three_groups(options: dict[str, Any]) -> None:
     check()
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("tenth", range(10))
 def test_scenes_of_any_shape(tenth: int) -> None:
     """Two hundred scenes of fixed seeds; ``tests/nightly.py scenes`` goes through two thousand others."""

@@ -20,6 +20,7 @@ SAMPLES = sorted(p for p in (ROOT / "samples").rglob("*.yaml") if not {"assignme
 SCENES = {p.stem: scene for p in SAMPLES if (scene := load(str(p))).mechanism}
 
 
+@pytest.mark.few(12, slow=22)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_link_alone_is_in_balance(name: str) -> None:
     """All forces but the last are found before; the last is the reaction of the results."""

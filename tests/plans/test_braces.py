@@ -123,7 +123,7 @@ def test_random_mechanisms_braced_by_a_cylinder() -> None:
     assert len(found) > 5 and max(found) <= 1e-10
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("fifth", range(5))
 def test_more_random_mechanisms_braced_by_a_cylinder(fifth: int) -> None:
     found = [e for seed in range(1000 + 80 * fifth, 1080 + 80 * fifth) if (e := examined(seed)) is not None]
@@ -206,7 +206,7 @@ def test_random_mechanisms_with_the_drive_in_a_higher_group(inner: str) -> None:
     assert len(found) > 1 and max(found) <= 1e-10
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize("inner", ["lead", "rocked"])
 @pytest.mark.parametrize("fifth", range(5))
 def test_more_random_mechanisms_with_the_drive_in_a_higher_group(inner: str, fifth: int) -> None:

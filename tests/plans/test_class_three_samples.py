@@ -42,6 +42,7 @@ def test_every_number_is_the_independent_solvers(sample: str) -> None:
     balanced(d)
 
 
+@pytest.mark.few(8, slow=16)
 @pytest.mark.parametrize("sample", SAMPLES)
 @pytest.mark.parametrize("plan", ["velocity", "acceleration", "force"])
 def test_its_own_view_is_right_and_with_one_step_spoiled_not(sample: str, plan: str, tmp_path: Path) -> None:
@@ -55,6 +56,7 @@ def test_its_own_view_is_right_and_with_one_step_spoiled_not(sample: str, plan: 
     assert found.verdict == "wrong", (variant, found.sentence.told("en"))
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("sample", SAMPLES)
 def test_its_other_assembly_is_called_so(sample: str, tmp_path: Path) -> None:
     every = mistakes(sample, "position")
@@ -70,7 +72,7 @@ def test_its_other_assembly_is_called_so(sample: str, tmp_path: Path) -> None:
     assert named == len(others) - (sample == "class-three/truss")  # one of its five is called wrong without a cause
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=6)
 @pytest.mark.parametrize("sample", SAMPLES)
 def test_every_view_of_it_is_right(sample: str, tmp_path: Path) -> None:
     position = drawn(sample)[1]
@@ -79,7 +81,7 @@ def test_every_view_of_it_is_right(sample: str, tmp_path: Path) -> None:
         assert found.verdict == "right", (plan, found.sentence.told("en"))
 
 
-@pytest.mark.few(0, slow=6)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("sample", SAMPLES)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_its_papers_are_written(sample: str, lang: Lang, tmp_path: Path) -> None:

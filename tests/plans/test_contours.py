@@ -50,12 +50,13 @@ def mixed(kind: str, seed: int) -> None:
         examine(case)
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("kind", MIXTURES)
 def test_each_mixture_of_hinges_and_guides(kind: str) -> None:
     mixed(kind, 1)
 
 
-@pytest.mark.few(0, slow=6)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("kind", MIXTURES)
 def test_each_mixture_many_times(kind: str) -> None:
     for seed in range(100, 124):

@@ -43,6 +43,7 @@ def test_laws_of_any_form_agree_with_the_independent_solver(seed) -> None:
     assert max(apart.values()) < MOST, sorted(apart.items(), key=lambda x: -x[1])[:3]
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("seed", range(8))
 def test_many_positions_have_the_numbers_of_each(seed) -> None:
     pytest.importorskip("llvmlite")

@@ -48,7 +48,7 @@ def test_mixtures_agree_with_the_independent_solver() -> None:
     assert not refused
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("fifth", range(5))
 def test_many_mixtures_agree_with_the_independent_solver(fifth: int) -> None:
     seen, _, refused = compared(range(1000 + 100 * fifth, 1100 + 100 * fifth))
@@ -56,7 +56,7 @@ def test_many_mixtures_agree_with_the_independent_solver(fifth: int) -> None:
     assert refused <= 3
 
 
-@pytest.mark.few(1, slow=2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("seed", [5, 11, 50, 14])
 def test_arrays_the_compiled_loop_and_one_position_agree(seed: int) -> None:
     pytest.importorskip("llvmlite")

@@ -302,6 +302,7 @@ def ring(sides: int) -> str:
     return text + "drive: {link: 1, phi: 0}\n"
 
 
+@pytest.mark.slow
 def test_a_large_group_is_refused_with_work_as_links_squared() -> None:
     counts = []
     for sides in (10, 20, 40):

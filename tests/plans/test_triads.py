@@ -17,7 +17,7 @@ SLID = ["-".join((*m, "PP")) for m in combinations_with_replacement(LEADS, 2)]
 MIXTURES = ["-".join(m) for m in combinations_with_replacement(LEADS, 3)] + SLID
 
 
-@pytest.mark.few(8)
+@pytest.mark.few(3)
 @pytest.mark.parametrize("leads", MIXTURES)
 def test_every_mixture_of_leads_with_loads_on_every_link(leads: str) -> None:
     for seed in range(4):

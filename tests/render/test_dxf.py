@@ -45,7 +45,7 @@ def apart(document):
     return list(recursive_decompose(document.modelspace()))
 
 
-@pytest.mark.few(0)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-4-prp", "vectors"])
 @pytest.mark.parametrize("text", ["text", "strokes"])
 def test_the_file_has_no_errors_and_is_in_millimetres(name, text):

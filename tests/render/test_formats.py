@@ -86,7 +86,7 @@ def test_only_where_nothing_less_holds_the_views_a0_is_taken() -> None:
     assert sheet_of(scene(large), None).paper.name == "A0"
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize(("text", "number"), [(FREE, 1), (FREE, 2), (PLAIN, None)])
 @pytest.mark.parametrize("small", ["A4", "A3"])
 def test_a_format_that_is_said_to_hold_all_does_and_what_is_blamed_is_to_blame(

@@ -122,6 +122,7 @@ def test_the_work_grows_with_the_labels_and_not_with_their_square(count: int, mo
     assert compared < 6_000 * count
 
 
+@pytest.mark.slow
 def test_labels_that_cannot_all_stand_are_given_up_after_so_many_moves(monkeypatch: pytest.MonkeyPatch) -> None:
     made = []
     monkeypatch.setattr(labels_room, "Board", lambda *given: made.append(board.Board(*given)) or made[-1])

@@ -17,6 +17,7 @@ SCENES = [*(ROOT / "samples" / "class-three").glob("*.yaml"), ROOT / "samples" /
 SCENES += [ROOT / "samples" / f"{name}.yaml" for name in ("six-link", "folding-boom")]
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("path", sorted(SCENES), ids=lambda p: p.stem)
 def test_what_is_told_beneath_adds_up(path):
     scene = load(path)

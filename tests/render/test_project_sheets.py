@@ -77,7 +77,7 @@ def test_other_positions_do_not_overlap_either(name, number, value):
     assert clashes(found) == []
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=10)
 @pytest.mark.parametrize("name", list(SCENES))
 def test_sheet_1_shows_structure_plans_and_diagrams(name):
     said = words(sheet(name, 1))
@@ -87,7 +87,7 @@ def test_sheet_1_shows_structure_plans_and_diagrams(name):
     assert any(text.startswith("Диаграммы") for text in said)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=10)
 @pytest.mark.parametrize("name", list(SCENES))
 def test_sheet_2_shows_every_group_with_its_forces_and_the_lever(name):
     found = sheet(name, 2)
@@ -144,6 +144,7 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
             assert inked.covers(shapely.LineString(line)), line
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "assignments/44", "assignments/22"])
 def test_every_force_is_an_arrow_of_its_own(name):
     """None lies along another one, or along a rod, by more than what crossing lines share."""
@@ -194,7 +195,7 @@ def test_a_stroke_that_is_not_drawn_whole_is_not_measured():
     assert not [m for m in scheme_of("six-link").marks if isinstance(m, Text) and m.name == "stroke"]
 
 
-@pytest.mark.few(4, slow=20)
+@pytest.mark.few(2, slow=10)
 @pytest.mark.parametrize("name", ALL)
 def test_what_holds_a_mechanism_is_measured_on_its_scheme_and_so_is_the_drivers_angle(name):
     """Every size is a distance of the frame's points or guides, none of which is left out that can be drawn."""

@@ -42,7 +42,7 @@ def names(scene):
     return str(refused.value).partition("it has ")[2].split(", ")
 
 
-@pytest.mark.few(1, slow=12)
+@pytest.mark.few(1, slow=6)
 @pytest.mark.parametrize("name", list(SAMPLES))
 def test_every_view_is_cut_to_its_ink(name):
     scene = load(SAMPLES[name])

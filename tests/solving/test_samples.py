@@ -218,7 +218,7 @@ def test_twelve_positions_of_a_turn(name: str) -> None:
         compare(drawn[value], oracle(name, solution), 1 / bluntest(drawn[value]))
 
 
-@pytest.mark.few(0)
+@pytest.mark.few(0, slow=9)
 @pytest.mark.parametrize("name", HIGHER)
 def test_positions_of_class_three_and_four(name: str) -> None:
     """Every position of a turn that the assembly reaches, from where the plans put the links."""
