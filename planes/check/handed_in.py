@@ -23,7 +23,7 @@ LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
-MOST_PAGES = 300
+MOST_PAGES, MOST_BLANKS = 300, 9  # of a file; of a picture, those marks are saved of
 NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
 """What lies beside what was handed in."""
 PRACTICE = ".practice"
@@ -109,7 +109,8 @@ def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:
     whole = place.is_dir()
     files = [f for f in drawings_in(place) if f.name != but] if whole else [place]
     sheets = [s for f in files for s in ([HandedSheet(f)] if told else sheets_of(f))]
-    beside = {s.marks for s in sheets if s.file.suffix.lower() not in (*TABLES, PRACTICE)} if whole else set()
+    drawn = [s for s in sheets if whole and s.file.suffix.lower() not in (*TABLES, PRACTICE)]
+    beside = {s.marks for one in drawn for s in (one, *(replace(one, page=k) for k in range(1, MOST_BLANKS + 1)))}
     sheets = [s for s in sheets if s.file not in beside]
     if not sheets:
         raise PlanesError(Phrase("check_empty_folder", file=str(place)))
@@ -156,7 +157,7 @@ def telling(file: str) -> Iterator[None]:
         raise better or error from None
 
 
-def opened(file: str, page: int = 0) -> DecodedPicture | None:
+def opened(file: str, page: int | None = None) -> DecodedPicture | None:
     """The picture of a file (of a page of it, from 0), None of a table or a drawing of lines; :class:`PlanesError`
     where it does not open."""
     suffix = Path(file).suffix.lower()

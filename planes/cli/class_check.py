@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import shlex
 from argparse import Namespace
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -78,7 +78,7 @@ class ClassDesk:
         return cls(args, work, Sorter(handed, asking, args.variant, args.plan), practices)
 
     def look(self, sheet: HandedSheet) -> None:
-        """One sheet; whatever is wrong with it never stops the others."""
+        """One sheet, or each blank of a picture of several; whatever is wrong with it never stops the others."""
         from planes.documents.class_sorting import glance
         from planes.documents.class_work import source_of
 
@@ -93,11 +93,16 @@ class ClassDesk:
         try:
             with guarded("check_broken", sheet.name):
                 known, one.read_from = sheet.known(known_of(self.args)), str(sheet.file)
-                seen = glance(one.read_from, known.page or 0)
-                task, asked, one.whose = self.sorter.asked(sheet, seen.mark)
-                one.found = judge(asked, marks_of(sheet, asked, known))
+                seen = glance(one.read_from, known.page)
+                if seen.blanks < 2:
+                    task, asked, one.whose = self.sorter.asked(sheet, seen.mark)
+                    one.found = judge(asked, marks_of(sheet, asked, known))
         except PlanesError as error:
             one.refused, one.picture = error, seen.picture if seen else b""
+        if seen and seen.blanks > 1:
+            for number in range(1, seen.blanks + 1):
+                self.look(replace(sheet, page=number))
+            return
         if one.found and one.found.verdict != "unreadable" and one.found.bench.asked.plan == self.args.plan:
             self.read[sheet.page or 1] = one.found
         self.work.add(one, source, task)

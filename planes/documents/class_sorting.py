@@ -21,17 +21,19 @@ class Glance:
 
     mark: SheetMark | None = None
     picture: bytes = b""
+    blanks: int = 1  # on the picture
 
 
-def glance(file: str, page: int = 0) -> Glance:
+def glance(file: str, page: int | None = None) -> Glance:
     """The first look; :class:`PlanesError` where a file does not open."""
     picture = opened(file, page)
     if picture is None:
         return Glance()
-    from planes.check.vision.image.picture import cv, smaller
+    from planes.check.vision.image.picture import LARGEST_PX, cv, find_sheets, smaller
 
     small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
-    return Glance(mark_on(picture.grey), bytes(small))
+    blanks = len(find_sheets(smaller(picture.grey, LARGEST_PX)[0])) if page is None else 1
+    return Glance(mark_on(picture.grey), bytes(small), blanks)
 
 
 @dataclass

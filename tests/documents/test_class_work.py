@@ -109,6 +109,29 @@ def test_sheets_say_whose_they_are(course: Path, folder: Path, capsys: pytest.Ca
     assert found["IMG_2.jpg"]["mistake"] == "omega1_reversed"
 
 
+@pytest.mark.slow
+def test_each_blank_of_a_picture_is_a_sheet(
+    course: Path, pictures: dict[str, Any], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """One of them was lost, and the other could be judged by the corner marks of both."""
+    folder = tmp_path / "photos"
+    folder.mkdir()
+    cv2.imwrite(str(folder / "IMG_1.jpg"), np.vstack([pictures["wrong"], pictures["right"]]))
+    cv2.imwrite(str(folder / "IMG_2.jpg"), np.hstack([np.rot90(pictures[k]) for k in ("wrong", "right")]))
+    true = prepare(Asked(load(course / "out/teacher" / BORIS / "scene.yaml"), "velocity")).true_marks
+    marks = "".join(f"{name},{z.real:.3f},{z.imag:.3f}\n" for name, z in {"p": 0j, **true}.items())
+    (folder / "IMG_2-1.csv").write_text(f"mark,x_mm,y_mm\n{marks}", "utf-8")
+    found = rows(capsys, str(course), str(folder))
+    told = {name: (one["whose"], one["verdict"]) for name, one in found.items()}
+    boris, anna = "Иванов Пётр, А", "Петрова Анна, Б"
+    assert told == {
+        "IMG_1-1.jpg": (boris, "wrong"),
+        "IMG_1-2.jpg": (anna, "right"),
+        "IMG_2-1.jpg": (boris, "right"),  # its marks were put right by hand
+        "IMG_2-2.jpg": (anna, "right"),
+    }
+
+
 def test_a_mark_says_what_is_asked() -> None:
     handed = HandedOut((Task(TWELVE, TWELVE.stem),))
     sorter = Sorter(handed, lambda scene, plan, value, mu: Asked(scene, plan, value, mu), plan="acceleration")

@@ -24,7 +24,7 @@ import numpy as np
 import pypdfium2
 
 from planes.check.blank import blank_pole, roomy
-from planes.check.fiducials import SHEET_MM
+from planes.check.fiducials import SHEET_MM, squares, within
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare, redrawn, variants_of
 from planes.check.report.shown import vectors
 from planes.cli import main
@@ -133,7 +133,8 @@ def _marks(bench: PreparedPlan, variant: Any) -> dict[str, complex]:
 
 
 def _roomy(z: complex) -> bool:
-    return ROOM[0].real + 12 < z.real < ROOM[1].real and ROOM[0].imag < z.imag < ROOM[1].imag
+    inside = ROOM[0].real + 12 < z.real < ROOM[1].real and ROOM[0].imag < z.imag < ROOM[1].imag
+    return inside and not any(within(z, square, 5.0) for square in squares(SHEET_MM))
 
 
 def handed_in(sheets: list[Filled], folder: Path, rng: random.Random) -> dict[str, Filled]:

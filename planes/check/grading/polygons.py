@@ -48,9 +48,11 @@ class Rebuilt:
 
     def confused(self, missing: complex | None) -> bool:
         """Whether vectors that were told by their likeness, as on a picture, may as well be others: where no mistake
-        explains them, or the one said to be ``missing`` may lie within one that takes up its length."""
+        explains them, or the one said to be ``missing`` may lie within one that takes up its length, or unseen."""
         if not any(v.doubt for v in self.vectors) or (missing is not None and self.apart):
             return False
+        if missing is not None and abs(missing) <= SEEN_MM:
+            return True
         over = (v.place / missing for v in self.vectors if missing and v.name in self.closers)
         return missing is None or any(z.real > AS_LONG and abs(z.imag) < IN_LINE * z.real for z in over)
 

@@ -36,7 +36,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     :class:`PlanesError` where it is no picture or has nothing to measure by.
     """
     known = known or Known()
-    picture = load(file, known.page or 0)
+    picture = load(file, known.page)
     paper, best, pole = ReadPaper(file, whole=False), None, known.pole
     for flat, named in _flats(bench, picture, known):
         bench = _as_printed(bench, flat)

@@ -6,7 +6,7 @@ A picture comes in one shade: of paper with a coloured grid, in the colour in wh
 from __future__ import annotations
 
 import io
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -15,7 +15,7 @@ import numpy
 
 from planes.check.reading.opened import LARGEST, MB, contents, hushed
 from planes.check.vision.image.no_paper import shows_paper
-from planes.check.vision.image.picture import cv
+from planes.check.vision.image.picture import LARGEST_PX, cv, find_sheets, sheet_alone, smaller
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
@@ -31,7 +31,7 @@ PAGE_DPI, LEAST_DPI = 200, 100  # of a page that is drawn; a file that says less
 EXIF, EXPOSURE = 0x8769, 0x829A  # where a camera tells it
 MOST_MM = 900.0  # nor does one that would be of larger paper
 PDF_IMAGES, PDF_DEPTH = 1000, 5
-PNG, PNG_END, PDF = b"\x89PNG", b"IEND", b"%PDF-"
+PNG, PNG_END, PDF, TIFF = b"\x89PNG", b"IEND", b"%PDF-", (b"II*\0", b"MM\0*")
 COLOURED = 14  # how much farther than usual two colours of a place are apart, on coloured paper
 COLOURED_SHARE = 0.03  # of all places
 FAINT, DARK = 0.08, 0.4  # how much darker than paper a grid is at least, and what is drawn
@@ -47,15 +47,17 @@ class DecodedPicture:
     scale: float | None = None
 
 
-def load(path: str | Path, page: int = 0) -> DecodedPicture:
-    """A picture, or a page of a PDF or TIFF. :class:`PlanesError` where it is none, is too large, or
-    shows no paper."""
+def load(path: str | Path, page: int | None = None) -> DecodedPicture:
+    """A picture, or a page of a PDF or TIFF (without a number the first); of another picture of several blanks a
+    number means one of these. :class:`PlanesError` where it is none, is too large, or shows no paper."""
     cv()  # or a sentence that it is missing
     data = contents(path, LARGEST)
     if not data:
         raise PlanesError(Phrase("check_empty", file=str(path)))
+    paged = data.startswith((PDF, *TIFF))
     with guarded("check_picture", path), hushed():
-        found = _page(data, str(path), page) if data[:5] == PDF else _decoded(data, str(path), page)
+        decode, number = _page if data[:5] == PDF else _decoded, page if page and paged else 0
+        found = decode(data, str(path), number)
     if found is None:
         raise PlanesError(Phrase("check_picture", file=str(path)))
     height, width = found.grey.shape
@@ -63,7 +65,14 @@ def load(path: str | Path, page: int = 0) -> DecodedPicture:
         raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{width} × {height}"))
     if not shows_paper(found.grey):
         raise PlanesError(Phrase("check_no_paper", file=str(path)))
-    return found
+    return found if page is None or paged else _blank_of(found, page, str(path))
+
+
+def _blank_of(found: DecodedPicture, number: int, file: str) -> DecodedPicture:
+    """One of several blanks on a picture; of one blank, or none, the picture."""
+    count = len(find_sheets(smaller(found.grey, LARGEST_PX)[0]))
+    _has(number, max(count, 1), file)
+    return replace(found, grey=sheet_alone(found.grey, number)) if count > 1 else found
 
 
 def _alone(head: Image.Image) -> bytes:

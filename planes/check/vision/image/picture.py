@@ -9,6 +9,7 @@ import numpy
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.image.bend import Bend, add_paper, bend_of
+from planes.check.vision.image.several import sheets_apart
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
@@ -16,6 +17,7 @@ from planes.words.errors import PlanesError
 PX_PER_MM = 8.0
 LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
 LEAST_ASKEW_DEG, MOST_ASKEW_DEG = 0.5, 4.0  # less is a hand's own error, more is no sheet's that was laid straight
+RIM_MM = 5.0  # about a sheet that is cut out of a picture
 SHORT_MM = 3.0  # a vector that tells neither scale nor direction
 DRAWN_MM = 1.5  # no more is a vector longer or shorter for a hand's error
 MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
@@ -93,21 +95,49 @@ def dictionary() -> object:
 
 
 def find_marks(grey: Greys) -> dict[int, Array]:
-    """Corners of the blank's marks in pixels, by their numbers."""
+    """Corners of the blank's marks in pixels, by their numbers; of several blanks those of the first."""
+    return next(iter(find_sheets(grey)), {})
+
+
+def find_sheets(grey: Greys) -> list[dict[int, Array]]:
+    """Corners of each blank's marks in pixels, by their numbers."""
     cv2 = cv()
     parameters = cv2.aruco.DetectorParameters()
     parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = 13, 53
     parameters.adaptiveThreshWinSizeStep = 20
     parameters.minMarkerPerimeterRate = 0.07  # a mark's outline is a sixth of the sheet's length; a grid's cell is none
     detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
-    found: dict[int, Array] = {}
+    found: list[tuple[int, Array]] = []
     for longest in (1100, 700, 2000, 3200):  # small is quick, and hides the grain
-        if len(found) < 4:
+        if not found or len(found) % 4:
             small, factor = smaller(grey, longest)
             corners, numbers, _ = detector.detectMarkers(small)
             for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
-                found.setdefault(int(number), _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5))
-    return found
+                one = _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5)
+                if all(n != number or abs(other - one).max() > numpy.ptp(one) / 2 for n, other in found):
+                    found.append((int(number), one))
+    return sheets_apart(found)
+
+
+def sheet_alone(grey: Greys, which: int) -> Greys:
+    """A picture of several blanks about one of them, all else made as light as its paper."""
+    cv2, (small, factor) = cv(), smaller(grey, LARGEST_PX)
+    marks = find_sheets(small)[which]
+    seen, (w, h), rim = numpy.concatenate([*marks.values()]), SHEET_MM, RIM_MM
+    there = numpy.array([(z.real, z.imag) for number in marks for z in _corners(number)])
+    warp, _ = cv2.findHomography(there, seen / factor)
+    outline = numpy.array([[(-rim, -rim), (w + rim, -rim), (w + rim, h + rim), (-rim, h + rim)]], float)
+    quad = cv2.perspectiveTransform(outline, warp)[0]
+    inside = cv2.fillPoly(numpy.zeros(grey.shape, numpy.uint8), [quad.round().astype(numpy.int32)], 1)
+    (left, top), (right, low) = quad.min(axis=0).clip(0).astype(int), quad.max(axis=0).astype(int)
+    part = slice(top, low), slice(left, right)
+    alone: Greys = numpy.where(inside[part], grey[part], numpy.uint8(numpy.median(grey[inside > 0])))
+    return alone
+
+
+def _corners(number: int) -> list[complex]:
+    """Corners of a mark on the sheet, mm, from its upper left one clockwise."""
+    return [centres(SHEET_MM)[number] + SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
 
 
 def _sharpened(grey: Greys, quad: Array) -> Array:
@@ -125,17 +155,18 @@ def flatten(grey: Greys) -> Flat | None:
     """The sheet seen straight from above, if its corner marks (three at least) are found."""
     cv2 = cv()
     small, factor = smaller(grey, LARGEST_PX)
-    marks = find_marks(small)
+    sheets = find_sheets(small)
+    marks = sheets[0] if sheets else {}
     if len(marks) < 3:
         return None
-    turns = [SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
-    places = [centres(SHEET_MM)[number] + turn for number in marks for turn in turns]
+    places = [z for number in marks for z in _corners(number)]
     seen = [corner for quad in marks.values() for corner in quad]
     true = [(z.real * PX_PER_MM, (SHEET_MM[1] - z.imag) * PX_PER_MM) for z in places]
     warp, _ = cv2.findHomography(numpy.array(seen), numpy.array(true), cv2.RANSAC, 0.6 * PX_PER_MM)
     if warp is None:
         return None
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
+    notes += [Phrase("check_several_blanks", count=len(sheets))] if len(sheets) > 1 else []
     bend = bend_of(small, warp, PX_PER_MM)
     if bend is not None:
         unbent = _unbent(small, bend, seen, true)
