@@ -14,14 +14,15 @@ class Judge {
     const free = new Map(read.map(m => [m.name, new Miss(m.x - m.true[0], m.y - m.true[1], m.free[0], m.free[1], m.free[2])]));
     const fits = miss => miss.sigmas <= out.limit;
     let wrong = read.filter(m => !fits(misses.get(m.name))).map(m => m.name);
-    const close = read.filter(m => misses.get(m.name).sigmas > rule.warn).map(m => m.name);
-    const ranked = close.length ? this.ranked(plain, misses, wrong.length ? wrong.slice(0, 1) : close, out.limit) : [];
-    const other = wrong.length ? Math.log(rule.other) + rule.broad - this.mixed(misses.get(wrong[0])) : rule.too_well;
+    const near = read.filter(m => misses.get(m.name).sigmas > rule.near).map(m => m.name);
+    const close = near.some(n => misses.get(n).sigmas > rule.warn);
+    const ranked = near.length ? this.ranked(plain, misses, wrong.length ? wrong.slice(0, 1) : near, out.limit) : [];
+    const other = wrong.length ? Math.log(rule.other) + rule.broad - this.mixed(misses.get(wrong[0])) : close ? rule.too_well : Infinity;
     if (ranked.length && ranked[0].score >= Math.max(0, other)) {
       const [best, next] = ranked; // it beats "some other cause", or explains too well what is within limits
       if (!wrong.length) wrong = read.filter(m => m.name === best.v.blames).map(m => m.name);
       if (!next || best.score - next.score >= rule.margin) out.named = this.explained(best, out.limit);
-    }
+    } else if (!wrong.length && ranked.length && ranked[0].score >= rule.as_well) out.asWell = ranked[0].v.blames;
     wrong = wrong.filter((n, k) => !k || !fits(free.get(n))); // off a wrong mark, but where it should be
     out.first = out.named ? out.named.blames : wrong.length ? wrong[0] : null;
     this.verdicts(out, marks, misses, free, wrong);
@@ -102,7 +103,8 @@ class Judge {
     if (out.named) return out.named.said;
     if (wrong.length) return fill(said.unclear, { mark: wrong[0], off: misses.get(wrong[0]).size.toFixed(1) });
     if (strays) { out.first = left.first; return left.said; }
-    const unseen = rule.shown_by.filter(([, by]) => !by.some(n => misses.has(n))).map(([n]) => n).join(", ");
+    const hidden = rule.shown_by.filter(([, by]) => !by.some(n => misses.has(n))).map(([n]) => n);
+    const unseen = [...new Set([...hidden, ...(out.asWell ? [out.asWell] : [])])].join(", ");
     out.verdict = unseen ? "right_as_seen" : "right";
     return unseen ? fill(said.as_seen, { names: unseen }) : said.right;
   }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 from dataclasses import replace
+from itertools import accumulate
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,7 @@ from planes.scene import load
 from planes.words import table
 from tests import confusion
 from tests.check.test_check import RIGHT, SIX, csv
-from tests.helpers.drawings import SHAKY, Mistake
+from tests.helpers.drawings import NONE, SHAKY, Hand, Mistake
 
 SAMPLES = confusion.SAMPLES
 TOLERANCE_MM = 0.9  # three times the error of the steadiest mark
@@ -99,6 +100,23 @@ def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
     told = check(asked.bench.asked, ReadPaper("t", spots))
     assert (told.verdict, told.first_wrong) == ("wrong", "s2")
     assert seen(astray, 0.0).verdict == "wrong"
+
+
+@pytest.mark.parametrize(
+    ("mistake", "between"),
+    [(Mistake("arm_wrong:I_2", "F_21t"), 0.33), (Mistake("inertia_moment_reversed", "F_21t"), 0.62)],
+)
+def test_nearer_to_a_mistake_than_to_the_right_plan_is_not_called_right(mistake: Mistake, between: float) -> None:
+    """Though all of it is within a hand's error of where it should be."""
+    easel = confusion.easel("kind-1-rrr", "force:2-3")
+    right, wrong = (easel.draw(m, Hand(NONE, random.Random(0)))[0] for m in (None, mistake))
+    told = []
+    for share in (0.0, between, 1.0):
+        ends = accumulate((z + share * (wrong[n] - z) for n, z in right.items()), initial=0j)
+        spots = [ReadMark(n, z, 0.03) for n, z in zip(("p", *right), ends, strict=True)]
+        told.append(check(confusion.bench(easel.sample, easel.plan).asked, ReadPaper("t", spots)))
+    assert [one.verdict for one in told] == ["right", "right_as_seen", "wrong"]
+    assert told[1].unseen == [mistake.where]
 
 
 def test_what_many_marks_show_is_sure_however_a_mark_is_read() -> None:

@@ -89,20 +89,23 @@ def filled(out: Path, seed: int) -> Iterator[Filled]:
             assert len(blank) == len(plans), (student, len(blank), plans)
             for page, plan in zip(blank, plans, strict=True):
                 grey = cv2.cvtColor(page.render(scale=PX_PER_MM * 25.4 / 72).to_numpy()[..., :3], cv2.COLOR_BGR2GRAY)
-                yield _taken(student, roomy(prepare(Asked(asked, plan))), grey, rng)
+                bench = roomy(prepare(Asked(asked, plan)))
+                mistake, one = drawing(bench, rng)
+                if one.strokes:  # nobody hands in a plan of nothing
+                    yield Filled(student, plan, mistake, taken(bench, one, grey, rng), one.marks)
 
 
-def _taken(student: str, bench: PreparedPlan, blank: Any, rng: random.Random) -> Filled:
+def taken(bench: PreparedPlan, one: Drawn, blank: Any, rng: random.Random) -> Any:
+    """The picture of a blank with that drawing on it, by a pencil or pen, scanner or telephone of its own."""
     spread = {**PEOPLE, **(HARD if rng.random() < PHONES else {"dpi": [150.0, 200.0, 300.0]})}
     setting = varied(Setting(), spread, rng)
     if rng.random() < ASKEW:
         setting = varied(setting, {"turn_deg": [-3.0, 3.0, 5.0], "quarter": [0, 1, 2, 3]}, rng)
-    mistake, one = drawing(bench, rng)
     paper = Paper(SHEET_MM, setting, rng)
     hand = Hand(paper, rng)
     printed_on(paper, blank)
     drawn_on(Page(paper, hand, Writer(hand, rng), rng, blank_pole(bench)), one)
-    return Filled(student, bench.asked.plan, mistake, camera.taken(paper, setting, rng)[0], one.marks)
+    return camera.taken(paper, setting, rng)[0]
 
 
 def drawing(bench: PreparedPlan, rng: random.Random) -> tuple[str, Drawn]:

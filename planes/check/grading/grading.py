@@ -132,9 +132,10 @@ class Grading:
 
     @property
     def unseen(self) -> list[str]:
-        """Marks not read from which nothing read was drawn, and short forces without which a polygon does not close."""
+        """Marks not read from which nothing read was drawn, short forces without which a polygon does not close, and a
+        mark that a mistake explains as well as a hand's error."""
         hidden = [label_of(m) for m, by in self.shown_by.items() if self.judgement.misses.keys().isdisjoint(by)]
-        return [*hidden, *(self._unseen_mm if self._gap_past > 0 else ())]
+        return [*hidden, *(self._unseen_mm if self._gap_past > 0 else ()), *self.judgement.doubted]
 
     @property
     def shown_by(self) -> dict[str, list[str]]:

@@ -27,6 +27,8 @@ UNDRAWN = 0.1  # the weight of "drawn wrongly" beside "left out", for a mark tha
 LEFT_OUT = ("_missing", "_along_loaded_link")
 MARGIN = 0.7  # the logarithm of how much better than the runner-up a mistake must be
 TOO_WELL = math.log(20)  # the logarithm of how much better than chance a mistake must explain what is within limits
+# a mark this many σ off may as well show a mistake that explains it so much (a logarithm) better than a hand's error
+NEAR, AS_WELL = 1.8, math.log(2)
 
 
 @dataclass
@@ -38,6 +40,7 @@ class Judgement:
     wrong: list[str] = field(default_factory=list)
     named: Variant | None = None
     runner_up: Variant | None = None
+    as_well: Variant | None = None  # of marks within limits, the mistake that explains them as well as a hand's error
     explained: frozenset[str] = frozenset()
     score: float = 0.0  # logarithm of how likely the drawing is, with the mistake that is named or without any
     chance_wrong: float = 0.0  # how likely it is that some mark is wrong
@@ -49,6 +52,11 @@ class Judgement:
             return self.named.blames
         return label_of(self.wrong[0]) if self.wrong else None
 
+    @property
+    def doubted(self) -> list[str]:
+        """The label of a mark within limits where a mistake explains the drawing as well."""
+        return [self.as_well.blames] if self.as_well else []
+
 
 def judge(
     hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
@@ -59,13 +67,16 @@ def judge(
     found.wrong = [m for m, miss in found.misses.items() if not miss.sigmas <= found.limit]
     found.score = sum(weighing.mixed(m, miss) for m, miss in found.misses.items())
     drawn = {label_of(m) for m in found.misses} - set(absent)
-    suspects = found.wrong[:1] or [m for m, miss in found.misses.items() if miss.sigmas > WARN]
+    suspects = found.wrong[:1] or [m for m, miss in found.misses.items() if miss.sigmas > NEAR]
+    close = any(found.misses[m].sigmas > WARN for m in suspects)
     ranked = weighing.ranked(variants, drawn, suspects) if suspects else []
     if ranked and found.wrong:  # is the likeliest mistake good enough to explain the first wrong mark?
         _keep(found, ranked, ranked[0].score >= max(0.0, weighing.unknown(found.wrong[0])))
-    elif ranked and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
+    elif ranked and close and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
         found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
         _keep(found, ranked, True)
+    elif ranked and ranked[0].score >= AS_WELL:
+        found.as_well = ranked[0].variant
     suspect = next((m for m in found.wrong[:1] if weighing.doubts[m]), None)
     right, otherwise = weighing.right(suspect), weighing.misread(suspect) if suspect else -math.inf
     found.chance_wrong = chance_wrong(right, otherwise, (one.score for one in ranked))

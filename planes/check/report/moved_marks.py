@@ -97,6 +97,8 @@ def _rule(grading: Grading) -> Json:
         "margin": judging.MARGIN,
         "too_well": judging.TOO_WELL,
         "warn": judging.WARN,
+        "near": judging.NEAR,
+        "as_well": judging.AS_WELL,
         "broad": evidence.breadth(extent(grading.truth, plan_of(grading.marks[0]))),
         "readable": READABLE,
         "key": [label_of(m) for m in key_marks(grading)],
