@@ -2,14 +2,11 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
 from planes.geometry.arrays import Array, Booleans, Indices
 from render.labels.candidates import (
-    APART_MM,
-    BETWEEN,
     FAR,
     NEAR,
     Candidates,
@@ -24,27 +21,15 @@ from render.labels.candidates import (
     placed,
     union,
 )
+from render.labels.effects import Effect, Everywhere
 from render.labels.surroundings import HARD, Surroundings
-from render.paper.style import LARGER
 
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
 CLOSE = 3.0  # cost of standing beside another label, farther off than it must
 PATIENCE = 1000  # how often labels of one board are asked to make room for others
-REACH_MM = max(
-    APART_MM, BETWEEN[0] * max(LARGER.values())
-)  # how far off a label may be that has anything to do with one
 FAR_PLACES = 160, 1000  # of a label that needs a leader line: the nearest free ones; more where those are not enough
 AWAY = 150.0  # cost of leaving a label out that is told elsewhere, too: less than an overlap, more than all else
 _SWEEPS = 8
-
-
-class Effect(NamedTuple):
-    """What a chosen place does to the candidates of other labels: which it clashes with and how often, and which it
-    stands close to."""
-
-    clashing: Indices
-    clashes: Indices
-    near: Indices
 
 
 class Board:
@@ -65,8 +50,7 @@ class Board:
 
     def _list(self) -> None:
         """Put the candidates of all labels into one list."""
-        self.every = union(self.options)
-        self.reach, self.static = np.ascontiguousarray(self.every.reach.T), np.concatenate(self.costs)
+        self.everywhere, self.static = Everywhere(union(self.options)), np.concatenate(self.costs)
         ends = np.cumsum([0, *map(len, self.costs)]).tolist()
         self.rows = [slice(*two) for two in pairwise(ends)]
         self.effects: dict[tuple[int, int], Effect] = {}
@@ -78,21 +62,10 @@ class Board:
         """Count what the place of label k does to the candidates of all others, or take it away."""
         option = self.chosen[k]
         if (k, option) not in self.effects:
-            self.effects[k, option] = self._effect(k, option)
+            self.effects[k, option] = self.everywhere.effect(self.rows[k].start + option, self.rows[k])
         effect = self.effects[k, option]
         self.clashes[effect.clashing] += sign * effect.clashes
         self.near[effect.near] += sign
-
-    def _effect(self, k: int, option: int) -> Effect:
-        row = self.rows[k].start + option
-        left, low, right, top = self.reach
-        reached = (left < right[row] + REACH_MM) & (right > left[row] - REACH_MM)
-        reached &= (low < top[row] + REACH_MM / 2) & (top > low[row] - REACH_MM / 2)
-        reached[self.rows[k]] = False
-        at = np.flatnonzero(reached)
-        clashes, near = met(self.every.some(at), self.every.some(np.array([row])))
-        clashing = np.flatnonzero(clashes[:, 0])
-        return Effect(at[clashing], clashes[clashing, 0], at[near[:, 0]])
 
     def _strays(self, k: int) -> Booleans:
         """Which candidates of label k stand nearer to the point of another label than to their own."""
@@ -140,28 +113,37 @@ class Board:
 
     def _push(self, k: int) -> None:
         """Give label k a place held by others, if every one of them finds another."""
+        if self.moves > PATIENCE:
+            return
         kept = dict(self.chosen)
         free = np.argsort(self.costs[k], kind="stable")
         free = free[self.costs[k][free] < HARD]
         places = self.options[k].some(free)
-        clashes, _ = met(places, self.every.some(self.places()))
-        clashes[:, k] = 0
+        struck = np.column_stack([self._struck(j, k)[free] for j in range(len(self.labels))])
+        first = np.where(struck.any(axis=1), struck.argmax(axis=1), -1).tolist()
         ways = dict[int, Booleans]()
-        for at, option in enumerate(free.tolist()):
-            held = np.flatnonzero(clashes[at]).tolist()
+        for at, (option, j) in enumerate(zip(free.tolist(), first, strict=True)):
             if self.moves > PATIENCE:
                 return
-            if held and held[0] not in ways:
-                ways[held[0]] = self._gives_way(held[0], k, places)
-            if held and not ways[held[0]][at]:
+            if j >= 0 and j not in ways:
+                ways[j] = self._gives_way(j, k, places)
+            if j >= 0 and not ways[j][at]:
                 self.moves += 1
                 continue
             self._take(k, option)
-            if all(map(self._moves, held)) and self.cost(self.rows[k])[option] < HARD:
+            if all(map(self._moves, np.flatnonzero(struck[at]).tolist())) and self.cost(self.rows[k])[option] < HARD:
                 return
             for j, place in kept.items():
                 if self.chosen[j] != place:
                     self._take(j, place)
+
+    def _struck(self, j: int, k: int) -> Booleans:
+        """Which places of label k clash with label j where it stands."""
+        clashing, rows = self.effects[j, self.chosen[j]].clashing, self.rows[k]
+        first, last = np.searchsorted(clashing, (rows.start, rows.stop))
+        found = np.zeros(rows.stop - rows.start, dtype=bool)
+        found[clashing[first:last] - rows.start] = True
+        return found
 
     def _gives_way(self, j: int, k: int, places: Candidates) -> Booleans:
         """Which places of label k leave label j one where it overlaps nothing."""
@@ -169,7 +151,7 @@ class Board:
         rows = np.flatnonzero(self.cost(self.rows[j]) < HARD) + self.rows[j].start
         near = self.near[rows] > 0
         self._count(k, 1)
-        clashes, close_by = met(places, self.every.some(rows))
+        clashes, close_by = met(places, self.everywhere.every.some(rows))
         found: Booleans = ((clashes == 0) & (self.static[rows] + CLOSE * (close_by | near) < HARD)).any(axis=1)
         return found
 
@@ -213,4 +195,4 @@ class Board:
 
     def placed(self) -> Placed:
         """The labels in the places chosen for them."""
-        return placed(self.labels, self.every.some(self.places()))
+        return placed(self.labels, self.everywhere.every.some(self.places()))
