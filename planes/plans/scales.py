@@ -18,6 +18,8 @@ FIT_MM |= {"contour": 100.0, "vectors": 100.0}
 """How large a plan may be on the paper when nothing else is said."""
 SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 """How large plans are on a format that a scene names, against the usual: as its sides are."""
+BESIDE = {"A4": 0.7, "A3": 1.0, "A2": 1.4, "A1": 2.0, "A0": 2.8}
+"""On several of a format side by side, as A3x4: these are as high as the next larger one."""
 USUAL_GROUPS = 2  # the plans of more need a larger format
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn at its μ
@@ -27,7 +29,8 @@ def fits_on(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
     """How large each kind of plans may be on the format that is named for the sheets of a scene, or on one that holds
     plans of so many groups."""
     usual = SHARES["A1"] if len(plans.structure.groups) > USUAL_GROUPS else 1.0
-    share = SHARES.get(str(sheet.get("format", ""))[:2], usual)
+    name = str(sheet.get("format", ""))
+    share = (BESIDE if "x" in name else SHARES).get(name[:2], usual)
     return {kind: share * mm for kind, mm in FIT_MM.items()}
 
 

@@ -183,10 +183,10 @@ class GivenTable:
         lang = self.naming.lang
         for _, sign, key, law in self.ruled():
             if not isinstance(law, StrokeLoad):
-                yield f"{sign} = {self.law(law)}, {say(key, lang)}"
+                yield f"{sign} = {self.measured(law, key)}"
                 continue
             for word, part in (("stroke_working", law.working), ("stroke_idle", law.idle)):
-                yield f"{sign} = {self.law(part)}, {say(key, lang)} ({say(word, lang)})"
+                yield f"{sign} = {self.measured(part, key)} ({say(word, lang)})"
 
     def ruled(self) -> Iterator[tuple[str, str, str, Amount | StrokeLoad]]:
         """Loads that are laws: their names, as they are lettered, the keys of their units, the laws."""
@@ -195,6 +195,10 @@ class GivenTable:
             m = plans.means[name]
             key, sign = {"load": "N", "couple": "N·m"}.get(m.quantity, "°"), self.naming.vector(m.of)
             yield name, f"∠{sign}" if key == "°" else sign, key, law
+
+    def measured(self, law: Amount, key: str) -> str:
+        """A law with its unit, which a comma parts from a formula."""
+        return f"{self.law(law)}{' ' if isinstance(law, int | float) else ', '}{say(key, self.naming.lang)}"
 
     def law(self, law: Amount) -> str:
         """A law, as far as there is room for it in a cell."""

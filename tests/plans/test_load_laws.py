@@ -181,4 +181,8 @@ def test_law_and_value_are_told(lang) -> None:
     assert any(law in line for line in conditions(here.plans.mechanism, lang))
     given = GivenTable(here, Naming(lang), scene.parameters)
     assert ("P_{3}", "1928", {"en": "N", "ru": "Н"}[lang]) in [*given.rows(), *given.laws()]
-    assert any("(3000·sin(φ_{1}))" in told and say("stroke_working", lang) in told for told in given.formulas())
+    newton = say("N", lang)
+    assert list(given.formulas()) == [
+        f"P_{{3}} = (3000·sin(φ_{{1}})), {newton} ({say('stroke_working', lang)})",
+        f"P_{{3}} = 200 {newton} ({say('stroke_idle', lang)})",
+    ]

@@ -8,8 +8,10 @@ import pypdfium2
 import pytest
 
 from planes.documents.sheets import sheet_of
+from planes.plans.scales import fits_on
 from planes.scene import load, loads
 from planes.scene.settings import SHEET_WORDS
+from planes.solving import plans_of
 from planes.words.errors import PlanesError, SceneError
 from render.files import pdf
 from render.paper.marks import Text
@@ -56,6 +58,14 @@ def test_the_page_of_a_file_is_of_the_very_size_and_says_its_format(name: str) -
     assert page.get_size() == pytest.approx([side / 25.4 * 72 for side in paper.size], abs=0.01)
     (said,) = (m.text for m in paper.marks({}) if isinstance(m, Text) and m.name == "cell format")
     assert said == name.replace("x", "×")
+
+
+@pytest.mark.parametrize("name", EXTENDED)
+def test_plans_are_as_large_on_an_extended_format_as_on_one_as_high(name: str) -> None:
+    plans = plans_of(load(ROOT / "samples" / "kind-1-rrr.yaml"))[0]
+    as_high = [usual for usual, size in FORMATS.items() if min(size) == EXTENDED[name][1]] or ["A0"]
+    fits, usual = fits_on({"format": name}, plans), fits_on({"format": as_high[0]}, plans)
+    assert fits == usual or (name[:2] == "A0" and fits["position"] > usual["position"])
 
 
 @pytest.mark.slow

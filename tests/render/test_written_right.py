@@ -27,6 +27,7 @@ from render.labels.footprints import ink, overprinted
 from render.paper.letters import pieces
 from render.paper.marks import Line, Text
 from render.paper.typeset import layout, plain
+from render.views import remark
 from render.views.arms import Arms
 from render.views.loading import Arrows
 from render.views.table_grid import TableGrid
@@ -197,3 +198,9 @@ def test_an_arm_of_two_forces_is_drawn_once() -> None:
     arms.add(5 + 9j, 1 + 0j, 0j, "h_{P3}", "P_3")
     assert [x.text for x in arms.named] == ["h_{G2} = h_{G3}", "h_{P3}"]
     assert [m.layer for m in arms.marks if isinstance(m, Line)].count("dimension") == 2
+
+
+def test_no_word_of_a_remark_stands_alone_where_lines_can_be_even() -> None:
+    narrow = [Line((0j, 20 + 0j), "thin", "plan")]
+    lines = [m.text for m in remark("(vectors of one line are drawn side by side)", narrow)]
+    assert len(lines) == 2 and max(map(len, lines)) < 1.5 * min(map(len, lines))
