@@ -12,7 +12,7 @@ from render.paper.typeset import extent, ink_width, plain, wrapped
 TITLE_MM = 5.0  # letter height of titles
 REMARK_MM = 2.5
 REMARK_WIDE = 24.0  # letters: a line of remarks beneath what is narrower
-EVENLY = 1.15  # how much longer than the others a line of remarks may be, so that no word stands alone
+EVENLY = 1.15  # how much longer than the others a line of remarks may be, where else a word stands alone
 TITLE_GAP = 4.0  # from a title to its view
 SET_IN_MM = 35.0  # no view begins farther to the right of its title
 
@@ -86,9 +86,9 @@ def remark(text: str, marks: Iterable[Mark]) -> list[Text]:
     """What must be known of the marks, in small letters beneath them, from their left edge, no wider than they are."""
     (x0, y0, x1, _), high = bounds(tuple(marks)), tall(REMARK_MM)
     wide = max(x1 - x0, REMARK_WIDE * high)
-    usual = wrapped(text, wide, high)
-    even = wrapped(text, min(wide, EVENLY * ink_width(text, high) / len(usual)), high)
-    lines = even if len(even) == len(usual) else usual
+    lines = wrapped(text, wide, high)
+    if " " not in lines[-1]:
+        lines = wrapped(text, min(wide, EVENLY * ink_width(text, high) / len(lines)), high)
     return [Text(t, complex(x0, y0 - 2.5 - high - 1.7 * high * k), high, name="remark") for k, t in enumerate(lines)]
 
 
