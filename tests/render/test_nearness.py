@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 import shapely
 
+from render.labels.candidates import FAR, NEAR, Label, beside, far_off, met, union
+from render.labels.effects import Everywhere
 from render.labels.nearness import edges_of
 
 
@@ -37,3 +39,22 @@ def test_a_box_inside_a_filled_shape_is_on_ink_and_one_within_a_ring_is_not() ->
     shapes, inside = np.array([shapely.Polygon(round_), shapely.LineString(round_)]), np.array([[15.0, 15, 25, 25]])
     assert [edges_of(shapes[k : k + 1], np.zeros(1)).near(inside, (1.0,))[0].tolist() for k in (0, 1)] == [[1], [0]]
     assert edges_of(shapes[:0], np.zeros(0)).near(inside, (1.0,))[0].tolist() == [0]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_place_does_to_others_what_each_pair_of_places_says(seed: int) -> None:
+    dice = random.Random(seed)
+    labels = [Label(f"F_{{{k}}}", complex(dice.uniform(0, 60), dice.uniform(0, 40)), 3.5) for k in range(8)]
+    options = [union([beside(x, NEAR), far_off(x, FAR[:4])]) for x in labels]
+    every, many = union(options), len(options[0].wish)
+    found = Everywhere(every)
+    rows = dice.sample(range(len(every.wish)), 40)
+    clashes, close = met(every, every.some(np.array(rows)))
+    for row, wanted, near in zip(rows, clashes.T, close.T, strict=True):
+        own = slice(row // many * many, (row // many + 1) * many)
+        wanted[own], near[own] = 0, False
+        effect = found.effect(row, own)
+        assert effect.near.tolist() == np.flatnonzero(near).tolist()
+        assert effect.clashing.tolist() == np.flatnonzero(wanted).tolist()
+        assert effect.clashes.tolist() == wanted[effect.clashing].tolist()
+    assert clashes.max() > 1
