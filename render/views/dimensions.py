@@ -19,6 +19,7 @@ from render.views.plotted import Places, degrees
 
 PAST_MM = 1.5  # of a leading line beyond the arrow
 OVER_MM = 0.9  # of the size over the line of its arrows
+TAIL_MM = 0.6  # of a comma beneath its line: so much higher a size stands over a head
 LETTER_MM = 3.5
 BESIDE_MM = 10.0  # of sizes from what is drawn
 HEADS_MM = 8.0  # of the arrows beside the text
@@ -53,7 +54,8 @@ class Size:
         free = (z for t in PARTING if self.clear(z := a + t * (b - a), others))
         parting = next(free, (a + b) / 2)
         arrows = [Arrow(parting, end, "thin", "dimension") for end in self.ends]
-        place = parting + OVER_MM * 1j * symbols.unit(self.turn)
+        short = min(abs(end - parting) for end in self.ends) < (ink_width(self.text, tall(LETTER_MM)) + HEADS_MM) / 2
+        place = parting + (OVER_MM + (TAIL_MM if short else 0.0)) * 1j * symbols.unit(self.turn)
         return [
             *self.leading(),
             *arrows,

@@ -19,11 +19,12 @@ from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
+from render.labels.footprints import overprinted
 from render.paper.marks import Arrow, Line, Shape, Text
 from render.paper.style import BASE_MM
 from render.paper.typeset import plain
 from render.views.curve_pieces import runs
-from render.views.dimensions import Size, sizes_drawn
+from render.views.dimensions import Size, sizes_drawn, stroke
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.scheme import Scheme
 from tests.helpers import ROOT, sheets
@@ -225,3 +226,11 @@ def test_two_rods_of_one_link_have_the_sign_of_a_rigid_joint(name):
     scheme.drawn()
     gussets = [m for m in scheme.bars if isinstance(m, Shape)]
     assert gussets and all(min(abs(m.points[0] - scheme.places.at(p)) for p in scheme.shared) < 0.1 for m in gussets)
+
+
+@pytest.mark.parametrize("long", [14.0, 40.0])
+def test_the_comma_of_a_size_is_clear_of_the_heads_beneath_it(long: float) -> None:
+    size = stroke(0j, long + 0j, -10j, "388,2")
+    near = Line((complex(0.2 * long, -12), complex(0.2 * long, -4)), "thin", "scheme")
+    *_, one, other, text = size.marks([near] if long > 20 else [])
+    assert isinstance(text, Text) and overprinted([one, other, text]) == []
