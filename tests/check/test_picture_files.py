@@ -21,7 +21,7 @@ import numpy as np  # noqa: E402
 
 from planes.check.reading.opened import MB  # noqa: E402
 from planes.check.vision.image.decoding import MOST_PAGE, load  # noqa: E402
-from planes.check.vision.image.no_paper import shows_paper  # noqa: E402
+from planes.check.vision.image.no_paper import shows_paper, shows_text_only  # noqa: E402
 from planes.check.vision.image.picture import MOST_FLAT, PX_PER_MM, Flat  # noqa: E402
 from planes.check.vision.marks.page_parts import parts_of  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
@@ -189,3 +189,26 @@ def test_squared_paper_is_paper(every: int, dark: int) -> None:
     sheet[::every] = sheet[:, ::every] = 240 - dark
     sheet[1::every] = sheet[:, 1::every] = 240 - dark
     assert shows_paper(sheet)
+
+
+def text_page() -> np.ndarray:
+    """A page of print at 150 dpi, letters about 2.5 mm high."""
+    page = np.full((1754, 1240), 242, np.uint8)
+    words = random.Random(3)
+    for y in range(120, 1640, 34):
+        line = " ".join("".join(words.choices("abcdefgmnorstuvwk", k=words.randint(2, 9))) for _ in range(14))[:62]
+        for k, letter in enumerate(line):
+            cv2.putText(page, letter, (90 + 17 * k, y), cv2.FONT_HERSHEY_DUPLEX, 0.6, 40, 1, cv2.LINE_AA)
+    return page
+
+
+def test_a_page_of_text_is_refused_at_a_glance(tmp_path: Path) -> None:
+    """In a sentence of its own; not where a line of a drawing is among the letters, faint though it be."""
+    page = text_page()
+    cv2.imwrite(str(tmp_path / "t.png"), page)
+    with pytest.raises(PlanesError, match="page of text"):
+        load(tmp_path / "t.png")
+    drawn = page.copy()
+    cv2.line(drawn, (300, 500), (620, 640), 205, 3, cv2.LINE_AA)
+    assert not shows_text_only(drawn)
+    assert not shows_text_only(np.full((1754, 1240), 242, np.uint8))

@@ -12,11 +12,14 @@ import cv2
 import numpy as np
 
 from planes.check.fiducials import SHEET_MM
+from tests.physical.layout import Box
 from tests.physical.paper import PX_PER_MM, Paper
 from tests.physical.setting import Setting
 
 TABLE = ((92, 118, 140), (60, 62, 66), (150, 160, 165))  # what a photographed sheet lies on
 FILLED = 0.92  # of a picture, by the sheet
+NEAR_MM = 12.0  # about a drawing that is photographed from near by
+SHEET = 0j, complex(*SHEET_MM)
 FOCAL = 0.75  # of a telephone's lens, in picture widths
 
 
@@ -61,9 +64,10 @@ class View:
         return (x + np.complex64(1j) * y) / depth
 
 
-def taken(paper: Paper, setting: Setting, rng: random.Random) -> tuple[Any, View]:
-    """The picture of a sheet, and how its places are seen."""
-    view = scanner(setting, rng) if setting.camera == "scan" else telephone(setting, rng)
+def taken(paper: Paper, setting: Setting, rng: random.Random, drawing: Box = SHEET) -> tuple[Any, View]:
+    """The picture of a sheet, or, from near by, of the drawing on it; and how its places are seen."""
+    aim = _about(drawing) if setting.close else SHEET
+    view = scanner(setting, rng) if setting.camera == "scan" else telephone(setting, rng, aim)
     picture = developed(paper, view, setting, rng)
     if setting.camera != "scan":
         picture = lit(picture, setting, rng)
@@ -85,22 +89,32 @@ def scanner(setting: Setting, rng: random.Random) -> View:
     return View(plane, size)
 
 
-def telephone(setting: Setting, rng: random.Random) -> View:
-    """A telephone held over a sheet, tilted about any axis, its picture filled by the sheet."""
+def _about(drawing: Box) -> Box:
+    """What is seen from near by, of a picture's shape: the drawing and a little about it."""
+    low, high = drawing
+    middle, wide = (low + high) / 2, max((high - low).real + 2 * NEAR_MM, ((high - low).imag + 2 * NEAR_MM) / 0.75)
+    half = complex(wide, 0.75 * wide) / 2
+    return middle - half, middle + half
+
+
+def telephone(setting: Setting, rng: random.Random, aim: Box) -> View:
+    """A telephone held over a place of a sheet, tilted about any axis, its picture filled by what it aims at."""
     width, height = setting.width_px, round(setting.width_px * 0.75)
     tilt, way, roll = math.radians(setting.tilt_deg), rng.uniform(0, 6.28), math.radians(setting.turn_deg)
     axis = np.array([math.cos(way), math.sin(way), 0.0]) * tilt
     turn = cv2.Rodrigues(axis)[0] @ cv2.Rodrigues(np.array([0.0, 0.0, roll]))[0]
-    w, h = SHEET_MM
-    ground = np.array([[1, 0, -w / 2], [0, -1, h / 2], [0, 0, 0]]) + 0.0
-    distance = np.array([[0, 0, 0], [0, 0, 0], [0, 0, w / FILLED * FOCAL]]) + 0.0
-    seen = np.diag([FOCAL * width, FOCAL * width, 1.0]) @ (turn @ ground + distance)
-    corners = seen @ np.array([[0, w, w, 0], [0, 0, h, h], [1, 1, 1, 1]])
-    xs, ys = corners[0] / corners[2], corners[1] / corners[2]
-    fit = FILLED * min(width / np.ptp(xs), height / np.ptp(ys))
-    low = np.array([(width - fit * (xs.min() + xs.max())) / 2, (height - fit * (ys.min() + ys.max())) / 2])
-    plane = np.array([[fit, 0, low[0]], [0, fit, low[1]], [0, 0, 1]]) @ seen
-    return View(plane, (width, height), setting.lens)
+    (low, high), middle = aim, (aim[0] + aim[1]) / 2
+    x, y = (low.real, high.real, high.real, low.real), (low.imag, low.imag, high.imag, high.imag)
+    corners = np.array([x, y, np.ones(4)])
+    ground = np.array([[1, 0, -middle.real], [0, -1, middle.imag], [0, 0, 0]]) + 0.0
+    place, seen = np.array([0.0, 0.0, (high - low).real / FILLED * FOCAL]), ground
+    for _ in range(6):  # so held that what is aimed at fills the picture, its middle in the middle
+        seen = turn @ ground + place[:, None] * np.array([0.0, 0.0, 1.0])
+        rim = FOCAL * width * (seen @ corners)[:2] / (seen @ corners)[2]
+        place[:2] -= (rim.min(axis=1) + rim.max(axis=1)) / 2 * place[2] / (FOCAL * width)
+        place[2] *= max(np.ptp(rim[0]) / width, np.ptp(rim[1]) / height) / FILLED
+    lens = np.array([[FOCAL * width, 0, width / 2], [0, FOCAL * width, height / 2], [0, 0, 1]])
+    return View(lens @ seen, (width, height), setting.lens)
 
 
 def developed(paper: Paper, view: View, setting: Setting, rng: random.Random) -> Any:

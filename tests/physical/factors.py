@@ -15,6 +15,7 @@ HARD: Spread = {
     "width_px": [1280, 2000],
     "quality": 60,
 }
+ASIDE: Spread = {**PHONE, "tilt_deg": (3.0, 14.0)}  # as a sheet is photographed by who does not look for it
 PAPERS = [(244, 247, 248), (214, 234, 241), (222, 224, 222)]  # white, cream, grey
 FRAME: Spread = {"sheet": "frame", "pole_told": True}
 POINTS: Spread = {"sheet": "paper", "pole_told": True}
@@ -91,6 +92,10 @@ FACTORS: dict[str, Spread] = {
     "together: phone": {**PEOPLE, **HARD, "name": [False, True]},
     "together: frame": {**PEOPLE, **EXTRAS, **FRAME},
     "together: paper": {**PEOPLE, **EXTRAS, **POINTS, "grid": ["", "squared", "millimetre", "ruled"]},
+    "points, phone, squared": {**POINTS, **ASIDE, "grid": "squared"},
+    "points, phone, ruled": {**POINTS, **ASIDE, "grid": "ruled"},
+    "points, phone, edges": {**POINTS, **ASIDE},
+    "points, phone, no edges": {**POINTS, **ASIDE, "close": True},
 }
 HELD: dict[str, Spread] = {  # nobody tunes to these: they are counted once, at the end, by the word "held"
     "folded": {"crease": 0.25},

@@ -52,6 +52,7 @@ class Setting:
     quarter: int = 0  # quarter turns
     width_px: int = 2000
     tilt_deg: float = 4.0
+    close: bool = False  # so near the drawing that the sheet's edges are not in view
     lens: float = 0.01
     lamp: float = 0.15  # how much darker the far side of the sheet is
     shadow: float = 0.0  # how dark a hand's shadow is

@@ -158,11 +158,12 @@ class Hand:
     ) -> None:
         self.program, self.taken = program, taken
         self.given, self.unsure = given, unsure  # a result may be of a given, or need a scale no step asks
-        columns, width = columns_of(program.steps, [*taken, *self.unsure])
+        shared = max((len(t.shared) for t in taken.values()), default=0)
+        columns, width = columns_of(program.steps, [*taken, *self.unsure], shared)
         self.tool = _Marking(skill, columns, width)
         laid = {step.makes for step in program.steps if isinstance(step, Same)}
-        errors = {n: max(t.error_mm, skill.point_mm) if n in laid else t.error_mm for n, t in taken.items()}
-        self.tool.own = {n: self.tool.taken(n, t.place, errors[n]) for n, t in taken.items()}
+        errors = {n: max(t.alone_mm, skill.point_mm) if n in laid else t.alone_mm for n, t in taken.items()}
+        self.tool.own = {n: self.tool.taken(n, t.place, errors[n], t.shared) for n, t in taken.items()}
         self.tool.values = self.given
         self.things: Env = dict(self.given)
         for name, share in self.unsure.items():  # a given that is itself only estimated: its relative error

@@ -38,12 +38,19 @@ Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the
 @dataclass(frozen=True)
 class ReadMark:
     """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way) and how likely
-    it was read at a place that is not the person's mark at all."""
+    it was read at a place that is not the person's mark at all. Part of the error it may share with all marks: what
+    each common cause, one σ of it, moves it by."""
 
     name: str
     place: complex
     error_mm: float = 0.1
     doubt: float = 0.0
+    shared: tuple[complex, ...] = ()
+
+    @property
+    def alone_mm(self) -> float:
+        """The part of its error that is its own."""
+        return math.sqrt(max(self.error_mm**2 - sum(abs(z) ** 2 for z in self.shared) / 2, 0.0))
 
 
 def with_told(spots: Iterable[ReadMark], told: Mapping[str, complex], doubt: float) -> list[ReadMark]:

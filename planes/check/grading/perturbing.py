@@ -36,11 +36,15 @@ def cad(extent_mm: float) -> Skill:
     return Skill(0.002 * extent_mm, 0.002 * extent_mm, math.degrees(0.002))
 
 
-def columns_of(steps: Iterable[Step], read: Iterable[str]) -> tuple[dict[str, int], int]:
-    """The first column of every step that can err, of every name read with an error; how many there are."""
+SHARED = "shared"  # the name of errors that all marks share
+
+
+def columns_of(steps: Iterable[Step], read: Iterable[str], shared: int = 0) -> tuple[dict[str, int], int]:
+    """The first column of every step that can err, of every name read with an error, of errors that marks share; how
+    many there are."""
     columns, width = dict[str, int](), 1
     drawn = ((s.makes, _COLUMNS[s.kind]) for s in steps if s.kind in _COLUMNS)
-    for name, count in (*drawn, *((f"read {n}", 2) for n in read)):
+    for name, count in (*drawn, *((f"read {n}", 2) for n in read), (SHARED, shared)):
         columns[name] = width
         width += count
     return columns, width
@@ -90,10 +94,11 @@ class Nudged(Tool):
         out[self._next()] += self.skill.ruler_mm
         return out
 
-    def taken(self, name: str, place: complex, error_mm: float) -> Point:
-        """A mark read from a person's drawing, with the error of the reading."""
+    def taken(self, name: str, place: complex, error_mm: float, shared: Sequence[complex] = ()) -> Point:
+        """A mark read from a person's drawing, with the error of the reading, its own and what others share."""
         out = self.spread(complex(place))
         column = self.columns[f"read {name}"]
         out[column] += error_mm
         out[column + 1] += 1j * error_mm
+        out[self.columns[SHARED] : self.columns[SHARED] + len(shared)] += shared
         return out

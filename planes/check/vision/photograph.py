@@ -10,18 +10,10 @@ from planes.check.grading.remedies import asking
 from planes.check.sheet_mark import mark_of
 from planes.check.vision.image.decoding import DecodedPicture, load
 from planes.check.vision.image.frame import by_frame
-from planes.check.vision.image.picture import (
-    LARGEST_PX,
-    Flat,
-    by_points,
-    by_scale,
-    cv,
-    find_marks,
-    fits,
-    flatten,
-    smaller,
-)
-from planes.check.vision.looking import EXPLAINED, MOST_LINES, seen_best
+from planes.check.vision.image.picture import LARGEST_PX, Flat, by_scale, cv, find_marks, fits, flatten, smaller
+from planes.check.vision.image.two_points import by_points
+from planes.check.vision.looking import EXPLAINED, MOST_LINES, Look, seen_best
+from planes.check.vision.marks.from_aside import strange, tilt_told
 from planes.check.vision.marks.print_scale import printed_share
 from planes.geometry.arrays import Greys
 from planes.words import Phrase
@@ -45,6 +37,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
             best, paper.scale_mark = look, None if flat.by_file else named
         if best.flat.by in ("scale", "part") and best.explained >= EXPLAINED:
             break
+    best = best and _from_aside(bench, picture, known, best)
     told = best and (best.flat.by not in ("scale", "part") or pole is not None)
     if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
         raise _nothing_to_measure_by(picture.grey)
@@ -75,6 +68,19 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
+
+
+def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
+    """What a photograph of a plan by two points shows if it was taken from aside, by as much as its marks tell; as it
+    was looked at before, if that explains them better."""
+    lens, true = best.flat.lens, {label_of(m): z for m, z in bench.true_marks.items()}
+    tilt = tilt_told(lens, best.pole, best.spots, true) if lens and best.spots else None
+    if tilt is None or lens is None or known.pole is None:
+        return best
+    flat, _ = _by_hand(bench, picture, known.pole, known.marks, tilt)
+    other = seen_best(bench, flat, 0j)
+    likelier = strange(lens, best.pole, best.spots, true) - strange(lens, other.pole, other.spots, true)
+    return other if other.spots and likelier > 0 else best
 
 
 def _as_printed(bench: PreparedPlan, flat: Flat) -> PreparedPlan:
@@ -111,16 +117,15 @@ def shown(flat: Flat) -> bytes:
 
 
 def _by_hand(
-    bench: PreparedPlan, picture: DecodedPicture, pole: complex, marks: Mapping[str, complex]
+    bench: PreparedPlan, picture: DecodedPicture, pole: complex, marks: Mapping[str, complex], tilt: complex = 0j
 ) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
     names = Names([label_of(m) for m in bench.marks])
     name, where = next(((n, z) for k, z in marks.items() if (n := names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
-    return by_points(
-        picture.grey, pole, where, _vector(bench, picture, abs(where - pole), name), name, picture.scale
-    ), name
+    vector = _vector(bench, picture, abs(where - pole), name)
+    return by_points(picture.grey, pole, where, vector, name, picture.scale, tilt), name
 
 
 def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: str) -> complex:

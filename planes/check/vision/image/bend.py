@@ -5,7 +5,7 @@ seen bent, the lens is fitted that makes them straight, and what is then left is
 opposite sides.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy
@@ -34,6 +34,13 @@ class Bend:
     size_px: tuple[float, float]
     shrink: float = 1.0  # by which the picture was made smaller before it was looked at
     sides: Array | None = None  # how far the paper moves the left, right, lower, upper side outwards, px, at even steps
+
+    @classmethod
+    def about(cls, shape: tuple[int, ...], lens: float = 0.0) -> "Bend":
+        """A lens alone, about the middle of a picture of a shape (rows, columns)."""
+        height, width = shape[:2]
+        middle = complex(width, height) / 2
+        return cls(middle, abs(middle), (lens, 0.0), numpy.eye(3), (width, height))
 
     def straight(self, z: Place) -> Place:
         """Pixels of the picture as they would be without the lens's bend."""
@@ -80,9 +87,8 @@ def through(view: Array, z: Place) -> Place:
 
 def bend_of(grey: Greys, view: Array, scale: float) -> Bend | None:
     """The bend of a picture seen by ``view`` (its pixels to ``scale`` a mm); None where there is none to speak of."""
-    height, width = grey.shape
     size = SHEET_MM[0] * scale, SHEET_MM[1] * scale
-    bend = Bend(complex(width, height) / 2, abs(complex(width, height)) / 2, (0.0, 0.0), view, size)
+    bend = replace(Bend.about(grey.shape), view=view, size_px=size)
     seen = _sides(grey, bend, scale)
     if seen:
         bend.lens = _lens(bend, [z for z, _ in seen])

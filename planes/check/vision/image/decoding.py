@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy
 
 from planes.check.reading.opened import LARGEST, MB, contents, hushed
-from planes.check.vision.image.no_paper import shows_paper
+from planes.check.vision.image.no_paper import shows_paper, shows_text_only
 from planes.check.vision.image.picture import LARGEST_PX, cv, find_sheets, sheet_alone, smaller
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
@@ -65,6 +65,8 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
         raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{width} × {height}"))
     if not shows_paper(found.grey):
         raise PlanesError(Phrase("check_no_paper", file=str(path)))
+    if shows_text_only(found.grey):
+        raise PlanesError(Phrase("check_text_only", file=str(path)))
     return found if page is None or paged else _blank_of(found, page, str(path))
 
 

@@ -51,11 +51,11 @@ def frame_corners(grey: Greys) -> Array | None:
             if len(quad) == 4:
                 quads.append((area, quad.reshape(4, 2).astype(float)))
     quads.sort(key=lambda q: q[0])
-    refined = (_refined(grey, _ordered((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
+    refined = (_refined(grey, ordered((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
     return next((c for c in refined if c is not None), None)  # the innermost dark line: paper's edge is none
 
 
-def _ordered(quad: Array) -> Array:
+def ordered(quad: Array) -> Array:
     """Lower left first, counter-clockwise as one sees it, of a picture that is about upright."""
     x, y = (quad - quad.mean(axis=0)).T
     quad = quad[numpy.argsort(numpy.arctan2(-y, x))]

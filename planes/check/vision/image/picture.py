@@ -1,6 +1,5 @@
 """A photograph or scan of a plan on paper, made straight and to scale by the blank's corner marks or by two points."""
 
-import cmath
 import math
 from dataclasses import dataclass, field, replace
 from types import ModuleType
@@ -9,17 +8,15 @@ import numpy
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.image.bend import Bend, add_paper, bend_of
+from planes.check.vision.image.lens import Lens
 from planes.check.vision.image.several import sheets_apart
 from planes.geometry.arrays import Array, Greys
-from planes.words import Phrase, Written
+from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 PX_PER_MM = 8.0
 LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
-LEAST_ASKEW_DEG, MOST_ASKEW_DEG = 0.5, 4.0  # less is a hand's own error, more is no sheet's that was laid straight
 RIM_MM = 5.0  # about a sheet that is cut out of a picture
-SHORT_MM = 3.0  # a vector that tells neither scale nor direction
-DRAWN_MM = 1.5  # no more is a vector longer or shorter for a hand's error
 MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
 
 
@@ -35,8 +32,10 @@ class Flat:
     notes: list[Phrase] = field(default_factory=list)
     bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
     told: tuple[str, float] | None = None  # the mark its scale was taken from, and how far from the pole that was put
-    aslant: bool = False  # whether it may be a photograph, taken from aside
-    by_file: bool = False  # whether two points but turn it straight, and its scale is what its file tells
+    lens: Lens | None = None  # of a photograph, where nothing tells how the camera was held
+    aslant: float = 0.0  # by which share of its length a vector may seem longer than another, as the camera looked
+    by_file: bool = False  # whether two points but turn it straight, and its scale is what its file or paper tells
+    by_paper: bool = False  # whether its direction, too, is its paper's
     printed: float = 1.0  # the share of its size a blank was printed at, where the file tells how large it is
 
     @property
@@ -183,32 +182,18 @@ def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, 
     straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
     bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
     add_paper(bend, grey, PX_PER_MM)
-    width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
+    return remapped(grey, bend, (round(SHEET_MM[0] * PX_PER_MM), round(SHEET_MM[1] * PX_PER_MM)))
+
+
+def remapped(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
+    """The flat picture (width, height) of a bent one."""
+    cv2, (width, height) = cv(), size
     cell = 16  # a map that is so smooth need not be told for every pixel
-    across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in (width, height))
+    across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in size)
     source = bend.source(across[None, :] + 1j * down[:, None])
-    size = len(across) * cell, len(down) * cell
-    maps = (cv2.resize(m.astype(numpy.float32), size)[:height, :width] for m in (source.real, source.imag))
+    whole = len(across) * cell, len(down) * cell
+    maps = (cv2.resize(m.astype(numpy.float32), whole)[:height, :width] for m in (source.real, source.imag))
     flat: Greys = cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
-    return flat
-
-
-def by_points(
-    grey: Greys, pole: complex, mark: complex, vector: complex, name: str = "", told: float | None = None
-) -> Flat:
-    """The picture by the two ends of a true vector, of the pole and a named mark, in pixels (x right, y down): to its
-    scale, or to the one ``told`` by its file, if a hand's error is all they differ by, or the vector is too short to
-    tell any; and turned straight if it is as little askew as a sheet lies. The pole becomes the origin."""
-    short = abs(vector) < SHORT_MM
-    if not (short and told) and (abs(mark - pole) < 10 or not vector):
-        raise PlanesError(Phrase("check_points"))
-    seen = told if short and told else abs(mark - pole) / abs(vector)
-    by_file = told is not None and abs(seen / told - 1) * abs(vector) < DRAWN_MM
-    askew = 0.0 if short else math.degrees(cmath.phase((mark - pole).conjugate() / vector))
-    turned = LEAST_ASKEW_DEG < abs(askew) < MOST_ASKEW_DEG
-    flat = by_scale(grey, told if told and by_file else seen, pole, askew if turned else 0.0)
-    flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if turned else []
-    flat.told, flat.aslant, flat.by_file = (name, abs(vector)), told is None, by_file
     return flat
 
 

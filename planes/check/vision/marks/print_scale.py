@@ -14,6 +14,7 @@ from planes.check.grading.handwork import Miss
 from planes.check.grading.paper import TOLD_MM, ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, variants_of
 from planes.check.vision.image.picture import Flat
+from planes.check.vision.marks.from_aside import as_sure
 from planes.check.vision.marks.places import Seen
 from planes.geometry.arrays import Greys
 from planes.words import Phrase, Written
@@ -25,9 +26,9 @@ TRUE = 0.003  # so true is a scanner
 LONG_MM, ASIDE_MM, AGREE_MM = 12.0, 1.2, 0.7  # of a vector that tells it; how far off its end may be, across and along
 UNLIKELY = 3.0  # what it costs to believe that a page was printed at just another size
 TRIED = 2
-WILDEST, SAME = 4.0, 0.005  # how much larger or smaller a picture may seem by a mark drawn wrongly; shares that are one
-ASLANT = 0.015  # by which share of its length a vector seems longer or shorter than another to a camera held by hand
+WILDEST, SAME = 6.0, 0.005  # how much larger or smaller a picture may seem by a mark drawn wrongly; shares that are one
 LYING = 0.01  # how much a sheet lies turned that nothing tells of, radians
+ALONG = 0.004  # how much what people draw lies turned on their paper, radians
 EXPLAINED = 0.6  # of a sheet's ink by a plan that tells anything
 
 Rows = list[tuple[str, float, float]]  # by vector: how much longer it seems to be, and how long it is
@@ -123,15 +124,15 @@ def by_ruler(
 
 def measured_by(flat: Flat, about: complex, spots: list[ReadMark], own: Mapping[str, Miss]) -> list[ReadMark]:
     """Marks as sure as what their sheet was measured by: a vector that is itself off by what a hand errs (``own``, by
-    mark) and by how surely its ends were pointed to, and seen by a camera that may have looked at it aslant."""
+    mark) and by how surely its ends were pointed to, and seen by a camera that may have been tilted."""
     if flat.told is None:
         return spots
     name, length = flat.told
     hand = next((miss.mean for mark, miss in own.items() if label_of(mark) == name), 0.0)
     drawn = math.hypot(hand, TOLD_MM) / max(length, LONG_MM)
-    turned = drawn / math.sqrt(2) if length > LONG_MM else LYING
-    share = math.hypot(turned if flat.by_file else drawn, ASLANT if flat.aslant else 0.0)
-    return [replace(s, error_mm=math.hypot(s.error_mm, share * abs(s.place - about))) for s in spots]
+    turned = ALONG if flat.by_paper else drawn / math.sqrt(2) if length > LONG_MM else LYING
+    share = math.hypot(turned if flat.by_file else drawn, flat.aslant)
+    return [as_sure(s, about, share, flat.lens) for s in spots]
 
 
 def _printed_at(flat: Flat, about: complex, share: float, spots: Iterable[ReadMark]) -> list[ReadMark]:

@@ -23,6 +23,8 @@ from planes.check.vision.search.plan_search import CLOSE, Search
 from planes.words import Phrase
 from planes.words.names import POLE, label_of
 
+MANY = 3  # strange vectors to one of the plan's
+
 
 def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
     """The way that explains the picture best, of a sheet that may have been printed at several sizes."""
@@ -80,6 +82,10 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     explained, strange = ink.explained(routes), ink.strangers(routes)
     if strange and len(way.found) == len(bench.marks):
         seen.ink.flat.notes.append(Phrase("check_strangers", count=len(strange)))
+    if seen.ink.flat.told and len(strange) > MANY * len(bench.marks):
+        explained = (
+            0.0  # a vector far too short or long was pointed to: at its scale nearly all of the drawing is strange
+        )
     spots = measured_by(seen.ink.flat, near, spots, search.own)
     right = named(search, way, {label_of(m) for m in bench.marks} - found.keys()) if way.variant is None else ()
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, right

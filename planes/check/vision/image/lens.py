@@ -1,0 +1,49 @@
+"""What a telephone's camera makes of a sheet's plane when it is tilted, and nothing tells by how much."""
+
+import math
+from dataclasses import dataclass
+
+import numpy
+
+from planes.check.vision.image.bend import Place, through
+from planes.geometry.arrays import Array
+
+FOCAL = 0.73  # of a telephone's lens, in lengths of its picture's longer side
+MOST_TILT_DEG = 40.0
+
+
+@dataclass(frozen=True)
+class Lens:
+    """A camera over a flat picture, mm from the pole (y up): the place it looks at, how far it is, and the mark that
+    the picture's scale (``turned``: direction, too) was taken from."""
+
+    middle: complex
+    far: float
+    mark: complex
+    turned: bool = False
+
+    def leaning(self, z: Place, tilt: complex) -> Place:
+        """Where places of the sheet are, were the camera tilted by so much more (slopes to the right and up), the scale
+        taken from the same mark again."""
+        view = level(self.middle, self.far, tilt)
+        if view is None:
+            return z
+        pole, mark = through(view, 0j), through(view, self.mark)
+        way = self.mark / (mark - pole)
+        there: Place = (through(view, z) - pole) * (way if self.turned else abs(way))
+        return there
+
+
+def level(middle: complex, far: float, tilt: complex) -> Array | None:
+    """The view of a plane that a camera sees tilted by so much (the slope of its depth along both axes), as from
+    straight above; in its middle nothing moves. None where no camera is held so."""
+    if abs(tilt) > math.tan(math.radians(MOST_TILT_DEG)):
+        return None
+    normal = numpy.array([tilt.real, tilt.imag, 1.0])
+    normal /= numpy.linalg.norm(normal)
+    x, y, z = normal.tolist()
+    across = numpy.array([[0, 0, -x], [0, 0, -y], [x, y, 0]])  # the tilt: about this axis the plane is turned level
+    turn = numpy.eye(3) + across + across @ across / (1 + z)
+    camera = numpy.array([[far, 0, middle.real], [0, far, middle.imag], [0, 0, 1.0]])
+    out: Array = camera @ turn @ numpy.linalg.inv(camera)
+    return out

@@ -1,0 +1,129 @@
+"""A sheet's own ruling: the squares or lines printed on its paper, counted all over a picture.
+
+A family of equally spaced lines is a wave. In a small window it is the strongest one of about the period it should
+have; its phase there, followed from window to window, counts the lines to a fiftieth of their distance. What is drawn
+is darker than a ruling, so darkness is cut off: it tells no more.
+"""
+
+import heapq
+import math
+from dataclasses import dataclass
+
+import numpy
+
+from planes.check.vision.image.picture import cv
+from planes.geometry.arrays import Array, Complexes, Greys
+
+PERIOD_PX = 16.0  # of a ruling, in the picture that is looked at
+WINDOW_PX, STEP_PX = 96, 64
+AROUND_PX = 21  # over which the paper's own light is taken
+DARK, LIGHT = 12.0, 6.0  # greys that a ruling is darker than paper, and paper lighter, at most
+SLANT = 0.36  # of a line, at most: of a sheet that is turned and seen from aside
+NARROW, WIDE, RATES = 0.72, 1.38, 25  # periods from and to, in shares of the expected one; in so many steps
+NEAR = 0.13  # how much a window's rate may differ from what the others tell
+CLEAR = 5.0  # how much stronger than the usual one of its window a wave is that tells anything
+LEAST, EVERYWHERE = 16, 0.35  # clear windows, and their share of all: tables and hatchings are somewhere only
+
+
+@dataclass(frozen=True)
+class Wave:
+    """A family of lines as windows see it: where (pixels of the picture), at what count, which of them clearly."""
+
+    places: Complexes
+    counts: Array
+    clear: Array
+
+
+def waves_of(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
+    """The lines of about a period that run down a picture, counted to the right, and those that run across, counted
+    downwards; None where there are none."""
+    cv2, factor = cv(), min(1.0, PERIOD_PX / period_px)
+    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+    seen = small.astype(numpy.float32)
+    dark = numpy.clip(cv2.blur(seen, (AROUND_PX, AROUND_PX)) - seen, -LIGHT, DARK)
+    h, w = dark.shape
+    at = [(y, x) for y in range(0, h - WINDOW_PX + 1, STEP_PX) for x in range(0, w - WINDOW_PX + 1, STEP_PX)]
+    if len(at) < LEAST:
+        return None, None
+    cuts = numpy.array([dark[y : y + WINDOW_PX, x : x + WINDOW_PX] for y, x in at])
+    rim = numpy.hanning(WINDOW_PX + 2)[1:-1].astype(numpy.float32)
+    cuts = (cuts - cuts.mean(axis=(1, 2), keepdims=True)) * rim[:, None] * rim[None, :]
+    middles = numpy.array([complex(x, y) + (WINDOW_PX - 1) / 2 * (1 + 1j) for y, x in at])
+    places = (middles + (0.5 + 0.5j)) / factor - (0.5 + 0.5j)
+    mirrored = middles.imag + 1j * middles.real
+    counts = (_counts(cuts, middles), _counts(cuts.transpose(0, 2, 1), mirrored))
+    across, down = (Wave(places, *found) if found else None for found in counts)
+    return across, down
+
+
+def _counts(dark: Array, middles: Complexes) -> tuple[Array, Array] | None:
+    """How many lines windows are to the right, and which see them clearly."""
+    rates, clear, _ = _strongest(dark, None)
+    rates, clear, phases = _strongest(dark, _evenly(middles, rates, clear))
+    if (clear > CLEAR).sum() < max(LEAST, EVERYWHERE * len(clear)):
+        return None
+    return _followed(middles, rates, clear, phases), clear
+
+
+def _strongest(dark: Array, near: Complexes | None) -> tuple[Complexes, Array, Array]:
+    """In each window the strongest wave, ``near`` a rate if that is told: lines to a pixel (to the right and down, as a
+    complex number), how much stronger it is than the usual one, and its phase in the middle, in lines."""
+    t = numpy.arange(WINDOW_PX) - (WINDOW_PX - 1) / 2
+    across = numpy.linspace(NARROW, WIDE, RATES) / PERIOD_PX
+    aslant = numpy.linspace(-SLANT, SLANT, RATES) / PERIOD_PX
+    ex, ey = (numpy.exp(-2j * math.pi * t[:, None] * f[None, :]).astype(numpy.complex64) for f in (across, aslant))
+    power = numpy.abs(ey.T @ (dark @ ex))
+    usual = numpy.median(power, axis=(1, 2)) + 1e-6
+    if near is not None:
+        off = abs(across[None, None, :] + 1j * aslant[None, :, None] - near[:, None, None])
+        power = numpy.where(off < NEAR / PERIOD_PX, power, 0.0)
+    n, best = numpy.arange(len(dark)), power.reshape(len(dark), -1).argmax(axis=1)
+    i, j = best // RATES, best % RATES
+    fx = across[j] + _between(power, i, j, (0, 1)) * (across[1] - across[0])
+    fy = aslant[i] + _between(power, i, j, (1, 0)) * (aslant[1] - aslant[0])
+    wx, wy = (numpy.exp(-2j * math.pi * f[:, None] * t[None, :]).astype(numpy.complex64) for f in (fx, fy))
+    phase = numpy.angle(numpy.einsum("ny,nyx,nx->n", wy, dark, wx, optimize=True)) / (2 * math.pi)
+    return fx + 1j * fy, power[n, i, j] / usual, phase
+
+
+def _between(power: Array, i: Array, j: Array, step: tuple[int, int]) -> Array:
+    """Where between its neighbours each window's peak is, in steps: the top of a parabola."""
+    di, dj = step
+    n, last = numpy.arange(len(power)), RATES - 1
+    i, j = numpy.clip(i, di, last - di), numpy.clip(j, dj, last - dj)
+    a, b, c = power[n, i - di, j - dj], power[n, i, j], power[n, i + di, j + dj]
+    bend = numpy.minimum(a - 2 * b + c, -1e-9)
+    top: Array = numpy.clip((a - c) / (2 * bend), -0.5, 0.5)
+    return top
+
+
+def _evenly(middles: Complexes, rates: Complexes, clear: Array) -> Complexes:
+    """The rate at each window as it changes evenly over the picture, by most of those that are clear."""
+    base = numpy.stack([numpy.ones(len(middles)), middles.real / 1000, middles.imag / 1000], axis=1)
+    weight = numpy.clip(clear - CLEAR, 0.01, 10)
+    order = numpy.argsort(rates.real)
+    share = numpy.cumsum(weight[order])
+    fit = numpy.array([rates[order][numpy.searchsorted(share, share[-1] / 2)], 0, 0])
+    for k in range(12):
+        wide = (0.25 if k < 3 else 0.08) / PERIOD_PX
+        w = weight / (1 + (abs(rates - base @ fit) / wide) ** 2) ** 2
+        kept = base[:, : 1 if k < 2 else 3]
+        part = numpy.linalg.lstsq(kept * w[:, None] ** 0.5, rates * w**0.5, rcond=None)[0]
+        fit = numpy.concatenate([part, numpy.zeros(3 - len(part))])
+    out: Complexes = base @ fit
+    return out
+
+
+def _followed(middles: Complexes, rates: Complexes, clear: Array, phases: Array) -> Array:
+    """Phases with whole lines put to them, from the clearest window outwards, clear ones first."""
+    out, queue = numpy.full(len(middles), math.nan), [(0.0, int(clear.argmax()), -1)]
+    while queue:
+        _, j, i = heapq.heappop(queue)
+        if not math.isnan(out[j]):
+            continue
+        way, rate = middles[j] - middles[i], (rates[i] + rates[j]) / 2
+        likely = 0.0 if i < 0 else out[i] + rate.real * way.real + rate.imag * way.imag
+        out[j] = likely + (phases[j] - likely + 0.5) % 1 - 0.5
+        for k in numpy.flatnonzero((abs(middles - middles[j]) < 1.5 * STEP_PX) & numpy.isnan(out)):
+            heapq.heappush(queue, (-float(clear[k]), int(k), j))
+    return out

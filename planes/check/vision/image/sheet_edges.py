@@ -1,0 +1,89 @@
+"""The edges of a sheet of light paper that lies on something darker: its four corners, and the lens that bends them."""
+
+import numpy
+
+from planes.check.vision.image.bend import Bend
+from planes.check.vision.image.frame import ordered
+from planes.check.vision.image.picture import cv, smaller
+from planes.geometry.arrays import Array, Complexes, Greys
+
+LOOK_PX = 1000
+LEAST_SHARE = 0.25  # of a picture that a sheet takes up
+PROFILES, REACH = 120, 0.012  # across each edge, and how far from it they begin (shares of the picture's longer side)
+STEP = 15.0  # greys from the table to the paper, at least
+SEEN = 0.6  # of an edge
+STRAIGHT_PX = 3.0  # how far a place of an edge may be off it (of a picture of LOOK_PX)
+LENSES = numpy.linspace(-0.08, 0.08, 33)
+FAIRLY = 0.02  # a lens that bends more is as unlikely as an edge that is one σ crooked
+
+
+def edges_of(grey: Greys) -> tuple[Array, float] | None:
+    """Corners of the sheet in pixels, as a lens without a bend would see them (lower left, lower right, upper right,
+    upper left), and the bend; None where not all of the sheet is seen."""
+    quad = _outline(grey)
+    sides = [_edge(grey, a, b) for a, b in zip(quad, numpy.roll(quad, -1), strict=True)] if quad is not None else []
+    found = [side for side in sides if side is not None]
+    if len(found) < 4:
+        return None
+    unbent = Bend.about(grey.shape)
+    unit = max(grey.shape) / LOOK_PX
+
+    def crooked(k: float) -> float:
+        unbent.lens = (k, 0.0)
+        off = [float(abs(_line(unbent.straight(z))[1]).clip(0, STRAIGHT_PX * unit).mean()) for z in found]
+        return float(sum(off) / unit + (k / FAIRLY) ** 2 / 4)
+
+    unbent.lens = (min(LENSES.tolist(), key=crooked), 0.0)
+    lines = [_line(unbent.straight(side))[0] for side in found]
+    pairs = zip([lines[-1], *lines[:-1]], lines, strict=True)
+    corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
+    return numpy.array([(z.real, z.imag) for z in corners]), unbent.lens[0]
+
+
+def _outline(grey: Greys) -> Complexes | None:
+    """The corners of the largest light thing, if it has four, all inside the picture."""
+    cv2 = cv()
+    small, factor = smaller(grey, LOOK_PX)
+    soft = cv2.GaussianBlur(cv2.morphologyEx(small, cv2.MORPH_CLOSE, numpy.ones((9, 9), numpy.uint8)), (5, 5), 0)
+    _, light = cv2.threshold(soft, 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
+    contours, _ = cv2.findContours(light, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    hull = cv2.convexHull(max(contours, key=cv2.contourArea)) if contours else None
+    if hull is None or cv2.contourArea(hull) < LEAST_SHARE * small.size:
+        return None
+    quad = cv2.approxPolyDP(hull, 0.03 * cv2.arcLength(hull, True), True).reshape(-1, 2)
+    rim = numpy.array(small.shape[::-1]) - 3
+    if len(quad) != 4 or (quad < 2).any() or (quad > rim).any():
+        return None
+    x, y = ordered((quad.astype(float) + 0.5) / factor - 0.5).T
+    corners: Complexes = x + 1j * y
+    return corners
+
+
+def _edge(grey: Greys, a: complex, b: complex) -> Complexes | None:
+    """Places of an edge between two corners, where the picture grows lighter inwards; None where few are seen."""
+    cv2, reach = cv(), REACH * max(grey.shape)
+    inwards = (b - a) / abs(b - a) * -1j  # counter-clockwise as one sees it, y down
+    t = numpy.arange(-reach, reach + 0.1, 0.5)
+    places = (a + (b - a) * numpy.linspace(0.03, 0.97, PROFILES))[:, None] + inwards * t[None, :]
+    maps = (numpy.ascontiguousarray(part, numpy.float32) for part in (places.real, places.imag))
+    seen = cv2.remap(grey, *maps, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE).astype(numpy.float32)
+    soft = cv2.GaussianBlur(seen, (7, 1), 1.5)
+    rise = soft[:, 4:] - soft[:, :-4]
+    best = rise.argmax(axis=1).clip(1, rise.shape[1] - 2)
+    n = numpy.arange(PROFILES)
+    left, top, right = rise[n, best - 1], rise[n, best], rise[n, best + 1]
+    at = best + (left - right) / (2 * numpy.minimum(left - 2 * top + right, -1e-3)) + 2
+    edge = places[:, 0] + inwards * 0.5 * at
+    edge = edge[top > STEP]
+    if len(edge) < SEEN * PROFILES:
+        return None
+    off = abs(_line(edge)[1])
+    near = edge[off < max(STRAIGHT_PX * max(grey.shape) / LOOK_PX, 2.5 * float(numpy.median(off)))]
+    return near if len(near) >= SEEN * PROFILES else None
+
+
+def _line(places: Complexes) -> tuple[tuple[complex, complex], Array]:
+    """A line through places (one of it, and its direction), and how far they are off it."""
+    points = numpy.stack([places.real, places.imag], axis=1).astype(numpy.float32)
+    vx, vy, x, y = cv().fitLine(points, cv().DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
+    return (complex(x, y), complex(vx, vy)), ((places - complex(x, y)) * complex(vx, -vy)).imag

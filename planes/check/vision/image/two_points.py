@@ -1,0 +1,110 @@
+"""A picture made flat by the two ends of a vector, pointed to; and by its paper, where that tells how it is seen."""
+
+import cmath
+import math
+from dataclasses import replace
+
+import numpy
+
+from planes.check.vision.image.bend import Bend
+from planes.check.vision.image.lens import FOCAL, Lens
+from planes.check.vision.image.picture import MOST_FLAT, PX_PER_MM, Flat, by_scale, remapped
+from planes.check.vision.image.sheet_view import SheetView, by_tilt, sheet_view, similar
+from planes.geometry.arrays import Greys
+from planes.words import Phrase, Written
+from planes.words.errors import PlanesError
+
+LEAST_ASKEW_DEG, MOST_ASKEW_DEG = 0.5, 4.0  # less is a hand's own error, more is no sheet's that was laid straight
+SHORT_MM = 3.0  # a vector that tells neither scale nor direction
+ANOTHER = 0.06  # by more than this share squares, lines or sheets are of another size than the usual ones
+DRAWN_MM = 1.5  # no more is a vector longer or shorter for a hand's error
+BY_PAPER = {"squares": 0.003, "lines": 0.006, "edges": 0.006}  # the same of a sheet seen straight by its own print
+LAID = ("squares", "lines")  # along which people draw
+TOLD_TILT_DEG = 1.5  # less is not worth a sentence
+FARTHEST_MM = 420.0  # no drawing is farther from its pole
+
+
+def by_points(
+    grey: Greys,
+    pole: complex,
+    mark: complex,
+    vector: complex,
+    name: str = "",
+    told: float | None = None,
+    tilt: complex = 0j,
+) -> Flat:
+    """The picture by the two ends of a true vector, of the pole and a named mark, in pixels (x right, y down). Straight
+    and to scale by its paper, where that has squares, lines or edges, else turned straight if it is as little askew as
+    a sheet lies. To the scale its paper or file (``told``) has, if a hand's error is all they differ by, or the vector
+    is too short to tell any; else to the vector's. A photograph that nothing tells the tilt of may be taken for one of
+    a camera tilted by so much (slopes to the right and up). The pole becomes the origin."""
+    short = abs(vector) < SHORT_MM
+    if not (short and told) and (abs(mark - pole) < 10 or not vector):
+        raise PlanesError(Phrase("check_points"))
+    view = by_tilt(grey, tilt.conjugate()) if tilt else None
+    if not tilt and not short:
+        view = sheet_view(grey, told or abs(mark - pole) / abs(vector), told is not None)
+    drawn = view.bend.flat(mark) - view.bend.flat(pole) if view else mark - pole
+    paper = view.by if view and view.by in BY_PAPER else None
+    scale, by_file = _scale(abs(drawn), abs(vector), 1.0 if paper else told, ANOTHER if paper else 1.0)
+    askew = 0.0 if short else _askew(drawn, vector, paper)
+    flat = _straight(grey, view, pole, scale, askew) if view else by_scale(grey, scale, pole, askew)
+    flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if askew else []
+    flat.told, flat.by_file, flat.by_paper = (name, abs(vector)), by_file, paper is not None and not askew
+    flat.aslant = BY_PAPER[paper] if paper else 0.0
+    if not paper and told is None and not short:
+        height, width = grey.shape
+        far = FOCAL * max(width, height) / scale
+        flat.lens = Lens(flat.place(complex(width, height) / 2), far, flat.place(mark), bool(askew))
+    return flat
+
+
+def _scale(drawn: float, true_mm: float, told: float | None, most: float) -> tuple[float, bool]:
+    """Pixels to a mm, and whether they are those that are ``told``: if a vector drawn so long differs by no more than
+    a hand's error, and by that share at ``most``."""
+    if told is None or true_mm < SHORT_MM:
+        return told or drawn / true_mm, told is not None
+    by_file = abs(drawn / true_mm / told - 1) < min(DRAWN_MM / true_mm, most)
+    return told if by_file else drawn / true_mm, by_file
+
+
+def _askew(drawn: complex, vector: complex, paper: str | None) -> float:
+    """By how much a vector (y down) shows its sheet to lie askew, degrees; 0 where its paper tells that itself, or it
+    is no more than a hand's error, or more than a sheet is that was laid straight."""
+    askew = math.degrees(cmath.phase(drawn.conjugate() / vector))
+    least = math.degrees(DRAWN_MM / abs(vector)) if paper else LEAST_ASKEW_DEG
+    return askew if paper not in LAID and least < abs(askew) < MOST_ASKEW_DEG else 0.0
+
+
+def _straight(grey: Greys, view: SheetView, pole: complex, scale: float, askew_deg: float) -> Flat:
+    """The sheet from straight above by a view of it (``scale`` of its units to a mm), turned back by how much it lies
+    askew; only as much of it as is a sheet's."""
+    turn = cmath.rect(PX_PER_MM / scale, math.radians(askew_deg))
+    bend = replace(view.bend, view=similar(turn) @ view.bend.view)
+    low, high = _seen_box(grey, bend, bend.flat(pole))
+    bend.view = similar(1.0, -low) @ bend.view
+    size = round((high - low).real), round((high - low).imag)
+    if math.prod(size) > MOST_FLAT:
+        raise PlanesError(Phrase("check_points"))
+    at = bend.flat(pole)
+    flat = Flat(remapped(grey, bend, size), PX_PER_MM, -complex(at.real, size[1] - at.imag) / PX_PER_MM, "points")
+    flat.bend = bend
+    aside = Phrase(f"check_aside_{view.by}", angle=Written(f"{view.tilt_deg:.0f}"))
+    flat.notes += [aside] if view.tilt_deg > TOLD_TILT_DEG else []
+    return flat
+
+
+def _seen_box(grey: Greys, bend: Bend, pole: complex) -> tuple[complex, complex]:
+    """The box of what a picture shows on its sheet, pixels of the flat one, no farther from the pole than a sheet."""
+    height, width = grey.shape
+    share = numpy.linspace(0, 1, 9)
+    rim = numpy.concatenate(
+        [width * share, width * share + 1j * height, 1j * height * share, width + 1j * height * share]
+    )
+    seen, far = bend.flat(rim), FARTHEST_MM * PX_PER_MM * (1 + 1j)
+    low = complex(seen.real.min(), seen.imag.min()), pole - far
+    high = complex(seen.real.max(), seen.imag.max()), pole + far
+    return (
+        complex(max(z.real for z in low), max(z.imag for z in low)),
+        complex(min(z.real for z in high), min(z.imag for z in high)),
+    )
