@@ -14,8 +14,9 @@ import cv2
 import numpy as np
 
 from planes.check.vision.image.picture import PX_PER_MM, Flat
+from planes.check.vision.strokes.contrast import FeltLines
 from planes.check.vision.strokes.drawn_lines import lines_of
-from planes.check.vision.strokes.ink import Ink, ink_of
+from planes.check.vision.strokes.ink import Ink, darkness, ink_of
 from planes.check.vision.strokes.line_fitting import Fitted, Tip, _last
 from planes.check.vision.strokes.line_places import places_of
 from planes.check.vision.strokes.residual_ink import patches
@@ -75,6 +76,19 @@ def test_a_light_pencil_is_seen_whole_beside_dark_print(press: float, tooth: flo
     lines = lines_on(paper)
     sides = zip(CORNERS, (*CORNERS[1:], CORNERS[0]), strict=True)
     assert len(lines) == 3 and all(min(off_ends(line, a, b) for line in lines) < 0.8 for a, b in sides)
+
+
+def test_a_printed_title_does_not_tell_how_dark_lines_usually_are() -> None:
+    """Of a light pencil's lines below it, as without it; with it, it would seem twice as dark."""
+    usual = []
+    for rules in (0, 3):
+        paper = sheet()
+        triangle(paper, 0.45)
+        for k in range(rules):
+            paper.lay([5 + (72 - 3 * k) * 1j, 95 + (72 - 3 * k) * 1j], [1.0, 1.0], 0.45, PRINT, 1.0)
+        usual.append([FeltLines.of(darkness(seen(paper), []), PX_PER_MM, mm).usual for mm in (0.0, 12.0)])
+    (plain, plain_below), (titled, below) = usual
+    assert titled > 1.5 * plain and below == pytest.approx(plain_below, rel=0.05)
 
 
 @pytest.mark.parametrize(("fade_mm", "to"), [(8.0, 0.5), (15.0, 0.35)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 
 import pytest
 
@@ -20,8 +21,8 @@ from tests.physical.strokes import Hand
 NAMES = ("F_21t", "F_30", "G_2", "I_2", "I_3", "P_3")
 
 
-def written(style: str, seed: int, *names: str) -> list[HandWord]:
-    """Names in a column beside a vector, as they are read."""
+def written(style: str, seed: int, *names: str, known: Sequence[str] = NAMES) -> list[HandWord]:
+    """Names in a column beside a vector, as they are read among some."""
     rng = random.Random(seed)
     paper = Paper((60.0, 15.0 * len(names) + 10), Setting(letters=style), rng)
     hand = Hand(paper, rng)
@@ -30,7 +31,7 @@ def written(style: str, seed: int, *names: str) -> list[HandWord]:
         Writer(hand, rng).word(name, 20 + 1j * (8 + 15 * k))
     seen = sheet_of(by_scale(cv2.cvtColor(paper.colour, cv2.COLOR_BGR2GRAY), PX_PER_MM))
     assert seen is not None
-    return sorted(words_on(seen, NAMES).words, key=lambda w: w.low.imag)
+    return sorted(words_on(seen, known).words, key=lambda w: w.low.imag)
 
 
 @pytest.mark.parametrize("style", ["neat", "wild", "indices"])
@@ -39,6 +40,14 @@ def test_names_are_read_among_those_of_a_plan(style: str) -> None:
     read = [max(w.likely.items(), key=lambda one: one[1]) for w in written(style, 1, *NAMES) if len(w.likely)]
     sure = [name for name, likely in read if likely > 0.7]
     assert len(sure) >= 3 and sure == [name for name in NAMES if name in sure]
+
+
+def test_a_prime_is_of_its_name() -> None:
+    """Names of accelerations, of a letter and a prime: two of three are told, in several hands."""
+    names = ("a'", "b'", "e'", "s3'", "n_B")
+    read = [w for seed in range(3) for w in written("neat", seed, *names, known=names)]
+    told = [max(w.likely, key=lambda n: w.likely[n]) for w in read if max(w.likely.values()) > 0.5]
+    assert len(told) >= 10
 
 
 def test_what_is_no_name_of_the_plan_is_read_as_none() -> None:

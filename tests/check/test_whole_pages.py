@@ -20,7 +20,7 @@ from planes.check.handed_in import read_paper, sheets_of  # noqa: E402
 from planes.check.vision.image.decoding import load  # noqa: E402
 from planes.check.vision.image.picture import Flat, flatten  # noqa: E402
 from planes.check.vision.marks.print_scale import by_ruler, likely_shares, printed_share  # noqa: E402
-from planes.check.vision.search.ink_cover import hanging  # noqa: E402
+from planes.check.vision.strokes.hanging import hanging, tabled  # noqa: E402
 from planes.check.vision.strokes.line_fitting import Fitted  # noqa: E402
 from planes.cli import main  # noqa: E402
 from planes.words.errors import PlanesError  # noqa: E402
@@ -67,6 +67,21 @@ def test_what_hangs_together_with_the_pole() -> None:
     table = [line(80 + 50j, 120 + 50j), line(80 + 50j, 80 + 70j)]
     assert hanging([*own, *table, line(-60 + 0j, -60 + 40j)], 0j) == [0, 0, 0, 0, 1, 1, 2]
     assert hanging([], 0j) == [] and hanging(table, 0j) == [1, 1]
+
+
+def test_a_plan_that_begins_near_the_pole_stands_apart() -> None:
+    """Though its lines, run on, would cross those of the first: but what goes on with a line is of it."""
+    own, other = [line(0j, 90j - 25), line(-2j, 80j - 2)], [line(-2 - 13j, -95 - 37j), line(-2 - 13j, -42 - 82j)]
+    assert hanging([*own, *other], 0j) == [0, 0, 1, 1]
+    assert hanging([*own, *other, line(100j - 27.8, 120j - 33.3)], 0j) == [0, 0, 1, 1, 0]
+
+
+def test_a_table_hangs_together_with_nothing() -> None:
+    """However near its lines come, and through whatever they are drawn; three vectors at right angles are no table."""
+    rows, columns = [line(28 - 5j * k, 90 - 5j * k) for k in range(6)], [line(x + 0j, x - 25j) for x in (28, 45, 90)]
+    assert tabled([*rows, *columns]) == set(range(9))
+    assert hanging([line(0j, 30 - 10j), *rows, *columns], 0j) == [0, *9 * [-1]]
+    assert tabled([line(0j, 30 + 0j), line(10 + 0j, 10 + 9j), line(20 + 0j, 20 + 9j), line(30 + 0j, 30 + 9j)]) == set()
 
 
 @pytest.mark.slow

@@ -14,10 +14,11 @@ import numpy
 from planes.check.vision.image.picture import cv
 from planes.check.vision.marks.letter_net import SHAPES, features, odds
 from planes.check.vision.marks.places import Seen
+from planes.check.vision.strokes.hanging import tabled
 from planes.geometry.arrays import Array, Greys
 
 SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
-SAME |= {"s": "5", "c": "G"}
+SAME |= {"s": "5", "c": "G", "'": "|_*"}
 """By letter, the shapes it may have where that is not its own."""
 SOFTENED_MM, ABOUT_MM = 0.12, 1.5  # by which the paper's grain is smoothed; in which ink is held against the darkest
 DARK, LEAST_DARK = 0.45, 0.3  # the shares of the darkest ink about, and of lines' ink, that are ink
@@ -25,6 +26,7 @@ LEAST_MM, MOST_MM = 0.5, 7.5  # of a piece of a letter
 WIDE_MM, WIDEST_MM = 2.2, 5.0  # a wider piece may be two letters; no letter is wider
 BESIDE_MM, HIGH_MM = 2.0, 6.5  # how far apart letters of a word may be; how high a word is
 AROUND_MM, ERASED_MM = 15.0, 0.35  # how far from lines names are looked for; what is a line's own beside it
+HALF = 0.3  # of a head's length, to either side of it, what is the head's own
 IN_LETTER, IN_WORD, MOST = 3, 16, 400  # pieces at the most: of a letter, of a word, of all that is read
 STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a letter not there, one more piece
 NEVER, OTHER = math.log(1e-3), 0.7  # of a shape, the least; how much likelier a word is none of the names than one
@@ -153,14 +155,21 @@ def _off_lines(seen: Seen) -> Greys:
     cv2, flat = cv(), seen.ink.flat
     dark = cv2.GaussianBlur(seen.ink.dark, (0, 0), SOFTENED_MM * flat.scale)
     about = numpy.ones((round(ABOUT_MM * flat.scale),) * 2, numpy.uint8)
+    ruled = tabled(seen.lines)
     middles = numpy.array([x.at((x.low + x.high) / 2) for x in seen.lines])
     least = numpy.maximum(DARK * cv2.dilate(dark, about), LEAST_DARK * float(numpy.median(seen.ink.darkest(middles))))
     near = numpy.zeros_like(dark)
     paths = [[flat.px(x.at(float(s))) for s in numpy.linspace(x.low, x.high, 9)] for x in seen.lines]
     bent = [numpy.array(path).round().astype(numpy.int32) for path in paths]
-    cv2.polylines(near, bent, False, 1, round(2 * AROUND_MM * flat.scale))
+    cv2.polylines(
+        near, [path for k, path in enumerate(bent) if k not in ruled], False, 1, round(2 * AROUND_MM * flat.scale)
+    )
     for line, path in zip(seen.lines, bent, strict=True):
         cv2.polylines(near, [path], False, 0, max(1, round((line.width + ERASED_MM) * flat.scale)))
+        for head in line.heads:
+            way = head.sign * line.direction(head.s) * head.length
+            sides = [flat.px(head.z + way * off) for off in (0.0, HALF * 1j - 1, -HALF * 1j - 1)]
+            cv2.fillConvexPoly(near, numpy.array(sides).round().astype(numpy.int32), 0)
     found: Greys = near * (dark > least)
     return found
 

@@ -11,6 +11,7 @@ from planes.check.fiducials import within
 from planes.check.vision.image.picture import Flat
 from planes.check.vision.strokes.arrow_tips import ABOUT_MM, USUAL_MM, head_about, line_on_to
 from planes.check.vision.strokes.drawn_lines import lines_of, on
+from planes.check.vision.strokes.drawn_over import OVER_MM, ends_upon
 from planes.check.vision.strokes.heads import PENCIL_MM, head_at
 from planes.check.vision.strokes.ink import Ink, ink_of
 from planes.check.vision.strokes.line_fitting import Fitted, Tip
@@ -40,6 +41,7 @@ class Seen:
     spots: Complexes | None = None  # the places as an array
     looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
     fits: dict[tuple[int, float, int], Tip | None] = field(default_factory=dict)  # heads on lines
+    upon: dict[int, list[tuple[float, int]]] = field(default_factory=dict)  # where vectors end on lines, without heads
     read: dict[tuple[str, ...], Any] = field(default_factory=dict)  # words, by the names they may be
 
     def within(self, z: complex, reach: float) -> list[Place]:
@@ -56,6 +58,8 @@ class Seen:
             found, sigma = self._headed(start, end) if drawn else (None, TIP_MM)
             if found and (edge := ending(self.ink, found, (found - start) / abs(found - start), PENCIL_MM)):
                 found, sigma = edge, SIGMA_MM
+            if found is None and drawn and self.head_mm is None:
+                found, sigma = self._upon(start, end), OVER_MM
             self.looked[key] = Place(found, sigma, frozenset(), True, self._short(start, found)) if found else None
         return self.looked[key]
 
@@ -79,6 +83,17 @@ class Seen:
         if tip is None or abs(tip.z - end) > ABOUT_MM or self._against(tip, (end - start) / abs(end - start)):
             return None
         return tip.z
+
+    def _upon(self, start: complex, end: complex) -> complex | None:
+        """Where a vector without a head ends upon a line that goes on at its end, as that is lighter from there on."""
+        on_line = line_on_to(self.lines, start, end)
+        if on_line is None:
+            return None
+        line, _, sign = on_line
+        if id(line) not in self.upon:
+            self.upon[id(line)] = ends_upon(self.ink, line)
+        near = [line.at(s) for s, way in self.upon[id(line)] if way == sign]
+        return min((z for z in near if abs(z - end) < CLOSER_MM), key=lambda z: abs(z - end), default=None)
 
     def _against(self, tip: Tip, way: complex) -> bool:
         """Whether the ink of a head that points a way is that of one seen to point back, which it shows better."""

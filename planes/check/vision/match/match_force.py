@@ -6,7 +6,7 @@ tells the names. Where a mistake explains it nearly as well as the right plan, w
 
 import math
 from collections.abc import Sequence
-from dataclasses import InitVar, dataclass, replace
+from dataclasses import InitVar, dataclass, field, replace
 from itertools import product
 
 from planes.check.grading.paper import ReadMark
@@ -42,7 +42,7 @@ APART = 5.0  # by how much a right polygon is dearer where it is out of the ques
 RIVAL, APART_MM = 1.0, 0.8
 PAST_MM, ASIDE_MM = (4.0, 30.0), 0.9  # how far past the pole a head may stand, and its line aside
 IN_LINE, ASLANT = 3.0, 0.1  # the same where all lie in one line (so far aslant, of a length), and letters alone tell
-BETTER = 1.0  # or where its ink is so much better than the right plan's, however unlikely such a mistake is
+BETTER = 1.0  # or where its ink, with names, is so much better than the right plan's, however unlikely the mistake is
 
 
 @dataclass
@@ -55,10 +55,12 @@ class LaidPolygon:
     sides: InitVar[list[Side]]
     share: float
     best: LaidChain | None = None
+    slip: float = field(init=False)  # what each mistake costs
 
     def __post_init__(self, bench: PreparedPlan, ink: InkCover, pole: Place, sides: list[Side]) -> None:
         self.polygon = SoughtPolygon(ink, pole, spread_of(bench, sides))
         self.right, *wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
+        self.slip = max((g.cost for g in wrong), default=0.0)
         self.wrong = [replace(g, cost=g.cost + g.unwritten(ink.words, self.right)) for g in wrong]
         self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
 
@@ -100,7 +102,7 @@ class LaidPolygon:
         drawn = self.plain.vectors(pole)
         straight = in_line([*drawn.values()])
         for guess in self.wrong:
-            most = self.plain.cost + (max(IN_LINE, guess.cost - BETTER) if straight else RIVAL)
+            most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if straight else RIVAL)
             rival = self.polygon.lay(guess, most) if guess.cost < most else None
             others = rival.vectors(pole) if rival else {}
             found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}

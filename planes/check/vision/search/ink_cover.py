@@ -16,6 +16,7 @@ import numpy
 from planes.check.vision.marks.handwritten import HandWords
 from planes.check.vision.marks.places import HEADED_MM, Seen
 from planes.check.vision.strokes.hanging import hanging
+from planes.check.vision.strokes.rubbed_out import GHOST
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
 STEP_MM = 0.5
@@ -62,10 +63,11 @@ class InkCover:
         lines = self.seen.lines
         numbers = hanging(lines, self.pole, self.room, self.seen.patches)
         steps, parts = self._stepped(numbers)
+        dark = self.seen.ink.darkest(steps)
         kept = ~self.seen.ink.lettered(steps) & (parts >= 0) & ~self._signed(steps)
-        self.steps, parts = steps[kept], parts[kept]
-        self.dark = self.seen.ink.darkest(self.steps)
-        heads = [0] * (max(numbers, default=0) + 1)
+        kept &= dark > GHOST * numpy.median(dark[kept]) if kept.any() else True
+        self.steps, parts, self.dark = steps[kept], parts[kept], dark[kept]
+        heads = [0] * (max([0, *numbers]) + 2)  # the last are of no part
         for line, number in zip(lines, numbers, strict=False):
             for head in line.heads:
                 crossed = abs(head.z - self.pole) < CROSS_MM  # its tip is not told from the printed cross

@@ -2,15 +2,16 @@
 and on mistakes that leave the ink of a right plan.
 
 A name tells a mark only if it stands by the place where that should be, on ink that leads there, and by none where a
-mistake of the catalogue would have it. How far off its mark a name stands nobody can measure, so no place is read.
+mistake of the catalogue would have it, with ink that leads there. How far off its mark a name stands nobody can
+measure, so no place is read.
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import Any
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.prepared_plan import redrawn, variants_of
-from planes.check.vision.marks.handwritten import HandWords, words_on
+from planes.check.vision.marks.handwritten import AROUND_MM, HandWord, HandWords, words_on
 from planes.check.vision.marks.places import HEADED_MM
 from planes.check.vision.search.costs import slip
 from planes.check.vision.search.ink_cover import COVERED
@@ -71,13 +72,15 @@ def named(search: Search, way: LaidPlan, unread: Collection[str]) -> tuple[str, 
     if not unread:
         return ()
     words = names_on(search)
-    right = _places(search, way, None, unread)
-    found = [n for n, z in right.items() if _led(search, way, n, z) and _by(words, n, z)]
+    right, routes = _places(search, way, None, unread), search.routes(way)
+    about = [w for w in words.words if any(w.off(a, b) < AROUND_MM for a, b in routes)]
+    found = [n for n, z in right.items() if _led(search, way, n, z) and _by(about, n, z)]
     if not found:
         return ()
     for variant in variants_of(search.bench, {}, search.bench.said_mu):
         wrong = _places(search, way, variant, found)
-        found = [n for n in found if not _rivals(words, n, right[n], wrong.get(n, right[n]))]
+        drawn = {n: z for n, z in wrong.items() if _led(search, way, n, z)}
+        found = [n for n in found if not _rivals(words, n, right[n], drawn.get(n, right[n]))]
     return tuple(found)
 
 
@@ -101,9 +104,9 @@ def _led(search: Search, way: LaidPlan, label: str, z: complex) -> bool:
     return bool(starts) and all(a in ends and search.seen.covered(ends[a], z) >= COVERED for a in starts)
 
 
-def _by(words: HandWords, name: str, z: complex) -> bool:
+def _by(words: Sequence[HandWord], name: str, z: complex) -> bool:
     """Whether a name stands by a place, and nowhere else."""
-    told = [(w.likely.get(name, 0.0), w.off(z, z) < BESIDE_MM) for w in words.words]
+    told = [(w.likely.get(name, 0.0), w.off(z, z) < BESIDE_MM) for w in words]
     near, away = (sum(p for p, by in told if by is k) for k in (True, False))
     return near > LIKELY and away < ELSEWHERE
 

@@ -24,6 +24,7 @@ TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden wher
 HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of a millimetre; if no ink is on its way
 # what it costs that so much more of a vector is not drawn than may be; how much more at most
 BARE, MOST_BARE = 12.0, 0.3
+ON_MM = 3.0  # by which a line goes on at the end of a vector that is not seen on it
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 CROSSED_MM = 0.5  # σ of where lines cross; what ends nearer is there
@@ -160,7 +161,8 @@ class SoughtPolygon:
         found.sort(key=lambda f: f[0])
         least = found[0][0] if found else math.inf
         if least > 1.0 + HIDDEN * min(abs(v), 2.0) and (abs(v) < TINY_MM or self.covered(z, goal) > 1 - 0.8 / abs(v)):
-            price = min(1.0 + HIDDEN * abs(v), MOST_HIDDEN) + NO_INK * (1 - self.covered(z, goal))
+            upon = abs(v) < TINY_MM and self.covered(z, goal + ON_MM * v / abs(v)) == 1.0  # nothing shows where it ends
+            price = min(1.0 + HIDDEN * abs(v) * (not upon), MOST_HIDDEN) + NO_INK * (1 - self.covered(z, goal))
             found.append((price, goal, self.spread[name].worst, True))
         return found
 

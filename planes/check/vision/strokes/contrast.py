@@ -39,20 +39,20 @@ HELD = 0.4  # of its line's darkness: ink that surely is a followed line's
 Place = tuple[slice, slice]
 
 
-def inked(dark: Greys, scale: float, whole: int) -> tuple[Greys, Booleans]:
+def inked(dark: Greys, scale: float, whole: int, print_mm: float = 0.0) -> tuple[Greys, Booleans]:
     """The darkness of a picture's pixels by that of the line each is of (``whole``: in the middle of a line), and where
-    lines are followed."""
+    lines are followed; so much of the sheet's top is printed, and tells of no pencil."""
     cv2, size = cv(), dark.shape[::-1]
-    even, against, lines = _evened_along(dark, scale)
+    even, against, lines = _evened_along(dark, scale, print_mm)
     against = cv2.resize(against, size, interpolation=cv2.INTER_LINEAR)
     shares = numpy.minimum(cv2.divide(even, against, scale=whole), whole)
     near = cv2.resize(lines.view(numpy.uint8), size, interpolation=cv2.INTER_NEAREST).view(bool)
     return shares, near & (shares > HELD * whole)
 
 
-def _evened_along(dark: Greys, scale: float) -> tuple[Greys, Greys, Booleans]:
+def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Greys, Booleans]:
     """The picture with its lines filled; on a smaller one what ink is held against, and where lines are followed."""
-    cv2, felt = cv(), FeltLines.of(dark, scale)
+    cv2, felt = cv(), FeltLines.of(dark, scale, print_mm)
     strength, even, peaks = numpy.zeros_like(felt.most), dark.copy(), [numpy.full(1, PEAK)]
     for k in range(ANGLES):
         for place, response, mine in felt.followed(k):
@@ -82,8 +82,8 @@ class FeltLines:
     own: list[Greys] = field(init=False)  # of strokes by themselves
 
     @classmethod
-    def of(cls, dark: Greys, scale: float) -> FeltLines:
-        """Lines felt on a picture."""
+    def of(cls, dark: Greys, scale: float, print_mm: float = 0.0) -> FeltLines:
+        """Lines felt on a picture; if those below what is printed on its top are lighter, they tell what is usual."""
         cv2, factor = cv(), PX_PER_MM / scale
         small = cv2.resize(dark, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA).astype(numpy.int16) * FINE
         out = cls([], numpy.zeros_like(small), numpy.zeros_like(small), numpy.zeros(small.shape, numpy.int8))
@@ -96,9 +96,14 @@ class FeltLines:
         out.nearby = cv2.dilate(out.most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
         out.paper = ABOVE * _usual_on_paper(out.most)
         out.own = [out._strokes(k) for k in range(ANGLES)]
-        strong = numpy.concatenate([own[_long(own > 2 * out.paper / FINE, LONG_MM)] for own in out.own])
-        out.usual = float(numpy.quantile(strong, MAINLY)) * FINE if len(strong) > FEW else USUAL
+        out.usual = min(out._usual_below(top) for top in (0, round(print_mm * PX_PER_MM)))
         return out
+
+    def _usual_below(self, top: int) -> float:
+        """What lines usually are below a row."""
+        drawn = [own[top:] for own in self.own]
+        strong = numpy.concatenate([own[_long(own > 2 * self.paper / FINE, LONG_MM)] for own in drawn])
+        return float(numpy.quantile(strong, MAINLY)) * FINE if len(strong) > FEW else USUAL
 
     def at(self, k: int) -> tuple[Array, Array, Array]:
         """The ink of lines at an angle less that of the paper to both sides; less that of the darker side; and it."""

@@ -100,7 +100,7 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
     printed = printed_on(flat)
     dark = darkness(flat, printed)
-    shares, followed = inked(dark, flat.scale, 255 - PENCIL)
+    shares, followed = inked(dark, flat.scale, 255 - PENCIL, TITLE_MM * (flat.by == "marks"))
     ink = Ink(flat, 255 - shares, 255 - shares, dark, printed)
     labels, sizes = _pieces(ink, ink.mask | followed)
     ink.even = numpy.where(_spread((sizes >= LETTER_MM)[labels]), ink.whole, 255)
@@ -140,13 +140,16 @@ def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
 
 
 def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
-    """Separate pieces of ink: the number of each pixel's, and how large each is, mm (0: no ink)."""
+    """Separate pieces of ink: the number of each pixel's, and how large each is below a blank's title, mm (0: no
+    ink)."""
     _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
-    sizes = numpy.maximum(stats[:, 2], stats[:, 3]) / ink.flat.scale
-    sizes[0] = 0.0
-    if ink.flat.by == "marks":
-        sizes[stats[:, 1] + stats[:, 3] < TITLE_MM * ink.flat.scale] = 0.0
-    return labels, sizes
+    sizes, title = numpy.maximum(stats[:, 2], stats[:, 3]), round(TITLE_MM * ink.flat.scale)
+    for k in numpy.flatnonzero(stats[:, 1] < title) if ink.flat.by == "marks" else ():
+        left, top, width, height, _ = stats[k]
+        below = labels[title : top + height, left : left + width] == k
+        sizes[k] = max(len(below), numpy.ptp(numpy.flatnonzero(below.any(axis=0)))) if below.any() else 0
+    sizes[0] = 0
+    return labels, sizes / ink.flat.scale
 
 
 def _spread(where: Booleans) -> Booleans:
