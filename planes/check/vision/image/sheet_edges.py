@@ -12,6 +12,7 @@ LEAST_SHARE = 0.25  # of a picture that a sheet takes up
 PROFILES, REACH = 120, 0.012  # across each edge, and how far from it they begin (shares of the picture's longer side)
 STEP = 15.0  # greys from the table to the paper, at least
 SEEN = 0.6  # of an edge
+SHARP = (20, 50)  # Canny's thresholds: a shadow's rim is softer
 STRAIGHT_PX = 3.0  # how far a place of an edge may be off it (of a picture of LOOK_PX)
 LENSES = numpy.linspace(-0.08, 0.08, 33)
 FAIRLY = 0.02  # a lens that bends more is as unlikely as an edge that is one σ crooked
@@ -41,22 +42,32 @@ def edges_of(grey: Greys) -> tuple[Array, float] | None:
 
 
 def _outline(grey: Greys) -> Complexes | None:
-    """The corners of the largest light thing, if it has four, all inside the picture."""
+    """The corners of the sheet, about: of the largest light thing, else, where a shadow lies over it, of the largest
+    one with sharp edges about it."""
     cv2 = cv()
     small, factor = smaller(grey, LOOK_PX)
     soft = cv2.GaussianBlur(cv2.morphologyEx(small, cv2.MORPH_CLOSE, numpy.ones((9, 9), numpy.uint8)), (5, 5), 0)
     _, light = cv2.threshold(soft, 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
-    contours, _ = cv2.findContours(light, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    hull = cv2.convexHull(max(contours, key=cv2.contourArea)) if contours else None
-    if hull is None or cv2.contourArea(hull) < LEAST_SHARE * small.size:
+    quad = _quad(light)
+    if quad is None:
+        quad = _quad(255 - cv2.dilate(cv2.Canny(soft, *SHARP), numpy.ones((3, 3), numpy.uint8)))
+    if quad is None:
         return None
-    quad = cv2.approxPolyDP(hull, 0.03 * cv2.arcLength(hull, True), True).reshape(-1, 2)
-    rim = numpy.array(small.shape[::-1]) - 3
-    if len(quad) != 4 or (quad < 2).any() or (quad > rim).any():
-        return None
-    x, y = ordered((quad.astype(float) + 0.5) / factor - 0.5).T
+    x, y = ordered((quad + 0.5) / factor - 0.5).T
     corners: Complexes = x + 1j * y
     return corners
+
+
+def _quad(inside: Greys) -> Array | None:
+    """The corners of the largest thing that does not touch the picture's rim, if it has four."""
+    cv2, rim = cv(), numpy.array(inside.shape[::-1]) - 3
+    contours, _ = cv2.findContours(inside, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
+    hulls = sorted((cv2.convexHull(c) for c in contours), key=cv2.contourArea)
+    within = [h for h in hulls if (h > 1).all() and (h < rim).all()]
+    if not within or cv2.contourArea(within[-1]) < LEAST_SHARE * inside.size:
+        return None
+    quad = cv2.approxPolyDP(within[-1], 0.03 * cv2.arcLength(within[-1], True), True).reshape(-1, 2)
+    return quad.astype(float) if len(quad) == 4 else None
 
 
 def _edge(grey: Greys, a: complex, b: complex) -> Complexes | None:
