@@ -104,7 +104,7 @@ def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
 
 @pytest.mark.parametrize(
     ("mistake", "between"),
-    [(Mistake("arm_wrong:I_2", "F_21t"), 0.33), (Mistake("inertia_moment_reversed", "F_21t"), 0.62)],
+    [(Mistake("arm_wrong:I_2", "F_21t"), 0.35), (Mistake("inertia_moment_reversed", "F_21t"), 0.67)],
 )
 def test_nearer_to_a_mistake_than_to_the_right_plan_is_not_called_right(mistake: Mistake, between: float) -> None:
     """Though all of it is within a hand's error of where it should be."""
@@ -169,7 +169,7 @@ def test_what_nobody_has_seen_is_not_called_right(tmp_path: Path, capsys: pytest
     found = json.loads(capsys.readouterr().out)
     assert found["verdict"] == "right_as_seen" and found["unseen"] == ["s2"] and found["probability"] > SURE
     assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 3
-    assert capsys.readouterr().out.startswith("Right as far as seen: velocity plan; not seen: s2")
+    assert capsys.readouterr().out.startswith("Right as far as seen: velocity plan; not seen for sure: s2")
 
 
 def test_a_class_ends_with_the_status_of_its_worst_drawing() -> None:

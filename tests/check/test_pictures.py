@@ -389,14 +389,14 @@ def test_what_is_drawn_in_colour_does_not_fade() -> None:
 
 
 @pytest.mark.few(0, slow=1)
-@pytest.mark.parametrize("sample", ["bntu-3", "kind-1-rrr"])
-def test_a_small_corpus(sample: str) -> None:
+@pytest.mark.parametrize("first", range(2))
+def test_a_small_corpus(first: int) -> None:
     """Shares of right drawings accepted and of mistakes found, blamed and named; ``picture_corpus`` counts them all."""
     whole = corpus.Count()
-    chosen = [e for e in confusion.easels() if e.sample == sample]
+    chosen = [e for e in confusion.easels() if e.sample in ("kind-1-rrr", "bntu-3")][first::2]
     for _, _, count in corpus.draw_all(1, chosen):
         whole.add(count)
     doubted = sum("-> right_as_seen" in f for f in whole.failures)  # a mistake leaves nearly the same polygon
-    assert whole.right > 15 and whole.accepted + doubted >= 0.98 * whole.right and doubted <= 1, whole.failures
-    assert whole.wrong > 10 and whole.found >= 0.98 * whole.wrong and whole.named >= 0.9 * whole.wrong, whole.failures
+    assert whole.right > 7 and whole.accepted + doubted >= 0.98 * whole.right and doubted <= 1, whole.failures
+    assert whole.wrong > 4 and whole.found >= 0.98 * whole.wrong and whole.named >= 0.9 * whole.wrong, whole.failures
     assert whole.blamed >= 0.95 * whole.wrong and whole.innocent_blamed <= 0.02 * whole.innocent, whole.failures

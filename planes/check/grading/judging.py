@@ -28,7 +28,7 @@ LEFT_OUT = ("_missing", "_along_loaded_link")
 MARGIN = 0.7  # the logarithm of how much better than the runner-up a mistake must be
 TOO_WELL = math.log(20)  # the logarithm of how much better than chance a mistake must explain what is within limits
 # a mark this many σ off may as well show a mistake that explains it so much (a logarithm) better than a hand's error
-NEAR, AS_WELL = 1.8, math.log(2)
+NEAR, AS_WELL = 1.8, math.log(8)
 
 
 @dataclass
