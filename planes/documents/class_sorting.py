@@ -21,7 +21,7 @@ class Glance:
 
     mark: SheetMark | None = None
     picture: bytes = b""
-    blanks: int = 1  # on the picture
+    blanks: int = 1  # on the picture, with one that is seen in part
 
 
 def glance(file: str, page: int | None = None) -> Glance:
@@ -32,7 +32,7 @@ def glance(file: str, page: int | None = None) -> Glance:
     from planes.check.vision.image.picture import LARGEST_PX, cv, find_sheets, smaller
 
     small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
-    blanks = len(find_sheets(smaller(picture.grey, LARGEST_PX)[0])) if page is None else 1
+    blanks = find_sheets(smaller(picture.grey, LARGEST_PX)[0]).parts if page is None else 1
     return Glance(mark_on(picture.grey), bytes(small), blanks)
 
 

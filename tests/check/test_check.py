@@ -522,24 +522,6 @@ def test_a_printed_blank_is_found_by_its_corners(tmp_path: Path, suffix: str) ->
         assert flat is not None and flat.grey.shape == (1680, 2376)
 
 
-def test_corner_marks_are_told_by_their_sheets() -> None:
-    """Two sheets seen aslant, one under the other, a corner of the first under a thumb; and a mark of neither."""
-    np = pytest.importorskip("numpy")
-    from planes.check.fiducials import SHEET_MM, SIDE_MM, centres
-    from planes.check.vision.image.several import sheets_apart
-
-    def seen(number: int, at: complex) -> tuple[int, object]:
-        corners = [centres(SHEET_MM)[number] + SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
-        places = ((z + at) * 1.1j / (1 + 0.0005 * (z + at).imag) for z in corners)
-        return number, np.array([(z.real, -z.imag) for z in places])
-
-    upper = [seen(number, 225j + 4) for number in (0, 2, 3)]
-    lower = [seen(number, 0j) for number in (3, 1, 0, 2)]
-    found = sheets_apart([upper[0], lower[0], seen(1, 500 + 500j), *lower[1:], *upper[1:]])
-    assert sorted(sorted(sheet) for sheet in found) == [[0, 1, 2, 3], [0, 2, 3]]
-    assert all(any(quad is one for _, one in upper) for quad in min(found, key=len).values())
-
-
 @pytest.mark.parametrize("plan", ["position", "velocity"])
 def test_a_result_that_needs_no_step_of_the_plan_is_judged(plan: str) -> None:
     """What is given, or nothing at a fixed point, may be written beside any plan."""

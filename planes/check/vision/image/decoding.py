@@ -72,9 +72,11 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
 
 def _blank_of(found: DecodedPicture, number: int, file: str) -> DecodedPicture:
     """One of several blanks on a picture; of one blank, or none, the picture."""
-    count = len(find_sheets(smaller(found.grey, LARGEST_PX)[0]))
-    _has(number, max(count, 1), file)
-    return replace(found, grey=sheet_alone(found.grey, number)) if count > 1 else found
+    seen = find_sheets(smaller(found.grey, LARGEST_PX)[0])
+    _has(number, max(seen.parts, 1), file)
+    if seen.stray and number == len(seen.sheets):
+        raise PlanesError(Phrase("check_blank_in_part", count=seen.stray))
+    return replace(found, grey=sheet_alone(found.grey, number)) if seen.parts > 1 else found
 
 
 def _alone(head: Image.Image) -> bytes:

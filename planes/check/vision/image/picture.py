@@ -9,7 +9,7 @@ import numpy
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.image.bend import Bend, add_paper, bend_of
 from planes.check.vision.image.lens import Lens
-from planes.check.vision.image.several import sheets_apart
+from planes.check.vision.image.several import Found, SheetsSeen, leaves_more, sheets_apart
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -18,6 +18,8 @@ PX_PER_MM = 8.0
 LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
 RIM_MM = 5.0  # about a sheet that is cut out of a picture
 MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
+LOOKS_PX = (1100, 700, 2000, 3200)  # longer sides a picture is looked at with: small is quick, and hides the grain
+MARK_SHARE, FAR_SHARE = 0.07, 0.035  # of the longer side: a mark's outline is a sixth of its sheet's length
 
 
 @dataclass
@@ -95,33 +97,41 @@ def dictionary() -> object:
 
 def find_marks(grey: Greys) -> dict[int, Array]:
     """Corners of the blank's marks in pixels, by their numbers; of several blanks those of the first."""
-    return next(iter(find_sheets(grey)), {})
+    return next(iter(find_sheets(grey).sheets), {})
 
 
-def find_sheets(grey: Greys) -> list[dict[int, Array]]:
-    """Corners of each blank's marks in pixels, by their numbers."""
-    cv2 = cv()
-    parameters = cv2.aruco.DetectorParameters()
-    parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = 13, 53
-    parameters.adaptiveThreshWinSizeStep = 20
-    parameters.minMarkerPerimeterRate = 0.07  # a mark's outline is a sixth of the sheet's length; a grid's cell is none
-    detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
-    found: list[tuple[int, Array]] = []
-    for longest in (1100, 700, 2000, 3200):  # small is quick, and hides the grain
+def find_sheets(grey: Greys) -> SheetsSeen:
+    """Each blank by the corners of its marks in pixels. Smaller marks, of a blank farther off, are looked for only
+    where those that are seen leave room for it: so small is a grid's cell, too."""
+    found = list[Found]()
+    for longest in LOOKS_PX:
         if not found or len(found) % 4:
-            small, factor = smaller(grey, longest)
-            corners, numbers, _ = detector.detectMarkers(small)
-            for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
-                one = _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5)
-                if all(n != number or abs(other - one).max() > numpy.ptp(one) / 2 for n, other in found):
-                    found.append((int(number), one))
+            _look(grey, longest, MARK_SHARE, found)
+    for longest in LOOKS_PX:
+        if found and leaves_more(sheets_apart(found), grey.shape[0] * grey.shape[1]):
+            _look(grey, longest, FAR_SHARE, found)
     return sheets_apart(found)
+
+
+def _look(grey: Greys, longest: int, least: float, found: list[Found]) -> None:
+    """The marks of a picture made so small, their outlines that share of its longer side at least, put to those
+    that are found."""
+    aruco = cv().aruco
+    parameters = aruco.DetectorParameters()
+    parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = 13, 53
+    parameters.adaptiveThreshWinSizeStep, parameters.minMarkerPerimeterRate = 20, least
+    small, factor = smaller(grey, longest)
+    corners, numbers, _ = aruco.ArucoDetector(dictionary(), parameters).detectMarkers(small)
+    for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
+        one = _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5)
+        if all(n != number or abs(other - one).max() > numpy.ptp(one) / 2 for n, other in found):
+            found.append((int(number), one))
 
 
 def sheet_alone(grey: Greys, which: int) -> Greys:
     """A picture of several blanks about one of them, all else made as light as its paper."""
     cv2, (small, factor) = cv(), smaller(grey, LARGEST_PX)
-    marks = find_sheets(small)[which]
+    marks = find_sheets(small).sheets[which]
     seen, (w, h), rim = numpy.concatenate([*marks.values()]), SHEET_MM, RIM_MM
     there = numpy.array([(z.real, z.imag) for number in marks for z in _corners(number)])
     warp, _ = cv2.findHomography(there, seen / factor)
@@ -154,8 +164,8 @@ def flatten(grey: Greys) -> Flat | None:
     """The sheet seen straight from above, if its corner marks (three at least) are found."""
     cv2 = cv()
     small, factor = smaller(grey, LARGEST_PX)
-    sheets = find_sheets(small)
-    marks = sheets[0] if sheets else {}
+    seen_sheets = find_sheets(small)
+    sheets, marks = seen_sheets.sheets, next(iter(seen_sheets.sheets), {})
     if len(marks) < 3:
         return None
     places = [z for number in marks for z in _corners(number)]
@@ -166,6 +176,7 @@ def flatten(grey: Greys) -> Flat | None:
         return None
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
     notes += [Phrase("check_several_blanks", count=len(sheets))] if len(sheets) > 1 else []
+    notes += [Phrase("check_blank_in_part", count=seen_sheets.stray)] if seen_sheets.stray else []
     bend = bend_of(small, warp, PX_PER_MM)
     if bend is not None:
         unbent = _unbent(small, bend, seen, true)

@@ -1,6 +1,7 @@
 """Several blanks on one picture: which of its corner marks are of one sheet."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy
 
@@ -9,21 +10,51 @@ from planes.geometry.arrays import Array
 
 NEAR_MM = 90.0  # from where one mark of a sheet puts another, seen from aside; those of another sheet are 200 mm off
 FEWEST = 3  # marks that tell where a sheet lies
+ROOM = 1.0  # of what lies between a sheet's marks: another, smaller as it is farther off, has room in as much
 
 Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, from its upper left one clockwise
 
 
-def sheets_apart(marks: Sequence[Found]) -> list[dict[int, Array]]:
+@dataclass(frozen=True)
+class SheetsSeen:
     """The marks of each sheet by their numbers, sheets as they are read; of one sheet all, however few."""
+
+    sheets: list[dict[int, Array]]
+    stray: int = 0  # marks of other sheets, too few to tell where these lie
+
+    @property
+    def parts(self) -> int:
+        """The sheets, and one more if a part of it is seen."""
+        return len(self.sheets) + bool(self.stray)
+
+
+def sheets_apart(marks: Sequence[Found]) -> SheetsSeen:
+    """Marks by their sheets."""
     if len({number for number, _ in marks}) == len(marks):
-        return [dict(marks)] if marks else []
+        return SheetsSeen([dict(marks)] if marks else [])
     left, found = list(marks), list[dict[int, Array]]()
     while left:
         beside = _beside(left[0], left[1:])
         found += [dict(beside)] if len(beside) >= FEWEST else []
         taken = beside if len(beside) >= FEWEST else left[:1]
         left = [one for one in left if not any(one is other for other in taken)]
-    return sorted(found, key=_in_order)
+    return SheetsSeen(sorted(found, key=_in_order), len(marks) - sum(map(len, found)))
+
+
+def leaves_more(seen: SheetsSeen, picture: float) -> bool:
+    """Whether a picture of that area (px²) may show marks that are not seen yet: those seen are too few for their
+    sheet, or leave room for another sheet beside theirs."""
+    if seen.stray or any(len(sheet) < FEWEST for sheet in seen.sheets):
+        return True
+    areas = [_area(sheet) for sheet in seen.sheets]
+    return picture - sum(areas) > ROOM * min(areas)
+
+
+def _area(sheet: dict[int, Array]) -> float:
+    """Of what lies between a sheet's marks, px²; of three marks, twice their triangle."""
+    x, y = numpy.array([sheet[number].mean(axis=0) for number in sorted(sheet)]).T
+    area = abs(x @ numpy.roll(y, 1) - y @ numpy.roll(x, 1)) / 2
+    return float(area if len(sheet) > FEWEST else 2 * area)
 
 
 def _beside(seed: Found, marks: Sequence[Found]) -> list[Found]:
