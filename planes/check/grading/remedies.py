@@ -18,5 +18,4 @@ def told_to(reader: Reader, phrase: Phrase) -> Phrase:
     way = phrase.parts.get("way")
     if not isinstance(way, Phrase):
         return phrase
-    name = way.key.removeprefix("check_way_")
-    return Phrase(phrase.key, **{**phrase.parts, "way": Phrase(f"check_way_{name}_{reader}", **way.parts)})
+    return Phrase(phrase.key, **{**phrase.parts, "way": Phrase(f"{way.key}_{reader}", **way.parts)})
