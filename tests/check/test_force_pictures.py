@@ -16,8 +16,11 @@ from planes.check.vision.image.picture import PX_PER_MM, Flat  # noqa: E402
 from planes.check.vision.marks.places import Seen, sheet_of  # noqa: E402
 from planes.check.vision.match.match_force import start_of, vectors_on  # noqa: E402
 from planes.check.vision.search.ink_cover import InkCover  # noqa: E402
+from planes.check.vision.search.polygon_cover import LaidChain  # noqa: E402
+from planes.check.vision.search.polygon_search import SoughtPolygon  # noqa: E402
 from planes.check.vision.strokes.heads import one_ink  # noqa: E402
 from planes.check.vision.strokes.line_fitting import Tip  # noqa: E402
+from planes.check.vision.strokes.line_places import Place  # noqa: E402
 from planes.check.vision.strokes.lone_heads import LoneHeads  # noqa: E402
 from tests import confusion  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
@@ -87,6 +90,18 @@ def test_the_letter_printed_at_a_blank_s_pole_is_not_the_drawing_s(by: str, pric
     cover = InkCover(seen, pole, [40 + 0j])
     left = cover.price([(pole, pole + 40)])
     assert (left > 1.5) == priced
+
+
+@pytest.mark.parametrize(("by", "on"), [("marks", False), ("points", True)])
+def test_a_line_that_ends_on_the_printed_letter_is_not_said_to_go_on(by: str, on: bool) -> None:
+    """A closing vector's construction line runs past the pole into the letter there; on other paper it is longer."""
+    pole, way = 60 + 50j, complex(np.exp(0.82j))
+    start = pole + 40 * way
+    seen = sheet_of(sheet([(start, pole - 7.5 * way)], []))
+    assert seen is not None
+    seen.ink.flat.by = by
+    sought = SoughtPolygon(InkCover(seen, pole, [40 * way]), Place(pole, 0.1, frozenset()), {})
+    assert sought._goes_on(start, LaidChain(0.0, [("F", start, 0.1)])) is on
 
 
 @pytest.mark.slow

@@ -175,16 +175,20 @@ def run(out: Path, photos: Path, report: Path) -> tuple[dict[str, Any], float, i
 def told(found: Mapping[str, Any], true: Mapping[str, Filled]) -> str:
     """How many sheets were found to be whose and which they are, and what was made of right and wrong ones."""
     counts: Counter[str] = Counter()
-    lost = []
+    lost, false = [], []
     for name, sheet in true.items():
         row = found.get(name, {})
         whose = str(row.get("whose", "")).split(",")[0].replace(" ", "-") == sheet.student.rpartition("/")[2]
         counts["sorted"] += whose and row.get("plan") == sheet.plan
-        counts[f"{'wrong' if sheet.mistake else 'right'} → {row.get('verdict', 'not there')}"] += 1
+        truly, verdict = "wrong" if sheet.mistake else "right", row.get("verdict", "not there")
+        counts[f"{truly} → {verdict}"] += 1
+        if {truly, verdict} == {"right", "wrong"}:
+            made, said = sheet.mistake or "right", row["sentence"]["en"]
+            false.append(f"false: {name}: {sheet.student} {sheet.plan}: {made} -> {said}")
         if not (whose and row.get("plan") == sheet.plan):
             lost.append(f"{name}: {sheet.student} {sheet.plan} -> {row.get('whose')} {row.get('plan')}")
     lines = [f"{len(true)} sheets; " + ", ".join(f"{k} {n}" for k, n in sorted(counts.items()))]
-    return "\n".join([*lines, *lost[:20], *sorted(f"not asked for: {n}" for n in set(found) - set(true))[:20]])
+    return "\n".join([*lines, *false, *lost[:20], *sorted(f"not asked for: {n}" for n in set(found) - set(true))[:20]])
 
 
 def hour(students: int, seed: int, folder: Path) -> None:

@@ -64,7 +64,7 @@ class InkCover:
         numbers = hanging(lines, self.pole, self.room, self.seen.patches)
         steps, parts = self._stepped(numbers)
         dark = self.seen.ink.darkest(steps)
-        kept = ~self.seen.ink.lettered(steps) & (parts >= 0) & ~self._signed(steps)
+        kept = ~self.seen.ink.lettered(steps) & (parts >= 0) & ~self.on_sign(steps)
         kept &= dark > GHOST * numpy.median(dark[kept]) if kept.any() else True
         self.steps, parts, self.dark = steps[kept], parts[kept], dark[kept]
         heads = [0] * (max([0, *numbers]) + 2)  # the last are of no part
@@ -74,7 +74,7 @@ class InkCover:
                 tip, way = self.pole if crossed else head.z, line.direction(head.s) * head.sign
                 if (
                     not any(_one_head(tip, way, other) for other in self.tips)
-                    and not self._signed(numpy.array([tip]))[0]
+                    and not self.on_sign(numpy.array([tip]))[0]
                 ):
                     heads[number] |= 1 << len(self.tips)
                     self.tips.append((tip, way))
@@ -98,7 +98,7 @@ class InkCover:
                 parts.append(number)
         return numpy.array(found, complex), numpy.array(parts, numpy.intp)
 
-    def _signed(self, z: Complexes) -> Booleans:
+    def on_sign(self, z: Complexes) -> Booleans:
         """Whether places lie where a blank has its pole's letter: what is drawn over it, nobody can tell."""
         (low, high), off = SIGN_MM, z - self.pole
         inside = (off.real > low.real) & (off.real < high.real) & (off.imag > low.imag) & (off.imag < high.imag)

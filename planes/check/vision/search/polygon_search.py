@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations, permutations
 
+import numpy
+
 from planes.check.grading.handwork import Miss
 from planes.check.vision.marks.places import HEADED_MM
 from planes.check.vision.search.costs import DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
@@ -199,7 +201,8 @@ class SoughtPolygon:
             turned = (end - z) * way.conjugate()
             on = turned.real >= 0 and abs(turned.imag) < 1.2 * abs(end - z)
             apart = on and all(abs(end - other) >= GAP_MM for _, other, _ in chain.rows)
-            drawn = apart and not self.ink.seen.ink.lettered(end)[0] and self.covered(z, end) > 0.9
+            hidden = self.ink.seen.ink.lettered(end)[0] or self.ink.on_sign(numpy.array([end]))[0]
+            drawn = apart and not hidden and self.covered(z, end) > 0.9
             if drawn and not self.ink.runs_out(z, end):
                 return True
         return False
