@@ -118,6 +118,17 @@ def test_what_letters_alone_tell_of_forces_in_one_line_is_not_said(seed: int, tm
     assert found.verdict != "right_as_seen" or "G_5" in found.unseen
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [4, 5])
+def test_a_mistake_of_half_a_millimetre_leaves_nothing_in_doubt(seed: int, tmp_path: Path) -> None:
+    """The weight of a light crank, doubled: no paper shows that."""
+    one, rng, file = easel("assignment-12", "force:1"), random.Random(seed), tmp_path / "p.jpg"
+    drawn = corpus.drawn(one, None, rng)
+    assert drawn is not None
+    corpus.picture(drawn, corpus.pole_of(one), SCAN, rng, file)
+    assert corpus.looked_at(one, file)[0].verdict == "right"
+
+
 POLE = 100 + 75j
 
 

@@ -103,7 +103,7 @@ class LaidPolygon:
         straight = in_line([*drawn.values()])
         for guess in self.wrong:
             most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if straight else RIVAL)
-            rival = self.polygon.lay(guess, most) if guess.cost < most else None
+            rival = self.polygon.lay(guess, most) if guess.cost < most and guess.differs(self.right, APART_MM) else None
             others = rival.vectors(pole) if rival else {}
             found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}
         return tuple(n for n in self.right.known if n in found or self.polygon.endless)

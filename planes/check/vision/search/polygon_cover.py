@@ -21,6 +21,7 @@ from planes.words.names import POLE, at, label_of, links_of, plan_of
 
 NOTHING_MM, NAMED_MM = 0.3, 3.0  # a shorter vector is not drawn; one so long has a name
 WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet
+TURNED = 0.01  # the sine of the angle by which lines of a reaction differ on paper
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,12 @@ class Guess:
     def missing(self, right: Self) -> list[str]:
         """The vectors of the right polygon that are none here."""
         return [n for n, v in right.known.items() if abs(v) > 1 and abs(self.known.get(n, v)) < NOTHING_MM]
+
+    def differs(self, right: Self, mm: float) -> bool:
+        """Whether it puts some known vector elsewhere than the right polygon, by more than that, or turns a closing
+        one: what is less shows on no paper."""
+        moved = any(abs(v - right.known[n]) > mm for n, v in self.known.items())
+        return moved or any(abs((u * right.closing[n].conjugate()).imag) > TURNED for n, u in self.closing.items())
 
     def unwritten(self, words: HandWords, right: Self) -> float:
         """What it costs to believe that nobody drew these, for where names were read: a short one may have none."""
