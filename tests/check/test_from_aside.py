@@ -63,10 +63,11 @@ def test_what_a_tilted_camera_sees_is_put_right() -> None:
 
 @pytest.mark.parametrize("wrong", ["", "c"])
 def test_the_marks_tell_the_tilt(wrong: str) -> None:
-    """One of them drawn wrongly does not; of a sheet seen straight they tell none."""
+    """One of them drawn wrongly tells no other, though then it may be too little to be believed; of a sheet seen
+    straight they tell none."""
     for seed in range(4):
         tilt = tilt_told(over(TILT), 0j, spots(TILT, seed, wrong), TRUE)
-        assert tilt is not None and abs(tilt - TILT) < 0.1
+        assert (tilt is None and wrong) or (tilt is not None and abs(tilt - TILT) < 0.1)
         assert tilt_told(LENS, 0j, spots(0j, seed, wrong), TRUE) is None
 
 

@@ -158,6 +158,7 @@ def test_a_locked_page_is_told_to_be_one(tmp_path: Path) -> None:
         opened(str(file))
 
 
+@pytest.mark.slow
 def test_the_largest_page_is_taken_apart_within_500_mb() -> None:
     """Counted, not timed: what is asked for at once, the decoded picture among it."""
     tracemalloc.start()

@@ -57,6 +57,7 @@ def test_friction_that_locks_a_group_is_one_sentence() -> None:
         draw(locked)
 
 
+@pytest.mark.slow
 def test_after_and_before_dyads() -> None:
     for seed in range(12):
         rng = random.Random(f"chain {seed}")

@@ -19,7 +19,7 @@ TILT, TURN = math.tan(math.radians(6.0)), math.radians(0.7)  # σ of how telepho
 HAND_MM, LENGTH_MM = 0.7, 0.6  # σ of a mark, and of the vector a scale was taken from
 LEAST_TILT = math.tan(math.radians(2.0))  # less is not worth looking again
 LEAST_MARKS = 4
-BETTER = 3.0  # how much likelier, as a logarithm, marks must be: by chance alone they are so once in twenty times
+BETTER = 1.2  # how much likelier, as a logarithm, marks must be: a careful hand's own errors gain 1.1 now and then
 WIDE_MM = (6.0, 3.0, 1.5, *(HAND_MM,) * 7)  # marks farther off tell less and less, step by step
 
 
