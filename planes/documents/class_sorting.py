@@ -29,10 +29,10 @@ def glance(file: str, page: int | None = None) -> Glance:
     picture = opened(file, page)
     if picture is None:
         return Glance()
-    from planes.check.vision.image.picture import LARGEST_PX, cv, find_sheets, smaller
+    from planes.check.vision.image.picture import blanks_on, cv, smaller
 
     small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
-    blanks = find_sheets(smaller(picture.grey, LARGEST_PX)[0]).parts if page is None else 1
+    blanks = blanks_on(picture.grey).parts if page is None else 1
     return Glance(mark_on(picture.grey), bytes(small), blanks)
 
 

@@ -18,7 +18,7 @@ FIT_MM |= {"contour": 100.0, "vectors": 100.0}
 """How large a plan may be on the paper when nothing else is said."""
 SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 """How large plans are on a format that a scene names, against the usual: as its sides are."""
-BESIDE = {"A4": 0.7, "A3": 1.0, "A2": 1.4, "A1": 2.0, "A0": 2.8}
+BESIDE = dict(zip(SHARES, [*SHARES.values(), 2.8][1:], strict=True))
 """On several of a format side by side, as A3x4: these are as high as the next larger one."""
 USUAL_GROUPS = 2  # the plans of more need a larger format
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper

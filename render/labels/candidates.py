@@ -30,7 +30,7 @@ CLEAR_MM = 0.5  # least distance of a label from ink
 BETWEEN = 0.6, 0.15  # least distance of labels, side by side and one over the other, over the height of their letters
 APART_MM = 4.0  # labels side by side are disliked closer than this
 UNDER_MM, BESIDE_MM = 0.9, 0.5  # of an underline: beneath its label, and to both sides of it
-GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
+_GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
 _ALONG = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
 _DIRECTIONS = np.array([cmath.rect(1, math.radians(22.5 * k)) for k in range(16)])
 _ROUND = np.array([cmath.rect(1, math.radians(15.0 * k)) for k in range(24)])
@@ -213,9 +213,9 @@ def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
     led, leading = (np.flatnonzero(~np.isnan(places.leaders[:, 0])) for places in (some, others))
     own, theirs = some.leaders[led][:, None, :], others.leaders[leading][None, :, :]
     if len(leading):
-        clashes[:, leading] += crossed(some.boxes[:, None, :] + GROWN, theirs)
+        clashes[:, leading] += crossed(some.boxes[:, None, :] + _GROWN, theirs)
     if len(led):
-        clashes[led] += crossed(others.boxes[None, :, :] + GROWN, own)
+        clashes[led] += crossed(others.boxes[None, :, :] + _GROWN, own)
     if len(led) and len(leading):
         clashes[np.ix_(led, leading)] += meeting(own, theirs)
     return clashes, (sideways < APART_MM) & (apart < CLEAR_MM)

@@ -15,7 +15,7 @@ import numpy
 
 from planes.check.reading.opened import LARGEST, MB, contents, hushed
 from planes.check.vision.image.no_paper import shows_paper, shows_text_only
-from planes.check.vision.image.picture import LARGEST_PX, cv, find_sheets, sheet_alone, smaller
+from planes.check.vision.image.picture import blanks_on, cv, sheet_alone
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
@@ -72,11 +72,11 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
 
 def _blank_of(found: DecodedPicture, number: int, file: str) -> DecodedPicture:
     """One of several blanks on a picture; of one blank, or none, the picture."""
-    seen = find_sheets(smaller(found.grey, LARGEST_PX)[0])
+    seen = blanks_on(found.grey)
     _has(number, max(seen.parts, 1), file)
     if seen.stray and number == len(seen.sheets):
         raise PlanesError(Phrase("check_blank_in_part", count=seen.stray))
-    return replace(found, grey=sheet_alone(found.grey, number)) if seen.parts > 1 else found
+    return replace(found, grey=sheet_alone(found.grey, seen.sheets[number])) if seen.parts > 1 else found
 
 
 def _alone(head: Image.Image) -> bytes:

@@ -1,6 +1,7 @@
 """A photograph or scan of a plan on paper, made straight and to scale by the blank's corner marks or by two points."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import ModuleType
 
@@ -100,6 +101,11 @@ def find_marks(grey: Greys) -> dict[int, Array]:
     return next(iter(find_sheets(grey).sheets), {})
 
 
+def blanks_on(grey: Greys) -> SheetsSeen:
+    """The blanks of a picture however large, in pixels of it as it is looked at."""
+    return find_sheets(smaller(grey, LARGEST_PX)[0])
+
+
 def find_sheets(grey: Greys) -> SheetsSeen:
     """Each blank by the corners of its marks in pixels. Smaller marks, of a blank farther off, are looked for only
     where those that are seen leave room for it: so small is a grid's cell, too."""
@@ -128,10 +134,9 @@ def _look(grey: Greys, longest: int, least: float, found: list[Found]) -> None:
             found.append((int(number), one))
 
 
-def sheet_alone(grey: Greys, which: int) -> Greys:
-    """A picture of several blanks about one of them, all else made as light as its paper."""
-    cv2, (small, factor) = cv(), smaller(grey, LARGEST_PX)
-    marks = find_sheets(small).sheets[which]
+def sheet_alone(grey: Greys, marks: Mapping[int, Array]) -> Greys:
+    """A picture of several blanks about the one with those marks, all else made as light as its paper."""
+    cv2, factor = cv(), smaller(grey, LARGEST_PX)[1]
     seen, (w, h), rim = numpy.concatenate([*marks.values()]), SHEET_MM, RIM_MM
     there = numpy.array([(z.real, z.imag) for number in marks for z in _corners(number)])
     warp, _ = cv2.findHomography(there, seen / factor)
@@ -164,8 +169,8 @@ def flatten(grey: Greys) -> Flat | None:
     """The sheet seen straight from above, if its corner marks (three at least) are found."""
     cv2 = cv()
     small, factor = smaller(grey, LARGEST_PX)
-    seen_sheets = find_sheets(small)
-    sheets, marks = seen_sheets.sheets, next(iter(seen_sheets.sheets), {})
+    blanks = find_sheets(small)
+    marks = next(iter(blanks.sheets), {})
     if len(marks) < 3:
         return None
     places = [z for number in marks for z in _corners(number)]
@@ -175,8 +180,8 @@ def flatten(grey: Greys) -> Flat | None:
     if warp is None:
         return None
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
-    notes += [Phrase("check_several_blanks", count=len(sheets))] if len(sheets) > 1 else []
-    notes += [Phrase("check_blank_in_part", count=seen_sheets.stray)] if seen_sheets.stray else []
+    notes += [Phrase("check_several_blanks", count=len(blanks.sheets))] if len(blanks.sheets) > 1 else []
+    notes += [Phrase("check_blank_in_part", count=blanks.stray)] if blanks.stray else []
     bend = bend_of(small, warp, PX_PER_MM)
     if bend is not None:
         unbent = _unbent(small, bend, seen, true)

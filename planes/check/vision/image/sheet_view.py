@@ -34,16 +34,12 @@ class SheetView:
 
 def sheet_view(grey: Greys, px_per_mm: float, scanned: bool) -> SheetView | None:
     """How a sheet is seen, by the surest of what tells it; pixels to a millimetre are known but roughly."""
-    for size in (SQUARE_MM, LINES_MM):
-        across, down = waves_of(grey, px_per_mm * size)
-        if size == SQUARE_MM and across and down:
-            found = _by_squares(grey, across, down)
-        elif size == LINES_MM and down:
-            found = _by_lines(grey, down)
-        else:
-            found = None
-        if found:
-            return found
+    across, down = waves_of(grey, px_per_mm * SQUARE_MM)
+    if across and down and (found := _by_squares(grey, across, down)):
+        return found
+    _, down = waves_of(grey, px_per_mm * LINES_MM)
+    if down and (found := _by_lines(grey, down)):
+        return found
     return None if scanned else _by_edges(grey)
 
 

@@ -83,9 +83,7 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     if strange and len(way.found) == len(bench.marks):
         seen.ink.flat.notes.append(Phrase("check_strangers", count=len(strange)))
     if seen.ink.flat.told and len(strange) > MANY * len(bench.marks):
-        explained = (
-            0.0  # a vector far too short or long was pointed to: at its scale nearly all of the drawing is strange
-        )
+        explained = 0.0  # at the scale of a vector far too short or long nearly all of a drawing is strange
     spots = measured_by(seen.ink.flat, near, spots, search.own)
     right = named(search, way, {label_of(m) for m in bench.marks} - found.keys()) if way.variant is None else ()
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, right

@@ -96,7 +96,7 @@ class FeltLines:
         out.nearby = cv2.dilate(out.most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
         out.paper = ABOVE * _usual_on_paper(out.most)
         out.own = [out._strokes(k) for k in range(ANGLES)]
-        out.usual = min(out._usual_below(top) for top in (0, round(print_mm * PX_PER_MM)))
+        out.usual = min(out._usual_below(top) for top in {0, round(print_mm * PX_PER_MM)})
         return out
 
     def _usual_below(self, top: int) -> float:
