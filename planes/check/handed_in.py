@@ -191,7 +191,7 @@ def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
     if picture is None or picture.box is None:
         return replace(paper, notes=notes)
     box, strokes = _box_told(paper.file, picture.box), picture.strokes
-    return replace(paper, picture=picture.picture, box=box, strokes=strokes, notes=notes)
+    return replace(paper, picture=picture.picture, box=box, strokes=strokes, mu=picture.mu, notes=notes)
 
 
 def _box_told(table: str, read: Box) -> Box:

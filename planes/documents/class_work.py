@@ -59,13 +59,15 @@ class ClassWork:
 
     def add(self, one: Checked, source: str = "", task: Task | None = None) -> None:
         """A drawing that was looked at; into a folder goes its report, and what the next run takes up."""
+        name = f"{kept_as(one.file)}.html"
+        one = replace(one, report=quote(name)) if self.ledger and one.found else one
+        row = ClassRow.of(one, self.lang)
         if self.ledger and one.found:
-            shown = report.page_data(one.found, self.lang)
+            shown = report.page_data(one.found, self.lang, row.places)
             shown["title"] = ". ".join(filter(None, (one.whose, shown["title"])))
             page = check_pages.report_page({**shown, "of_class": one.file, "command": self.command}, self.lang)
-            self._keep(f"{kept_as(one.file)}.html", source, page.encode())
-            one = replace(one, report=quote(f"{kept_as(one.file)}.html"))
-        self.add_row(ClassRow.of(one, self.lang), source, task)
+            self._keep(name, source, page.encode())
+        self.add_row(row, source, task)
 
     def add_row(self, row: ClassRow, source: str = "", task: Task | None = None) -> None:
         """A row; into a folder goes what the next run takes up."""

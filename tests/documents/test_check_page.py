@@ -15,7 +15,7 @@ from planes.check import Outcome, check
 from planes.check.grading.grading import Grading, empty
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
-from planes.check.report import Checked, told_all
+from planes.check.report import Checked, places, told_all
 from planes.check.report.places import wrong_places
 from planes.check.report.regrading import SURELY_MM, retrace
 from planes.documents.check import write_report
@@ -246,6 +246,17 @@ def test_a_window_shows_a_force_and_where_it_should_end() -> None:
     assert abs((left + right) / 2 - goal.real) == pytest.approx(abs(miss.real) / 2, abs=0.02)
 
 
+def test_a_window_is_made_once_for_a_row_and_its_report(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[str] = []
+    kept = places._windows
+    monkeypatch.setattr(places, "_windows", lambda found, grading: made.append(found.verdict) or kept(found, grading))
+    group = ClassWork("11", "en", str(tmp_path / "class"))
+    group.add(Checked("boris.jpg", handed_in("six-link", "velocity", CASES[0][2])))
+    group.close()
+    assert made == ["wrong"]
+    assert all('class="place"' in (tmp_path / "class" / name).read_text() for name in ("index.html", "boris.jpg.html"))
+
+
 UNSEEN = [("six-link", "velocity", ("s2",)), ("six-link", "acceleration", ("s2'",)), ("kind-1-rrr", "velocity", ("e",))]
 
 
@@ -342,12 +353,18 @@ def test_the_page_of_a_class_tells_whose_mistakes_and_is_sorted_at_will(browser:
     page.click("thead th:nth-child(4) button")
     assert page.evaluate(names)[-1] == "anna"
     assert page.get_attribute("thead th:nth-child(4)", "aria-sort") == "descending"
+    page.emulate_media(media="print")
+    assert [page.is_visible(f"tr:has-text('{name}') .place") for name in ("boris", "gleb")] == [True, True]
+    page.emulate_media(media="screen")
     page.set_viewport_size({"width": 390, "height": 800})  # rows have no head there
     assert not page.is_visible("thead")
     page.select_option(".sort select", "1")
     assert page.evaluate(names) == ["anna", "vera", "boris", "gleb"]
     page.click("li a >> text=gleb")
     assert "c" in page.inner_text("#sentence")
+    page.emulate_media(media="print")
+    assert not page.is_visible(".place")  # a report is one sheet
+    page.emulate_media(media="screen")
     assert page.locator(".place").count() == 1 and page.is_visible(".place")  # the same window as in the table
     page.evaluate("move('c', marks[0].x, marks[0].y)")
     assert not page.is_visible(".place")  # it shows what was read

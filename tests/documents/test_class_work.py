@@ -36,6 +36,7 @@ from planes.documents.check import blank_marks  # noqa: E402
 from render.files import pdf  # noqa: E402
 from tests.helpers.class_pictures import DPI, drawn, printed, scanned  # noqa: E402
 
+IMAGE = pypdfium2.raw.FPDF_PAGEOBJ_IMAGE
 TWELVE = ROOT / "samples/assignments/12.yaml"
 ANNA, BORIS = "Петрова-Анна", "Иванов-Пётр"
 Json = dict[str, Any]
@@ -233,6 +234,9 @@ def test_the_page_shows_wrong_places_beside_the_right_construction(
     page.emulate_media(media="print")
     shown = "[...document.querySelectorAll('thead th')].map(e => getComputedStyle(e, '::before').content)"
     assert '"файл"' in page.evaluate(shown) and not page.is_visible("thead button")
+    printed_page = pypdfium2.PdfDocument(page.pdf(prefer_css_page_size=True))
+    images = [one.get_bounds() for sheet in printed_page for one in sheet.get_objects(max_depth=9) if one.type == IMAGE]
+    assert len(images) >= 4 + place.count() and all(right - left > 30 for left, _, right, _ in images)
     page.emulate_media(media="screen")
     page.click("th a >> text=IMG_2")
     assert page.get_attribute("#save", "data-name") == "IMG_2.csv"

@@ -2,6 +2,7 @@
 
 import math
 import shlex
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
@@ -207,8 +208,9 @@ def heads(lang: Lang) -> tuple[list[str], list[str]]:
     return [say(k, lang) for k in marks], [say(k, lang) for k in numbers]
 
 
-def page_data(found: Outcome, lang: Lang) -> Json:
-    """All a page shows and judges by. Without marks there is nothing to move, so no tape."""
+def page_data(found: Outcome, lang: Lang, places: Sequence[Json] | None = None) -> Json:
+    """All a page shows and judges by, the windows about wrong places made here, if they are not. Without marks there is
+    nothing to move, so no tape."""
     marks, numbers = heads(lang)
     grading = found.grading or (empty(found.bench) if found.paper.picture else None)
     sentence, *notes = told_all(found, "here")
@@ -226,7 +228,7 @@ def page_data(found: Outcome, lang: Lang) -> Json:
         "saved": saved_as(found),
         "kind": kind_of(found.bench.asked.plan),
         "lettering": lettering(found.bench.asked.scene, found.bench.plans),
-        "places": wrong_places(found),
+        "places": wrong_places(found) if places is None else places,
         "asked": sentence.key == "check_ask",
         **({"page": moved_marks(found, grading, lang)} if grading else {}),
     }

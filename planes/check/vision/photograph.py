@@ -42,7 +42,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
         raise _nothing_to_measure_by(picture.grey)
     paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
-    paper.picture, paper.box = shown(best.flat), best.box(bench)
+    paper.picture, paper.box, paper.mu = shown(best.flat), best.box(bench), best.mu or bench.asked.mu
     code = mark_of(best.flat) if best.flat.by == "marks" else None
     if code and code.plan != bench.asked.plan and code.plan in known_plans(bench.plans):
         plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
@@ -56,7 +56,6 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     else:
         pointed = bench.pointed(known.marks, best.flat.place) if best.spots else {}
         paper.spots, paper.whole = with_told(best.spots, pointed, MISREAD), best.whole
-        paper.mu = best.mu or bench.asked.mu
         if best.mu and best.mu != bench.said_mu:
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
@@ -84,9 +83,9 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
 
 
 def _as_printed(bench: PreparedPlan, flat: Flat) -> PreparedPlan:
-    """The plan at the scale that the code of its blank tells, where nobody told another."""
+    """The plan at the scale its blank was printed for, as its code tells, else the scene's; where nobody told another."""
     code = mark_of(flat) if flat.by == "marks" and not bench.asked.mu else None
-    return bench.at(code.mu, told=True) if code and code.mu and code.plan == bench.asked.plan else bench
+    return bench.at(code.mu or bench.said_mu, told=True) if code and code.plan == bench.asked.plan else bench
 
 
 def _nothing_to_measure_by(grey: Greys) -> PlanesError:
