@@ -13,7 +13,7 @@ from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
-from planes.plans.measuring import lettering, say_plan
+from planes.plans.measuring import lettering, title_of
 from planes.scene import Scene
 from planes.scene.files import keep
 from planes.solving import told
@@ -47,7 +47,7 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang, asked.scene.mu_convention), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
     squares.append((code_centre(), code_cells(mark.text), CODE_MM))
-    texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *(more or _whose(asked, mark, lang))]
+    texts = [f"{title_of(asked.plan, lang)}, μ = {mu}", title, *(more or _whose(asked, mark, lang))]
     fields = [] if mark.student else [say("check_blank_name", lang), say("check_blank_group", lang)]
     pole, size = blank_pole(bench), say("check_print_size", lang)
     return blank_sheet.blank(SHEET_MM, squares, pole, texts, size, fields), title

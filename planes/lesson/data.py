@@ -22,7 +22,7 @@ from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.lesson.told import Told, drive_of
 from planes.plans import Plans
-from planes.plans.measuring import lettering, say_plan
+from planes.plans.measuring import lettering, say_plan, title_of
 from planes.scene import Scene
 from planes.words import Lang, say
 from planes.words.names import at, kind_of, lettered, links_of, mu_of, plan_of
@@ -126,7 +126,7 @@ def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
         "key": plan,
         "links": list(links_of(plan)) if kind_of(plan) == "force" else [],
         "mu": in_both(partial(mu_said, plan, convention=convention)),
-        "title": in_both(lambda lang: (told := say_plan(plan, lang))[:1].upper() + told[1:]),
+        "title": in_both(partial(title_of, plan)),
         "fixed": fixed,
     }
 

@@ -103,6 +103,12 @@ def say_plan(plan: str, lang: Lang) -> str:
     return plan_phrase(plan).told(lang)
 
 
+def title_of(plan: str, lang: Lang) -> str:
+    """The name of a plan as a title begins."""
+    told = say_plan(plan, lang)
+    return told[:1].upper() + told[1:]
+
+
 def counted(s: Structure) -> tuple[str, str]:
     """W and q with the numbers put in; p_{1} are pairs of one freedom."""
     n, p = 1 + sum(len(g.links) for g in s.groups), len(s.pairs)

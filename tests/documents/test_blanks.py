@@ -87,7 +87,7 @@ def test_a_scene_of_forces_has_a_blank_without_being_asked_which(tmp_path: Path)
     file = tmp_path / "b.svg"
     assert main(["blank", str(ROOT / "samples/vectors/group.yaml"), "-o", str(file), "--lang", "en"]) == 0
     assert main(["blank", str(ROOT / "samples/six-link.yaml"), "-o", str(file), "--lang", "en"]) == 0
-    assert "velocity" in file.read_text("utf-8")
+    assert "Velocity plan" in file.read_text("utf-8")
 
 
 @pytest.mark.slow

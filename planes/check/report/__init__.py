@@ -17,7 +17,7 @@ from planes.check.report.moved_marks import moved_marks
 from planes.check.report.places import wrong_places
 from planes.check.report.shown import shown_plans
 from planes.geometry.arithmetic import Real
-from planes.plans.measuring import lettering, say_plan
+from planes.plans.measuring import lettering, title_of
 from planes.words import Lang, Phrase, decimal, langs, say
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, label_of
@@ -164,8 +164,7 @@ def redo_told(found: Outcome, lang: Lang) -> str:
 def title(found: Outcome, lang: Lang) -> str:
     """The plan and the scene."""
     scene = found.bench.asked.scene
-    plan = say_plan(found.bench.asked.plan, lang)
-    return f"{plan[:1].upper()}{plan[1:]}: {scene.title.get(lang, '') or scene.file}"
+    return f"{title_of(found.bench.asked.plan, lang)}: {scene.title.get(lang, '') or scene.file}"
 
 
 def mm(value: float | None, lang: Lang) -> str:

@@ -10,7 +10,7 @@ from planes.check.grading.judging import WARN
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
-from planes.plans.measuring import lettering, say_plan
+from planes.plans.measuring import lettering, title_of
 from planes.words import Lang
 from planes.words.names import POLE, Names, kind_of, label_of, plan_of
 from planes.words.records import Json
@@ -151,13 +151,13 @@ def tracing_data(asked: Asked, lang: Lang) -> Json:
 def _plan(bench: PreparedPlan, lang: Lang) -> Json:
     plan, kind = bench.asked.plan, kind_of(bench.asked.plan)
     marks = bench.true_marks
-    said, mu = say_plan(plan, lang), mu_text(bench.said_mu, kind, lang, bench.asked.scene.mu_convention)
+    mu = mu_text(bench.said_mu, kind, lang, bench.asked.scene.mu_convention)
     line = shlex.join(bench.asked.line("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
     names = [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if kind == "force" else []
     return {
         "key": plan,
         "kind": kind,
-        "title": f"{said[:1].upper()}{said[1:]}, μ = {mu}",
+        "title": f"{title_of(plan, lang)}, μ = {mu}",
         "marks": {POLE: [0.0, 0.0], **{n: pair(z) for n, z in marks.items()}},
         "far": max(marks, key=lambda n: abs(marks[n])),
         "vectors": vectors(bench),

@@ -83,7 +83,7 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
 
 
 def _as_printed(bench: PreparedPlan, flat: Flat) -> PreparedPlan:
-    """The plan at the scale its blank was printed for, as its code tells, else the scene's; where nobody told another."""
+    """The plan at the scale its blank was printed for (its code tells, else the scene), where nobody told another."""
     code = mark_of(flat) if flat.by == "marks" and not bench.asked.mu else None
     return bench.at(code.mu or bench.said_mu, told=True) if code and code.plan == bench.asked.plan else bench
 
