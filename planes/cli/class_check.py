@@ -17,7 +17,7 @@ from planes.cli.asking import ask, known_of, mu_asked, said
 from planes.cli.options import value_of
 from planes.course.handed_out import HandedOut
 from planes.scene import Scene
-from planes.words import Phrase, say
+from planes.words import Phrase, home_lang, say
 from planes.words.errors import PlanesError, guarded
 from planes.words.waiting import bar
 
@@ -117,10 +117,13 @@ class ClassDesk:
 
 
 def _command(args: Namespace) -> str:
-    """The command that checks the same sheets once more."""
-    told = {"--variant": args.variant, "--plan": args.plan, "--mu": args.mu, "--work": args.work, "-o": args.output}
-    more = [word for flag, text in told.items() if text for word in (flag, text)]
-    return shlex.join(["planes", "check", args.scene, args.drawing, *more])
+    """The command that checks the same sheets once more, with all that it was told: else all would be judged anew."""
+    names = ("variant", "phi", "s", "plan", "mu", "pole", "format", "page", "work")
+    told = [(f"--{name}", str(text)) for name in names if (text := getattr(args, name)) is not None]
+    told += [*(("--with", pair) for pair in args.others), *(("--mark", pair) for pair in args.mark)]
+    told += [("--lang", args.lang)] * (args.lang != home_lang()) + [("-o", args.output)] * bool(args.output)
+    more = (f"{flag}={text}" if text.startswith("-") else f"{flag} {shlex.quote(text)}" for flag, text in told)
+    return " ".join([shlex.join(["planes", "check", args.scene, args.drawing]), *more])
 
 
 def _options(args: Namespace) -> list[object]:

@@ -132,12 +132,16 @@ class ClassWork:
 
     def _cells(self, rows: Sequence[ClassRow], keys: Sequence[str]) -> list[list[str]]:
         """The cells of rows; beside what was found stands where the same plan of the same person is once more."""
-        own = {str(t.file) for t in self.tasks if t.student}
-        again = {r.file: [one.file for one in self.rows if one.task in own and r.again_in(one)] for r in rows}
-        shown = {
-            f: Phrase("check_again", names=", ".join(names)).told(self.lang) for f, names in again.items() if names
-        }
-        return [cells(row.also(shown.get(row.file, "")), keys, self.lang) for row in rows]
+        again = {f: Phrase("check_again", names=", ".join(more)).told(self.lang) for f, more in self._again().items()}
+        return [cells(row.also(again.get(row.file, "")), keys, self.lang) for row in rows]
+
+    def _again(self) -> dict[str, list[str]]:
+        """By file the others of the same plan of the same student."""
+        own, same = {str(t.file) for t in self.tasks if t.student}, dict[tuple[str, str, str], list[str]]()
+        for row in self.rows:
+            if row.plan and row.task in own:
+                same.setdefault(row.subject, []).append(row.file)
+        return {f: [one for one in files if one != f] for files in same.values() if len(files) > 1 for f in files}
 
     def missing(self) -> str:
         """Whose drawings there are none of, with the assignments where there are several."""
@@ -168,12 +172,13 @@ class ClassWork:
         return check_pages.class_page(title, told, self._often(), absent, head, rows, self.lang)
 
     def _often(self) -> list[tuple[str, list[tuple[str, str]]]]:
-        """Mistakes that more than one drawing has, with whose these are, and their reports."""
-        common = dict[str, list[tuple[str, str]]]()
+        """Mistakes that more than one drawing has (what came twice is one), with whose these are, and their reports."""
+        common, again = dict[str, dict[object, tuple[str, str]]](), self._again()
         for row in self.rows:
             if row.mistake:
-                common.setdefault(row.mistake, []).append((row.whose or Path(row.file).stem, row.link))
-        several = [said for said in common.items() if len(said[1]) > 1]
+                one = row.subject if row.file in again else row.file
+                common.setdefault(row.mistake, {}).setdefault(one, (row.whose or Path(row.file).stem, row.link))
+        several = [(said, [*whose.values()]) for said, whose in common.items() if len(whose) > 1]
         return sorted(several, key=lambda said: -len(said[1]))[:MOST_COMMON]
 
 

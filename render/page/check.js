@@ -103,7 +103,7 @@ function draw() {
   say(found.sentence);
   document.body.className = found.verdict;
   $("chance").style.visibility = "hidden"; // what is drawn stays where it is
-  for (const old of document.querySelectorAll(".places, #as-read")) old.hidden = true;
+  for (const old of document.querySelectorAll(".places, #as-read, .printed")) old.hidden = true;
   $("moved").hidden = false;
   table();
 }

@@ -32,6 +32,7 @@ def report_page(data: Json, lang: Lang) -> str:
         "title": e(data["title"]),
         "file": f'<p class="file">{e(data["of_class"])}</p>' if "of_class" in data else "",
         "sentence": told(data["sentence"]),
+        "printed": f'<p class="printed">{told(data["printed"])}</p>' if data["printed"] != data["sentence"] else "",
         "chance": e(data["chance"]),
         "asked": f'<p id="as-read"><button type="button">{e(words["as_read"])}</button></p>' if data["asked"] else "",
         "places": _places(data["places"], "", naming, data["kind"], words["places"]),

@@ -2,6 +2,7 @@
 
 A course is made, its blanks are filled by physics (some wrong, some askew, some two to a picture), and the folder is
 checked in one run; what a sheet is found to be is held against whose blank it was. Then one is put right by hand.
+What was drawn into DIR is not drawn again, but checked by what the program is now.
 """
 
 from __future__ import annotations
@@ -164,6 +165,20 @@ def _beside(one: Any, two: Any) -> Any:
     return np.vstack(wide)
 
 
+def kept(true: Mapping[str, Filled], file: Path) -> None:
+    """What the pictures show, written beside them."""
+    marks = {n: {m: [z.real, z.imag] for m, z in one.marks.items()} for n, one in true.items()}
+    rows = {n: [one.student, one.plan, one.mistake, marks[n]] for n, one in true.items()}
+    file.write_text(json.dumps(rows), "utf-8")
+
+
+def drawn_before(file: Path) -> dict[str, Filled]:
+    """What an earlier run has drawn."""
+    rows = json.loads(file.read_text("utf-8"))
+    marks = {n: {m: complex(*z) for m, z in row[3].items()} for n, row in rows.items()}
+    return {n: Filled(row[0], row[1], row[2], None, marks[n]) for n, row in rows.items()}
+
+
 def run(out: Path, photos: Path, report: Path) -> tuple[dict[str, Any], float, int]:
     """The command of a class: what it found of each file, its seconds of the processor, and its exit status."""
     said, start = io.StringIO(), time.process_time()
@@ -196,7 +211,11 @@ def hour(students: int, seed: int, folder: Path) -> None:
     start = time.perf_counter()
     out, photos, report = made_course(folder / "course", students, seed), folder / "photos", folder / "report"
     print(f"course made in {time.perf_counter() - start:.0f} s", flush=True)
-    true = handed_in([*filled(out, seed)], photos, random.Random(seed))
+    if not (drawn := folder / "drawn.json").is_file():
+        kept(handed_in([*filled(out, seed)], photos, random.Random(seed)), drawn)
+    true = drawn_before(drawn)
+    for table in photos.glob("*.csv"):  # marks an earlier run has put right
+        table.unlink()
     print(f"{len(true)} sheets drawn in {len([*photos.iterdir()])} pictures", flush=True)
     found, seconds, status = run(out, photos, report)
     print(f"{seconds:.0f} s of the processor, exit status {status}\n{told(found, true)}", flush=True)

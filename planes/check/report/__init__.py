@@ -217,6 +217,7 @@ def page_data(found: Outcome, lang: Lang, places: Sequence[Json] | None = None) 
         "verdict": found.verdict,
         "title": title(found, lang),
         "sentence": sentence.told(lang),
+        "printed": told_all(found, "sheet")[0].told(lang),
         "chance": f"{chance_told(found, lang)} {redo_told(found, lang)}".strip(),
         "notes": [n.told(lang) for n in notes],
         "head": marks,

@@ -44,7 +44,8 @@ class ClassRow:
     def of(cls, one: Checked, lang: Lang) -> ClassRow:
         """The row of what was found."""
         found, said = one.found, one.said(lang)
-        said = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a column of its own
+        bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a column of its own
+        said = said if bare == said else bare[:1].upper() + bare[1:]
         unmarked = said.removeprefix(f"{one.first}: ") if one.first else said
         return cls(
             file=one.file,
@@ -72,14 +73,15 @@ class ClassRow:
         """The kind of its plan, "" where that is not known."""
         return kind_of(str(self.object["plan"])) if "plan" in self.object else ""
 
-    def again_in(self, other: ClassRow) -> bool:
-        """Whether another sheet is of the same plan of the same task."""
-        same = (self.task, self.whose, self.plan) == (other.task, other.whose, other.plan)
-        return bool(self.plan) and self.file != other.file and same
+    @property
+    def subject(self) -> tuple[str, str, str]:
+        """Which plan of whose task it is of."""
+        return self.task, self.whose, self.plan
 
     def also(self, more: str) -> ClassRow:
         """The same row with something more said."""
-        return replace(self, said=f"{self.said} {more}".strip()) if more else self
+        stop = "." if self.said and self.said[-1] not in ".!?" else ""
+        return replace(self, said=f"{self.said}{stop} {more}".strip()) if more else self
 
     @classmethod
     def read(cls, data: Json) -> ClassRow:
