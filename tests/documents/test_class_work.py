@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from planes.check import check
-from planes.check.grading.paper import Known
-from planes.check.handed_in import HandedSheet, read_paper
+from planes.check.grading.paper import Known, ReadPaper
+from planes.check.handed_in import HandedSheet, corrected, read_paper
 from planes.check.sheet_mark import SheetMark
 from planes.cli import class_check as command
 from planes.cli import main
@@ -412,6 +412,21 @@ def test_a_vector_astray_is_the_one_it_is_nearest_to(tmp_path: Path) -> None:
     cv2.imwrite(str(tmp_path / "astray.jpg"), scanned(sheet))
     out = check(asked, read_paper(str(tmp_path / "astray.jpg"), asked, Known()))
     assert out.first_wrong in ("e", "s5")
+
+
+@pytest.mark.slow
+def test_a_mark_upon_another_that_a_mistake_hides_is_not_called_seen(tmp_path: Path) -> None:
+    """S3 stands at the end of b3; begun from the wrong end it is at the pole, which leaves the same ink."""
+    assert main(["blank", str(TWELVE), "--variant", "Г", "--plan", "velocity", "-o", str(tmp_path / "b.pdf")]) == 0
+    asked = Asked(load(TWELVE, variant="Г"), "velocity")
+    sheet = drawn(printed(tmp_path / "b.pdf"), asked.scene, "velocity", lambda right: {**right, "s3": 0.2j})
+    cv2.imwrite(str(tmp_path / "hidden.jpg"), scanned(sheet))
+    paper = read_paper(str(tmp_path / "hidden.jpg"), asked, Known())
+    out = check(asked, paper)
+    assert (out.verdict, out.unseen) == ("right_as_seen", ["s3"])
+    (table := tmp_path / "hidden.csv").write_text("mark,x_mm,y_mm\n", "utf-8")
+    bound = prepare(asked).said_mu  # a blank's own scale is the only one, though it is the scene's
+    assert (paper.mu, out.bench.asked.mu, corrected(ReadPaper(str(table)), paper).mu) == (bound, bound, bound)
 
 
 def practice(scene: Path, name: str, right: int = 0) -> str:

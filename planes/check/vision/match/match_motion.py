@@ -18,7 +18,7 @@ from planes.check.vision.marks.print_scale import by_ruler, measured_by, shares_
 from planes.check.vision.search.costs import ANYWHERE, slip
 from planes.check.vision.search.ink_cover import InkCover
 from planes.check.vision.search.laid_plan import LaidPlan
-from planes.check.vision.search.named_marks import by_names, named
+from planes.check.vision.search.named_marks import by_names, named, traceless
 from planes.check.vision.search.plan_search import CLOSE, Search
 from planes.words import Phrase
 from planes.words.names import POLE, label_of
@@ -76,7 +76,8 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
         return [], 0.0, ()
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
-    found = {label_of(m): m for m in bench.marks if m in way.found and not search.blind(m, way)}
+    shown, bare = (m for m in bench.marks if m in way.found and not search.blind(m, way)), traceless(search, way)
+    found = {n: m for m in shown if (n := label_of(m)) not in bare}
     spots += [ReadMark(n, way.found[m].z, search.error_mm(m, way)) for n, m in found.items() if n != left_out]
     routes = search.routes(way)
     explained, strange = ink.explained(routes), ink.strangers(routes)

@@ -6,7 +6,7 @@ mistake of the catalogue would have it, with ink that leads there. How far off i
 measure, so no place is read.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from planes.check.grading.handwork import Variant
@@ -82,6 +82,34 @@ def named(search: Search, way: LaidPlan, unread: Collection[str]) -> tuple[str, 
         drawn = {n: z for n, z in wrong.items() if _led(search, way, n, z)}
         found = [n for n in found if not _rivals(words, n, right[n], drawn.get(n, right[n]))]
     return tuple(found)
+
+
+def traceless(search: Search, way: LaidPlan) -> set[str]:
+    """Marks (labels) that nothing of their own shows: a mistake has them at the pole, and no name tells it; or they
+    are rightly upon another mark, and by a mistake would be upon another one."""
+    pole = search.pole.z
+    if way.variant:
+        gone = {label_of(m): z for m, z in search.true.items() if way.found.get(m) is search.pole and abs(z) > EVEN_MM}
+        return {n for n, z in gone.items() if abs(z) < APART_MM or not _told(names_on(search), n, pole, pole + z)}
+    ends = way.ends(pole)
+    doubled = {n: z for n, z in ends.items() if n != POLE and _upon_another(n, z, ends)}
+    found = set[str]()
+    for variant in variants_of(search.bench, {}, search.bench.said_mu) if doubled else ():
+        if variant.blames in doubled and variant.blames not in found:
+            n = variant.blames
+            z = _places(search, way, variant, [n]).get(n, doubled[n])
+            found |= {n} if abs(z - doubled[n]) > APART_MM and _upon_another(n, z, ends) else set()
+    return found
+
+
+def _told(words: HandWords, name: str, z: complex, other: complex) -> bool:
+    """Whether a name tells that its mark is at one place and not at another one."""
+    return _by(words.words, name, z) and not _rivals(words, name, z, other)
+
+
+def _upon_another(name: str, z: complex, ends: Mapping[str, complex]) -> bool:
+    """Whether a place is that of another mark, or of the pole."""
+    return any(n != name and abs(z - other) < EVEN_MM for n, other in ends.items())
 
 
 def _places(search: Search, way: LaidPlan, variant: Variant | None, labels: Collection[str]) -> dict[str, complex]:
