@@ -9,10 +9,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planes.check.grading.paper import Box, Known, ReadPaper, read_table, with_told
+from planes.check.grading.paper import Known, ReadPaper, read_table, with_told
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.reading.opened import LARGEST, contents, hushed, too_many
+from planes.check.reading.opened import LARGEST, contents, hash_of, hushed, too_many
 from planes.check.reading.strokes import ReadDrawing
+from planes.check.saved_marks import corrected, of_another
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
 
@@ -36,7 +37,6 @@ OTHERS = {  # what cameras and telephones save that is not read: the suffixes, h
         rb"PK\x03\x04|Rar!|AC10",
     ),
 }
-_NUMBER = r" (-?[0-9]{1,5}(?:[.][0-9]{1,6})?)"
 ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  # how whole files begin and end
 
 
@@ -118,17 +118,27 @@ def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:
 
 
 def marks_of(sheet: HandedSheet, asked: Asked, known: Known) -> ReadPaper:
-    """What a sheet shows, or the marks a person has put right instead; called as the sheet is."""
-    file = str(sheet.file)
-    if not sheet.marks.is_file() or sheet.marks == sheet.file:
-        paper = read_paper(file, asked, known)
-    else:
-        under = None
+    """What a sheet shows, or the marks a person has put right instead, if they are of this very drawing; called as the
+    sheet is."""
+    file, paper = str(sheet.file), None
+    if sheet.marks.is_file() and sheet.marks != sheet.file:
         with suppress(PlanesError):
-            under = read_paper(file, asked, known)
-        paper = corrected(read_paper(str(sheet.marks), asked, known), under)
+            paper = read_paper(file, asked, known)
+        if not of_another(sheet.marks, paper.look if paper else look_of(file, known)):
+            paper = corrected(read_paper(str(sheet.marks), asked, known), paper)
+        elif paper:
+            paper.notes.append(Phrase("check_marks_of_another", file=sheet.marks.name))
+    paper = paper or read_paper(file, asked, known)
     paper.file = str(sheet.file.with_name(sheet.name))
     return paper
+
+
+def look_of(file: str, known: Known) -> str:
+    """The hash of what a file, or a page of it, shows; "" of one that does not open."""
+    with suppress(PlanesError):
+        picture = opened(file, known.page)
+        return picture.look if picture else hash_of(contents(file, LARGEST))
+    return ""
 
 
 def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
@@ -138,7 +148,7 @@ def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
         return read_table(file)
     with telling(file):
         if sketch := _lines(file, suffix, known):
-            return _from_lines(sketch, asked, known)
+            return replace(_from_lines(sketch, asked, known), look=hash_of(contents(file, LARGEST)))
         if suffix in PICTURES:
             from planes.check.vision.photograph import paper_of_picture
 
@@ -183,25 +193,6 @@ def _kind(file: str, suffix: str) -> PlanesError | None:
         return PlanesError(Phrase("check_locked", file=file))
     cut = any(data.startswith(head) and end not in data[-1024:] for head, end in ENDS.items())
     return PlanesError(Phrase("check_cut", file=file)) if cut else None
-
-
-def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
-    """A table of marks a person has put right in the report of a picture, with that picture under it."""
-    notes = [*paper.notes, Phrase("check_by_hand", file=Path(paper.file).name)]
-    if picture is None or picture.box is None:
-        return replace(paper, notes=notes)
-    box, strokes = _box_told(paper.file, picture.box), picture.strokes
-    return replace(paper, picture=picture.picture, box=box, strokes=strokes, mu=picture.mu, notes=notes)
-
-
-def _box_told(table: str, read: Box) -> Box:
-    """Where the picture lies about the pole, which a person may have moved: as a report page has written it into the
-    table of its marks, if that is a picture of this size."""
-    head = contents(table, LARGEST)[:2000].decode("utf-8", "replace")
-    found = re.search(rf"^# box{4 * _NUMBER}$", head, re.MULTILINE)
-    left, low, right, high = map(float, found.groups()) if found else read
-    same = abs(right - left - read[2] + read[0]) < 0.1 and abs(high - low - read[3] + read[1]) < 0.1
-    return (left, low, right, high) if same else read
 
 
 def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:

@@ -4,7 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from planes.check.grading.prepared_plan import Asked
-from planes.check.handed_in import HandedSheet, opened
+from planes.check.handed_in import TABLES, HandedSheet, opened
+from planes.check.saved_marks import saved_as
 from planes.check.sheet_mark import SheetMark, mark_on
 from planes.course.handed_out import HandedOut, Task, of_several, plan_named, variant_named
 from planes.scene import Scene
@@ -69,7 +70,8 @@ class Sorter:
         if found is None and len(self.handed.tasks) == 1:
             found = self.handed.tasks[0]
         if found is None:
-            raise PlanesError(Phrase("check_whose_is_it", file=sheet.name))
+            own = saved_as(sheet.file) if sheet.file.suffix.lower() in TABLES else ""
+            raise PlanesError(Phrase("check_marks_alone" if own else "check_whose_is_it", file=sheet.name, name=own))
         return found
 
 

@@ -165,6 +165,8 @@ function reset() {
 function csv() { // the marks as the table the program reads, and its command; a row "p" is where the pen is lifted to
   const rows = [`# ${document.querySelector("code").textContent}`, "mark,x_mm,y_mm,error_mm"], at = n => n === "p" ? { x: 0, y: 0, error: 0 } : marks.find(m => m.name === n);
   const row = (name, m) => rows.push(`${name},${m.x.toFixed(3)},${m.y.toFixed(3)},${m.error}`);
+  const { look, name } = $("save").dataset;
+  if (look) rows.splice(1, 0, `# sheet ${look} ${name}`); // of what drawing the marks are
   if (data.picture) rows.splice(1, 0, `# box ${data.picture.box.map(v => v.toFixed(3)).join(" ")}`); // where the picture lies
   let pen = "p";
   row("p", at("p"));

@@ -77,7 +77,8 @@ def _drawing(data: Json, words: Mapping[str, str]) -> str:
         f'<figure><svg id="sheet" role="group" aria-label="{e(data["title"])}"></svg></figure>\n'
         f'<p id="moved" hidden>{e(words["moved"])} <button id="reset" type="button">{e(words["reset"])}</button></p>\n'
         f'<p class="hint">{e(how)} <code>{e(data["command"])}</code> '
-        f'<button id="save" type="button" data-name="{e(data["saved"])}">{e(words["save"])}</button></p>'
+        f'<button id="save" type="button" data-name="{e(data["saved"])}" data-look="{data["look"]}">'
+        f"{e(words['save'])}</button></p>"
     )
 
 

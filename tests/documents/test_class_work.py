@@ -13,7 +13,8 @@ import pytest
 
 from planes.check import check
 from planes.check.grading.paper import Known, ReadPaper
-from planes.check.handed_in import HandedSheet, corrected, read_paper
+from planes.check.handed_in import HandedSheet, opened, read_paper
+from planes.check.saved_marks import corrected
 from planes.check.sheet_mark import SheetMark
 from planes.cli import class_check as command
 from planes.cli import main
@@ -200,8 +201,16 @@ def test_only_what_has_changed_is_judged_anew(
     assert "put right by hand" in " ".join(after["IMG_2.jpg"]["warnings"])
     assert "data:image/jpeg" in (out / "IMG_2.jpg.html").read_text("utf-8")  # the picture still lies under them
     seen = cv2.imread(str(folder / "IMG_1.jpg"), cv2.IMREAD_GRAYSCALE)
+    look = opened(str(folder / "IMG_1.jpg"))
+    assert look and f'data-look="{look.look}"' in (out / "IMG_1.jpg.html").read_text("utf-8")
+    (folder / "IMG_1.csv").write_text(f"# sheet {look.look} IMG_1.csv\nmark,x_mm,y_mm\np,0,0\nb,5,5\n", "utf-8")
+    shutil.copy(folder / "IMG_1.csv", folder / "IMG_1 (1).csv")  # as a browser calls what is saved twice
     cv2.imwrite(str(folder / "IMG_1.jpg"), seen[:, 20:])
-    assert run()[0] == ["IMG_1.jpg"]
+    again, after = run()  # the picture is another one since the marks were saved
+    assert again == ["IMG_1.jpg"] and after["IMG_1.jpg"]["verdict"] == "right"
+    assert "not taken" in " ".join(after["IMG_1.jpg"]["warnings"]) and "IMG_1.csv" not in after
+    assert "not taken" in (out / "index.html").read_text("utf-8")
+    assert "Call the table IMG_1.csv" in after["IMG_1 (1).csv"]["sentence"]["en"]
     file = own / "out/teacher" / BORIS / "scene.yaml"
     file.write_text(f"{file.read_text('utf-8')}\n", "utf-8")
     assert run()[0] == ["IMG_2.jpg"]

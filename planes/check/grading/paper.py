@@ -84,6 +84,7 @@ class ReadPaper:
     pole_told: bool = True  # whether it was named, printed or drawn as such, not guessed from what a picture shows
     picture: bytes = b""  # the flat picture, for the report
     box: Box | None = None  # where it lies
+    look: str = ""  # what stands for all that it shows
     strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
     untold: list[str] = field(default_factory=list)  # vectors that may as well be others, with a mistake
     named: list[str] = field(default_factory=list)  # marks not read, but whose names stand where they should be

@@ -1,5 +1,6 @@
 """Files as people hand them in: of bounded size, and whatever a reading library breaks on is one sentence."""
 
+import hashlib
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -10,6 +11,12 @@ from planes.words.errors import PlanesError
 
 MB = 1_000_000
 LARGEST = 200 * MB  # of pictures and pages
+LETTERS = 16  # of a hash
+
+
+def hash_of(shown: bytes) -> str:
+    """What stands for all that a drawing shows, in a few letters."""
+    return hashlib.sha256(shown).hexdigest()[:LETTERS]
 
 
 def contents(path: str | Path, most: int) -> bytes:

@@ -128,8 +128,10 @@ class Checked:
             return self.refused.told(lang) if self.refused else ""
         if self.verdict == "unreadable":  # the notes say what to do
             every = told_all(self.found, "sheet") if self.report else [self.found.sentence, *self.found.notes]
-            return " ".join(one.told(lang) for one in every)
-        return "" if self.verdict == "right" else self.found.sentence.told(lang)
+        else:
+            lost = [n for n in self.found.notes if n.key == "check_marks_of_another"]
+            every = [self.found.sentence] * (self.verdict != "right") + lost
+        return " ".join(one.told(lang) for one in every)
 
     def as_json(self, lang: Lang) -> Json:
         """The object of the drawing, with its file and whose it is."""
@@ -173,10 +175,8 @@ def mm(value: float | None, lang: Lang) -> str:
 
 
 def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
-    """Rows of the step table: verdict, mark, off its own construction, tolerance, off the right plan, in words.
-
-    A right mark beside a wrong one does not follow from it: it is told by the right plan.
-    """
+    """Rows of the step table: verdict, mark, off its own construction (of a right mark beside a wrong one, from which it
+    does not follow, off the right plan), tolerance, off the right plan, in words."""
     rows = []
     for r in mark_rows(found):
         free = r["deviation_mm"], r["tolerance_mm"]
@@ -208,8 +208,7 @@ def heads(lang: Lang) -> tuple[list[str], list[str]]:
 
 
 def page_data(found: Outcome, lang: Lang, places: Sequence[Json] | None = None) -> Json:
-    """All a page shows and judges by, the windows about wrong places made here, if they are not. Without marks there is
-    nothing to move, so no tape."""
+    """All a page shows and judges by; ``places`` may be made already. Without marks to move there is no tape."""
     marks, numbers = heads(lang)
     grading = found.grading or (empty(found.bench) if found.paper.picture else None)
     sentence, *notes = told_all(found, "here")
@@ -226,6 +225,7 @@ def page_data(found: Outcome, lang: Lang, places: Sequence[Json] | None = None) 
         "numbers": numbers_of(found, lang),
         "command": command(found),
         "saved": saved_as(found),
+        "look": found.paper.look,
         "kind": kind_of(found.bench.asked.plan),
         "lettering": lettering(found.bench.asked.scene, found.bench.plans),
         "places": wrong_places(found) if places is None else places,

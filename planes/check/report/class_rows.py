@@ -46,7 +46,7 @@ class ClassRow:
         found, said = one.found, one.said(lang)
         bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a column of its own
         said = said if bare == said else bare[:1].upper() + bare[1:]
-        unmarked = said.removeprefix(f"{one.first}: ") if one.first else said
+        mistake = found.sentence.told(lang).removeprefix(f"{one.first}: ") if found and found.mistake else ""
         return cls(
             file=one.file,
             verdict=one.verdict,
@@ -56,7 +56,7 @@ class ClassRow:
             whose=one.whose,
             plan=say_plan(found.bench.asked.plan, lang) if found else "",
             link=one.report,
-            mistake=unmarked if found and found.mistake else "",
+            mistake=mistake,
             picture=address(thumb(found, one.picture)),
             places=wrong_places(found) if found else [],
             object=one.as_json(lang),

@@ -29,7 +29,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     """
     known = known or Known()
     picture = load(file, known.page)
-    paper, best, pole = ReadPaper(file, whole=False), None, known.pole
+    paper, best, pole = ReadPaper(file, whole=False, look=picture.look), None, known.pole
     for flat, named in _flats(bench, picture, known):
         bench = _as_printed(bench, flat)
         look = seen_best(bench, flat, 0j if named else None if pole is None else flat.place(pole))

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy
 
-from planes.check.reading.opened import LARGEST, MB, contents, hushed
+from planes.check.reading.opened import LARGEST, MB, contents, hash_of, hushed
 from planes.check.vision.image.no_paper import shows_paper, shows_text_only
 from planes.check.vision.image.picture import blanks_on, cv, sheet_alone
 from planes.geometry.arrays import Array, Booleans, Greys
@@ -45,6 +45,11 @@ class DecodedPicture:
 
     grey: Greys
     scale: float | None = None
+
+    @property
+    def look(self) -> str:
+        """What stands for all that it shows."""
+        return hash_of(self.grey.tobytes())
 
 
 def load(path: str | Path, page: int | None = None) -> DecodedPicture:

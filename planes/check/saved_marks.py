@@ -1,0 +1,57 @@
+"""Tables of marks that a person has put right in a report, and saved: what they are of, and where its picture lies.
+
+Two lines of remarks tell that: `# sheet LOOK NAME`, the hash of what the drawing showed and how the table is to be
+called, and `# box left bottom right top`, mm from the pole. Tables written by hand have neither, and are taken as they
+are.
+"""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+from planes.check.grading.paper import LARGEST, Box, ReadPaper
+from planes.check.reading.opened import LETTERS, contents
+from planes.words import Phrase
+
+_NUMBER = r" (-?[0-9]{1,5}(?:[.][0-9]{1,6})?)"
+
+
+def saved_as(table: Path) -> str:
+    """How a table that a report has saved is to be called; "" of another one."""
+    found = _told(table, rf"[0-9a-f]{{{LETTERS}}} (.+)")
+    return found[1].strip() if found else ""
+
+
+def of_another(table: Path, look: str) -> bool:
+    """Whether a table was saved for a drawing that showed something else."""
+    found = _told(table, rf"([0-9a-f]{{{LETTERS}}}) .*")
+    return bool(found and look and found[1] != look)
+
+
+def _told(table: Path, form: str) -> re.Match[str] | None:
+    return re.search(rf"^# sheet {form}$", _head(table), re.MULTILINE)
+
+
+def _head(table: Path) -> str:
+    return contents(table, LARGEST)[:2000].decode("utf-8", "replace")
+
+
+def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
+    """A table of marks a person has put right in the report of a picture, with that picture under it."""
+    notes = [*paper.notes, Phrase("check_by_hand", file=Path(paper.file).name)]
+    if picture is None:
+        return replace(paper, notes=notes)
+    paper = replace(paper, mu=picture.mu, look=picture.look, notes=notes)
+    if picture.box is None:
+        return paper
+    box = _box_told(Path(paper.file), picture.box)
+    return replace(paper, picture=picture.picture, box=box, strokes=picture.strokes)
+
+
+def _box_told(table: Path, read: Box) -> Box:
+    """Where the picture lies about the pole, which a person may have moved: as a report page has written it into the
+    table of its marks, if that is a picture of this size."""
+    found = re.search(rf"^# box{4 * _NUMBER}$", _head(table), re.MULTILINE)
+    left, low, right, high = map(float, found.groups()) if found else read
+    same = abs(right - left - read[2] + read[0]) < 0.1 and abs(high - low - read[3] + read[1]) < 0.1
+    return (left, low, right, high) if same else read
