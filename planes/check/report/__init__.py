@@ -175,8 +175,8 @@ def mm(value: float | None, lang: Lang) -> str:
 
 
 def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
-    """Rows of the step table: verdict, mark, off its own construction (of a right mark beside a wrong one, from which it
-    does not follow, off the right plan), tolerance, off the right plan, in words."""
+    """Rows of the step table: verdict, mark, off its own construction (of a right mark beside a wrong one, from which
+    it does not follow, off the right plan), tolerance, off the right plan, in words."""
     rows = []
     for r in mark_rows(found):
         free = r["deviation_mm"], r["tolerance_mm"]
