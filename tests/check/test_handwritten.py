@@ -16,8 +16,8 @@ from planes.check.grading.handwork import Variant
 from planes.check.vision.image.picture import by_scale
 from planes.check.vision.marks.handwritten import HandWord, HandWords, words_on
 from planes.check.vision.marks.places import sheet_of
+from planes.check.vision.search import named_marks
 from planes.check.vision.search.laid_plan import LaidPlan
-from planes.check.vision.search.named_marks import traceless
 from planes.check.vision.strokes.line_places import Place
 from tests.physical.letters import Writer
 from tests.physical.paper import PX_PER_MM, Paper
@@ -60,16 +60,22 @@ def test_what_is_no_name_of_the_plan_is_read_as_none() -> None:
     assert all(max(w.likely.values()) < 0.7 for w in written("neat", 2, "M_48", "N_77", "K_95"))
 
 
-@pytest.mark.parametrize(("low", "gone"), [(2 - 6j, set()), (30 + 2j, {"d"}), (60 + 40j, {"d"})])
-def test_a_mark_that_a_mistake_has_at_the_pole_is_told_by_its_name_alone(low: complex, gone: set[str]) -> None:
-    """It leaves no trace there: the pole may be all that a reader has found for it."""
+AT_POLE = [(2 - 6j, True, set()), (30 + 2j, True, {"d"}), (60 + 40j, True, {"d"}), (60 + 40j, False, set())]
+
+
+@pytest.mark.parametrize(("low", "led", "gone"), AT_POLE)
+def test_a_mark_that_a_mistake_has_at_the_pole_is_told_by_its_name(
+    low: complex, led: bool, gone: set[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It leaves no trace there; where ink leads to its right place, too, that may be where it is."""
+    monkeypatch.setattr(named_marks, "_places", lambda *_: {"d": 30 + 0j})
     pole, b = Place(0j, 0.1, frozenset()), Place(20 + 0j, 0.1, frozenset())
     words = HandWords([HandWord(low, low + 2 + 3j, {"d": 0.9})])
-    search: Any = SimpleNamespace(
-        pole=pole, true={"velocity:b": 20 + 0j, "velocity:d": 30 + 0j}, ink=SimpleNamespace(words=words)
-    )
+    true = {"velocity:b": 20 + 0j, "velocity:d": 30 + 0j}
+    seen, ink = SimpleNamespace(covered=lambda a, b: float(led)), SimpleNamespace(words=words)
+    search: Any = SimpleNamespace(pole=pole, true=true, vectors=[("p", "d")], seen=seen, ink=ink)
     way = LaidPlan(0.0, {"velocity:b": b, "velocity:d": pole}, Variant("similarity_on_pole_segments", "d"))
-    assert traceless(search, way) == gone
+    assert named_marks.traceless(search, way) == gone
 
 
 def test_a_name_speaks_for_the_vector_it_stands_by_and_never_loudly() -> None:

@@ -74,24 +74,27 @@ def named(search: Search, way: LaidPlan, unread: Collection[str]) -> tuple[str, 
     words = names_on(search)
     right, routes = _places(search, way, None, unread), search.routes(way)
     about = [w for w in words.words if any(w.off(a, b) < AROUND_MM for a, b in routes)]
-    found = [n for n, z in right.items() if _led(search, way, n, z) and _by(about, n, z)]
+    ends = way.ends(search.pole.z)
+    found = [n for n, z in right.items() if _led(search, ends, n, z) and _by(about, n, z)]
     if not found:
         return ()
     for variant in variants_of(search.bench, {}, search.bench.said_mu):
         wrong = _places(search, way, variant, found)
-        drawn = {n: z for n, z in wrong.items() if _led(search, way, n, z)}
+        drawn = {n: z for n, z in wrong.items() if _led(search, ends, n, z)}
         found = [n for n in found if not _rivals(words, n, right[n], drawn.get(n, right[n]))]
     return tuple(found)
 
 
 def traceless(search: Search, way: LaidPlan) -> set[str]:
-    """Marks (labels) that nothing of their own shows: a mistake has them at the pole, and no name tells it; or they
-    are rightly upon another mark, and by a mistake would be upon another one."""
-    pole = search.pole.z
+    """Marks (labels) that nothing of their own shows: a mistake has them at the pole, no name tells it, and ink leads
+    to where one of them should be, too; or rightly they are upon another mark, and by a mistake upon another one."""
+    pole, ends = search.pole.z, way.ends(search.pole.z)
     if way.variant:
         gone = {label_of(m): z for m, z in search.true.items() if way.found.get(m) is search.pole and abs(z) > EVEN_MM}
+        right = _places(search, way, None, gone) if gone else {}
+        if not any(_led(search, {**ends, **right}, n, z) for n, z in right.items()):
+            return set()
         return {n for n, z in gone.items() if abs(z) < APART_MM or not _told(names_on(search), n, pole, pole + z)}
-    ends = way.ends(pole)
     doubled = {n: z for n, z in ends.items() if n != POLE and _upon_another(n, z, ends)}
     found = set[str]()
     for variant in variants_of(search.bench, {}, search.bench.said_mu) if doubled else ():
@@ -125,9 +128,8 @@ def _places(search: Search, way: LaidPlan, variant: Variant | None, labels: Coll
     return found if redrawn(search.bench, variant, snap) is not None else {}
 
 
-def _led(search: Search, way: LaidPlan, label: str, z: complex) -> bool:
+def _led(search: Search, ends: Mapping[str, complex], label: str, z: complex) -> bool:
     """Whether there is ink all along the vectors that should lead to a place."""
-    ends = way.ends(search.pole.z)
     starts = [a for a, b in search.vectors if b == label]
     return bool(starts) and all(a in ends and search.seen.covered(ends[a], z) >= COVERED for a in starts)
 
