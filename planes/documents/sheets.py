@@ -33,10 +33,10 @@ from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet import Contents, Held, Sheet, compose
 from render.sheet.composer import Composer, Together
-from render.sheet.force_sheet import LOADED, ForceSheet
+from render.sheet.force_sheet import ForceSheet
 from render.sheet.frame import form_of
 from render.sheet.project import Project
-from render.sheet.sizes import Sizes
+from render.sheet.sizes import LOADED, Sizes
 from render.views.diagrams import SECTIONS, DiagramCurve, section_mm
 from render.views.many import Numbered, PlacedMechanism
 
@@ -80,7 +80,7 @@ def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
 
     if number == 1:
         return compose(scene, Contents(views, extents, free=drawn.free), composer.lang, number)
-    held = Contents(views, drawn.extents, drawn.ranked, free=drawn.free, together=(Together(),))
+    held = Contents(views, drawn.extents, free=drawn.free, together=(Together(),))
     return compose(scene, held, composer.lang, number)
 
 
@@ -133,12 +133,6 @@ class DrawnPosition:
         wide."""
         wide, high = (self.times(sizes) * mm for mm in sides(self.at(sizes).drawing, SCHEME))
         return {LOADED: max(high, wide / math.sqrt(2))} if self.scene.mu.get(SCHEME) is None else {}
-
-    def ranked(self, sizes: Sizes) -> bool:
-        """Whether no force plan is longer than the scheme with loads, where that may grow."""
-        now = self.at(sizes)
-        plans = (extent(now.drawing, plan) for plan in now.plans.drawn if kind_of(plan) == "force")
-        return not self.extents(sizes) or max(plans, default=0.0) <= self.times(sizes) * extent(now.drawing, SCHEME)
 
     def times(self, sizes: Sizes) -> float:
         """How many times larger the scheme with loads is than the other figures of links."""

@@ -4,13 +4,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
+from typing import NamedTuple
 
 from planes.scene import Scene
 from planes.words import Lang, say
 from planes.words.errors import SceneError
 from render.files import Page
 from render.paper.typeset import plain
-from render.sheet.fitting import LETTERS, NOTE, Contents, Held, attempts, fitted, laid, shaped
+from render.sheet.fitting import LETTERS, NOTE, Contents, Held, Way, attempts, fitted, keeps_ranks, laid, shaped
 from render.sheet.frame import FORMATS, Paper, said_cells
 from render.sheet.packing import packed, stacking_of, stacking_on
 from render.sheet.sizes import Sizes
@@ -33,7 +34,8 @@ class Sheet(Page):
 
 
 def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
-    """The sheet of a scene: the smallest format, or the one it names, on which all views find room.
+    """The sheet of a scene: the smallest format, or the one it names, on which all views find room; a larger one of A4
+    to A1, where only on that what is to be the largest figure is.
 
     Only where no format holds all of them are those left out that may be; the sheet then says so. A2×3 is taken where
     nothing less holds even the others, and A0 where that does not.
@@ -42,19 +44,46 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     chosen = str(scene.sheet.get("format", "auto"))
     *usual, largest = FORMATS
     papers = ([chosen],) if chosen != "auto" else (usual, [LONG], [largest])
-    for factor, formats in product(contents.factors, papers):
-        for whole, name in product((True, False), formats):
-            for tried, how, order in attempts(contents, name, factor, whole):
-                if places := laid(tried, how, order, whole, Paper(name)):
-                    wanted, spare = tried.lettered(*how)
-                    waiting = {shaped(v.key): v for v in reversed(tried.extra(*how))}
-                    if NOTE in waiting and name != formats[-1]:
-                        break  # a larger format holds it
-                    missing = [*reversed(waiting.values()), *(() if whole else spare)]
-                    left_out = (without(missing, wanted, Paper(name), number, lang),) if missing else ()
-                    smaller = (say("smaller_mu", lang, format=name),) if factor < 1 else ()
-                    return finished(scene, Paper(name), places, lang, number, left_out + smaller)
+    for factor, formats, whole in product(contents.factors, papers, (True, False)):
+        if one := filled(contents, formats, factor, whole):
+            wanted, spare = one.contents.lettered(*one.how)
+            missing = [*one.waiting, *(() if whole else spare)]
+            left_out = (without(missing, wanted, one.paper, number, lang),) if missing else ()
+            smaller = (say("smaller_mu", lang, format=one.paper.name),) if factor < 1 else ()
+            return finished(scene, one.paper, one.places, lang, number, left_out + smaller)
     raise no_room(contents, Paper(papers[-1][-1]), lang)
+
+
+class Filled(NamedTuple):
+    """A paper with views in their places, and those that wait for room and found none."""
+
+    paper: Paper
+    contents: Contents
+    how: Way
+    places: list[tuple[View, float, float]]
+
+    @property
+    def waiting(self) -> list[View]:
+        """The views that wait for room, each in the shape liked best."""
+        shapes = {shaped(v.key): v for v in reversed(self.contents.extra(*self.how))}
+        return [*reversed(shapes.values())]
+
+
+def filled(contents: Contents, formats: Sequence[str], factor: float, whole: bool) -> Filled | None:
+    """The first of some formats that holds the views and keeps their ranks; where none does, the first that holds
+    them."""
+    first = None
+    for name in formats:
+        ways = attempts(contents, name, factor, whole)
+        laid_out = (
+            Filled(Paper(name), tried, how, laid(tried, how, order, whole, Paper(name))) for tried, how, order in ways
+        )
+        one = next((one for one in laid_out if one.places), None)
+        if one and (name == formats[-1] or NOTE not in (shaped(v.key) for v in one.waiting)):  # a larger one holds it
+            if keeps_ranks(one.contents, one.how, whole):
+                return one
+            first = first or one
+    return first
 
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:

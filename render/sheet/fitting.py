@@ -15,7 +15,7 @@ from render.sheet.composer import Together
 from render.sheet.frame import Paper
 from render.sheet.module import GAP_MM
 from render.sheet.packing import blocks, columns_of, packed, stacking_of
-from render.sheet.sizes import LARGEST, Extents, Sizes, grown
+from render.sheet.sizes import LARGEST, Extents, Sizes, grown, in_rank
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
@@ -51,7 +51,6 @@ class Contents:
 
     views: Callable[[Sizes, float, Together], Held]
     extents: Extents = lambda sizes: {}
-    ranked: Callable[[Sizes], bool] = lambda sizes: True  # whether what is to be the largest figure is
     extras: tuple[str, ...] = ()  # those of the views that wait for room that have found some
     free: bool = False
     together: Sequence[Together] = tuple(starmap(Together, product((True, False), repeat=2)))
@@ -179,11 +178,16 @@ def ranked(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way
     letters = LETTERS[paper.name[:2]]
     tried = ((how[0], one, *how[2:]) for one in letters[letters.index(how[1]) :])
     best = first = enlarged(contents, next(tried), whole, paper)
-    while not contents.ranked(best[0][0]):
+    while not keeps_ranks(contents, best[0], whole):
         if not (way := next(tried, None)):
             return first
         best = enlarged(contents, way, whole, paper)
     return best
+
+
+def keeps_ranks(contents: Contents, how: Way, whole: bool) -> bool:
+    """Whether what is to be the largest figure is, or its μ is not open."""
+    return not contents.extents(how[0]) or in_rank(shown(contents, how, whole))
 
 
 def enlarged(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:

@@ -11,14 +11,13 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.names import POLE, at, kind_of, links_of, mu_of
 from render.sheet.composer import Composer
+from render.sheet.sizes import APART, LOADED
 from render.views import View, beside, view
 from render.views.arms import with_unlettered
 from render.views.loading import Loading
 from render.views.moments import Lever
 from render.views.plotted import Plotted, of_position, with_links_apart
 from render.views.scheme import Scheme
-
-LOADED = "loaded"
 
 
 @dataclass
@@ -89,9 +88,9 @@ class ForceSheet:
 
         def make() -> View:
             title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
-            return view("apart", title, beside([self.alone(position, x) for x in links]).marks, True)
+            return view(APART, title, beside([self.alone(position, x) for x in links]).marks, True)
 
-        return c.stack("apart", c.once(("apart", links, position.scales[mu_of("position")]), make), *written)
+        return c.stack(APART, c.once(("apart", links, position.scales[mu_of("position")]), make), *written)
 
     def closed(self, plotted: Plotted, apart: Sequence[LinkApart], letter: float, polygons: bool) -> list[View]:
         """The plans of links alone with their equations; or the equations of those on which but two forces act."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import combinations
-from math import hypot, inf
+from math import inf
 
 import shapely
 
+from planes.scene import Scene
 from render.labels.footprints import bounds
 from render.paper.hues import PART
 from render.paper.marks import Arrow, Line, Text
@@ -19,7 +20,7 @@ from render.views import View
 LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304
 APART = 0.6  # of a letter between names that stand side by side
 LARGEST_MM = 7.0
-SAME_MM = 0.1
+AS_LARGE = 1.01  # figures that differ by less are as large
 BESIDE_MM, ASKEW = 4.0, 0.05  # two arrows on one line may share no more; lines that only cross, in radians
 
 
@@ -78,17 +79,28 @@ def _upon(view: View) -> Iterator[str]:
             yield f"{one[0]} and {two[0]} are drawn upon each other in {view.key}"
 
 
+def longest(view: View) -> float:
+    """The longer side of what is drawn, without its words; of a force plan without its details."""
+    drawn = [m for m in view.marks if not isinstance(m, Text) and m.layer != "text"]
+    if view.key.startswith("force"):
+        drawn = [m for m in drawn if isinstance(m, Arrow) and not m.name.endswith(PART)]
+    x0, y0, x1, y1 = bounds(drawn)
+    return max(x1 - x0, y1 - y0)
+
+
 def out_of_rank(sheet: Sheet) -> Iterator[str]:
-    """Groups whose links are drawn larger than the scheme with loads: at its μ none can be."""
-    drawn = [(v, bounds([m for m in v.marks if m.layer == "scheme"])) for v, _, _ in sheet.views if v.figure]
-    sizes = [(v, hypot(x1 - x0, y1 - y0)) for v, (x0, y0, x1, y1) in drawn]
-    largest = next((size for v, size in sizes if v.key == "loaded"), inf)
-    yield from (
-        f"{v.title!r} is larger than the scheme" for v, size in sizes if v.key == "group" and size > largest + SAME_MM
-    )
+    """Figures that are larger than the scheme with loads."""
+    figures = [v for v, _, _ in sheet.views if v.figure and v.key != "apart"]
+    largest = next((longest(v) for v in figures if v.key == "loaded"), inf)
+    yield from (f"{v.title!r} is larger than the scheme" for v in figures if longest(v) > AS_LARGE * largest)
+
+
+def may_be_out_of_rank(scene: Scene) -> bool:
+    """Whether a scene states μ_l, or the format of its sheets, so that its scheme may not grow."""
+    return bool(scene.mu.get("position") or scene.sheet.get("format"))
 
 
 def unsightly(sheet: Sheet) -> list[str]:
-    """All of them."""
-    found = small_letters, one_word, out_of_order, superposed, out_of_rank
+    """All of them, but figures out of rank."""
+    found = small_letters, one_word, out_of_order, superposed
     return [fault for of_kind in found for fault in of_kind(sheet)]

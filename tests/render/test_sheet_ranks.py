@@ -6,23 +6,12 @@ import pytest
 
 from planes.documents.sheets import DrawnPosition
 from planes.scene import load, loads
-from render.labels.footprints import bounds
-from render.paper.hues import PART
-from render.paper.marks import Arrow, Text
 from render.sheet.sizes import Sizes
 from tests.helpers import ROOT
+from tests.helpers.sheet_faults import longest, out_of_rank
 from tests.helpers.sheets import sheet
 
 RPR = ROOT / "samples" / "kind-3-rpr.yaml"
-
-
-def longest(view) -> float:
-    """The longer side of what is drawn, without its words; of a force plan without its details."""
-    drawn = [m for m in view.marks if not isinstance(m, Text) and m.layer != "text"]
-    if view.key.startswith("force"):
-        drawn = [m for m in drawn if isinstance(m, Arrow) and not m.name.endswith(PART)]
-    x0, y0, x1, y1 = bounds(drawn)
-    return max(x1 - x0, y1 - y0)
 
 
 @pytest.mark.few(1)
@@ -30,6 +19,15 @@ def longest(view) -> float:
 def test_the_scheme_with_loads_is_the_largest_figure(name):
     figures = {v.key: longest(v) for v, _, _ in sheet(name, number=2).views if v.figure and v.key != "apart"}
     assert max(figures, key=figures.__getitem__) == "loaded", figures
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("name", ["assignments/55", "assignments/13"])
+def test_where_the_scheme_would_not_be_the_largest_the_next_format_is_taken(name):
+    """On A2 a force plan is longer than the one, the other's group has arms that reach farther."""
+    found, named = sheet(name, number=2), sheet(name, number=2, format="A2")
+    assert (found.paper.name, [*out_of_rank(found)], found.warnings) == ("A1", [], ())
+    assert [*out_of_rank(named)]
 
 
 def test_a_scheme_grows_by_scales_of_the_standard_and_not_where_its_scale_is_stated():

@@ -36,6 +36,7 @@ SIX_LINK = next(p for p in sheets_run.SAMPLES if p.stem == "six-link")
 
 STRICT = ("letters under", "stands before", "begun again", "begins between", "meets", "is not lettered", "is nowhere")
 KINDS_OF_FAULTS = (*STRICT, " lies on ", "overlaps the label", "read as one word", "upon each other", "crosses")
+RANK = "is larger than the scheme"
 
 
 @pytest.mark.slow
@@ -52,7 +53,7 @@ def test_a_sheet_has_no_fault(job: Job) -> None:
 @pytest.mark.parametrize("job", EVERY, ids=str)
 def test_every_sheet_of_a_project_is_without_fault(job: Job) -> None:
     """No ink on ink, names apart, letters of the standard, left edges on the module, figures in the order of the
-    calculation, no force upon another, nothing left out unsaid."""
+    calculation, the scheme with loads the largest, no force upon another, nothing left out unsaid."""
     found = look(job)
     assert (found.faults, found.failed) == ((), "")
 
@@ -61,7 +62,10 @@ def test_every_sheet_of_a_project_is_without_fault(job: Job) -> None:
 def test_faults_of_sheets_of_random_mechanisms_are_few_and_told(tmp_path: Path) -> None:
     """Three groups with all their loads are more than a sheet may hold: what lies on other ink is named by it."""
     found = [look(job) for job in at_random(100, tmp_path) if job.number]
-    faults = [(one, fault) for one in found for fault in one.faults]
+    every = [(one, fault) for one in found for fault in one.faults]
+    faults = [(one, fault) for one, fault in every if RANK not in fault]
+    outranked = {str(one.job): one.paper for one, fault in every if RANK in fault}
+    assert {*outranked.values()} <= {"A1", "A2x3", "A0"} and len(outranked) <= 0.05 * len(found), outranked
     unsaid = [
         (str(one.job), f) for one, f in faults if " lies on " in f and plain(f.split("'")[1]) not in " ".join(one.said)
     ]
@@ -69,7 +73,7 @@ def test_faults_of_sheets_of_random_mechanisms_are_few_and_told(tmp_path: Path) 
     kinds = {kind: sum(kind in f for _, f in faults) for kind in KINDS_OF_FAULTS}
     assert sum(kinds.values()) == len(faults), faults
     assert all(kinds[kind] == 0 for kind in STRICT), kinds
-    assert sum(bool(one.faults) for one in found) <= 0.01 * len(found), kinds
+    assert len({str(one.job) for one, _ in faults}) <= 0.01 * len(found), kinds
 
 
 def test_the_looking_sees_what_is_wrong() -> None:
