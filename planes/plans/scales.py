@@ -20,7 +20,7 @@ SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 """How large plans are on a format that a scene names, against the usual: as its sides are."""
 BESIDE = dict(zip(SHARES, [*SHARES.values(), 2.8][1:], strict=True))
 """On several of a format side by side, as A3x4: these are as high as the next larger one."""
-USUAL_GROUPS = 2  # the plans of more need a larger format
+USUAL_GROUPS, MORE = 2, 1.2  # the plans of more groups are larger: so that labels have room, and sheets for all
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn at its μ
 
@@ -28,7 +28,7 @@ ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn
 def fits_on(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
     """How large each kind of plans may be on the format that is named for the sheets of a scene, or on one that holds
     plans of so many groups."""
-    usual = SHARES["A1"] if len(plans.structure.groups) > USUAL_GROUPS else 1.0
+    usual = MORE if len(plans.structure.groups) > USUAL_GROUPS else 1.0
     name = str(sheet.get("format", ""))
     share = (BESIDE if "x" in name else SHARES).get(name[:2], usual)
     return {kind: share * mm for kind, mm in FIT_MM.items()}

@@ -54,7 +54,7 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     raise no_room(contents, Paper(papers[-1][-1]), lang)
 
 
-class Filled(NamedTuple):
+class FilledPaper(NamedTuple):
     """A paper with views in their places, and those that wait for room and found none."""
 
     paper: Paper
@@ -69,14 +69,15 @@ class Filled(NamedTuple):
         return [*reversed(shapes.values())]
 
 
-def filled(contents: Contents, formats: Sequence[str], factor: float, whole: bool) -> Filled | None:
+def filled(contents: Contents, formats: Sequence[str], factor: float, whole: bool) -> FilledPaper | None:
     """The first of some formats that holds the views and keeps their ranks; where none does, the first that holds
     them."""
     first = None
     for name in formats:
         ways = attempts(contents, name, factor, whole)
         laid_out = (
-            Filled(Paper(name), tried, how, laid(tried, how, order, whole, Paper(name))) for tried, how, order in ways
+            FilledPaper(Paper(name), tried, how, laid(tried, how, order, whole, Paper(name)))
+            for tried, how, order in ways
         )
         one = next((one for one in laid_out if one.places), None)
         if one and (name == formats[-1] or NOTE not in (shaped(v.key) for v in one.waiting)):  # a larger one holds it

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -25,6 +26,7 @@ from planes.words.units import Convention, mu_text
 from render.paper.marks import Text
 from render.sheet import Sheet
 from tests.helpers import ROOT
+from tests.sheets_run import at_random
 
 SCENES = {p.stem: scene for p in sorted((ROOT / "samples").glob("*.yaml")) if (scene := load(p)).mechanism}
 SCENES.pop("crank-slider")
@@ -55,6 +57,16 @@ def told(blocks: list[Block]) -> str:
         if isinstance(block, DocumentTable):
             lines += [" ".join(row) for row in block.rows]
     return "\n".join(lines)
+
+
+@pytest.mark.slow
+def test_the_plans_of_three_groups_have_room_at_the_mu_of_the_note(tmp_path: Path) -> None:
+    """At 1.4 of the usual size neither A2×3 nor A0 held them, and the sheet had a μ of its own."""
+    scene = load(at_random(1, tmp_path, 41012)[0].path)
+    found, mus = sheet_of(scene, None, "ru", 2), solve(scene).positions[0].scales
+    plans = {v.key: v.title for v, *_ in found.views if kind_of(v.key) == "force" and mu_of(v.key) in mus}
+    assert len(plans) == 4 and all(told_mu(mus[mu_of(plan)], plan) in title for plan, title in plans.items())
+    assert found.warnings == ()
 
 
 @pytest.mark.few(0, slow=4)
