@@ -7,7 +7,11 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import cycle, pairwise
 from typing import TYPE_CHECKING, Literal
+
+import shapely
+from shapely.ops import substring
 
 from render.files.writer import Lines, Writer, dashes_of
 from render.paper.ink import arc_dashes, is_circle
@@ -26,7 +30,8 @@ NARROWED = 0.85  # of letters that are not fitted: other fonts are wider than ou
 OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
 OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and brings this one of ГОСТ 2.304
 LINE_TYPES = {"axis": "DASHDOT2", "phantom": "DIVIDE2", "dash": "DASHED2"}  # LibreCAD knows line types by their names
-ARROW, LETTERS = "ARROW", "LETTERS"
+ARROW, LETTERS, PATH = "ARROW", "LETTERS", "PATH"
+TINY_MM = 1e-6
 PROSE = 40  # letters of a text that is no label
 Lettered = Literal["text", "pieces", "strokes"]
 """How a text is written: as one; its indices as texts of their own; or the lettering itself, drawn by lines."""
@@ -86,12 +91,33 @@ class Entities(Writer):
 
     def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
         """Straight lines or polylines."""
-        looks = self.looks(style, layer, dashes_of(lines, style, closed))
+        dashes = dashes_of(lines, style, closed)
+        looks = self.looks(style, layer, dashes)
         for points in lines:
-            if len(points) == 2:
+            if dashes and min(abs(b - a) for a, b in pairwise(points)) < dashes[0]:
+                self._cut(points, dashes, looks | {"linetype": "Continuous"})
+            elif len(points) == 2:
                 self.space.add_line(xy(points[0]), xy(points[1]), dxfattribs=looks)
             else:
                 self.space.add_lwpolyline([xy(z) for z in points], close=closed, dxfattribs=looks)
+
+    def _cut(self, points: Sequence[complex], dashes: Sequence[float], looks: dict[str, object]) -> None:
+        """A dashed path as a block of its dashes: LibreCAD begins its line type anew at every corner, so that it draws
+        short sides through."""
+        if self.layers:
+            document = self.space.doc
+            block = document.blocks.new(f"{PATH}_{len(document.blocks)}")
+            Entities(block)._cut(points, dashes, looks)
+            self.space.add_blockref(block.name, (0, 0), dxfattribs={"layer": looks["layer"]})
+            return
+        path, begins = shapely.LineString([(z.real, z.imag) for z in points]), 0.0
+        for long, drawn in zip(cycle(dashes), cycle((True, False))):
+            if begins >= path.length - TINY_MM:
+                return
+            if drawn:
+                piece = substring(path, begins, min(begins + long, path.length))
+                self.space.add_lwpolyline([xy(complex(x, y)) for x, y in piece.coords], dxfattribs=looks)
+            begins += long
 
     def arc(self, arc: Arc) -> None:
         """A circle, an arc, or a filled disc."""

@@ -8,6 +8,8 @@ from functools import cached_property
 from itertools import groupby, pairwise
 from statistics import median
 
+import numpy as np
+
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
@@ -148,8 +150,18 @@ class ManyPositions:
             for there, places in groupby(self.seen, key=lambda one: one[1]):
                 run = [self.place(result, point) for result, _ in places if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:
-                    found.append(Line(tuple(run), "dash", "construction"))
+                    found.append(Line(tuple(run[self.way_there(point, run)]), "dash", "construction"))
         return found
+
+    def way_there(self, point: str, run: Sequence[complex]) -> slice:
+        """The places from one end of a rocker's swing to the other: dashes of its way back would fill the gaps."""
+        m = self.plans.mechanism
+        pivots = [q for link in m.links.values() if point in link.points for q in m.frame.points if q in link.points]
+        if not pivots:
+            return slice(None)
+        turned = np.unwrap(np.angle(np.array(run) - m.frame.points[pivots[0]] * self.mu))
+        first, last = sorted((int(turned.argmin()), int(turned.argmax())))
+        return slice(first, last + 1)
 
     def unseen(self, lang: Lang) -> list[str]:
         """What there is to say about the numbered positions that are not drawn."""

@@ -8,6 +8,7 @@ import math
 import os
 import subprocess
 import sys
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -98,6 +99,19 @@ def test_signs_that_librecad_has_no_letter_for_are_drawn(said):
     letters, plain = drawing.modelspace()
     strokes = drawing.blocks[letters.dxf.name]
     assert plain.dxf.text == "⊥BC" and len(strokes) == len(layout(Text(said, 0j)).strokes)
+
+
+def test_a_dashed_path_of_short_sides_is_a_block_of_its_dashes():
+    """LibreCAD begins a line type anew at every corner: sides shorter than a dash came out as one solid line."""
+    path = [50 + 50j + cmath.rect(20, k / 20) for k in range(126)]
+    drawing = ezdxf.read(io.StringIO(dxf.write([Line(path, "dash"), Line((1, 90), "dash")], (100, 100), "t").decode()))
+    block, straight = drawing.modelspace()
+    dashes = [[complex(*z) for z in e.get_points("xy")] for e in drawing.blocks[block.dxf.name]]
+    assert (straight.dxftype(), straight.dxf.linetype) == ("LINE", "DASHED2")
+    assert {e.dxf.linetype for e in drawing.blocks[block.dxf.name]} == {"Continuous"}
+    assert [dashes[0][0], dashes[-1][-1]] == pytest.approx([path[0], path[-1]], abs=1e-5)
+    drawn = sum(abs(b - a) for one in dashes for a, b in pairwise(one))
+    assert len(dashes) == 23 and drawn == pytest.approx(20 * 125 / 20 * 4 / 5.5, rel=0.02)
 
 
 def test_a_label_with_indices_is_one_text():

@@ -16,7 +16,7 @@ from planes.documents import draw_sheet
 from planes.documents.cycle import known
 from planes.plans.assur.analysis import analyse
 from planes.scene import load
-from planes.solving import solve
+from planes.solving import plans_of, solve
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from render.labels.footprints import overprinted
@@ -143,6 +143,17 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
         if one.style == "construction":
             line = [(z.real, z.imag) for z in (*one.points, *one.points[: one.closed])]
             assert inked.covers(shapely.LineString(line)), line
+
+
+def test_the_path_of_a_rockers_point_is_drawn_once():
+    """Dashes of its way back would fill the gaps of its way there; a crank's point goes round."""
+    plans, turned = plans_of(load(ROOT / "samples" / "kind-1-rrr.yaml"))[0], 0.4 * np.sin(np.linspace(0, 2 * np.pi, 37))
+    many, pivot = ManyPositions(plans, [], [], 100.0), plans.mechanism.frame.points["D"]
+    swing = [100 * (pivot + np.exp(1j * angle)) for angle in turned]
+    there = many.way_there("C", swing)
+    assert (there.start, there.stop) == (9, 28)
+    assert many.way_there("E", swing) == slice(None)  # of a coupler
+    assert many.way_there("B", [10 * np.exp(1j * np.radians(k)) for k in range(361)]) == slice(0, 361)
 
 
 @pytest.mark.few(2)
