@@ -19,7 +19,7 @@ from render.views import View
 
 __all__ = ["Contents", "Held", "Sheet", "compose", "stacking_of", "unseen"]
 
-LONG = "A2x3"  # as high as A1, half as wide again
+LONG, LONGEST = "A2x3", "A1x3"  # as high as A1 and A0, half as wide again
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -38,12 +38,12 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     to A1, where only on that what is to be the largest figure is.
 
     Only where no format holds all of them are those left out that may be; the sheet then says so. A2×3 is taken where
-    nothing less holds even the others, and A0 where that does not.
+    nothing less holds even the others, then A0, and A1×3 rather than plans whose μ is not that of the note.
     """
     stacking_on.cache_clear()
     chosen = str(scene.sheet.get("format", "auto"))
     *usual, largest = FORMATS
-    papers = ([chosen],) if chosen != "auto" else (usual, [LONG], [largest])
+    papers = ([chosen],) if chosen != "auto" else (usual, [LONG], [largest], [LONGEST])
     for factor, formats, whole in product(contents.factors, papers, (True, False)):
         if one := filled(contents, formats, factor, whole):
             wanted, spare = one.contents.lettered(*one.how)
