@@ -24,7 +24,6 @@ from tests.helpers.same_ink import alike_on_paper
 from tests.physical import camera, page
 from tests.physical.counting import Tally, Truth
 from tests.physical.kept import Kept
-from tests.physical.layout import extent
 from tests.physical.setting import Setting, Spread, varied
 from tests.picture_corpus import Drawn
 
@@ -91,8 +90,7 @@ def picture(work: Work, setting: Setting, seed: str, file: Path) -> Picture | No
     laid = page.sheet(work.easel, work.one, setting, rng)
     if laid is None:
         return None
-    low, high = extent(work.one)
-    seen, view = camera.taken(laid.paper, setting, rng, (laid.pole + low, laid.pole + high))
+    seen, view = camera.taken(laid.paper, setting, rng, laid.seen)
     camera.save(seen, file, setting)
     name, told = trusted(work), Picture(work, file, setting)
     if setting.pole_told:

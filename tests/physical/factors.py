@@ -96,6 +96,7 @@ FACTORS: dict[str, Spread] = {
     "points, phone, ruled": {**POINTS, **ASIDE, "grid": "ruled"},
     "points, phone, edges": {**POINTS, **ASIDE},
     "points, phone, no edges": {**POINTS, **ASIDE, "close": True},
+    "points, phone, text": {**POINTS, **ASIDE, "close": True, "text": ["printed", "written", "form"]},
 }
 HELD: dict[str, Spread] = {  # nobody tunes to these: they are counted once, at the end, by the word "held"
     "folded": {"crease": 0.25},

@@ -26,6 +26,7 @@ class Page:
     rng: random.Random
     pole: complex
     taken: list[Box] = field(default_factory=list)
+    seen: Box = ROOM  # the drawing, and the text about it
 
     def free(self, size: complex) -> complex | None:
         """A lower left corner for a box of a size that touches no other; None where there seems to be none."""

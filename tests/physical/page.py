@@ -15,6 +15,7 @@ from render.files import pdf
 from tests import confusion, picture_corpus
 from tests.confusion import Easel
 from tests.helpers.photographs import curled
+from tests.physical import texts
 from tests.physical.extras import BLOCK_MM, add
 from tests.physical.layout import Page, extent
 from tests.physical.letters import Writer
@@ -36,9 +37,12 @@ def sheet(easel: Easel, one: Drawn, setting: Setting, rng: random.Random) -> Pag
     pole = _pole(page, easel, one)
     if pole is None:
         return None
-    page.pole = pole
+    page.pole, (low, high) = pole, extent(one)
+    page.seen = pole + low, pole + high
     _print(page, easel)
     drawn_on(page, one)
+    if setting.text:
+        page.seen = texts.add(page, page.seen)
     add(page, easel)
     _spoil(page)
     return page

@@ -45,6 +45,7 @@ class Setting:
     second_plan: bool = False
     stamp: bool = False
     name: bool = False
+    text: str = ""  # about the drawing: "printed", "written" by hand, a "form" with rules
     # how the picture is taken
     camera: str = "scan"
     dpi: float = 200.0

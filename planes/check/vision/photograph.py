@@ -10,6 +10,7 @@ from planes.check.grading.remedies import asking
 from planes.check.sheet_mark import mark_of
 from planes.check.vision.image.decoding import DecodedPicture, load
 from planes.check.vision.image.frame import by_frame
+from planes.check.vision.image.lens import CameraTilt
 from planes.check.vision.image.picture import LARGEST_PX, Flat, by_scale, cv, find_marks, fits, flatten, smaller
 from planes.check.vision.image.two_points import by_points
 from planes.check.vision.looking import EXPLAINED, MOST_LINES, Look, seen_best
@@ -76,7 +77,8 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
     tilt = tilt_told(lens, best.pole, best.spots, true) if lens and best.spots else None
     if tilt is None or lens is None or known.pole is None:
         return best
-    flat, _ = _by_hand(bench, picture, known.pole, known.marks, tilt)
+    held = CameraTilt(lens.held.slopes + tilt, lens.held.loose)
+    flat, _ = _by_hand(bench, picture, known.pole, known.marks, held)
     other = seen_best(bench, flat, 0j)
     likelier = strange(lens, best.pole, best.spots, true) - strange(lens, other.pole, other.spots, true)
     return other if other.spots and likelier > 0 else best
@@ -116,7 +118,11 @@ def shown(flat: Flat) -> bytes:
 
 
 def _by_hand(
-    bench: PreparedPlan, picture: DecodedPicture, pole: complex, marks: Mapping[str, complex], tilt: complex = 0j
+    bench: PreparedPlan,
+    picture: DecodedPicture,
+    pole: complex,
+    marks: Mapping[str, complex],
+    held: CameraTilt | None = None,
 ) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
     names = Names([label_of(m) for m in bench.marks])
@@ -124,7 +130,7 @@ def _by_hand(
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
     vector = _vector(bench, picture, abs(where - pole), name)
-    return by_points(picture.grey, pole, where, vector, name, picture.scale, tilt), name
+    return by_points(picture.grey, pole, where, vector, name, picture.scale, held, picture.focal), name
 
 
 def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: str) -> complex:

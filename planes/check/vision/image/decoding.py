@@ -6,6 +6,7 @@ A picture comes in one shade: of paper with a coloured grid, in the colour in wh
 from __future__ import annotations
 
 import io
+import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
@@ -28,7 +29,8 @@ MOST_PAGE = 34_000_000
 LEAST_PX = 40
 ROWS = 256
 PAGE_DPI, LEAST_DPI = 200, 100  # of a page that is drawn; a file that says less says nothing of its paper
-EXIF, EXPOSURE = 0x8769, 0x829A  # where a camera tells it
+EXIF, EXPOSURE, FILM, SIZES = 0x8769, 0x829A, 0xA405, (0xA002, 0xA003)  # where a camera tells it
+LENSES, CUT = (18.0, 80.0), 0.02  # mm of lenses that sheets are photographed with; by how much a shape is no whole one
 MOST_MM = 900.0  # nor does one that would be of larger paper
 PDF_IMAGES, PDF_DEPTH = 1000, 5
 PNG, PNG_END, PDF, TIFF = b"\x89PNG", b"IEND", b"%PDF-", (b"II*\0", b"MM\0*")
@@ -41,10 +43,12 @@ EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture in which a 
 
 @dataclass(frozen=True)
 class DecodedPicture:
-    """A picture in one shade; its pixels to a mm, where the file tells them."""
+    """A picture in one shade; where the file tells them, its pixels to a mm, and how long the lens was in its longer
+    sides."""
 
     grey: Greys
     scale: float | None = None
+    focal: float | None = None
 
     @property
     def look(self) -> str:
@@ -106,7 +110,7 @@ def _decoded(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
         grey = in_one_shade(cv2, bits) if whole is None or solid else _on_paper(cv2, whole)
     finally:
         cv2.utils.logging.setLogLevel(told)
-    return None if grey is None else DecodedPicture(grey, _scale_of(head))
+    return None if grey is None else DecodedPicture(grey, _scale_of(head), _focal_of(head))
 
 
 def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
@@ -138,6 +142,16 @@ def _scale_of(head: Image.Image) -> float | None:
     across, down = (float(dpi) for dpi in head.info.get("dpi", (0, 0)))
     true = across > LEAST_DPI and abs(across - down) < 1 and max(head.size) * 25.4 / across < MOST_MM
     return across / 25.4 if true and EXPOSURE not in head.getexif().get_ifd(EXIF) else None
+
+
+def _focal_of(head: Image.Image) -> float | None:
+    """How long the lens was, in the picture's longer sides, of a camera that tells it for a film's 36 × 24 mm, the
+    diagonals being alike; not of a picture cut out of a larger one."""
+    told, (long, short) = head.getexif().get_ifd(EXIF), sorted(head.size, reverse=True)
+    film, whole = float(told.get(FILM, 0)), [int(told.get(tag, long)) for tag in SIZES]
+    if not LENSES[0] <= film <= LENSES[1] or abs(max(whole) / max(min(whole), 1) * short / long - 1) > CUT:
+        return None
+    return film / math.hypot(36, 24) * math.hypot(long, short) / long
 
 
 def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:

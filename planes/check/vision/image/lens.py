@@ -10,17 +10,45 @@ from planes.geometry.arrays import Array
 
 FOCAL = 0.73  # of a telephone's lens, in lengths of its picture's longer side
 MOST_TILT_DEG = 40.0
+HELD = math.tan(math.radians(6.0))  # σ of how telephones are held
+
+
+@dataclass(frozen=True)
+class CameraTilt:
+    """How a camera was tilted (slopes to the right and up, or down where pixels are meant), and one σ of that along
+    two axes."""
+
+    slopes: complex = 0j
+    loose: tuple[complex, complex] = (complex(HELD), complex(0, HELD))
+
+    @property
+    def sure(self) -> float:
+        """By how many σ it is no straight view."""
+        return math.hypot(*((self.slopes * way.conjugate()).real / abs(way) ** 2 for way in self.loose))
+
+    def more(self, shares: Array) -> complex:
+        """Slopes of so many σ along both axes."""
+        return complex(shares[0] * self.loose[0] + shares[1] * self.loose[1])
+
+    def mirrored(self) -> "CameraTilt":
+        """The same with y the other way."""
+        first, second = self.loose
+        return CameraTilt(self.slopes.conjugate(), (first.conjugate(), second.conjugate()))
+
+
+UNTOLD = CameraTilt()
 
 
 @dataclass(frozen=True)
 class Lens:
     """A camera over a flat picture, mm from the pole (y up): the place it looks at, how far it is, and the mark that
-    the picture's scale (``turned``: direction, too) was taken from."""
+    the picture's scale (``turned``: direction, too) was taken from; and what tilt was taken out of it."""
 
     middle: complex
     far: float
     mark: complex
     turned: bool = False
+    held: CameraTilt = UNTOLD
 
     def leaning(self, z: Place, tilt: complex) -> Place:
         """Where places of the sheet are, were the camera tilted by so much more (slopes to the right and up), the scale

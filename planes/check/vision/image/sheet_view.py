@@ -1,25 +1,29 @@
-"""How a picture sees a sheet that has no print of ours: told by its squares, else its ruled lines, else its edges.
+"""How a picture sees a sheet that has no print of ours: told by its squares, else its ruled lines, else its edges,
+else lines of text on it.
 
 Squares give all of it, millimetres too. Equally spaced lines give the horizon of the sheet's plane; what that leaves
 open is how long the lens is, and telephones' are nearly alike. Edges give a rectangle, its shape the paper's format.
+Text gives the tilt, but no millimetres.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy
 
 from planes.check.vision.image.bend import Bend, through
 from planes.check.vision.image.frame import shape_of
-from planes.check.vision.image.lens import FOCAL, MOST_TILT_DEG, level
+from planes.check.vision.image.lens import FOCAL, MOST_TILT_DEG, UNTOLD, CameraTilt, level
 from planes.check.vision.image.picture import cv
 from planes.check.vision.image.ruling import CLEAR, LEAST, Wave, waves_of
 from planes.check.vision.image.sheet_edges import edges_of
+from planes.check.vision.image.text_view import tilt_by_text
 from planes.geometry.arrays import Array, Complexes, Greys
 
 SQUARE_MM, LINES_MM = 5.0, 8.0
 AGREEING, OFF = 0.6, 0.12  # the share of clear windows that agree, within that share of a line's distance
 LENSES = numpy.linspace(-0.08, 0.08, 17)
+CERTAIN, LEAST_SLOPE = 4.5, math.tan(math.radians(2.0))  # σ of a tilt that text tells, and how much it must be
 A_SHAPE, NEAR_SHAPE, A4_MM = math.sqrt(2), 0.03, (297.0, 210.0)
 
 
@@ -28,19 +32,21 @@ class SheetView:
     """How pixels of a picture lie on its sheet, mm (y down, any origin), and by what that is told."""
 
     bend: Bend
-    by: str  # "squares", "lines", "edges"; the "plan" itself, whose scale is unknown
+    by: str  # "squares", "lines", "edges"; "text" or the "plan" itself, whose scale is unknown
     tilt_deg: float  # of the camera from straight above
+    held: CameraTilt = UNTOLD  # of a view whose scale is unknown: what was taken out, and what may be left
 
 
-def sheet_view(grey: Greys, px_per_mm: float, scanned: bool) -> SheetView | None:
-    """How a sheet is seen, by the surest of what tells it; pixels to a millimetre are known but roughly."""
+def sheet_view(grey: Greys, px_per_mm: float, scanned: bool, focal: float = FOCAL) -> SheetView | None:
+    """How a sheet is seen, by the surest of what tells it; pixels to a millimetre are known but roughly, the lens is
+    ``focal`` of the picture's longer sides long."""
     across, down = waves_of(grey, px_per_mm * SQUARE_MM)
     if across and down and (found := _by_squares(grey, across, down)):
         return found
     _, down = waves_of(grey, px_per_mm * LINES_MM)
-    if down and (found := _by_lines(grey, down)):
+    if down and (found := _by_lines(grey, down, focal)):
         return found
-    return None if scanned else _by_edges(grey)
+    return None if scanned else _by_edges(grey) or _by_text(grey, focal)
 
 
 def _by_squares(grey: Greys, across: Wave, down: Wave) -> SheetView | None:
@@ -63,7 +69,7 @@ def _by_squares(grey: Greys, across: Wave, down: Wave) -> SheetView | None:
     return _viewed(min((fitted(k) for k in LENSES.tolist()), key=lambda one: one[0])[1], "squares")
 
 
-def _by_lines(grey: Greys, down: Wave) -> SheetView | None:
+def _by_lines(grey: Greys, down: Wave, focal: float) -> SheetView | None:
     """By the horizon of equally spaced lines, through the lens that makes them straightest."""
     clear = down.clear > CLEAR
     seen, counts, bend = down.places[clear], down.counts[clear], Bend.about(grey.shape)
@@ -76,7 +82,7 @@ def _by_lines(grey: Greys, down: Wave) -> SheetView | None:
         return float(numpy.minimum(abs(off), OFF).mean()), tilt, off
 
     _, tilt, off, bend.lens = min(((*horizon(k), (k, 0.0)) for k in LENSES.tolist()), key=lambda one: one[0])
-    good, plain = abs(off) < OFF, level(bend.middle, FOCAL * unit, tilt * FOCAL)
+    good, plain = abs(off) < OFF, level(bend.middle, focal * unit, tilt * focal)
     if plain is None or good.sum() < max(LEAST, AGREEING * len(good)):
         return None
     there = through(plain, bend.straight(seen[good]))
@@ -84,7 +90,7 @@ def _by_lines(grey: Greys, down: Wave) -> SheetView | None:
     gx, gy, _ = numpy.linalg.lstsq(base, counts[good], rcond=None)[0].tolist()
     turn = complex(gx, gy) / 1j * LINES_MM  # lines to one of its pixels, downwards
     bend.view = similar(turn.conjugate()) @ plain
-    return _viewed(bend, "lines")
+    return _viewed(bend, "lines", focal)
 
 
 def _horizon(places: Complexes, counts: Array) -> tuple[complex, Array]:
@@ -124,19 +130,31 @@ def _pairs(z: Complexes) -> Array:
     return numpy.stack([z.real, z.imag], axis=1)
 
 
-def by_tilt(grey: Greys, tilt: complex) -> SheetView | None:
+def _by_text(grey: Greys, focal: float) -> SheetView | None:
+    """By lines of text: where they do not show a tilt for certain, the view from straight above, and what it may be."""
+    held = tilt_by_text(grey, focal)
+    if held is None:
+        return None
+    if held.sure < CERTAIN or abs(held.slopes) < LEAST_SLOPE:
+        left = [math.hypot(1, (held.slopes * way.conjugate()).real / abs(way) ** 2) * way for way in held.loose]
+        held = CameraTilt(0j, (left[0], left[1]))
+    return by_tilt(grey, held, focal, "text")
+
+
+def by_tilt(grey: Greys, held: CameraTilt, focal: float, by: str = "plan") -> SheetView | None:
     """The view of a camera tilted by so much (slopes to the right and down), its scale unknown."""
     bend = Bend.about(grey.shape)
-    plain = level(bend.middle, FOCAL * max(grey.shape), tilt)
+    plain = level(bend.middle, focal * max(grey.shape), held.slopes)
     if plain is None:
         return None
     bend.view = plain
-    return _viewed(bend, "plan")
+    seen = _viewed(bend, by, focal)
+    return seen and replace(seen, held=held)
 
 
-def _viewed(bend: Bend, by: str) -> SheetView | None:
+def _viewed(bend: Bend, by: str, focal: float = FOCAL) -> SheetView | None:
     """The view, with how far the camera is tilted; None where no camera is held so."""
-    focal = FOCAL * 2 * max(bend.middle.real, bend.middle.imag)
+    focal *= 2 * max(bend.middle.real, bend.middle.imag)
     a, b, c = bend.view[2].tolist()
     slope = abs(complex(a, b)) * focal / abs(a * bend.middle.real + b * bend.middle.imag + c)
     tilt = math.degrees(math.atan(slope))

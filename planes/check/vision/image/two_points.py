@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy
 
 from planes.check.vision.image.bend import Bend
-from planes.check.vision.image.lens import FOCAL, Lens
+from planes.check.vision.image.lens import FOCAL, UNTOLD, CameraTilt, Lens
 from planes.check.vision.image.picture import MOST_FLAT, PX_PER_MM, Flat, by_scale, remapped
 from planes.check.vision.image.sheet_view import SheetView, by_tilt, sheet_view, similar
 from planes.geometry.arrays import Greys
@@ -31,19 +31,22 @@ def by_points(
     vector: complex,
     name: str = "",
     told: float | None = None,
-    tilt: complex = 0j,
+    held: CameraTilt | None = None,
+    focal: float | None = None,
 ) -> Flat:
     """The picture by the two ends of a true vector, of the pole and a named mark, in pixels (x right, y down). Straight
-    and to scale by its paper, where that has squares, lines or edges, else turned straight if it is as little askew as
-    a sheet lies. To the scale its paper or file (``told``) has, if a hand's error is all they differ by, or the vector
-    is too short to tell any; else to the vector's. A photograph that nothing tells the tilt of may be taken for one of
-    a camera tilted by so much (slopes to the right and up). The pole becomes the origin."""
+    and to scale by its paper, where that has squares, lines or edges, or straight by text on it, else turned straight
+    if it is as little askew as a sheet lies. To the scale its paper or file (``told``) has, if a hand's error is all
+    they differ by, or the vector is too short to tell any; else to the vector's. A photograph that nothing tells the
+    tilt of may be taken for one of a camera tilted by so much (``held``). The lens may be told (``focal``, in the
+    picture's longer sides). The pole becomes the origin."""
     short = abs(vector) < SHORT_MM
     if not (short and told) and (abs(mark - pole) < 10 or not vector):
         raise PlanesError(Phrase("check_points"))
-    view = by_tilt(grey, tilt.conjugate()) if tilt else None
-    if not tilt and not short:
-        view = sheet_view(grey, told or abs(mark - pole) / abs(vector), told is not None)
+    focal = focal or FOCAL
+    view = by_tilt(grey, held.mirrored(), focal) if held else None
+    if not held and not short:
+        view = sheet_view(grey, told or abs(mark - pole) / abs(vector), told is not None, focal)
     drawn = view.bend.flat(mark) - view.bend.flat(pole) if view else mark - pole
     paper = view.by if view and view.by in BY_PAPER else None
     scale, by_file = _scale(abs(drawn), abs(vector), 1.0 if paper else told, ANOTHER if paper else 1.0)
@@ -54,8 +57,8 @@ def by_points(
     flat.aslant = BY_PAPER[paper] if paper else 0.0
     if not paper and told is None and not short:
         height, width = grey.shape
-        far = FOCAL * max(width, height) / scale
-        flat.lens = Lens(flat.place(complex(width, height) / 2), far, flat.place(mark), bool(askew))
+        far, known = focal * max(width, height) / scale, view.held.mirrored() if view else UNTOLD
+        flat.lens = Lens(flat.place(complex(width, height) / 2), far, flat.place(mark), bool(askew), known)
     return flat
 
 

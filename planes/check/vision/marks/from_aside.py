@@ -15,7 +15,7 @@ from planes.check.grading.paper import ReadMark
 from planes.check.vision.image.lens import Lens
 from planes.geometry.arrays import Array, Complexes
 
-TILT, TURN = math.tan(math.radians(6.0)), math.radians(0.7)  # σ of how telephones are held, and of how sheets lie
+TURN = math.radians(0.7)  # σ of how sheets lie
 HAND_MM, LENGTH_MM = 0.7, 0.6  # σ of a mark, and of the vector a scale was taken from
 LEAST_TILT = math.tan(math.radians(2.0))  # less is not worth looking again
 LEAST_MARKS = 4
@@ -26,20 +26,20 @@ WIDE_MM = (6.0, 3.0, 1.5, *(HAND_MM,) * 7)  # marks farther off tell less and le
 def as_sure(spot: ReadMark, about: complex, share: float, lens: Lens | None) -> ReadMark:
     """A mark with an error of a share of its distance, and with what an untold tilt of the camera moves it by."""
     z = spot.place - about
-    shared = () if lens is None else tuple(lens.leaning(z, TILT * way) - z for way in (1, 1j))
+    shared = () if lens is None else tuple(lens.leaning(z, way) - z for way in lens.held.loose)
     tilted = math.hypot(*(abs(move) for move in shared)) / math.sqrt(2)
     return replace(spot, error_mm=math.hypot(spot.error_mm, share * abs(z), tilted), shared=shared)
 
 
 def tilt_told(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[str, complex]) -> complex | None:
-    """The tilt (slopes to the right and up) that makes a plan's marks most like the right ones; None where it is little
-    or tells little."""
+    """What more of a tilt (slopes to the right and up) makes a plan's marks most like the right ones; None where it is
+    little or tells little."""
     pairs = [(s.place - pole, true[s.name]) for s in spots if s.name in true]
     if len(pairs) < LEAST_MARKS:
         return None
     seen, right = (numpy.array(part) for part in zip(*pairs, strict=True))
     plain, tilted = (_fitted(lens, seen, right, free) for free in (0.0, 1.0))
-    tilt = complex(tilted[0], tilted[1])
+    tilt = lens.held.more(tilted)
     gain = _cost(lens, seen, right, plain) - _cost(lens, seen, right, tilted)
     return tilt if abs(tilt) > LEAST_TILT and gain > BETTER else None
 
@@ -53,14 +53,14 @@ def strange(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[
 
 
 def _off(lens: Lens, seen: Complexes, right: Complexes, k: Array) -> Complexes:
-    """How far marks are off, with a tilt (slopes), a turn and a stretch."""
-    there = lens.leaning(seen, complex(k[0], k[1])) * numpy.exp(1j * k[2]) * (1 + k[3])
+    """How far marks are off, with a tilt (in its σ), a turn and a stretch."""
+    there = lens.leaning(seen, lens.held.more(k)) * numpy.exp(1j * k[2]) * (1 + k[3])
     out: Complexes = there - right
     return out
 
 
 def _unlikely(lens: Lens) -> Array:
-    return numpy.array([TILT, TILT, TURN, LENGTH_MM / abs(lens.mark)])
+    return numpy.array([1.0, 1.0, TURN, LENGTH_MM / abs(lens.mark)])
 
 
 def _cost(lens: Lens, seen: Complexes, right: Complexes, k: Array) -> float:

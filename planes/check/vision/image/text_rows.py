@@ -1,0 +1,194 @@
+"""Rows of letters on a page: letters next to one another, their feet on a line; and how each letter's strokes slant.
+
+Letters are pieces of ink of about one height. The ways to the next ones tell which way rows run; from there on all is
+told along rows (s) and across them (t, downwards).
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy
+
+from planes.check.vision.image.picture import cv, smaller
+from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
+
+LOOK_PX, LIGHT_PX = 2000, 41  # the longer side of what is looked at; how far off its paper's light is taken
+DARKER, PRINT = 14, 0.3  # greys that ink is darker than paper, and the share of how dark the darkest is
+LETTER_PX, SPECKS = (9, 70), 12  # the height of a letter from and to; its pixels at least
+NEXT, ALIKE = 3.0, 2.2  # how far the next letter is, in letters, and how much higher or lower
+ASLANT = 0.3  # how much a row may slant from most
+FEW, MOST = 7, 1500  # letters of a row, at least; letters of a page that are looked at
+OFF = 0.12  # of a letter's height: farther from the line is no foot on it
+STEEP = math.radians(40)  # a stroke that slants more from upright tells nothing
+
+
+@dataclass(frozen=True)
+class TextRow:
+    """The line that letters stand on: a place of it and its direction (radians), how far feet are off it (a share of
+    a letter's height), how sure its direction is, and its letters' numbers."""
+
+    place: complex
+    angle: float
+    off: float
+    error: float
+    letters: Indices
+
+
+@dataclass(frozen=True)
+class Text:
+    """Letters in rows: where they are (pixels of the picture), how high, edges of their strokes (which letter's, which
+    way it runs in radians, how sharp), and the rows."""
+
+    places: Complexes
+    heights: Array
+    of: Indices
+    angles: Array
+    weights: Array
+    rows: list[TextRow]
+    way: float  # most rows' direction, radians
+
+    @property
+    def row_of(self) -> Indices:
+        """The number of each letter's row; -1 of those in none."""
+        out = numpy.full(len(self.places), -1)
+        for k, row in enumerate(self.rows):
+            out[row.letters] = k
+        return out
+
+
+def text_on(grey: Greys) -> Text | None:
+    """The rows of letters on a picture; None where there are none."""
+    small, factor = smaller(grey, LOOK_PX)
+    labels, boxes = _letters(small)
+    if len(boxes) < FEW:
+        return None
+    way = _way(boxes)
+    if way is None:
+        return None
+    ink = numpy.flatnonzero(labels)
+    label = labels.ravel()[ink] - 1
+    z = (ink % labels.shape[1] + 1j * (ink // labels.shape[1])) * numpy.exp(-1j * way)
+    order = numpy.argsort(label, kind="stable")
+    starts = numpy.searchsorted(label[order], numpy.arange(len(boxes)))
+    s, t = z.real[order], z.imag[order]
+    low, high = (f.reduceat(t, starts) for f in (numpy.minimum, numpy.maximum))
+    left, right = (f.reduceat(s, starts) for f in (numpy.minimum, numpy.maximum))
+    rows = _rows(left, right, low, high, way)
+    if not rows:
+        return None
+    kept = numpy.unique(numpy.concatenate([row.letters for row in rows]))
+    new = numpy.full(len(boxes), -1)
+    new[kept] = numpy.arange(len(kept))
+    of, angles, weights = _edges(small, labels, new, way)
+    middles = ((left + right) / 2 + 1j * (low + high) / 2) * numpy.exp(1j * way)
+    there = (middles[kept] + 0.5 + 0.5j) / factor - 0.5 - 0.5j
+    found = [
+        TextRow((r.place + 0.5 + 0.5j) / factor - 0.5 - 0.5j, r.angle, r.off, r.error, new[r.letters]) for r in rows
+    ]
+    return Text(there, (high - low + 1)[kept], of, angles, weights, found, way)
+
+
+def _letters(small: Greys) -> tuple[Indices, Indices]:
+    """The pieces of ink that are as large as letters: each pixel's number (from 1, 0: none), and their boxes."""
+    cv2 = cv()
+    quarter = cv2.resize(small, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
+    wide = LIGHT_PX // 4 | 1
+    light = cv2.blur(cv2.dilate(quarter, numpy.ones((wide, wide), numpy.uint8)), (wide, wide))
+    dark = cv2.subtract(cv2.resize(light, small.shape[::-1]), cv2.GaussianBlur(small, (3, 3), 0))
+    least = max(DARKER, PRINT * float(numpy.percentile(dark[::4, ::4], 99.7)))
+    _, labels, parts, _ = cv2.connectedComponentsWithStats((dark > least).astype(numpy.uint8), connectivity=8)
+    w, h, area = parts[:, 2], parts[:, 3], parts[:, 4]
+    tall = numpy.maximum(w, h)
+    good = (tall >= LETTER_PX[0]) & (tall <= LETTER_PX[1]) & (area >= SPECKS) & (numpy.minimum(w, h) > 1)
+    good[0] = False
+    if good.sum() > MOST:
+        good[numpy.flatnonzero(good)[MOST:]] = False
+    new = numpy.zeros(len(parts), numpy.int32)
+    new[good] = numpy.arange(1, int(good.sum()) + 1)
+    return new[labels], parts[good]
+
+
+def _way(boxes: Indices) -> float | None:
+    """The direction in which most letters have their next ones, in radians; None where there is none."""
+    z = boxes[:, 0] + boxes[:, 2] / 2 + 1j * (boxes[:, 1] + boxes[:, 3] / 2)
+    tall = numpy.maximum(boxes[:, 2], boxes[:, 3]).astype(float)
+    apart = z[None, :] - z[:, None]
+    near = abs(apart) + 1e9 * (abs(apart) < 1)
+    near[(tall[None, :] > ALIKE * tall[:, None]) | (tall[:, None] > ALIKE * tall[None, :])] = 1e9
+    two = numpy.argsort(near, axis=1)[:, :2]
+    rows = numpy.arange(len(z))[:, None]
+    good = near[rows, two] < 1.8 * tall[:, None]
+    ways = numpy.angle(apart[rows, two])[good]
+    if len(ways) < FEW:
+        return None
+    doubled = numpy.exp(2j * ways)
+    steps = numpy.linspace(0, math.pi, 90, endpoint=False)
+    score = [float(numpy.exp(40 * ((doubled * numpy.exp(-2j * k)).real - 1)).sum()) for k in steps]
+    way = float(steps[int(numpy.argmax(score))])
+    for _ in range(4):
+        w = numpy.exp(60 * ((doubled * numpy.exp(-2j * way)).real - 1))
+        way = float(numpy.angle((w * doubled).sum()) / 2)
+    return way
+
+
+def _rows(left: Array, right: Array, low: Array, high: Array, way: float) -> list[TextRow]:
+    """Letters chained from each to its next one, and the lines they stand on."""
+    tall, t = high - low + 1, (low + high) / 2
+    usual = numpy.maximum(tall, numpy.median(tall))
+    gap = left[None, :] - right[:, None]
+    down = t[None, :] - t[:, None]
+    s = (left + right) / 2
+    fits = (s[None, :] > s[:, None]) & (gap > -0.5 * usual[:, None]) & (gap < NEXT * usual[:, None])
+    fits &= abs(down) < 0.55 * usual[:, None] + ASLANT * numpy.maximum(gap, 0)
+    fits &= (tall[None, :] < ALIKE * tall[:, None]) & (tall[:, None] < ALIKE * tall[None, :])
+    cost = numpy.where(fits, numpy.maximum(gap, 0) + 2 * abs(down), numpy.inf)
+    after, before = cost.argmin(axis=1), cost.argmin(axis=0)
+    n = numpy.arange(len(s))
+    linked = numpy.isfinite(cost[n, after]) & (before[after] == n)
+    first = numpy.setdiff1d(n, after[linked])
+    rows = []
+    for k in first:
+        chain = [int(k)]
+        while linked[chain[-1]]:
+            chain.append(int(after[chain[-1]]))
+        if len(chain) >= FEW and (row := _fitted(numpy.array(chain), s, high, tall, way)):
+            rows.append(row)
+    return rows
+
+
+def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> TextRow | None:
+    """The line most letters of a chain stand on; None where few do."""
+    x, y, height = s[chain], feet[chain], float(numpy.median(tall[chain]))
+    i, j = numpy.triu_indices(len(x), 1)
+    far = x[j] - x[i] > 0.4 * numpy.ptp(x)
+    i, j = i[far], j[far]
+    slopes = (y[j] - y[i]) / (x[j] - x[i])
+    if len(i) > 400:
+        slopes, i = slopes[:: len(i) // 400], i[:: len(i) // 400]
+    rest = y[None, :] - slopes[:, None] * (x[None, :] - x[i][:, None]) - y[i][:, None]
+    best = int((abs(rest) < OFF * height).sum(axis=1).argmax())
+    near = abs(rest[best]) < OFF * height
+    if near.sum() < max(FEW - 2, 0.4 * len(x)):
+        return None
+    for _ in range(3):
+        line = numpy.polynomial.polynomial.polyfit(x[near], y[near], 1)
+        near = abs(y - line[0] - line[1] * x) < OFF * height
+    off = math.hypot(float((y - line[0] - line[1] * x)[near].std()), 0.3)
+    middle = float(x[near].mean())
+    error = off / math.sqrt(float(((x[near] - middle) ** 2).sum()))
+    place = complex(middle, line[0] + line[1] * middle) * numpy.exp(1j * way)
+    return TextRow(complex(place), way + math.atan(line[1]), off / height, error, chain)
+
+
+def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Indices, Array, Array]:
+    """Edges of letters' strokes that stand about upright on their rows: whose, which way they run, how sharp."""
+    cv2 = cv()
+    soft = cv2.GaussianBlur(small, (0, 0), 1.0)
+    dx, dy = (cv2.Scharr(soft, cv2.CV_32F, *d) for d in ((1, 0), (0, 1)))
+    wide = cv2.dilate(labels.astype(numpy.float32), numpy.ones((3, 3), numpy.uint8))
+    there = numpy.flatnonzero(wide)
+    of = new[wide.ravel()[there].astype(int) - 1]
+    gradient = dx.ravel()[there] + 1j * dy.ravel()[there]
+    upright = (numpy.angle(gradient * numpy.exp(-1j * way)) + math.pi / 2) % math.pi - math.pi / 2
+    good: Booleans = (of >= 0) & (abs(upright) < STEEP)
+    return of[good], upright[good] + way + math.pi / 2, abs(gradient[good]) ** 2
