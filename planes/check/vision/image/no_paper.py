@@ -1,20 +1,23 @@
-"""Pictures that show no drawing, told at a glance: no paper (noise, a screen full of something, a photograph of
-anything else), or nothing but text on it.
+"""Pictures that show no drawing, told at a glance: no paper (noise, a lawn, a brick wall, a photograph of anything as
+uneven), or nothing but text on it.
 
 Paper is even nearly everywhere, squared or written on though it be: what is darker in a small square is a small part
-of it. Of 476 pictures of sheets (millimetre paper, dim light, folds) none is uneven so far; noise is in every square.
+of it, and with what is thin and dark filled up, its light changes but slowly.
 """
 
 import numpy
 
 from planes.check.vision.image.picture import cv, smaller
-from planes.geometry.arrays import Greys, Indices
+from planes.geometry.arrays import Booleans, Greys, Indices
 
 LOOK_PX, SQUARE_PX = 1000, 20
 UNEVEN = 11.0  # σ of the grey levels of a small square
 LIGHT, DARKER, INK = 90, 12, 0.2  # its light is this percentile; what is so much darker is ink; paper has less of it
 STRAIGHT = 0.6  # of the variance of a square, what its rows and columns have that are ruled
 SHARE = 0.6  # of all small squares
+FILLED_PX, SOFT_PX = 13, 2.0  # the widest stroke that is filled up; σ by which grain is smoothed
+STEEP, MOSTLY = 1.5, 0.9  # greys from pixel to pixel, less in so many places of a small square that is even
+EVEN, TOGETHER = 0.5, 0.15  # shares of all small squares: of even ones on paper, and of those that hang together
 LETTER_PX, LETTERS = (5, 30), 800  # the height of a letter from and to, on the small picture; more are a page of text
 LINE_PX = 45  # a drawing has a longer line (14 mm of A4), letters that touch are seldom so long
 PRINT = 0.35  # of how dark the darkest of a picture is, are letters
@@ -24,14 +27,38 @@ def shows_paper(grey: Greys) -> bool:
     """Whether so much of a picture is even that there may be paper on it."""
     small = smaller(grey, LOOK_PX)[0]
     h, w = (n // SQUARE_PX for n in small.shape)
-    cut = small[: h * SQUARE_PX, : w * SQUARE_PX].reshape(h, SQUARE_PX, w, SQUARE_PX).astype(numpy.float32)
-    if not cut.size:
+    if not h * w:
         return True
+    small = small[: h * SQUARE_PX, : w * SQUARE_PX]
+    _, _, parts, _ = cv().connectedComponentsWithStats(_slow(small).astype(numpy.uint8), connectivity=4)
+    even = max(parts[1:, 4].sum() / EVEN, parts[1:, 4].max(initial=0) / TOGETHER)
+    return bool(even >= h * w) and float(_rough(small).mean()) < SHARE
+
+
+def _slow(small: Greys) -> Booleans:
+    """Small squares whose light changes but slowly, all that is thin and dark filled up."""
+    cv2 = cv()
+    filled = cv2.morphologyEx(small, cv2.MORPH_CLOSE, numpy.ones((FILLED_PX, FILLED_PX), numpy.uint8))
+    light = cv2.GaussianBlur(filled, (0, 0), SOFT_PX)
+    across, down = (cv2.Sobel(light, cv2.CV_32F, *way, scale=1 / 8) for way in ((1, 0), (0, 1)))
+    slow: Booleans = _squares(cv2.magnitude(across, down) < STEEP).mean(axis=(1, 3)) >= MOSTLY
+    return slow
+
+
+def _rough(small: Greys) -> Booleans:
+    """Small squares much of which is darker than the rest, and not in lines."""
+    cut = _squares(small).astype(numpy.float32)
     light = numpy.percentile(cut, LIGHT, axis=(1, 3), keepdims=True)
     ink, spread = (cut < light - DARKER).mean(axis=(1, 3)), cut.var(axis=(1, 3))
     ruled = cut.mean(axis=1).var(axis=2) + cut.mean(axis=3).var(axis=1)
-    uneven = (spread > UNEVEN**2) & (ink > INK) & (ruled < STRAIGHT * spread)
-    return float(uneven.mean()) < SHARE
+    rough: Booleans = (spread > UNEVEN**2) & (ink > INK) & (ruled < STRAIGHT * spread)
+    return rough
+
+
+def _squares(small: Greys | Booleans) -> Greys | Booleans:
+    """A picture as small squares: which row of them, its rows, which column, its columns."""
+    h, w = (n // SQUARE_PX for n in small.shape)
+    return small.reshape(h, SQUARE_PX, w, SQUARE_PX)
 
 
 def shows_text_only(grey: Greys) -> bool:

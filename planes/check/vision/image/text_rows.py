@@ -35,7 +35,7 @@ class TextRow:
 
 
 @dataclass(frozen=True)
-class Text:
+class LetterRows:
     """Letters in rows: where they are (pixels of the picture), how high, edges of their strokes (which letter's, which
     way it runs in radians, how sharp), and the rows."""
 
@@ -56,7 +56,7 @@ class Text:
         return out
 
 
-def text_on(grey: Greys) -> Text | None:
+def text_on(grey: Greys) -> LetterRows | None:
     """The rows of letters on a picture; None where there are none."""
     small, factor = smaller(grey, LOOK_PX)
     labels, boxes = _letters(small)
@@ -85,7 +85,7 @@ def text_on(grey: Greys) -> Text | None:
     found = [
         TextRow((r.place + 0.5 + 0.5j) / factor - 0.5 - 0.5j, r.angle, r.off, r.error, new[r.letters]) for r in rows
     ]
-    return Text(there, (high - low + 1)[kept], of, angles, weights, found, way)
+    return LetterRows(there, (high - low + 1)[kept], of, angles, weights, found, way)
 
 
 def _letters(small: Greys) -> tuple[Indices, Indices]:

@@ -14,7 +14,7 @@ import numpy
 
 from planes.check.vision.image.bend import through
 from planes.check.vision.image.lens import HELD, CameraTilt, level
-from planes.check.vision.image.text_rows import Text, text_on
+from planes.check.vision.image.text_rows import LetterRows, text_on
 from planes.geometry.arrays import Array, Complexes, Greys, Indices
 
 LEAST_LETTERS, ROUNDS = 24, 10
@@ -53,7 +53,7 @@ class _TextSight:
     """A page's text seen by a camera of some tilt, and how its letters slant (radians on the sheet) and how high they
     are (logarithms), block by block."""
 
-    def __init__(self, text: Text, middle: complex, far: float) -> None:
+    def __init__(self, text: LetterRows, middle: complex, far: float) -> None:
         self.text, self.middle, self.far = text, middle, far
         of_rows = _blocks(text)
         self.blocks, self.row_count = of_rows[text.row_of], numpy.bincount(of_rows)[of_rows]
@@ -120,7 +120,7 @@ class _TextSight:
         return out
 
 
-def _blocks(text: Text) -> Indices:
+def _blocks(text: LetterRows) -> Indices:
     """The number of each row's block: rows close beneath one another."""
     place = numpy.array([r.place for r in text.rows]) * numpy.exp(-1j * text.way)
     tall = numpy.array([float(numpy.median(text.heights[r.letters])) for r in text.rows])
@@ -164,7 +164,7 @@ def _lengths(view: Array, z: Complexes, angle: Array) -> Array:
     return out
 
 
-def _slant(text: Text, mine: Array) -> float:
+def _slant(text: LetterRows, mine: Array) -> float:
     """The most usual way of some of the strokes' edges."""
     return _mode(text.angles[mine], KERNEL / 2, text.weights[mine]) if mine.any() else text.way + math.pi / 2
 
@@ -177,7 +177,7 @@ def _mode(values: Array, wide: float, weights: Array | None = None) -> float:
     return float(steps[int((near @ (numpy.ones(len(values)) if weights is None else weights)[some]).argmax())])
 
 
-def _strokes(text: Text, upright: Array) -> tuple[Array, Array]:
+def _strokes(text: LetterRows, upright: Array) -> tuple[Array, Array]:
     """How much each letter's strokes are turned from how they should run, and what that weighs."""
     off, count = text.angles - upright[text.of], len(text.places)
     near = text.weights * numpy.exp(-0.5 * (off / KERNEL) ** 2)
