@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import MISREAD, Known, ReadPaper, with_told
@@ -77,7 +78,7 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
     tilt = tilt_told(lens, best.pole, best.spots, true) if lens and best.spots else None
     if tilt is None or lens is None or known.pole is None:
         return best
-    held = CameraTilt(lens.held.slopes + tilt, lens.held.loose)
+    held = replace(lens.held, slopes=lens.held.slopes + tilt)
     flat, _ = _by_hand(bench, picture, known.pole, known.marks, held)
     other = seen_best(bench, flat, 0j)
     likelier = strange(lens, best.pole, best.spots, true) - strange(lens, other.pole, other.spots, true)

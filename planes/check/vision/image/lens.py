@@ -15,11 +15,12 @@ HELD = math.tan(math.radians(6.0))  # σ of how telephones are held
 
 @dataclass(frozen=True)
 class CameraTilt:
-    """How a camera was tilted (slopes to the right and up, or down where pixels are meant), and one σ of that along
-    two axes."""
+    """How a camera was tilted (slopes to the sheet's right and up, or down where pixels are meant), one σ of that along
+    two axes, and how the sheet's lines are turned in the picture (radians)."""
 
     slopes: complex = 0j
     loose: tuple[complex, complex] = (complex(HELD), complex(0, HELD))
+    turn: float = 0.0
 
     @property
     def sure(self) -> float:
@@ -33,7 +34,7 @@ class CameraTilt:
     def mirrored(self) -> "CameraTilt":
         """The same with y the other way."""
         first, second = self.loose
-        return CameraTilt(self.slopes.conjugate(), (first.conjugate(), second.conjugate()))
+        return CameraTilt(self.slopes.conjugate(), (first.conjugate(), second.conjugate()), -self.turn)
 
 
 UNTOLD = CameraTilt()

@@ -6,6 +6,7 @@ open is how long the lens is, and telephones' are nearly alike. Edges give a rec
 Text gives the tilt, but no millimetres.
 """
 
+import cmath
 import math
 from dataclasses import dataclass, replace
 
@@ -137,17 +138,17 @@ def _by_text(grey: Greys, focal: float) -> SheetView | None:
         return None
     if held.sure < CERTAIN or abs(held.slopes) < LEAST_SLOPE:
         left = [math.hypot(1, (held.slopes * way.conjugate()).real / abs(way) ** 2) * way for way in held.loose]
-        held = CameraTilt(0j, (left[0], left[1]))
+        held = CameraTilt(0j, (left[0], left[1]), held.turn)
     return by_tilt(grey, held, focal, "text")
 
 
 def by_tilt(grey: Greys, held: CameraTilt, focal: float, by: str = "plan") -> SheetView | None:
-    """The view of a camera tilted by so much (slopes to the right and down), its scale unknown."""
-    bend = Bend.about(grey.shape)
-    plain = level(bend.middle, focal * max(grey.shape), held.slopes)
+    """The view of a camera tilted so (slopes to the right and down), its scale unknown, the sheet turned back."""
+    bend, back = Bend.about(grey.shape), cmath.rect(1, -held.turn)
+    plain = level(bend.middle, focal * max(grey.shape), held.slopes * back.conjugate())
     if plain is None:
         return None
-    bend.view = plain
+    bend.view = similar(back) @ plain
     seen = _viewed(bend, by, focal)
     return seen and replace(seen, held=held)
 

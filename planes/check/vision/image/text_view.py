@@ -6,6 +6,7 @@ and to the right, and how high they are above and beneath. Of a hand's rows litt
 What nothing tells remains as an error.
 """
 
+import cmath
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,6 +27,7 @@ LEAST_SLANT, LEAST_SIZE = math.radians(0.8), 0.015  # σ of a letter's, at least
 TOGETHER, FINE_PX = 1.5, 24.0  # how much less sure many slants are than each by itself; and of letters not so high
 SYSTEMATIC = 0.005, 0.018  # what all of print, and of a hand, may be off by together, as a slope
 CAUCHY = 8.0  # the square of how many σ off a cue tells half
+MOST_TURN = math.radians(30)  # of a sheet that is meant to be upright
 BLOCK = 4.5  # rows of a block are no farther apart, in letters
 
 
@@ -75,8 +77,15 @@ class _TextSight:
             tilt -= complex(*numpy.linalg.solve(known, pull))
         floor = SYSTEMATIC[0] + (SYSTEMATIC[1] - SYSTEMATIC[0]) * hand
         squares, axes = numpy.linalg.eigh(numpy.linalg.inv(known) + floor**2 * numpy.eye(2))
-        first, second = (math.sqrt(v) * complex(*axes[:, k]) for k, v in enumerate(squares))
-        return CameraTilt(tilt, (first, second))
+        turn = self.turn(tilt, hand)
+        first, second = (math.sqrt(v) * complex(*axes[:, k]) * cmath.rect(1, -turn) for k, v in enumerate(squares))
+        return CameraTilt(tilt * cmath.rect(1, -turn), (first, second), turn)
+
+    def turn(self, tilt: complex, hand: float) -> float:
+        """How rows run on the sheet as it is seen; 0 where that may be no more than a writer's own."""
+        ways, weights = _angles(self.level(tilt), self.places, self.ways), self._row_weights(hand)
+        turn = float((ways * weights).sum() / weights.sum())
+        return turn if 3 * math.hypot(PARALLEL, hand * APART) < abs(turn) < MOST_TURN else 0.0
 
     def cues(self, tilt: complex) -> tuple[list[_Cue], float]:
         """What rows, slants and heights tell about a tilt, and how much like a hand's they are (0 to 1)."""
