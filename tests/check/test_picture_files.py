@@ -183,6 +183,25 @@ def test_noise_is_refused_at_a_glance(kind: str, tmp_path: Path) -> None:
         load(tmp_path / "n.png")
 
 
+@pytest.mark.parametrize("kind", ["lawn", "bricks", "clouds"])
+def test_what_is_uneven_everywhere_shows_no_paper(kind: str) -> None:
+    """Blades of grass, bricks and their mortar, light and dark patches; a lamp's light on paper is even."""
+    grain, look = np.random.default_rng(3), np.full((750, 1000), 90, np.uint8)
+    if kind == "lawn":
+        for x, y, dx, dy, grey in grain.integers(0, 1000, (6000, 5)):
+            end = int(x + dx / 50 - 10), int(y - dy / 40)
+            cv2.line(look, (int(x), int(y)), end, int(40 + grey // 7), 2)
+    if kind == "bricks":
+        for k, y in enumerate(range(0, 750, 25)):
+            for x in range(-60 + 30 * (k % 2), 1000, 60):
+                cv2.rectangle(look, (x + 4, y + 4), (x + 60, y + 25), int(grain.integers(120, 190)), -1)
+    if kind == "clouds":
+        sizes = [cv2.GaussianBlur(grain.normal(0, 1, look.shape), (0, 0), s) * s for s in (2, 4, 8)]
+        look = np.clip(128 + 60 * sum(sizes), 0, 255).astype(np.uint8)
+    lit = np.linspace(120, 240, 1000)[None, :] + grain.normal(0, 4, (750, 1000))
+    assert not shows_paper(look) and shows_paper(lit.astype(np.uint8))
+
+
 @pytest.mark.parametrize(("every", "dark"), [(8, 40), (8, 150), (39, 200)])
 def test_squared_paper_is_paper(every: int, dark: int) -> None:
     """A millimetre and five apart, at 200 dpi, in lines as dark as print."""

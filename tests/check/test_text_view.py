@@ -15,6 +15,7 @@ from PIL import Image, ImageDraw  # noqa: E402
 from planes.check.vision.image.decoding import load  # noqa: E402
 from planes.check.vision.image.lens import FOCAL  # noqa: E402
 from planes.check.vision.image.sheet_view import sheet_view  # noqa: E402
+from planes.check.vision.image.text_view import tilt_by_text  # noqa: E402
 from tests.check.test_sheet_view import PLACES, PX_PER_MM, SIZE, camera, pixel  # noqa: E402
 from tests.physical.texts import WORDS, face  # noqa: E402
 
@@ -25,9 +26,9 @@ def page(rows: tuple[int, ...] = (-44, -38, -32, -26, 26, 32, 38)) -> Any:
     """A page with rows of print above and beneath its middle, so many mm from it."""
     image = Image.new("L", (round(2 * SHEET_MM.real * FINE), round(2 * SHEET_MM.imag * FINE)), 240)
     for k, y in enumerate(rows):
-        text = " ".join(WORDS[(5 * k + n) % len(WORDS)] for n in range(9))
+        text = " ".join(WORDS[(5 * k + n) % len(WORDS)] for n in range(7))
         x = (SHEET_MM.real - 58) * FINE, (SHEET_MM.imag + y) * FINE
-        ImageDraw.Draw(image).text(x, text, 50, face("DejaVuSerif.ttf", 20), anchor="ls")
+        ImageDraw.Draw(image).text(x, text, 50, face("DejaVuSerif.ttf", 25), anchor="ls")
     return numpy.array(image)
 
 
@@ -70,6 +71,16 @@ def test_text_never_bends_a_straight_picture() -> None:
     assert found is not None and found.by == "text" and found.held.slopes == 0
     assert max(abs(way) for way in found.held.loose) < math.tan(math.radians(2.5))
     assert sheet_view(taken(page((-44,)), camera(9.0, 70.0, 0.0))[:, 300:700], PX_PER_MM, False) is None
+
+
+def test_dashed_lines_are_no_rows_of_letters() -> None:
+    """Two of them that run together on paper tell no tilt."""
+    drawn = numpy.full((900, 1200), 240, numpy.uint8)
+    for x in range(100, 1100, 30):
+        for slope, y in ((0.05, 300), (-0.05, 500), (0.0, 700)):
+            a, b = (x, round(y + slope * x)), (x + 18, round(y + slope * (x + 18)))
+            cv2.line(drawn, a, b, 60, 3, cv2.LINE_AA)
+    assert tilt_by_text(drawn, FOCAL) is None
 
 
 def test_a_camera_that_tells_its_lens_is_believed(tmp_path: Path) -> None:

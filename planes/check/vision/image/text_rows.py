@@ -16,6 +16,7 @@ LOOK_PX, LIGHT_PX = 2000, 41  # the longer side of what is looked at; how far of
 DARKER, PRINT = 14, 0.3  # greys that ink is darker than paper, and the share of how dark the darkest is
 LETTER_PX, SPECKS = (9, 70), 12  # the height of a letter from and to; its pixels at least
 NEXT, ALIKE = 3.0, 2.2  # how far the next letter is, in letters, and how much higher or lower
+LONG = 2.2  # in its heights, what lies along a row is a dash, no letter
 ASLANT = 0.3  # how much a row may slant from most
 FEW, MOST = 7, 1500  # letters of a row, at least; letters of a page that are looked at
 OFF = 0.12  # of a letter's height: farther from the line is no foot on it
@@ -140,6 +141,8 @@ def _rows(left: Array, right: Array, low: Array, high: Array, way: float) -> lis
     s = (left + right) / 2
     fits = (s[None, :] > s[:, None]) & (gap > -0.5 * usual[:, None]) & (gap < NEXT * usual[:, None])
     fits &= abs(down) < 0.55 * usual[:, None] + ASLANT * numpy.maximum(gap, 0)
+    letter = right - left < LONG * tall
+    fits &= letter[None, :] & letter[:, None]
     fits &= (tall[None, :] < ALIKE * tall[:, None]) & (tall[:, None] < ALIKE * tall[None, :])
     cost = numpy.where(fits, numpy.maximum(gap, 0) + 2 * abs(down), numpy.inf)
     after, before = cost.argmin(axis=1), cost.argmin(axis=0)
