@@ -25,6 +25,7 @@ SQUARE_MM, LINES_MM = 5.0, 8.0
 AGREEING, OFF = 0.6, 0.12  # the share of clear windows that agree, within that share of a line's distance
 LENSES = numpy.linspace(-0.08, 0.08, 17)
 CERTAIN, LEAST_SLOPE = 4.5, math.tan(math.radians(2.0))  # σ of a tilt that text tells, and how much it must be
+SHARP = math.tan(math.radians(3.0))  # σ of a tilt that text says is little
 A_SHAPE, NEAR_SHAPE, A4_MM = math.sqrt(2), 0.03, (297.0, 210.0)
 
 
@@ -138,7 +139,8 @@ def _by_text(grey: Greys, focal: float) -> SheetView | None:
         return None
     if held.sure < CERTAIN or abs(held.slopes) < LEAST_SLOPE:
         left = [math.hypot(1, (held.slopes * way.conjugate()).real / abs(way) ** 2) * way for way in held.loose]
-        held = CameraTilt(0j, (left[0], left[1]), held.turn)
+        known = max(abs(way) for way in left) < SHARP
+        held = CameraTilt(0j, (left[0], left[1]) if known else UNTOLD.loose, held.turn)
     return by_tilt(grey, held, focal, "text")
 
 
