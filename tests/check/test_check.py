@@ -264,7 +264,7 @@ def test_another_drawing_is_unreadable() -> None:
         check(asked("speed"), paper)
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("mu_told", [True, False], ids=["", "without-mu"])
 @pytest.mark.parametrize("first", range(2))
 def test_confusion_table(capsys: pytest.CaptureFixture[str], mu_told: bool, first: int) -> None:

@@ -131,7 +131,7 @@ ANEW = (
 )
 
 
-@pytest.mark.few(0, slow=4)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("sample", "plan", "verdict"), ANEW)
 def test_a_right_picture_saved_anew_is_right_by_its_arrowheads(
     sample: str, plan: str, verdict: str, tmp_path: Path

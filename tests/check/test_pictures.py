@@ -79,7 +79,7 @@ def test_a_vector_that_is_none_of_the_plan_s_is_told_of(tmp_path: Path) -> None:
     assert notes == [[], ["check_strangers"]]
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("first", range(2))
 @pytest.mark.parametrize(("camera", "most"), [(SCAN, 0.3), (PHONE, 0.6)], ids=["scan", "phone"])
 def test_marks_are_read_where_they_were_put(camera: Camera, most: float, first: int, tmp_path: Path) -> None:
@@ -191,7 +191,7 @@ def test_the_frame_tells_the_format() -> None:
             assert ratio == pytest.approx((size[0] - 25) / (size[1] - 10), rel=0.002)
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("size", "camera"),
     [("A4", SCAN), ("A3", replace(SCAN, dpi=150)), ("A3", replace(PHONE, dpi=150))],
@@ -234,7 +234,7 @@ def photo_of(what: str) -> Any:
     return cv2.resize(small, (1300, 900), interpolation=cv2.INTER_CUBIC).astype(np.uint8)  # a landscape, say
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("plan", ["velocity", "force:2-3"])
 @pytest.mark.parametrize("what", ["empty sheet", "10 000 lines", "hatching", "landscape"])
 def test_what_is_no_plan_is_said_to_be_none(
@@ -253,8 +253,7 @@ def test_what_is_no_plan_is_said_to_be_none(
         assert len(told.err.strip().splitlines()) == 1
 
 
-@pytest.mark.slow
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("plan", ["velocity", "acceleration"])
 def test_another_scene_is_unreadable(plan: str, tmp_path: Path) -> None:
     asked = Asked(confusion.bench("six-link", plan).asked.scene, plan, mu=confusion.bench("six-link", plan).said_mu)
@@ -365,7 +364,7 @@ def test_pixels_of_a_bent_picture_are_found_on_the_sheet() -> None:
     assert abs(flat.place(complex(seen.real * k, (SHEET_MM[1] - seen.imag) * k)) - place) < 0.3
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     "inks", [(0.2, 1.2, 2.2), (0.5, 2.9, 3.8), (3.9, 2.9, 0.4)], ids=["blue", "dark blue", "dark orange"]
 )
@@ -388,7 +387,7 @@ def test_what_is_drawn_in_colour_does_not_fade() -> None:
     assert np.array_equal(plainest(cv2, colour), cv2.cvtColor(colour, cv2.COLOR_BGR2GRAY))
 
 
-@pytest.mark.few(0, slow=1)
+@pytest.mark.long
 @pytest.mark.parametrize("first", range(2))
 def test_a_small_corpus(first: int) -> None:
     """Shares of right drawings accepted and of mistakes found, blamed and named; ``picture_corpus`` counts them all."""

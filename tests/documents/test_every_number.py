@@ -101,7 +101,7 @@ def rows_of_sheets(path: Path) -> Iterator[list[str]]:
             yield from (texts[k:] for k in range(len(texts)))
 
 
-@pytest.mark.few(1, slow=30)
+@pytest.mark.few(1, slow=20)
 @pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
 def test_each_number_is_that_of_the_results(path: Path) -> None:
     scene = load(str(path))
@@ -129,7 +129,7 @@ def test_each_number_is_that_of_the_results(path: Path) -> None:
         assert true is None or abs(abs(one.value) - abs(true)) <= 1.02 * one.off, (one, true)
 
 
-@pytest.mark.few(0, slow=10)
+@pytest.mark.few(0, slow=6)
 @pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
 def test_each_row_of_a_sheet_is_that_of_the_results(path: Path) -> None:
     scene = load(str(path))

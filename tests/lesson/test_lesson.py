@@ -168,7 +168,7 @@ def test_the_tape_of_a_page_draws_what_is_solved(path: Path) -> None:
     assert drawn
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=15)
 @pytest.mark.parametrize("path", [*SAMPLES, *HIGHER], ids=[*NAMES, *(p.stem for p in HIGHER)])
 def test_a_page_with_other_numbers_draws_what_is_solved_with_them(path: Path) -> None:
     """Every number a reader may change, changed at once: against the mechanism stated anew with them, and drawn."""

@@ -48,14 +48,14 @@ def clashes(sheet):
     return [c for c in found if " lies on 'line of text" not in c]
 
 
-@pytest.mark.few(1, slow=12)
+@pytest.mark.few(1, slow=8)
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_nothing_overlaps_and_nothing_leaves_the_frame(name, lang):
     assert clashes(sheet(name, lang)) == []
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=10)
 @pytest.mark.parametrize("name", NAMES)
 def test_bars_and_underlines_cross_no_letter(name):
     found = sheet(name)
@@ -89,7 +89,7 @@ def test_views_keep_their_distance(name):
             assert apart > GAP_MM - 1e-6 or {a, b} == set(found.paper.taken)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=10)
 @pytest.mark.parametrize("name", NAMES)
 def test_every_letter_has_a_glyph(name):
     for lang in ("ru", "en"):

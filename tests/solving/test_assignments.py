@@ -151,7 +151,7 @@ def test_all_variants_against_the_independent_solver(path: Path) -> None:
         assert not wrong, (where, wrong)
 
 
-@pytest.mark.few(2, slow=20)
+@pytest.mark.few(2, slow=12)
 @pytest.mark.parametrize("path", FILES, ids=[p.stem for p in FILES])
 def test_the_table_of_all_positions_lists_what_is_not_in_full(path: Path) -> None:
     lines = lines_of((str(path), "en", None))
