@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from itertools import pairwise
 from pathlib import Path
@@ -16,7 +17,7 @@ from planes.check.vision.image.picture import PX_PER_MM, Flat  # noqa: E402
 from planes.check.vision.marks.places import Seen, sheet_of  # noqa: E402
 from planes.check.vision.match.match_force import start_of, vectors_on  # noqa: E402
 from planes.check.vision.search.ink_cover import InkCover  # noqa: E402
-from planes.check.vision.search.polygon_cover import LaidChain  # noqa: E402
+from planes.check.vision.search.polygon_cover import Joint, LaidChain  # noqa: E402
 from planes.check.vision.search.polygon_search import SoughtPolygon  # noqa: E402
 from planes.check.vision.strokes.heads import one_ink  # noqa: E402
 from planes.check.vision.strokes.line_fitting import Tip  # noqa: E402
@@ -102,6 +103,33 @@ def test_a_line_that_ends_on_the_printed_letter_is_not_said_to_go_on(by: str, on
     seen.ink.flat.by = by
     sought = SoughtPolygon(InkCover(seen, pole, [40 * way]), Place(pole, 0.1, frozenset()), {})
     assert sought._goes_on(start, LaidChain(0.0, [("F", start, 0.1)])) is on
+
+
+def test_a_place_misread_tells_but_once_against_the_vectors_that_meet_there() -> None:
+    """Read a millimetre too far, half a millimetre surely, where a hand errs by a quarter: the next vector should end a
+    fifth of a millimetre from where it would if nothing was misread, not a whole one."""
+    start, v, misread = Joint(10 + 0j), 7 + 0j, 18 + 0j
+    joint = start.after(start.z + v, (2.0, misread, 0.5, False), 0.25)
+    assert joint.z + joint.off == pytest.approx(17.2) and joint.loose == pytest.approx(
+        0.5 * 0.25 / math.hypot(0.5, 0.25)
+    )
+    sure = start.after(start.z + v, (2.0, misread, 0.01, False), 0.25)
+    assert abs(sure.off) < 0.01 and sure.loose < 0.02
+    nothing = joint.after(joint.z + joint.off, (0.0, misread, 0.3, True), 0.25)
+    assert nothing.z + nothing.off == pytest.approx(17.2)
+
+
+def test_heads_upon_each_other_that_are_not_seen_cost_once() -> None:
+    """Two vectors come to one place the same way, a third from the other side; no head is there."""
+    a, b = 30 + 50j, 80 + 50j
+    seen = sheet_of(sheet([(a, b), (b, 110 + 50j), (a, a + 30j)], [(a, a + 30j)]))
+    assert seen is not None
+    ink = InkCover(seen, a, [50 + 0j])
+    sought, chain = SoughtPolygon(ink, Place(a, 0.1, frozenset()), {}), LaidChain(0.0, [("F", b, 0.1), ("G", a, 0.1)])
+    bare, other = ink.bare(a, b), ink.bare(110 + 50j, b)
+    assert ink.headed and bare > 2 and other > 2
+    assert sought._longer(chain, a, 0.0, ("H", b, 0.1)).cost == pytest.approx(0.0)
+    assert sought._longer(chain, 110 + 50j, 0.0, ("H", b, 0.1)).cost == pytest.approx(other)
 
 
 @pytest.mark.slow

@@ -1,17 +1,19 @@
 """Ways a force polygon may have been drawn: rightly, or with a mistake of the catalogue; as vectors by name."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import Self
+from typing import NamedTuple, Self
 
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
 from planes.check.vision.marks.handwritten import HandWords
-from planes.check.vision.marks.places import Seen
+from planes.check.vision.marks.places import Seen, rounded
 from planes.check.vision.marks.print_scale import seen_from
 from planes.check.vision.search.costs import slip
 from planes.check.vision.search.ink_cover import COVERED
@@ -22,6 +24,27 @@ from planes.words.names import POLE, at, label_of, links_of, plan_of
 NOTHING_MM, NAMED_MM = 0.3, 3.0  # a shorter vector is not drawn; one so long has a name
 WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet
 TURNED = 0.01  # the sine of the angle by which lines of a reaction differ on paper
+ASLANT = 0.1  # of vectors whose heads would lie upon each other
+
+End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
+
+
+class Joint(NamedTuple):
+    """Where two vectors meet: the place, how far from it the person likelier has it, and the σ of that, mm."""
+
+    z: complex
+    off: complex = 0j
+    loose: float = 0.0
+
+    def after(self, goal: complex, end: End, drawn: float) -> Joint:
+        """The end of a vector from here that should be at a goal, which a hand misses by ``drawn`` (σ): as the start of
+        the next, so that where it was misread that tells against both vectors but once."""
+        _, z, sigma, hidden = end
+        drawn = math.hypot(drawn, self.loose)
+        if hidden:
+            return Joint(z, goal - z, math.hypot(self.loose, sigma))
+        share = sigma**2 / (sigma**2 + drawn**2)
+        return Joint(z, rounded(share * (goal - z)), round(math.sqrt(share) * drawn, 1))
 
 
 @dataclass(frozen=True)
@@ -62,6 +85,11 @@ class LaidChain:
     def routes(self, pole: complex) -> list[tuple[complex, complex]]:
         """Where its vectors run, from a pole."""
         return list(pairwise([pole, *(z for _, z, _ in self.rows)]))
+
+    def upon(self, a: complex, b: complex, pole: complex) -> list[tuple[complex, complex]]:
+        """Its vectors that end where one from a to b does, and point as that does."""
+        turned = ((way, (way[1] - way[0]) * (b - a).conjugate()) for way in self.routes(pole) if way[1] == b)
+        return [way for way, turn in turned if abs(turn.imag) < ASLANT * turn.real]
 
     def vectors(self, pole: complex) -> dict[str, complex]:
         """Its vectors by name."""

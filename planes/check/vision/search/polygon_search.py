@@ -18,7 +18,7 @@ from planes.check.grading.handwork import Miss
 from planes.check.vision.marks.places import HEADED_MM
 from planes.check.vision.search.costs import DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
 from planes.check.vision.search.ink_cover import COVERED, OTHER_HEAD, PER_MM, STEP_MM, InkCover
-from planes.check.vision.search.polygon_cover import NOTHING_MM, Guess, LaidChain
+from planes.check.vision.search.polygon_cover import NOTHING_MM, End, Guess, Joint, LaidChain
 from planes.check.vision.strokes.drawn_lines import crossing, on
 from planes.check.vision.strokes.line_places import END_MM, Place
 
@@ -36,8 +36,6 @@ MOST_STEPS = 1500
 MOST_OF_ALL = 60_000  # steps of all ways together; a polygon of six vectors takes some two thousand
 MANY, MOST_OF_MANY = 11, 2_000  # sides of a polygon that is first read in its own order; steps in any other one
 
-End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
-
 
 @dataclass
 class SoughtPolygon:
@@ -52,7 +50,7 @@ class SoughtPolygon:
     most: float = 0.0
     known: dict[tuple[frozenset[str], complex], list[LaidChain]] = field(default_factory=dict)
     ways: dict[tuple[complex, complex], float] = field(default_factory=dict)
-    ends: dict[tuple[str, complex, complex, float], list[End]] = field(default_factory=dict)
+    ends: dict[tuple[str, complex, Joint], list[End]] = field(default_factory=dict)
 
     @cached_property
     def ended(self) -> list[Place]:
@@ -87,7 +85,7 @@ class SoughtPolygon:
         self.best, self.most, self.steps = None, most, 0
         self.known.clear()
         if not self.endless:
-            self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), self.pole.z, 0.0)
+            self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), Joint(self.pole.z))
         self.taken += self.steps
         return self.best
 
@@ -96,26 +94,29 @@ class SoughtPolygon:
         """Whether there are more ways to lay it than can be tried, so that none is surely the best."""
         return self.taken > (MOST_OF_ALL if len(self.spread) < MANY else MOST_OF_MANY)
 
-    def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, z: complex, loose: float) -> None:
+    def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, start: Joint) -> None:
         """Every order of the known vectors that the ink allows, the likeliest first, then the closing ones."""
         self.steps += 1
-        if chain.cost >= self.most or self.steps > MOST_STEPS or self._outdone(frozenset(left), chain, z):
+        if chain.cost >= self.most or self.steps > MOST_STEPS or self._outdone(frozenset(left), chain, start.z):
             return
         if not left:
             for order in permutations(guess.closing):
-                self._lay_closing(guess, order, chain, z)
-        ways = list[tuple[float, str, LaidChain, float]]()
+                self._lay_closing(guess, order, chain, start.z)
+        ways = list[tuple[float, str, LaidChain, Joint]]()
         for name, v in left.items():
-            for price, place, sigma, hidden in self._ends(guess, name, v, z, loose):
+            for end in self._ends(guess, name, v, start):
+                price, place, sigma, hidden = end
                 if chain.cost + price >= self.most:
                     continue
                 unseen = (*chain.hidden, name) if hidden and abs(v) > NOTHING_MM else chain.hidden
-                longer = self._longer(chain, z, price, (name, place, sigma), unseen)
+                longer = self._longer(chain, start.z, price, (name, place, sigma), unseen)
                 gained = PER_MM * STEP_MM * (longer.steps & ~chain.steps).bit_count()
-                ways.append((longer.cost - gained, name, longer, math.hypot(loose, sigma) if hidden else 0.0))
-        for _, name, longer, now in sorted(ways, key=lambda way: way[0]):
+                goal = place if name == guess.free else start.z + start.off + v
+                joint = start.after(goal, end, self.spread[name].mean)
+                ways.append((longer.cost - gained, name, longer, joint))
+        for _, name, longer, joint in sorted(ways, key=lambda way: way[0]):
             rest = {n: w for n, w in left.items() if n != name}
-            self._lay_known(guess, rest, longer, longer.rows[-1][1], now)
+            self._lay_known(guess, rest, longer, joint)
 
     def _outdone(self, left: frozenset[str], chain: LaidChain, z: complex) -> bool:
         """Whether the same place was come to more cheaply, even with all ink and heads this way alone accounts for."""
@@ -135,24 +136,30 @@ class SoughtPolygon:
     ) -> LaidChain:
         """The chain with one more vector, from z."""
         steps, heads = self.ink.along(z, row[1])
-        cost = chain.cost + price + self.ink.bare(z, row[1]) + self.ink.words.price(row[0], z, row[1])
+        bare = self.ink.bare(z, row[1])
+        if bare:  # heads that would lie upon each other are unseen for one cause
+            upon = (self.ink.bare(*way) for way in chain.upon(z, row[1], self.pole.z))
+            bare = max(bare - max(upon, default=0.0), 0.0)
+        cost = chain.cost + price + bare + self.ink.words.price(row[0], z, row[1])
         return LaidChain(cost, [*chain.rows, row], hidden or chain.hidden, chain.steps | steps, chain.heads | heads)
 
-    def _ends(self, guess: Guess, name: str, v: complex, z: complex, loose: float) -> list[End]:
-        """Where a vector from z may end, the likeliest first (remembered)."""
+    def _ends(self, guess: Guess, name: str, v: complex, start: Joint) -> list[End]:
+        """Where a vector from a place may end, the likeliest first (remembered)."""
+        z = start.z
         if name == guess.free:
             free = [p for p in self.ended if not p.doubtful and abs(p.z - z) > 2]
             free = [p for p in free if self.covered(z, p.z) > COVERED]
             return [(VAGUE * p.sigma, p.z, p.sigma, False) for p in sorted(free, key=lambda p: p.sigma)]
         if abs(v) < NOTHING_MM:
             return [(0.0, z + v, NOTHING_MM, True)]
-        if (key := (name, v, z, loose)) not in self.ends:
+        if (key := (name, v, start)) not in self.ends:
             self.ends[key] = self._ends_near(*key)
         return self.ends[key]
 
-    def _ends_near(self, name: str, v: complex, z: complex, loose: float) -> list[End]:
-        goal, found = z + v, list[End]()
-        near = [*self.ink.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, self.ink.seen.closer(z, goal)]
+    def _ends_near(self, name: str, v: complex, start: Joint) -> list[End]:
+        z, off, loose = start
+        goal, found = z + off + v, list[End]()
+        near = [*self.ink.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, self.ink.seen.closer(z, z + v)]
         for p in filter(None, near):
             sigmas = sigmas_of(p.z - goal, self.spread[name], math.hypot(p.sigma, loose))
             bare = 0.0 if abs(v) < 2 else COVERED - self.covered(z, p.z) if sigmas < GATE else 1.0
