@@ -25,7 +25,7 @@ from planes.check.vision.strokes.line_places import Place  # noqa: E402
 from planes.check.vision.strokes.lone_heads import LoneHeads  # noqa: E402
 from tests import confusion  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
-from tests.confusion import easel  # noqa: E402
+from tests.confusion import easel, possible  # noqa: E402
 from tests.helpers.drawings import Mistake  # noqa: E402
 from tests.helpers.photographs import SCAN  # noqa: E402
 
@@ -144,6 +144,19 @@ def test_what_letters_alone_tell_of_forces_in_one_line_is_not_said(seed: int, tm
     found = corpus.looked_at(one, file)[0]
     assert found.verdict != "right"
     assert found.verdict != "right_as_seen" or "G_5" in found.unseen
+
+
+@pytest.mark.slow
+def test_a_long_force_among_others_of_one_line_whose_end_nothing_shows_is_told(tmp_path: Path) -> None:
+    """A force of inertia drawn twice as long: its head and the next one's, back to back, are none that is seen."""
+    one, rng, file = easel("assignment-12", "force:4-5"), random.Random("1009 11"), tmp_path / "p.jpg"
+    alike = ("mass_for_weight", "weight_missing", "force_missing", "force_doubled")
+    mistake = rng.choice([m for m in possible(one) if m.name.partition(":")[0] in alike])
+    drawn = corpus.drawn(one, mistake, rng)
+    assert drawn is not None and (mistake.name, mistake.where) == ("force_doubled", "I_5")
+    corpus.picture(drawn, corpus.pole_of(one), corpus.KINDS[rng.choice(list(corpus.KINDS))](rng), rng, file)
+    found = corpus.looked_at(one, file)[0]
+    assert found.verdict != "right" and "I_5" in found.unseen
 
 
 @pytest.mark.slow

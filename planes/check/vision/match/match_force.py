@@ -13,7 +13,7 @@ from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.marks.handwritten import words_on
-from planes.check.vision.marks.places import Seen, pole_on
+from planes.check.vision.marks.places import HEADED_MM, Seen, pole_on
 from planes.check.vision.marks.print_scale import UNLIKELY, by_ruler, likely_shares
 from planes.check.vision.match.match_in_order import read_in_order
 from planes.check.vision.search.costs import ANYWHERE
@@ -95,12 +95,14 @@ class LaidPolygon:
         return chain.cost + self.unlikely
 
     def untold(self) -> tuple[str, ...]:
-        """Known vectors, rightly laid, that some mistake puts elsewhere and explains the ink nearly as well."""
+        """Known vectors, rightly laid, that some mistake puts elsewhere and explains the ink nearly as well; where all lie
+        in one line those, too, that are so long that they have heads, and whose ends nothing shows."""
         if self.plain is None:
             return ()
-        pole, found = self.polygon.pole.z, set[str]()
+        pole = self.polygon.pole.z
         drawn = self.plain.vectors(pole)
         straight = in_line([*drawn.values()])
+        found = {n for n in self.plain.hidden if straight and abs(drawn[n]) > HEADED_MM}
         for guess in self.wrong:
             most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if straight else RIVAL)
             rival = self.polygon.lay(guess, most) if guess.cost < most and guess.differs(self.right, APART_MM) else None
