@@ -95,8 +95,8 @@ class LaidPolygon:
         return chain.cost + self.unlikely
 
     def untold(self) -> tuple[str, ...]:
-        """Known vectors, rightly laid, that some mistake puts elsewhere and explains the ink nearly as well; where all lie
-        in one line those, too, that are so long that they have heads, and whose ends nothing shows."""
+        """Known vectors, rightly laid, that some mistake puts elsewhere and explains the ink nearly as well; where all
+        lie in one line those, too, that are so long that they have heads, and whose ends nothing shows."""
         if self.plain is None:
             return ()
         pole = self.polygon.pole.z

@@ -30,7 +30,8 @@ End = tuple[float, complex, float, bool]  # where a vector may end: its price, t
 
 
 class Joint(NamedTuple):
-    """Where two vectors meet: the place, how far from it the person likelier has it, and the σ of that, mm."""
+    """Where two vectors meet: the place, how far from it the person likelier has it, and the σ of that (both to a tenth
+    of a millimetre, so that what starts there can be remembered), mm."""
 
     z: complex
     off: complex = 0j
@@ -43,6 +44,8 @@ class Joint(NamedTuple):
         drawn = math.hypot(drawn, self.loose)
         if hidden:
             return Joint(z, goal - z, math.hypot(self.loose, sigma))
+        if sigma < drawn:
+            return Joint(z)  # it is where it is read
         share = sigma**2 / (sigma**2 + drawn**2)
         return Joint(z, rounded(share * (goal - z)), round(math.sqrt(share) * drawn, 1))
 
