@@ -16,7 +16,7 @@ from planes.check.vision.image.picture import PX_PER_MM, Flat  # noqa: E402
 from planes.check.vision.marks.places import Seen, sheet_of  # noqa: E402
 from planes.check.vision.match.match_force import start_of, vectors_on  # noqa: E402
 from planes.check.vision.search.ink_cover import InkCover  # noqa: E402
-from planes.check.vision.search.polygon_cover import Joint, LaidChain  # noqa: E402
+from planes.check.vision.search.polygon_cover import LaidChain, PolygonCorner  # noqa: E402
 from planes.check.vision.search.polygon_search import SoughtPolygon  # noqa: E402
 from planes.check.vision.strokes.heads import one_ink  # noqa: E402
 from planes.check.vision.strokes.line_fitting import Tip  # noqa: E402
@@ -107,12 +107,12 @@ def test_a_line_that_ends_on_the_printed_letter_is_not_said_to_go_on(by: str, on
 def test_a_place_misread_tells_but_once_against_the_vectors_that_meet_there() -> None:
     """Read a millimetre too far, half a millimetre surely, where a hand errs by a quarter: the next vector should end a
     fifth of a millimetre from where it would if nothing was misread, not a whole one."""
-    start, v, misread = Joint(10 + 0j), 7 + 0j, 18 + 0j
-    joint = start.after(start.z + v, (2.0, misread, 0.5, False), 0.25)
-    assert joint.z + joint.off == pytest.approx(17.2) and joint.loose == 0.2
+    start, v, misread = PolygonCorner(10 + 0j), 7 + 0j, 18 + 0j
+    corner = start.after(start.z + v, (2.0, misread, 0.5, False), 0.25)
+    assert corner.z + corner.off == pytest.approx(17.2) and corner.loose == 0.2
     sure = start.after(start.z + v, (2.0, misread, 0.01, False), 0.25)
     assert abs(sure.off) < 0.01 and sure.loose < 0.02
-    nothing = joint.after(joint.z + joint.off, (0.0, misread, 0.3, True), 0.25)
+    nothing = corner.after(corner.z + corner.off, (0.0, misread, 0.3, True), 0.25)
     assert nothing.z + nothing.off == pytest.approx(17.2)
 
 

@@ -29,7 +29,7 @@ ASLANT = 0.1  # of vectors whose heads would lie upon each other
 End = tuple[float, complex, float, bool]  # where a vector may end: its price, the place, its σ, whether it is hidden
 
 
-class Joint(NamedTuple):
+class PolygonCorner(NamedTuple):
     """Where two vectors meet: the place, how far from it the person likelier has it, and the σ of that (both to a tenth
     of a millimetre, so that what starts there can be remembered), mm."""
 
@@ -37,17 +37,17 @@ class Joint(NamedTuple):
     off: complex = 0j
     loose: float = 0.0
 
-    def after(self, goal: complex, end: End, drawn: float) -> Joint:
+    def after(self, goal: complex, end: End, drawn: float) -> PolygonCorner:
         """The end of a vector from here that should be at a goal, which a hand misses by ``drawn`` (σ): as the start of
         the next, so that where it was misread that tells against both vectors but once."""
         _, z, sigma, hidden = end
         drawn = math.hypot(drawn, self.loose)
         if hidden:
-            return Joint(z, goal - z, math.hypot(self.loose, sigma))
+            return PolygonCorner(z, goal - z, math.hypot(self.loose, sigma))
         if sigma < drawn:
-            return Joint(z)  # it is where it is read
+            return PolygonCorner(z)  # it is where it is read
         share = sigma**2 / (sigma**2 + drawn**2)
-        return Joint(z, rounded(share * (goal - z)), round(math.sqrt(share) * drawn, 1))
+        return PolygonCorner(z, rounded(share * (goal - z)), round(math.sqrt(share) * drawn, 1))
 
 
 @dataclass(frozen=True)

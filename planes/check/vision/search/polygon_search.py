@@ -18,7 +18,7 @@ from planes.check.grading.handwork import Miss
 from planes.check.vision.marks.places import HEADED_MM
 from planes.check.vision.search.costs import DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
 from planes.check.vision.search.ink_cover import COVERED, OTHER_HEAD, PER_MM, STEP_MM, InkCover
-from planes.check.vision.search.polygon_cover import NOTHING_MM, End, Guess, Joint, LaidChain
+from planes.check.vision.search.polygon_cover import NOTHING_MM, End, Guess, LaidChain, PolygonCorner
 from planes.check.vision.strokes.drawn_lines import crossing, on
 from planes.check.vision.strokes.line_places import END_MM, Place
 
@@ -50,7 +50,7 @@ class SoughtPolygon:
     most: float = 0.0
     known: dict[tuple[frozenset[str], complex], list[LaidChain]] = field(default_factory=dict)
     ways: dict[tuple[complex, complex], float] = field(default_factory=dict)
-    ends: dict[tuple[str, complex, Joint], list[End]] = field(default_factory=dict)
+    ends: dict[tuple[str, complex, PolygonCorner], list[End]] = field(default_factory=dict)
 
     @cached_property
     def ended(self) -> list[Place]:
@@ -85,7 +85,7 @@ class SoughtPolygon:
         self.best, self.most, self.steps = None, most, 0
         self.known.clear()
         if not self.endless:
-            self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), Joint(self.pole.z))
+            self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), PolygonCorner(self.pole.z))
         self.taken += self.steps
         return self.best
 
@@ -94,7 +94,7 @@ class SoughtPolygon:
         """Whether there are more ways to lay it than can be tried, so that none is surely the best."""
         return self.taken > (MOST_OF_ALL if len(self.spread) < MANY else MOST_OF_MANY)
 
-    def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, start: Joint) -> None:
+    def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, start: PolygonCorner) -> None:
         """Every order of the known vectors that the ink allows, the likeliest first, then the closing ones."""
         self.steps += 1
         if chain.cost >= self.most or self.steps > MOST_STEPS or self._outdone(frozenset(left), chain, start.z):
@@ -102,7 +102,7 @@ class SoughtPolygon:
         if not left:
             for order in permutations(guess.closing):
                 self._lay_closing(guess, order, chain, start.z)
-        ways = list[tuple[float, str, LaidChain, Joint]]()
+        ways = list[tuple[float, str, LaidChain, PolygonCorner]]()
         for name, v in left.items():
             for end in self._ends(guess, name, v, start):
                 price, place, sigma, hidden = end
@@ -112,11 +112,11 @@ class SoughtPolygon:
                 longer = self._longer(chain, start.z, price, (name, place, sigma), unseen)
                 gained = PER_MM * STEP_MM * (longer.steps & ~chain.steps).bit_count()
                 goal = place if name == guess.free else start.z + start.off + v
-                joint = start.after(goal, end, self.spread[name].mean)
-                ways.append((longer.cost - gained, name, longer, joint))
-        for _, name, longer, joint in sorted(ways, key=lambda way: way[0]):
+                corner = start.after(goal, end, self.spread[name].mean)
+                ways.append((longer.cost - gained, name, longer, corner))
+        for _, name, longer, corner in sorted(ways, key=lambda way: way[0]):
             rest = {n: w for n, w in left.items() if n != name}
-            self._lay_known(guess, rest, longer, joint)
+            self._lay_known(guess, rest, longer, corner)
 
     def _outdone(self, left: frozenset[str], chain: LaidChain, z: complex) -> bool:
         """Whether the same place was come to more cheaply, even with all ink and heads this way alone accounts for."""
@@ -143,7 +143,7 @@ class SoughtPolygon:
         cost = chain.cost + price + bare + self.ink.words.price(row[0], z, row[1])
         return LaidChain(cost, [*chain.rows, row], hidden or chain.hidden, chain.steps | steps, chain.heads | heads)
 
-    def _ends(self, guess: Guess, name: str, v: complex, start: Joint) -> list[End]:
+    def _ends(self, guess: Guess, name: str, v: complex, start: PolygonCorner) -> list[End]:
         """Where a vector from a place may end, the likeliest first (remembered)."""
         z = start.z
         if name == guess.free:
@@ -156,7 +156,7 @@ class SoughtPolygon:
             self.ends[key] = self._ends_near(*key)
         return self.ends[key]
 
-    def _ends_near(self, name: str, v: complex, start: Joint) -> list[End]:
+    def _ends_near(self, name: str, v: complex, start: PolygonCorner) -> list[End]:
         z, off, loose = start
         goal, found = z + off + v, list[End]()
         near = [*self.ink.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, self.ink.seen.closer(z, z + v)]
