@@ -23,6 +23,7 @@ from planes.words.units import RATES
 
 T = TypeVar("T")
 FLIP = 90.0  # degrees a link cannot turn by from one place to the next
+CLOSINGS, HALVES = 11, (8, 4, 2, 1)  # a limit is closed in on so often, each time by so many of 16 parts
 ROUNDING = 1e-13  # what is left of numbers that cancel, beside them
 
 
@@ -166,15 +167,18 @@ class Grid:
     def limits(self) -> tuple[tuple[int, float], ...]:
         """Limits of assembly: the last working place of the grid beside each, and the limit itself (to 10⁻¹²)."""
         inside = np.flatnonzero(self.works[1:] != self.works[:-1])
-        good = np.where(self.works[inside], inside, inside + 1)
-        low = self.places[good].copy()
-        high = self.places[np.where(self.works[inside], inside + 1, inside)].copy()
+        good, every = np.where(self.works[inside], inside, inside + 1), np.arange(len(inside))
+        low, high = self.places[good], self.places[np.where(self.works[inside], inside + 1, inside)]
         if not len(inside):
             return ()
-        for _ in range(44):
-            middle = (low + high) / 2
-            ok = _assembled(self.turn.sample(middle, bare=True), middle)
-            low, high = np.where(ok, middle, low), np.where(ok, high, middle)
+        for _ in range(CLOSINGS):
+            places, last = np.stack([low, high]), np.zeros(len(inside), int)
+            for _ in HALVES:
+                places = np.insert(places, np.arange(1, len(places)), (places[:-1] + places[1:]) / 2, axis=0)
+            ok = _assembled(self.turn.sample(flat := places[:-1].ravel(), bare=True), flat).reshape(-1, len(inside))
+            for step in HALVES:
+                last += step * ok[last + step, every]
+            low, high = places[last, every], places[last + 1, every]
         return tuple((int(i), float(z)) for i, z in zip(good, low, strict=True))
 
     @cached_property

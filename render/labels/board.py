@@ -36,7 +36,8 @@ class Board:
     """The candidates of all labels, the one each has chosen, and what the choices cost.
 
     The candidates of all labels stand in one list, those of label k at ``rows[k]``.  What a candidate does to the
-    others is found out once, when it is first chosen; ``clashes`` and ``near`` count what all chosen ones do.
+    others is found out once, when it is first chosen; ``clashes`` (labels, candidates) tells how often the place of
+    each label clashes with every candidate, and ``near`` whether it stands close to that.
     """
 
     def __init__(self, labels: Sequence[Label], around: Surroundings) -> None:
@@ -53,19 +54,10 @@ class Board:
         self.everywhere, self.static = Everywhere(union(self.options)), np.concatenate(self.costs)
         ends = np.cumsum([0, *map(len, self.costs)]).tolist()
         self.rows = [slice(*two) for two in pairwise(ends)]
+        self.clashes, self.near = (np.zeros((len(self.labels), ends[-1]), kind) for kind in (np.int16, np.bool_))
         self.effects: dict[tuple[int, int], Effect] = {}
-        self.clashes, self.near = np.zeros(ends[-1], np.intp), np.zeros(ends[-1], np.intp)
-        for k in self.chosen:
-            self._count(k, 1)
-
-    def _count(self, k: int, sign: int) -> None:
-        """Count what the place of label k does to the candidates of all others, or take it away."""
-        option = self.chosen[k]
-        if (k, option) not in self.effects:
-            self.effects[k, option] = self.everywhere.effect(self.rows[k].start + option, self.rows[k])
-        effect = self.effects[k, option]
-        self.clashes[effect.clashing] += sign * effect.clashes
-        self.near[effect.near] += sign
+        for k, option in self.chosen.items():
+            self._take(k, option)
 
     def _strays(self, k: int) -> Booleans:
         """Which candidates of label k stand nearer to the point of another label than to their own."""
@@ -83,15 +75,21 @@ class Board:
         for k in sorted(range(len(self.labels)), key=lambda k: (-self.labels[k].priority, free[k], k)):
             self._take(k, int(np.argmin(self.cost(self.rows[k]))))
 
-    def cost(self, rows: slice | Indices) -> Array:
-        """What candidates cost among the present places of the other labels."""
-        return self.static[rows] + HARD * self.clashes[rows] + CLOSE * (self.near[rows] > 0)
+    def cost(self, rows: slice | Indices, but: int | None = None) -> Array:
+        """What candidates cost among the present places of the other labels, or of those but one."""
+        clashes, near = self.clashes[:, rows], self.near[:, rows]
+        if but is not None:
+            clashes, near = np.delete(clashes, but, axis=0), np.delete(near, but, axis=0)
+        found: Array = self.static[rows] + HARD * clashes.sum(axis=0) + CLOSE * near.any(axis=0)
+        return found
 
     def _take(self, k: int, option: int) -> None:
-        if k in self.chosen:
-            self._count(k, -1)
-        self.chosen[k] = option
-        self._count(k, 1)
+        """Let label k stand at a place."""
+        if (k, option) not in self.effects:
+            self.effects[k, option] = self.everywhere.effect(self.rows[k].start + option, self.rows[k])
+        effect, self.chosen[k] = self.effects[k, option], option
+        self.clashes[k], self.near[k] = 0, False
+        self.clashes[k, effect.clashing], self.near[k, effect.near] = effect.clashes, True
 
     def places(self) -> Indices:
         """Where the chosen places of all labels stand in the list of candidates."""
@@ -119,7 +117,7 @@ class Board:
         free = np.argsort(self.costs[k], kind="stable")
         free = free[self.costs[k][free] < HARD]
         places = self.options[k].some(free)
-        struck = np.column_stack([self._struck(j, k)[free] for j in range(len(self.labels))])
+        struck = (self.clashes[:, self.rows[k].start + free] > 0).T
         first = np.where(struck.any(axis=1), struck.argmax(axis=1), -1).tolist()
         ways = dict[int, Booleans]()
         for at, (option, j) in enumerate(zip(free.tolist(), first, strict=True)):
@@ -137,22 +135,12 @@ class Board:
                 if self.chosen[j] != place:
                     self._take(j, place)
 
-    def _struck(self, j: int, k: int) -> Booleans:
-        """Which places of label k clash with label j where it stands."""
-        clashing, rows = self.effects[j, self.chosen[j]].clashing, self.rows[k]
-        first, last = np.searchsorted(clashing, (rows.start, rows.stop))
-        found = np.zeros(rows.stop - rows.start, dtype=bool)
-        found[clashing[first:last] - rows.start] = True
-        return found
-
     def _gives_way(self, j: int, k: int, places: Candidates) -> Booleans:
         """Which places of label k leave label j one where it overlaps nothing."""
-        self._count(k, -1)
-        rows = np.flatnonzero(self.cost(self.rows[j]) < HARD) + self.rows[j].start
-        near = self.near[rows] > 0
-        self._count(k, 1)
-        clashes, close_by = met(places, self.everywhere.every.some(rows))
-        found: Booleans = ((clashes == 0) & (self.static[rows] + CLOSE * (close_by | near) < HARD)).any(axis=1)
+        rows = np.flatnonzero(self.cost(self.rows[j], k) < HARD) + self.rows[j].start
+        near = np.delete(self.near[:, rows], k, axis=0).any(axis=0)
+        clashes, close = met(places, self.everywhere.every.some(rows))
+        found: Booleans = ((clashes == 0) & (self.static[rows] + CLOSE * (close | near) < HARD)).any(axis=1)
         return found
 
     def _moves(self, k: int) -> bool:
@@ -170,13 +158,17 @@ class Board:
         far = [far_off(self.labels[k], FAR) for k in late]
         times = [self.wide.get(k, 0) for k in late]
         costs = self.around.cheapest(far, [FAR_PLACES[n] for n in times])
-        for k, n, option, cost in zip(late, times, far, costs, strict=True):
+        free = list[Indices]()
+        for k, n, cost in zip(late, times, costs, strict=True):
             best = np.argsort(cost, kind="stable")[FAR_PLACES[n - 1] if n else 0 : FAR_PLACES[n]]
-            free = best[cost[best] < HARD]
-            some = option.some(free)
-            self.options[k] = union([self.options[k], some])
-            self.costs[k] = np.concatenate([self.costs[k], cost[free] + self.around.crossing(some.leaders)])
+            free.append(best[cost[best] < HARD])
             self.wide[k] = n + 1
+        found = [option.some(rows) for option, rows in zip(far, free, strict=True)]
+        crossing = self.around.crossing(np.concatenate([some.leaders for some in found]))
+        crossings = np.split(crossing, np.cumsum(list(map(len, free)))[:-1])
+        for k, some, cost, rows, more in zip(late, found, costs, free, crossings, strict=True):
+            self.options[k] = union([self.options[k], some])
+            self.costs[k] = np.concatenate([self.costs[k], cost[rows] + more])
         self.moves = 0
         self._list()
         return True

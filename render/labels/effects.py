@@ -8,9 +8,11 @@ import numpy as np
 
 from planes.geometry.arrays import Indices
 from render.labels.candidates import APART_MM, BETWEEN, Candidates, met
+from render.labels.nearness import over
 from render.paper.style import LARGER
 
 REACH_MM = max(APART_MM, BETWEEN[0] * max(LARGER.values()))  # how far off a label has anything to do with another
+_AROUND = REACH_MM * np.array([-1.0, -0.5, 1.0, 0.5])
 
 
 class Effect(NamedTuple):
@@ -30,9 +32,7 @@ class Everywhere:
 
     def effect(self, row: int, own: slice) -> Effect:
         """What the place at a row does to all others but its label's ``own``."""
-        left, low, right, top = self.reach
-        reached = (left < right[row] + REACH_MM) & (right > left[row] - REACH_MM)
-        reached &= (low < top[row] + REACH_MM / 2) & (top > low[row] - REACH_MM / 2)
+        reached = over(self.reach, self.reach[:, row] + _AROUND)
         reached[own] = False
         at = np.flatnonzero(reached)
         clashes, near = met(self.every.some(at), self.every.some(np.array([row])))

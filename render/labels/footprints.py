@@ -13,7 +13,7 @@ from render.paper.boxes import box_around
 from render.paper.ink import Polyline, arrow_parts, flattened, is_circle
 from render.paper.marks import Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.style import pen
-from render.paper.typeset import box_of, layout
+from render.paper.typeset import box_of
 
 Bounds = tuple[float, float, float, float]
 """x0, y0, x1, y1 in mm."""
@@ -150,12 +150,19 @@ def meeting(lines: Complexes, others: Complexes) -> Booleans:
     return there
 
 
+def _shrunk(box: Polyline) -> Polyline:
+    """The corners of a box a hair's breadth within it."""
+    along, up = (TOUCH_MM * (z - box[0]) / abs(z - box[0]) for z in (box[1], box[3]))
+    return box[0] + along + up, box[1] - along + up, box[2] - along - up, box[3] + along - up
+
+
 def overprinted(marks: Sequence[Mark]) -> list[str]:
     """Labels that touch another label, or any stroke but their own bars."""
     held = [m for m in marks if not (isinstance(m, Line) and m.layer == "text" and m.name != "leader")]
-    texts = list(dict.fromkeys(m for m in held if isinstance(m, Text) and layout(m).strokes))
+    areas = {m: _parts(m)[2] for m in held if isinstance(m, Text)}
+    texts = [m for m, area in areas.items() if area]
     rest = ink([m for m in held if not isinstance(m, Text)])
-    boxes = shapely.buffer(polygons([box_of(text) for text in texts]), -TOUCH_MM)
+    boxes = polygons([_shrunk(areas[m][0]) for m in texts])
     one, other = shapely.STRtree(boxes).query(boxes, predicate="intersects")
     struck = rest.within(boxes, 0.0)[0].tolist() if len(rest.shapes) and texts else []
     return [texts[k].text for k in sorted({*one[one != other].tolist(), *struck})]

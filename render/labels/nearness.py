@@ -53,8 +53,8 @@ class Edges:
     def _reached(self, boxes: Array, clear: float) -> tuple[Indices, Indices]:
         """Pairs of boxes and edges that may be so near."""
         reach, runs = self._reach(clear), _runs(boxes)
-        run, edge = np.nonzero(_over([side[None] for side in reach], _around(runs)))
-        row, at = np.nonzero(_over([side[edge, None] for side in reach], [side[run] for side in runs]))
+        run, edge = np.nonzero(over([side[None] for side in reach], _around(runs)))
+        row, at = np.nonzero(over([side[edge, None] for side in reach], [side[run] for side in runs]))
         return run[row] * RUN + at, edge[row]
 
     def _counted(self, boxes: Indices, edges: Indices, count: int) -> Indices:
@@ -137,7 +137,7 @@ def _around(runs: Sequence[Array]) -> list[Array]:
     return [lesser(side, axis=1)[:, None] for lesser, side in zip((low, low, high, high), runs, strict=True)]
 
 
-def _over(some: Sequence[Array], others: Sequence[Array]) -> Booleans:
+def over(some: Sequence[Array] | Array, others: Sequence[Array] | Array) -> Booleans:
     """Which boxes overlap which, by broadcasting."""
     found: Booleans = (some[0] <= others[2]) & (others[0] <= some[2]) & (some[1] <= others[3]) & (others[1] <= some[3])
     return found

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import compress
 
 import numpy as np
 import shapely
@@ -18,7 +17,7 @@ CROSSING = 8.0  # cost of a leader's crossing with a stroke
 THROUGH = 80.0  # cost of its going through a text
 BROKEN = 4.0  # cost of a thin line that is broken for a label
 ROOM_MM = 1.3
-AHEAD = 2  # candidates looked at first, for each that is wanted
+TOGETHER = 160  # candidates of a label looked at together
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 
 
@@ -44,23 +43,16 @@ class Surroundings:
 
     def cheapest(self, options: Sequence[Candidates], counts: Sequence[int]) -> list[Array]:
         """The same, but without end for candidates that are not among so many of the cheapest; those wished for least
-        are looked at only where enough of the others are not as cheap as they are wished for."""
-        orders = [np.argsort(option.wish, kind="stable") for option in options]
-        firsts = [order[: AHEAD * count] for order, count in zip(orders, counts, strict=True)]
+        are looked at only where not enough of the others are cheaper than these are wished for."""
+        rests = [np.argsort(option.wish, kind="stable") for option in options]
         costs = [np.full(len(option.wish), np.inf) for option in options]
-        self._fill(costs, options, firsts)
-        rests = [order[len(first) :] for order, first in zip(orders, firsts, strict=True)]
-        each = zip(costs, options, rests, counts, strict=True)
-        open_ = [len(r) > 0 and np.partition(c, n - 1)[n - 1] >= o.wish[r[0]] for c, o, r, n in each]
-        self._fill(list(compress(costs, open_)), list(compress(options, open_)), list(compress(rests, open_)))
+        ways = list(zip(costs, options, rests, counts, strict=True))
+        while ways := [(c, o, r, n) for c, o, r, n in ways if len(r) and (c < o.wish[r[0]]).sum() < n]:
+            judged = self.judged([o.some(r[:TOGETHER]) for _, o, r, _ in ways])
+            for (cost, _, rest, _), found in zip(ways, judged, strict=True):
+                cost[rest[:TOGETHER]] = found
+            ways = [(c, o, r[TOGETHER:], n) for c, o, r, n in ways]
         return costs
-
-    def _fill(self, costs: Sequence[Array], options: Sequence[Candidates], rows: Sequence[Indices]) -> None:
-        """Judge some rows of candidates."""
-        if rows:
-            judged = self.judged([option.some(some) for option, some in zip(options, rows, strict=True)])
-            for cost, some, found in zip(costs, rows, judged, strict=True):
-                cost[some] = found
 
     def _on_ink(self, boxes: Array) -> Array:
         """Cost of the strokes that each box touches or nearly touches."""

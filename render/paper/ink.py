@@ -13,6 +13,7 @@ from itertools import groupby, pairwise
 import numpy as np
 import shapely
 
+from planes.geometry.arrays import Array, Complexes
 from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Shape, Text
 from render.paper.style import LAYERS, fitted, head_size, pen
 
@@ -101,18 +102,16 @@ def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
     if hatch.gap <= 0:
         raise ValueError(f"hatching needs a gap above 0 mm between its strokes, not {hatch.gap}")
     turn = cmath.rect(1, -math.radians(hatch.angle_deg))
-    level = [turn * z for z in hatch.points]
-    region = shapely.make_valid(shapely.Polygon([(z.real, z.imag) for z in level]))
+    level = np.array(hatch.points) * turn
+    region = shapely.make_valid(shapely.polygons(_xy(level)))
     x0, y0, x1, y1 = region.bounds
-    rows = range(math.floor(y0 / hatch.gap) + 1, math.ceil(y1 / hatch.gap))
-    rays = [shapely.LineString([(x0 - 1, k * hatch.gap), (x1 + 1, k * hatch.gap)]) for k in rows]
-    pieces = [
-        tuple(complex(x, y) / turn for x, y in sorted(part.coords)[:: len(part.coords) - 1])
-        for ray in rays
-        for part in shapely.get_parts(region.intersection(ray))
-        if part.geom_type == "LineString"
-    ]
-    return tuple((a, b) for a, b in sorted(pieces, key=lambda ab: ((ab[0] * turn).imag, (ab[0] * turn).real)))
+    rows = hatch.gap * np.arange(math.floor(y0 / hatch.gap) + 1, math.ceil(y1 / hatch.gap))
+    rays = shapely.linestrings(_xy(rows[:, None] * 1j + np.array([x0 - 1, x1 + 1])))
+    parts, ray = shapely.get_parts(shapely.intersection(region, rays), return_index=True)
+    lines = shapely.get_type_id(parts) == shapely.GeometryType.LINESTRING
+    left, low, right, top = shapely.bounds(parts[lines]).T
+    ends = np.stack([left + 1j * low, right + 1j * top], axis=1)[np.lexsort((left, ray[lines]))] / turn
+    return tuple((a, b) for a, b in ends.tolist())
 
 
 _SAME_MM = 1e-6
@@ -154,15 +153,19 @@ def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
     return tuple(seen)
 
 
+def _xy(places: Complexes) -> Array:
+    """The coordinates of places, in a last axis."""
+    return np.stack([places.real, places.imag], axis=-1)
+
+
 def _line(points: Sequence[complex]) -> shapely.LineString:
-    along = np.array(points, dtype=complex)
-    return shapely.linestrings(np.column_stack([along.real, along.imag]))
+    return shapely.linestrings(_xy(np.array(points, dtype=complex)))
 
 
 def _region(hinge: Arc | Shape) -> shapely.Geometry:
     if isinstance(hinge, Arc):
         return shapely.Point(hinge.centre.real, hinge.centre.imag).buffer(hinge.radius, quad_segs=64)
-    return shapely.make_valid(shapely.Polygon([(z.real, z.imag) for z in hinge.points]))
+    return shapely.make_valid(shapely.polygons(_xy(np.array(hinge.points))))
 
 
 def _track(mark: Line | Arc | Arrow | Hatch) -> Polyline:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache, reduce
+from functools import lru_cache
 from itertools import takewhile
 
 import numpy
@@ -30,18 +30,6 @@ class Spot:
     top: float
 
 
-@dataclass(frozen=True, slots=True)
-class Part:
-    """How high views are by the units they span, and with what is ``over`` the next; the same by the ``left`` and the
-    ``right`` share of every number of units; and the ``least`` units they need."""
-
-    high: Array
-    over: Array
-    left: Array
-    right: Array
-    least: int
-
-
 @dataclass
 class Stacking:
     """Pieces in the units of a module, and what is known of columns of them: what one costs, and what the first ones
@@ -49,7 +37,9 @@ class Stacking:
 
     module: Module
     sizes: dict[Size, int] = field(default_factory=dict)
-    parts: dict[Piece, Part] = field(default_factory=dict, repr=False)
+    numbers: dict[Piece, int] = field(default_factory=dict, repr=False)
+    highs: Array = field(default_factory=lambda: numpy.empty((0, 0)), repr=False)
+    least: list[int] = field(default_factory=list, repr=False)
     prices: dict[Piece, Array] = field(default_factory=dict, repr=False)
     broken: dict[tuple[Piece, tuple[float, ...]], tuple[Array, Array]] = field(default_factory=dict, repr=False)
     nexts: dict[Piece, list[int]] = field(default_factory=dict, repr=False)
@@ -62,30 +52,40 @@ class Stacking:
                 self.sizes[size] = len(self.sizes)
                 least = self.module.span(size[0])
                 fits = self.module.spans >= least
-                self.parts[(self.sizes[size],)] = self._part(numpy.where(fits, size[1], numpy.inf), least)
+                self._keep((self.sizes[size],), numpy.where(fits, size[1], numpy.inf), least)
         return tuple(self.sizes[size] for size in sizes)
 
     def high(self, piece: Piece) -> Array:
         """How high views are at the least, by the units they may span: two parts beneath or beside each other."""
-        return self._known(piece).high
-
-    def _known(self, piece: Piece) -> Part:
-        return self.parts.get(piece) or self._found(piece)
-
-    def _found(self, piece: Piece) -> Part:
-        """What is found out of more views than one."""
-        parts = [(self._known(piece[:k]), self._known(piece[k:])) for k in range(1, len(piece))]
-        beneath = reduce(numpy.minimum, (first.over + second.high for first, second in parts))
-        if narrow := [(a, b) for a, b in parts if a.least + b.least < len(beneath)]:
-            beside = reduce(numpy.minimum, (numpy.maximum(a.left, b.right) for a, b in narrow))
-            shared = numpy.minimum.reduceat(beside, _shares(len(beneath))[2])
-            numpy.minimum(beneath[2:], shared, out=beneath[2:])
-        found = self.parts[piece] = self._part(beneath, max(parts[0][0].least, parts[0][1].least))
+        number = self._number(piece)
+        found: Array = self.highs[number]
         return found
 
-    def _part(self, high: Array, least: int) -> Part:
-        left, right, _ = _shares(len(high))
-        return Part(high, high + GAP_MM, high[left], high[right], least)
+    def _number(self, piece: Piece) -> int:
+        """The row of ``highs`` of a piece, once its heights are known."""
+        return self.numbers[piece] if piece in self.numbers else self._found(piece)
+
+    def _found(self, piece: Piece) -> int:
+        """What is found out of more views than one."""
+        above = [self._number(piece[:k]) for k in range(1, len(piece))]
+        below = [self._number(piece[k:]) for k in range(1, len(piece))]
+        first, second = self.highs[above], self.highs[below]
+        high = numpy.minimum.reduce(first + GAP_MM + second)
+        if any(self.least[a] + self.least[b] < len(high) for a, b in zip(above, below, strict=True)):
+            left, right, begun = _shares(len(high))
+            beside = numpy.minimum.reduce(numpy.maximum(first.take(left, 1), second.take(right, 1)))
+            numpy.minimum(high[2:], numpy.minimum.reduceat(beside, begun), out=high[2:])
+        return self._keep(piece, high, max(self.least[above[0]], self.least[below[0]]))
+
+    def _keep(self, piece: Piece, high: Array, least: int) -> int:
+        """Keep how high a piece is, and the least units it needs."""
+        number = self.numbers[piece] = len(self.least)
+        self.least.append(least)
+        if number >= len(self.highs):
+            more = numpy.empty((max(64, number), len(high)))
+            self.highs = numpy.concatenate([self.highs.reshape(-1, len(high)), more])
+        self.highs[number] = high
+        return number
 
     def white(self, piece: Piece) -> Array:
         """What a column of some views leaves white, by its end and its span, as a share of the field's height."""

@@ -13,7 +13,7 @@ from render.labels.footprints import ink, polygons
 from render.paper import symbols
 from render.paper.ink import cut
 from render.paper.marks import Hatch, Line, Mark, Shape, Text
-from render.paper.typeset import layout
+from render.paper.typeset import box_of
 from render.views.plotted import Places
 
 LETTER_MM = 5.0
@@ -81,13 +81,13 @@ def parted(lines: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:
     """The lines broken where a letter stands on one, as a draughtsman breaks them."""
     if not lines or not texts or labels.rough():
         return tuple(lines)
-    boxes = polygons([layout(t).box for t in texts])
+    boxes = polygons([box_of(t) for t in texts])
     struck = sorted(set(ink(lines).within(boxes, CLEAR_MM / 2)[0].tolist()))
     return cut(lines, [_around(texts[k]) for k in struck])
 
 
 def _around(text: Text) -> Shape:
     """The box of a text with a little room."""
-    box, sign = layout(text).box, partial(math.copysign, 1.0)
+    box, sign = box_of(text), partial(math.copysign, 1.0)
     out = (z - sum(box) / 4 for z in box)
     return Shape(tuple(z + CLEAR_MM * complex(sign(w.real), sign(w.imag)) for z, w in zip(box, out, strict=True)))
