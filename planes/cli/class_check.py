@@ -122,7 +122,7 @@ def _command(args: Namespace) -> str:
     told = [(f"--{name}", str(text)) for name in names if (text := getattr(args, name)) is not None]
     told += [*(("--with", pair) for pair in args.others), *(("--mark", pair) for pair in args.mark)]
     told += [("--lang", args.lang)] * (args.lang != home_lang()) + [("-o", args.output)] * bool(args.output)
-    more = (f"{flag}={text}" if text.startswith("-") else f"{flag} {shlex.quote(text)}" for flag, text in told)
+    more = (f"{flag}{'=' if text[:1] == '-' else ' '}{shlex.quote(text)}" for flag, text in told)
     return " ".join([shlex.join(["planes", "check", args.scene, args.drawing]), *more])
 
 
