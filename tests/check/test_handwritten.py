@@ -78,6 +78,13 @@ def test_a_mark_that_a_mistake_has_at_the_pole_is_told_by_its_name(
     assert named_marks.traceless(search, way) == gone
 
 
+def test_a_mistake_that_has_ink_of_its_own_is_told_by_that() -> None:
+    """b upon n as well as at the pole leaves the same line; c drawn from there does not."""
+    right = {"p": 0j, "n": 20 + 0j, "b": 20 + 0j, "c": 20 + 30j}
+    assert not named_marks._own_ink({"b": 0j, "c": 20 + 30j}, right)
+    assert named_marks._own_ink({"b": 0j, "c": 0 + 31j}, right)
+
+
 def test_a_name_speaks_for_the_vector_it_stands_by_and_never_loudly() -> None:
     """What was read costs hardly anything by its vector, something elsewhere; what was not read, nothing."""
     words = HandWords([HandWord(0j, 8 + 4j, {"G_2": 0.9, "G_3": 0.1})])

@@ -86,12 +86,13 @@ def named(search: Search, way: LaidPlan, unread: Collection[str]) -> tuple[str, 
 
 
 def traceless(search: Search, way: LaidPlan) -> set[str]:
-    """Marks (labels) that nothing of their own shows: a mistake has them at the pole, no name tells it, and ink leads
-    to where one of them should be, too; or rightly they are upon another mark, and by a mistake upon another one."""
+    """Marks (labels) that nothing of their own shows, where a mistake leaves no ink of its own either: it has them at
+    the pole, no name tells it, and ink leads to where one should be, too; or rightly they are upon another mark."""
     pole, ends = search.pole.z, way.ends(search.pole.z)
     if way.variant:
+        rightly = {POLE: pole, **{label_of(m): pole + z for m, z in search.true.items()}}
         gone = {label_of(m): z for m, z in search.true.items() if way.found.get(m) is search.pole and abs(z) > EVEN_MM}
-        right = _places(search, way, None, gone) if gone else {}
+        right = _places(search, way, None, gone) if gone and not _own_ink(ends, rightly) else {}
         if not any(_led(search, {**ends, **right}, n, z) for n, z in right.items()):
             return set()
         return {n for n, z in gone.items() if abs(z) < APART_MM or not _told(names_on(search), n, pole, pole + z)}
@@ -99,10 +100,16 @@ def traceless(search: Search, way: LaidPlan) -> set[str]:
     found = set[str]()
     for variant in variants_of(search.bench, {}, search.bench.said_mu) if doubled else ():
         if variant.blames in doubled and variant.blames not in found:
-            n = variant.blames
-            z = _places(search, way, variant, [n]).get(n, doubled[n])
-            found |= {n} if abs(z - doubled[n]) > APART_MM and _upon_another(n, z, ends) else set()
+            n, moved = variant.blames, _places(search, way, variant, ends)
+            found |= (
+                {n} if abs(moved.get(n, doubled[n]) - doubled[n]) > APART_MM and not _own_ink(moved, ends) else set()
+            )
     return found
+
+
+def _own_ink(moved: Mapping[str, complex], ends: Mapping[str, complex]) -> bool:
+    """Whether a mark that two drawings have at different places stands, in the first, where the other has none."""
+    return any(n in ends and abs(z - ends[n]) > APART_MM and not _upon_another(n, z, ends) for n, z in moved.items())
 
 
 def _told(words: HandWords, name: str, z: complex, other: complex) -> bool:
