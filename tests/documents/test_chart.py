@@ -29,6 +29,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(stability, "BEGINS", frozenset({0}))
 
 
+@pytest.mark.slow
 def test_a_chart_and_its_table(tmp_path: Path, quick: None) -> None:
     out, table = tmp_path / "c.svg", tmp_path / "c.csv"
     scene = str(SAMPLES / "kind-2-rrp.yaml")

@@ -93,6 +93,7 @@ def test_every_pair_of_kinds(first: str, second: str) -> None:
                 examine(case)
 
 
+@pytest.mark.slow
 def test_the_scene_words_and_near_choose_the_same_assembly() -> None:
     for seed in range(30):
         rng = random.Random(seed)

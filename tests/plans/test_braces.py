@@ -61,6 +61,7 @@ def test_its_structure() -> None:
     assert found.q == 0 and len(found.pairs) == 7 == len({p for p, _ in found.pairs})
 
 
+@pytest.mark.slow
 def test_friction_in_its_hinges_takes_its_power() -> None:
     """What friction takes in the three hinges of the brace and in those on the frame, the cylinder gives besides."""
     pin = "{coefficient: 0.15, radius: 0.03}"

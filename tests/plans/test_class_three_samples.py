@@ -59,7 +59,7 @@ def test_its_own_view_is_right_and_with_one_step_spoiled_not(sample: str, plan: 
     assert found.verdict == "wrong", (variant, found.sentence.told("en"))
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("sample", SAMPLES)
 def test_its_other_assembly_is_called_so(sample: str, tmp_path: Path) -> None:
     every = mistakes(sample, "position")

@@ -24,6 +24,7 @@ def test_alone_with_loads_on_every_link() -> None:
         examine(make(random.Random(f"contour {seed}"), ["IV"]))
 
 
+@pytest.mark.slow
 def test_after_and_before_other_groups() -> None:
     for seed in range(9):
         rng = random.Random(f"contour in a chain {seed}")

@@ -42,6 +42,7 @@ def compared(seeds: range) -> tuple[Counter[str], float, int]:
     return seen, worst, refused
 
 
+@pytest.mark.slow
 def test_mixtures_agree_with_the_independent_solver() -> None:
     seen, _, refused = compared(range(24))
     assert set(seen) == set(FEATURES), set(FEATURES) - set(seen)

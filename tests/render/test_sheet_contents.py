@@ -65,6 +65,7 @@ def test_a_place_is_told_by_what_is_shorter():
     assert (hanging["l_{KS5}"][0], hanging["∠KS5"][0]) == ("0,15", "30")
 
 
+@pytest.mark.slow
 def test_the_note_of_a_scene_stands_in_some_shape_or_is_told():
     first, second = (sheet("six-link", number) for number in (1, 2))
     (note,) = (v for v, _, _ in second.views if v.key.startswith("note"))

@@ -21,7 +21,7 @@ def test_the_scheme_with_loads_is_the_largest_figure(name):
     assert max(figures, key=figures.__getitem__) == "loaded", figures
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("name", ["assignments/55", "assignments/13"])
 def test_where_the_scheme_would_not_be_the_largest_the_next_format_is_taken(name):
     """On A2 a force plan is longer than the one, the other's group has arms that reach farther."""

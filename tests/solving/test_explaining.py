@@ -13,7 +13,7 @@ from tests.helpers import ROOT
 SCENES = sorted(p for p in (ROOT / "samples").rglob("*.yaml") if not {"assignments", "course"} & {*p.parts})
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_every_step_of_every_sample_is_told(lang: Lang) -> None:
     assert len(SCENES) > 20
