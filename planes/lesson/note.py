@@ -25,7 +25,7 @@ from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, He
 from planes.solving.given import GivenTable
 from planes.solving.structure_text import alignment_report, ways_told
 from planes.solving.tables import difference
-from planes.words import Lang, decimal, say
+from planes.words import Lang, capital, decimal, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of
@@ -114,7 +114,7 @@ class Note:
             yield Paragraph(self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang)))
         yield Paragraph(self.say("note_formula", formula=s.formula_as(self.scene.frame_number, True)))
         for way in ways_told(s, self.lang, self.naming.frame, True):
-            yield Paragraph(way[0].upper() + way[1:] + ".")
+            yield Paragraph(capital(way) + ".")
         if s.passive:
             yield Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")
         yield from self.self_aligning() if self.scene.find is None else ()

@@ -13,7 +13,7 @@ from planes.plans.columns import Column
 from planes.plans.quantities import Measured, Quantity
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
-from planes.words import Lang
+from planes.words import Lang, capital
 from planes.words.errors import PlanFailure
 from planes.words.lettering import plan_phrase
 from planes.words.names import at, kind_of, label_of, mu_of
@@ -105,8 +105,7 @@ def say_plan(plan: str, lang: Lang) -> str:
 
 def title_of(plan: str, lang: Lang) -> str:
     """The name of a plan as a title begins."""
-    told = say_plan(plan, lang)
-    return told[:1].upper() + told[1:]
+    return capital(say_plan(plan, lang))
 
 
 def counted(s: Structure) -> tuple[str, str]:

@@ -4,7 +4,7 @@ from planes.plans.assur.alignment import Aligned
 from planes.plans.assur.structure import Structure
 from planes.plans.measuring import counted
 from planes.scene.mechanism import FRAME
-from planes.words import Lang, say
+from planes.words import Lang, capital, say
 from planes.words.lettering import flat
 
 
@@ -14,7 +14,7 @@ def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) ->
     lines = [f"W = {found.W}, q = {found.q}", f"  {numbers}", found.formula_as(frame)]
     for g in found.groups:
         lines.append(f"{say('group', lang)} {', '.join(g.whole)}: {g.said.told(lang)}")
-    lines += [way[0].upper() + way[1:] for way in ways_told(found, lang, frame)]
+    lines += [capital(way) for way in ways_told(found, lang, frame)]
     lines += [say("passive", lang, links=", ".join(found.passive))] if found.passive else []
     return "\n".join(lines)
 

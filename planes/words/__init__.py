@@ -154,3 +154,8 @@ def decimal(number: str, lang: Lang) -> str:
 def say(key: str, lang: Lang = "en", **numbers: object) -> str:
     """The sentence ``key`` in a language, with its names and numbers filled in."""
     return Phrase(key, **numbers).told(lang)
+
+
+def capital(text: str) -> str:
+    """A text as a sentence or a title begins."""
+    return text[:1].upper() + text[1:]

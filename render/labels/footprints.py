@@ -10,7 +10,7 @@ import shapely
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from render.labels.nearness import Edges, Shapes, edges_of
 from render.paper.boxes import box_around
-from render.paper.ink import Polyline, arrow_parts, flattened, is_circle
+from render.paper.ink import Polyline, arrow_parts, coordinates, flattened, is_circle
 from render.paper.marks import Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.style import pen
 from render.paper.typeset import box_of
@@ -100,7 +100,7 @@ def _strings(paths: Sequence[Polyline], made: Callable[..., Shapes]) -> Shapes:
         return np.array([], dtype=object)
     flat = np.array([z for path in paths for z in path])
     owners = np.repeat(np.arange(len(paths)), [len(path) for path in paths])
-    return made(np.column_stack([flat.real, flat.imag]), indices=owners)
+    return made(coordinates(flat), indices=owners)
 
 
 def polygons(areas: Sequence[Polyline]) -> Shapes:

@@ -9,6 +9,7 @@ import shapely
 from planes.geometry.arrays import Array, Complexes, Indices
 from render.labels.candidates import CLEAR_MM, Candidates, union
 from render.labels.footprints import Bounds, InkedShapes
+from render.paper.ink import coordinates
 
 HARD = 200.0  # cost of one overlap, more than all that is merely disliked together
 OUTSIDE = 1000.0  # cost of leaving the field
@@ -70,7 +71,7 @@ class Surroundings:
 
     def _crossings(self, leaders: Complexes, *layers: tuple[InkedShapes, float]) -> Array:
         """How many shapes each leader crosses, each counted by its weight."""
-        lines = shapely.linestrings(np.stack([leaders.real, leaders.imag], axis=-1))
+        lines = shapely.linestrings(coordinates(leaders))
         counts = np.zeros(len(leaders))
         for inked, weight in layers:
             if len(inked.shapes) and len(leaders):

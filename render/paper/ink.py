@@ -103,10 +103,10 @@ def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
         raise ValueError(f"hatching needs a gap above 0 mm between its strokes, not {hatch.gap}")
     turn = cmath.rect(1, -math.radians(hatch.angle_deg))
     level = np.array(hatch.points) * turn
-    region = shapely.make_valid(shapely.polygons(_xy(level)))
+    region = shapely.make_valid(shapely.polygons(coordinates(level)))
     x0, y0, x1, y1 = region.bounds
     rows = hatch.gap * np.arange(math.floor(y0 / hatch.gap) + 1, math.ceil(y1 / hatch.gap))
-    rays = shapely.linestrings(_xy(rows[:, None] * 1j + np.array([x0 - 1, x1 + 1])))
+    rays = shapely.linestrings(coordinates(rows[:, None] * 1j + np.array([x0 - 1, x1 + 1])))
     parts, ray = shapely.get_parts(shapely.intersection(region, rays), return_index=True)
     lines = shapely.get_type_id(parts) == shapely.GeometryType.LINESTRING
     left, low, right, top = shapely.bounds(parts[lines]).T
@@ -153,19 +153,19 @@ def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
     return tuple(seen)
 
 
-def _xy(places: Complexes) -> Array:
+def coordinates(places: Complexes) -> Array:
     """The coordinates of places, in a last axis."""
     return np.stack([places.real, places.imag], axis=-1)
 
 
 def _line(points: Sequence[complex]) -> shapely.LineString:
-    return shapely.linestrings(_xy(np.array(points, dtype=complex)))
+    return shapely.linestrings(coordinates(np.array(points, dtype=complex)))
 
 
 def _region(hinge: Arc | Shape) -> shapely.Geometry:
     if isinstance(hinge, Arc):
         return shapely.Point(hinge.centre.real, hinge.centre.imag).buffer(hinge.radius, quad_segs=64)
-    return shapely.make_valid(shapely.polygons(_xy(np.array(hinge.points))))
+    return shapely.make_valid(shapely.polygons(coordinates(np.array(hinge.points))))
 
 
 def _track(mark: Line | Arc | Arrow | Hatch) -> Polyline:

@@ -13,7 +13,7 @@ from planes.check import STATUS
 from planes.check.report import Checked
 from planes.check.report.places import address, thumb, wrong_places
 from planes.plans.measuring import lettering, say_plan
-from planes.words import Lang, say
+from planes.words import Lang, capital, say
 from planes.words.names import kind_of
 from planes.words.records import Json
 
@@ -45,7 +45,7 @@ class ClassRow:
         """The row of what was found."""
         found, said = one.found, one.said(lang)
         bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a column of its own
-        said = said if bare == said else bare[:1].upper() + bare[1:]
+        said = said if bare == said else capital(bare)
         mistake = found.sentence.told(lang).removeprefix(f"{one.first}: ") if found and found.mistake else ""
         return cls(
             file=one.file,
