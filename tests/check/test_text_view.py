@@ -93,3 +93,14 @@ def test_a_camera_that_tells_its_lens_is_believed(tmp_path: Path) -> None:
         (tmp_path / "p.jpg").write_bytes(data.getvalue())
         found = load(tmp_path / "p.jpg").focal
         assert found == focal or (found and focal and abs(found - focal) < 1e-9 and abs(found - FOCAL) < 0.05)
+
+
+@pytest.mark.parametrize("tags", [{0xA405: "abc"}, {0xA405: 26, 0xA002: "wide"}])
+def test_a_picture_whose_lens_is_told_in_no_number_is_read_all_the_same(
+    tags: dict[int, object], tmp_path: Path
+) -> None:
+    told = Image.Exif()
+    told.get_ifd(0x8769).update(tags)
+    Image.new("L", (400, 300), 240).save(tmp_path / "p.jpg", exif=told)
+    found = load(tmp_path / "p.jpg")
+    assert (found.focal, found.grey.shape) == (None, (300, 400))

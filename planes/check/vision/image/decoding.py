@@ -148,7 +148,10 @@ def _focal_of(head: Image.Image) -> float | None:
     """How long the lens was, in the picture's longer sides, of a camera that tells it for a film's 36 × 24 mm, the
     diagonals being alike; not of a picture cut out of a larger one."""
     told, (long, short) = head.getexif().get_ifd(EXIF), sorted(head.size, reverse=True)
-    film, whole = float(told.get(FILM, 0)), [int(told.get(tag, long)) for tag in SIZES]
+    try:
+        film, whole = float(told.get(FILM, 0)), [int(told.get(tag, long)) for tag in SIZES]
+    except (TypeError, ValueError, ArithmeticError):  # it tells something else there
+        return None
     if not LENSES[0] <= film <= LENSES[1] or abs(max(whole) / max(min(whole), 1) * short / long - 1) > CUT:
         return None
     return film / math.hypot(36, 24) * math.hypot(long, short) / long
