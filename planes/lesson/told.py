@@ -9,18 +9,20 @@ from functools import cached_property
 import numpy
 
 from planes.drafting.drawing import Drawing, run
+from planes.drafting.equations import Equation, Term
 from planes.drafting.tools import Thing
 from planes.lesson import Teller, value_of
 from planes.lesson.frame import Frame, in_both, needed
 from planes.lesson.knobs import Knobs
 from planes.lesson.practice import Practice
-from planes.lesson.written import equation_written
+from planes.lesson.steps import whole
 from planes.plans import Plans
 from planes.plans.scales import fits_on, scales
 from planes.scene import Scene
 from planes.solving import plans_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.names import at
 from planes.words.records import Json
 
 TRIED = 360  # positions, by which it is told which terms are nothing
@@ -100,3 +102,30 @@ def drive_of(plans: Plans) -> Json:
     except SceneError as law:  # a number that holds where the drive stands in the file alone
         return {**told, "from": drive.position, "to": drive.position, "held": in_both(PlanesError(law.phrase).told)}
     return {**told, "from": start - reach, "to": start + (reach or 360.0)}
+
+
+def equation_written(plans: Plans, e: Equation) -> Json:
+    """An equation as it is written: without the vectors that are nothing, a vector along the frame's guide itself."""
+    if not e.total:
+        sides = [[{**_term(plans, e.plan, t), "minus": sign < 0} for sign, t in side] for side in e.written]
+        return {"plan": e.plan, "total": None, "closed": e.closed, "sides": sides}
+    total: Json | None = {"name": e.total, "action": "", "known": 0}
+    sides = []
+    for chain in e.chains:
+        alone = [t for t in chain if total and whole(e, t.name) == e.total and t.name != e.total]
+        if alone and total:
+            total.update(action=_acted(plans, alone[0]), known=alone[0].known)
+        elif chain:
+            sides.append([{**_term(plans, e.plan, t), "minus": t.sign < 0} for t in chain])
+    return {"plan": e.plan, "total": total, "closed": False, "sides": sides}
+
+
+def _term(plans: Plans, plan: str, t: Term) -> Json:
+    start, end = (at(plan, label) for label in ((t.start, t.end) if t.sign > 0 else (t.end, t.start)))
+    own = {"name": t.name, "start": start, "end": end, "at": at(plan, t.end)}
+    return {**own, "action": _acted(plans, t), "known": t.known}
+
+
+def _acted(plans: Plans, t: Term) -> str:
+    """The line of action beneath a term."""
+    return plans.means[t.direction].action if t.direction else t.action
