@@ -1,4 +1,4 @@
-"""Results as tables a person reads in a terminal, in Russian or English."""
+"""Results as tables a person reads in a terminal, in a language: of a mechanism, or of vectors alone."""
 
 import math
 from collections.abc import Iterable
@@ -6,11 +6,10 @@ from collections.abc import Iterable
 from planes.plans.measuring import lettering
 from planes.plans.quantities import Measured
 from planes.solving import Position, Solved, key_of
-from planes.solving.stated_tables import stated_tables
 from planes.solving.text_tables import directed, error_of, errors_told, number_cell, pm, spelt, table, titled
 from planes.words import Lang, say
 from planes.words.lettering import Naming, lettered_curve
-from planes.words.names import kind_of
+from planes.words.names import kind_of, label_of, plan_of
 from planes.words.records import Json
 from planes.words.units import UNIT
 
@@ -171,3 +170,36 @@ def difference(found: float, check: float) -> float:
     """How far two values are apart, relative to the larger."""
     largest = max(abs(found), abs(check))
     return abs(found - check) / largest if largest else 0.0
+
+
+def stated_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
+    """The vectors of a scene that states them, plan by plan, and the values reckoned from them."""
+    lines, e = list[str](), p.results.get("errors")
+    found = p.of("vectors")
+    for plan in p.plans.drawn:
+        own = [f for f in found.values() if plan_of(f.quantity.columns[0].start) == plan]
+        most, rows = max((abs(f.vector) for f in own), default=0.0), []
+        for f in own:
+            name, (start, end) = f.quantity.name, (label_of(m) for m in f.quantity.columns[0].needs)
+            read = (
+                p.results.get("plans", {}).get(plan, {}).get("segments", {}).get(start + end, {"mm": 0.0, "value": 0.0})
+            )
+            mm = error_of(e, "plans", plan, "segments", start + end, "mm")
+            size, angle = number_cell(read["value"], most), directed(f.vector, most)[1]
+            rows.append(
+                [spelt(naming.vector(name)), size, angle, *error_of(e, "vectors", name), f"{read['mm']:.2f}", *mm]
+            )
+        lines += table(
+            titled(p, plan, lang, naming),
+            ["", say(UNIT[kind_of(plan)], lang), "∠°", *pm(e), say("mm", lang), *pm(e)],
+            rows,
+        )
+    rows = []
+    for f in p.of("values").values():
+        unit = f.quantity.columns[0].unit
+        error = error_of(e, "values", f.quantity.name)
+        rows.append(
+            [spelt(naming.vector(f.quantity.name)), number_cell(f.number), *error, say(unit, lang) if unit else ""]
+        )
+    lines += table(say("values_found", lang), ["", say("value", lang), *pm(e), ""], rows)
+    return lines + [f"! {w}" for w in p.results["warnings"]]
