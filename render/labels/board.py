@@ -1,12 +1,17 @@
 """The board on which labels find their places: the candidates of each, what they cost, who makes room for whom."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
 from planes.geometry.arrays import Array, Booleans, Indices
 from render.labels.candidates import (
+    APART_MM,
+    BETWEEN,
     FAR,
     NEAR,
     Candidates,
@@ -21,8 +26,9 @@ from render.labels.candidates import (
     placed,
     union,
 )
-from render.labels.effects import Effect, Everywhere
+from render.labels.nearness import over
 from render.labels.surroundings import HARD, Surroundings
+from render.paper.style import LARGER
 
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
 CLOSE = 3.0  # cost of standing beside another label, farther off than it must
@@ -30,6 +36,33 @@ PATIENCE = 1000  # how often labels of one board are asked to make room for othe
 FAR_PLACES = 160, 1000  # of a label that needs a leader line: the nearest free ones; more where those are not enough
 AWAY = 150.0  # cost of leaving a label out that is told elsewhere, too: less than an overlap, more than all else
 _SWEEPS = 8
+REACH_MM = max(APART_MM, BETWEEN[0] * max(LARGER.values()))  # how far off a label has anything to do with another
+_AROUND = REACH_MM * np.array([-1.0, -0.5, 1.0, 0.5])
+
+
+class Effect(NamedTuple):
+    """What a chosen place does to the candidates of other labels: which it clashes with and how often, and which it
+    stands close to."""
+
+    clashing: Indices
+    clashes: Indices
+    near: Indices
+
+
+class Everywhere:
+    """The candidates of all labels in one list."""
+
+    def __init__(self, every: Candidates) -> None:
+        self.every, self.reach = every, np.ascontiguousarray(every.reach.T)
+
+    def effect(self, row: int, own: slice) -> Effect:
+        """What the place at a row does to all others but its label's ``own``."""
+        reached = over(self.reach, self.reach[:, row] + _AROUND)
+        reached[own] = False
+        at = np.flatnonzero(reached)
+        clashes, near = met(self.every.some(at), self.every.some(np.array([row])))
+        clashing = np.flatnonzero(clashes[:, 0])
+        return Effect(at[clashing], clashes[clashing, 0], at[near[:, 0]])
 
 
 class Board:

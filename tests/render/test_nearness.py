@@ -9,7 +9,7 @@ import pytest
 import shapely
 
 from render.labels.candidates import FAR, NEAR, Label, beside, far_off, met, union
-from render.labels.effects import Everywhere
+from render.labels.board import Everywhere
 from render.labels.nearness import edges_of
 
 
