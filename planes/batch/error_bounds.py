@@ -8,8 +8,6 @@ by, is as small as its own error the loss has no end, and nothing is claimed. ``
 this is, and how close.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
@@ -34,7 +32,7 @@ TURN = 60.0  # degrees: a radian, near enough
 class _Running:
     """The errors on the way, of one piece of positions: how far every place reached may be off."""
 
-    def __init__(self, claims: Claims, found: Values, count: int) -> None:
+    def __init__(self, claims: "Claims", found: Values, count: int) -> None:
         self.tape, self.found, self.count, self.claims = claims.drawn.tape, found, count, claims
         self.carrying = Carrying(self.tape, claims.order, count)
         self.largest, self.lost = np.zeros((claims.most, count)), np.zeros((claims.most, count))

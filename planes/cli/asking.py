@@ -1,7 +1,5 @@
 """What the command line asks of one drawing, and how what was found is told."""
 
-from __future__ import annotations
-
 import json
 import re
 from argparse import Namespace

@@ -1,7 +1,5 @@
 """``planes check`` and ``planes blank``: what is read by the suffix of a file, checked and printed; a folder too."""
 
-from __future__ import annotations
-
 from argparse import Namespace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Answers as questions a learning platform can ask: what is given, what is asked, how far off a pencil may be."""
 
-from __future__ import annotations
-
 import base64
 import json
 import math
@@ -59,7 +57,7 @@ class Quiz:
         return {**own, "picture": base64.b64encode(self.picture).decode()}
 
     @classmethod
-    def read(cls, text: str) -> Quiz:
+    def read(cls, text: str) -> "Quiz":
         """What was kept."""
         held: dict[str, Any] = json.loads(text)
         questions = tuple(QuizItem(**q) for q in held.pop("questions"))

@@ -1,7 +1,5 @@
 """The teacher's table: everybody's variant and main answers, as CSV for programs and as blocks of a page."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -30,7 +28,7 @@ class StudentRow:
     fault: str
 
     @classmethod
-    def of(cls, share: Share, text: str, key: str, fault: str) -> StudentRow:
+    def of(cls, share: Share, text: str, key: str, fault: str) -> "StudentRow":
         """The line of a share, from its scene and its key."""
         scene = loads(text or share.assignment.text, "scene.yaml")
         if fault:

@@ -1,8 +1,6 @@
 """The driven link's motion through a uniform turn, in equal sections: what graphical diagrams start from; and the
 driver's places from which curves are drawn: runs between dead points, where forces may jump, and stations."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import isfinite
 

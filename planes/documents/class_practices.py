@@ -1,7 +1,5 @@
 """Practices among what a class has handed in: whose each is, and a row for it in the one table."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 

@@ -1,8 +1,6 @@
 """What a scene's sheets are composed of: its position drawn at the sizes asked for, and its driver moved once through
 its range from an extreme position of the driven link, for sheet 1."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -62,7 +60,7 @@ def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: 
     return compose(scene, Contents(views, free=drawn.free), lang)
 
 
-def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
+def _numbered(drawn: "DrawnPosition", composer: Composer, number: int) -> Sheet:
     """Sheet 1 or 2 of a course project."""
     scene, project, forces = drawn.scene, Project(composer), ForceSheet(composer)
     if number == 1:

@@ -1,7 +1,5 @@
 """A program: steps in the order they are drawn, checked by name and kind before any number exists, and sliced."""
 
-from __future__ import annotations
-
 from collections.abc import Container, Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -117,7 +115,7 @@ class Program:
         """Marks where a part of a vector ends, the normal, the Coriolis one or a drive's: no point of a link."""
         return frozenset(s.makes for s in self.steps if s.quantity in ("normal", "coriolis", "relative"))
 
-    def sliced(self, wanted: Iterable[str]) -> Program:
+    def sliced(self, wanted: Iterable[str]) -> "Program":
         """The program without the steps that lead to none of the wanted names; it proves what it still draws."""
         needed = set(wanted)
         for proof in self.proofs:  # a balancing load is never drawn without the other to check it

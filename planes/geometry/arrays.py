@@ -1,7 +1,5 @@
 """Names for arrays in annotations; numpy itself is imported only where it is used."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:

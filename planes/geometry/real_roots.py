@@ -3,8 +3,6 @@
 By R. Descartes' rule of signs in ranges halved until it is exact, as G. E. Collins and A. G. Akritas do.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import pairwise
 

@@ -5,8 +5,6 @@ asks about a place near a root can be told exactly, in rationals: that Newton's 
 in it and draw together, so that there is one root in it and no other.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -7,8 +7,6 @@ determinant of J. J. Sylvester is made of the ties' numbers in whole numbers, wi
 counted exactly.
 """
 
-from __future__ import annotations
-
 import cmath
 from collections.abc import Iterator, Sequence
 from fractions import Fraction

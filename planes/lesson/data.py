@@ -3,8 +3,6 @@
 The page runs the tape for whatever position and numbers are asked, and draws lines between the marks it gives.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 

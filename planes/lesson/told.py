@@ -1,7 +1,5 @@
 """A scene drawn in its own position, and what is told of it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -41,7 +39,7 @@ class Told:
     frames: list[Frame]
 
     @classmethod
-    def of(cls, scene: Scene) -> Told:
+    def of(cls, scene: Scene) -> "Told":
         """:class:`SceneError` where there is no mechanism or its own position fails."""
         plans, _ = plans_of(scene, shown=True)
         try:

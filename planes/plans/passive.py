@@ -5,8 +5,6 @@ ellipsograph with its crank, a double parallelogram). A link of two pairs that c
 holds keeps its distance as the mechanism moves without it, in one of its assemblies.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence

@@ -1,7 +1,5 @@
 """What is stated of a mechanism, or of vectors: one program, its givens, and where each result is read."""
 
-from __future__ import annotations
-
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -65,7 +63,7 @@ class Plans:
     vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: the marks they run between
     values: Mapping[str, str] = field(default_factory=dict)  # reckoned from them: their names in the program
 
-    def restated(self, leads: Mapping[str, Leads]) -> Plans:
+    def restated(self, leads: Mapping[str, Leads]) -> "Plans":
         """The same mechanism, other leads meeting in special points; whole."""
         assert self.restating
         own: Plans = self.restating.plans(leads)

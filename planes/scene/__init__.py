@@ -1,7 +1,5 @@
 """The scene file, format 1: what a student writes, read into a mechanism (or vectors) and what is asked."""
 
-from __future__ import annotations
-
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -107,13 +105,13 @@ class Scene(Pictured):
         return f"<Scene {self.title.get('en') or self.file!r}: {what}{of}>"
 
     @classmethod
-    def of(cls, mechanism: Mechanism, title: str = "", file: str = "") -> Scene:
+    def of(cls, mechanism: Mechanism, title: str = "", file: str = "") -> "Scene":
         """The scene of a mechanism built in Python; scales are chosen by the program."""
         from planes.scene.writing import as_yaml
 
         return loads(as_yaml(mechanism, {"title": title}, {}), file or "mechanism")
 
-    def with_parameters(self, **values: float) -> Scene:
+    def with_parameters(self, **values: float) -> "Scene":
         """The same scene read again with other numbers for some parameters (SI, degrees).
 
         Raises :class:`~planes.words.errors.SceneError` for a name that is no parameter of the scene.

@@ -1,7 +1,5 @@
 """The board on which labels find their places: the candidates of each, what they cost, who makes room for whom."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple

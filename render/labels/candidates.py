@@ -3,8 +3,6 @@
 Boxes are rows x0, y0, x1, y1 in mm; wishes are costs without a unit, 0 for the best place.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Sequence
@@ -89,7 +87,7 @@ class Candidates:
     leaders: Complexes
     heights: Array
 
-    def some(self, rows: Indices) -> Candidates:
+    def some(self, rows: Indices) -> "Candidates":
         """The candidates of those rows."""
         return Candidates(self.boxes[rows], self.wish[rows], self.leaders[rows], self.heights[rows])
 

@@ -4,8 +4,6 @@ Boxes come in runs of those that stand near each other, so that most edges are r
 others the distance is known by the axes that may part a box and an edge: across, upright, and that normal to the edge.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Sketches of a crankshaft as a broken bar: its bearings, webs, pin and counterweights, with masses, forces, sizes."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator

@@ -6,8 +6,6 @@ Experience 11, 1981): for all of them together, so that least white is left, and
 need not be.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -50,7 +48,7 @@ class Columns:
     items: Sequence[Item]
     stacking: Stacking
 
-    def arranged(self, order: Sequence[int] = (), enough: float = 0.0) -> tuple[list[int], Columns]:
+    def arranged(self, order: Sequence[int] = (), enough: float = 0.0) -> "tuple[list[int], Columns]":
         """The order in which the views fill the columns best, and these; tables are moved about, one after another, but
         none before the first view, and no more once the columns cost less than is ``enough``."""
         now = list(order or range(len(self.items)))
@@ -69,7 +67,7 @@ class Columns:
                     best, now = columns, tried
         return now, best
 
-    def ordered(self, order: Sequence[int]) -> Columns:
+    def ordered(self, order: Sequence[int]) -> "Columns":
         """The same views in another order."""
         return Columns([self.items[k] for k in order], self.stacking)
 

@@ -1,7 +1,5 @@
 """How the views of a sheet fill a format: which letters, which blocks, how large the plans, in which order."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache

@@ -1,8 +1,6 @@
 """The second sheet of a course project, forces, as a list of views: every group apart with its loads, its plan and its
 links; the driver; the lever."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """The module of a sheet: a field divided into units, at whose edges its views begin; all in mm."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Whether views find room on a paper: blocks of them in columns on its module."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache

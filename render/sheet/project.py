@@ -1,7 +1,5 @@
 """The first sheet of a course project, structure and kinematics, as a list of views."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 

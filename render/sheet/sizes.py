@@ -1,8 +1,6 @@
 """How large the figures of a sheet are drawn: all by one factor, then those with a scale of their own larger while
 there is room."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
@@ -29,7 +27,7 @@ class Sizes:
         """The factor of one plan."""
         return self.factor * dict(self.more).get(plan, 1.0)
 
-    def larger(self, plan: str, times: float) -> Sizes:
+    def larger(self, plan: str, times: float) -> "Sizes":
         """The same with one plan so many times larger."""
         more = dict(self.more)
         more[plan] = more.get(plan, 1.0) * times

@@ -4,8 +4,6 @@ Parts of them are put together in the same way, so that a tall view has two smal
 the least is known for every number of units they may span.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache

@@ -5,8 +5,6 @@ Which side of the guide bears is known only once the plan is drawn; so each supp
 true is kept. None, or two different ones, is self-locking.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 from itertools import product
 
@@ -70,7 +68,7 @@ class Statics:
             shown.append((c.name, ""))
         return products, tuple(shown)
 
-    def apart(self) -> Statics:
+    def apart(self) -> "Statics":
         """The same for a trial on a draft of its own, of which this one feels nothing."""
         b = replace(self.bodies, draft=self.bodies.draft.apart())
         return Statics(b, replace(self.acting, bodies=b), centres=dict(self.centres))
