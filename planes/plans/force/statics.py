@@ -15,14 +15,14 @@ from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.force.brace_forces import BraceForces
-from planes.plans.force.chain_forces import ChainForces
+from planes.plans.force.basic_link_forces import ChainForces
 from planes.plans.force.contour_forces import ContourForces
 from planes.plans.force.driver_forces import DriverForces
 from planes.plans.force.hinges import Grip
 from planes.plans.force.loads import Couple, Force, force_name
 from planes.plans.force.reactions import Reaction, Statics, chain_of, meet_with_friction
 from planes.plans.force.rubbing import Rubs, settled
-from planes.plans.force.triad_forces import TriadForces
+from planes.plans.force.basic_link_forces import TriadForces
 from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, end_of, force_plan
