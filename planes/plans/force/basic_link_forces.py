@@ -18,7 +18,7 @@ from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.groups import Pair
 from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
 from planes.plans.force.loads import Force, force_name
-from planes.plans.force.reactions import Reaction, Statics, chain_of
+from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
 from planes.plans.position.bodies import SCHEME
 from planes.words.names import POLE, Meaning, at, end_of, force_plan, label_of, mu_of
@@ -59,12 +59,7 @@ class BasicLinkForces(LeadForces):
         one, two, *others = held
         own = list(self.statics.acting.forces[basic])
         runs = [[*two.known, *two.loads], known, own, [*one.loads, *one.known]]
-        ends, chain = [POLE], list[Term]()
-        for run in runs:
-            chain += chain_of(run, ends[-1])
-            ends.append(chain[-1].end if chain else POLE)
-        for term in chain:
-            self.draft.lay(self.plan, term)
+        chain, ends = self.laid(runs)
         x = end_of(one.part)
         last = Term(one.part, ends[-1], x, None, one.line, one.line)
         back = Term(two.part, POLE, x, length=None, direction=two.line, action=two.line, drawn=False, sign=-1)

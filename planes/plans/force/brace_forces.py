@@ -9,7 +9,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Drop
 from planes.plans.assur.groups import Brace, Pair
 from planes.plans.force.loads import Force, force_name
-from planes.plans.force.reactions import Reaction, Statics, chain_of
+from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import Rubs, settled
 from planes.plans.position.bodies import SCHEME
 from planes.words.names import POLE, Meaning, at, end_of, force_plan, mu_of
@@ -49,16 +49,16 @@ class BraceForces:
         link, by that of the hinge that is braced."""
         s, (near, far), (plan, last) = self.statics, self.brace.halves, self.plans
         along, across = self.held()
-        chain = chain_of([along, across, *s.acting.forces[far], *s.acting.forces[near]], POLE)
-        self.close(plan, chain, force_name(near, self.brace.near.other))
+        pushing = [along, across, *s.acting.forces[far], *s.acting.forces[near]]
+        end = self.closed(plan, pushing, force_name(near, self.brace.near.other))
         held = at(plan, POLE), at(plan, end_of(across.name))
         found = Reaction(force_name(far, self.brace.far.other), plan, *held, self.brace.far)
-        own = chain_of([*s.acting.forces[self.hinge.link], s.as_force(found, self.hinge.link)], POLE)
-        self.close(last, own, force_name(self.hinge.link, self.hinge.other))
+        own = [*s.acting.forces[self.hinge.link], s.as_force(found, self.hinge.link)]
+        last_end = self.closed(last, own, force_name(self.hinge.link, self.hinge.other))
         return {
             self.brace.far: held,
-            self.brace.near: (at(plan, chain[-1].end), at(plan, POLE)),
-            self.hinge: (at(last, own[-1].end), at(last, POLE)),
+            self.brace.near: (at(plan, end), at(plan, POLE)),
+            self.hinge: (at(last, last_end), at(last, POLE)),
         }
 
     def held(self) -> tuple[Force, Force]:
@@ -83,8 +83,8 @@ class BraceForces:
         d.moments.append(Moments(self.hinge.point, (other,), shown, f"{name}^n", arm))
         return Force(f"{name}^n", half, f"{name}^n", line, pin, "tangential"), across
 
-    def close(self, plan: str, chain: tuple[Term, ...], name: str) -> None:
-        """Lay the known vectors off; the one of that name closes them."""
-        for term in chain:
-            self.draft.lay(plan, term)
-        self.draft.conclude(Equation(plan, ((*chain, Term(name, chain[-1].end, POLE)), ())))
+    def closed(self, plan: str, forces: list[Force], name: str) -> str:
+        """Lay the known forces off; the one of that name closes them, from the label told."""
+        chain, end = self.statics.laid(plan, forces)
+        self.draft.conclude(Equation(plan, ((*chain, Term(name, end, POLE)), ())))
+        return end

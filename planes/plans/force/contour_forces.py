@@ -17,7 +17,7 @@ from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Pair
 from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
 from planes.plans.force.loads import Couple, Force, force_name
-from planes.plans.force.reactions import Reaction, Statics, chain_of
+from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
 from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import FRAME
@@ -68,18 +68,10 @@ class ContourForces(LeadForces):
         both = self.pushed(one, two)
         acting = self.statics.acting.forces
         runs = [one.loads, [*one.known, both[0]], [both[1], *two.known], two.loads, list(acting[g.basic])]
-        ends, chain = [POLE], list[Term]()
-        for run in runs:
-            chain += chain_of(run, ends[-1])
-            ends.append(chain[-1].end if chain else POLE)
-        for term in chain:
-            d.lay(self.plan, term)
+        chain, ends = self.laid(runs)
         basic, base = (force_name(x, pair.mate(x)) for x, pair in zip((g.basic, g.base), g.outer[::-1], strict=True))
         d.conclude(Equation(self.plan, ((*chain, Term(basic, ends[-1], POLE)), ())))
-        loads = chain_of(list(acting[g.base]), ends[1])
-        for term in loads:
-            d.lay(self.plan, term)
-        last = loads[-1].end if loads else ends[1]
+        loads, last = self.statics.laid(self.plan, list(acting[g.base]), ends[1])
         back = [force_name(held.lead.outer.mate(held.lead.link), held.lead.link) for held in (two, one)]
         handed = [Term(name, ends[k], ends[k - 1], drawn=True) for name, k in zip(back, (3, 2), strict=True)]
         d.conclude(Equation(self.plan, ((*handed, *loads, Term(base, last, ends[3])), ())))

@@ -5,7 +5,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.settling import Fed
 from planes.plans.force.hinges import grip_of
 from planes.plans.force.loads import force_name
-from planes.plans.force.reactions import Statics, chain_of, meet_with_friction
+from planes.plans.force.reactions import Statics, meet_with_friction
 from planes.plans.position.bodies import SCHEME
 from planes.words.names import POLE, at, force_plan
 
@@ -24,11 +24,8 @@ class DriverForces:
     def draw(self) -> None:
         """Draw the driver's polygon and find what balances it."""
         self.draft.pole(self.plan)
-        terms, key = chain_of(self.forces, POLE), force_name(self.link, self.pair.other)
-        for term in terms:
-            self.draft.lay(self.plan, term)
         balance = self.turning if self.pair.kind == "R" else self.sliding
-        balance(terms, terms[-1].end if terms else POLE, key)
+        balance(*self.statics.laid(self.plan, self.forces), force_name(self.link, self.pair.other))
 
     def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """F_10 closes the polygon; the balancing moment by moments about the pivot."""

@@ -4,10 +4,11 @@ Of a lead's outer reaction that part is known beforehand which its own equilibri
 inner hinge, of a link that slides on the basic one along that guide. A slider hands its loads on to its hinge.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from planes.drafting.draft import Moments
+from planes.drafting.equations import Term
 from planes.drafting.steps import Turn
 from planes.drafting.steps.reckoning import Cosine, Product
 from planes.plans.assur.basic_links import Lead
@@ -19,7 +20,7 @@ from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import Rubs
 from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import FRAME
-from planes.words.names import Meaning, at, force_plan
+from planes.words.names import POLE, Meaning, at, force_plan
 
 Ends = tuple[str, str]  # marks between which a reaction stands
 
@@ -62,6 +63,16 @@ class LeadForces:
         self.slips = rubs.slips
         for link, couples in self.couples.items():
             couples += rubs.couples(link)
+
+    def laid(self, runs: Iterable[list[Force]]) -> tuple[list[Term], list[str]]:
+        """Runs of forces laid off one after another from the pole: their terms, and the label each run begins at, with
+        that of the end."""
+        chain, ends = list[Term](), [POLE]
+        for run in runs:
+            terms, end = self.statics.laid(self.plan, run, ends[-1])
+            chain += terms
+            ends.append(end)
+        return chain, ends
 
     def held(self, lead: Lead) -> HeldLead:
         """A lead, and what its own equilibrium gives."""

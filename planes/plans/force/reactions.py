@@ -16,7 +16,7 @@ from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Grip, sliding
 from planes.plans.force.loads import Acting, Couple, Force, force_name
 from planes.plans.position.bodies import SCHEME, Bodies
-from planes.words.names import Meaning, at, end_of, label_of, mu_of
+from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
 
 
 @dataclass(frozen=True)
@@ -68,6 +68,17 @@ class Statics:
             shown.append((c.name, ""))
         return products, tuple(shown)
 
+    def laid(self, plan: str, forces: list[Force], start: str = POLE) -> tuple[tuple[Term, ...], str]:
+        """Forces laid off one after another on a plan from a mark of that label, each to a mark of its own
+        name; their terms, and the label reached."""
+        chain = list[Term]()
+        for f in forces:
+            end = end_of(f.name)
+            chain.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
+            self.bodies.draft.lay(plan, chain[-1])
+            start = end
+        return tuple(chain), start
+
     def apart(self) -> "Statics":
         """The same for a trial on a draft of its own, of which this one feels nothing."""
         b = replace(self.bodies, draft=self.bodies.draft.apart())
@@ -112,16 +123,6 @@ class Statics:
         if r.moment:
             sign = 1 if to == r.pair.link else -1
             self.acting.couples[to].append(Couple(r.moment, to, r.moment, sign, True))
-
-
-def chain_of(forces: list[Force], start: str) -> tuple[Term, ...]:
-    """Forces as known terms of a chain, each ending at a mark of its own name."""
-    terms = []
-    for f in forces:
-        end = end_of(f.name)
-        terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
-        start = end
-    return tuple(terms)
 
 
 def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> dict[str, Term]:

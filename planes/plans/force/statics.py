@@ -14,15 +14,14 @@ from planes.drafting.equations import Equation, Term
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group, Pair
+from planes.plans.force.basic_link_forces import ChainForces, TriadForces
 from planes.plans.force.brace_forces import BraceForces
-from planes.plans.force.basic_link_forces import ChainForces
 from planes.plans.force.contour_forces import ContourForces
 from planes.plans.force.driver_forces import DriverForces
 from planes.plans.force.hinges import Grip
 from planes.plans.force.loads import Couple, Force, force_name
-from planes.plans.force.reactions import Reaction, Statics, chain_of, meet_with_friction
+from planes.plans.force.reactions import Reaction, Statics, meet_with_friction
 from planes.plans.force.rubbing import Rubs, settled
-from planes.plans.force.basic_link_forces import TriadForces
 from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, end_of, force_plan
@@ -74,14 +73,10 @@ class _GroupForces:
         g, plan = self.group, self.plan
         head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
         tail = self.tangential(g.last, g.last_outer) if g.kind == 1 else []
-        first = chain_of(head + self.loads[g.first], POLE)
-        e_a = first[-1].end if first else POLE
-        last = chain_of(self.loads[g.last] + tail, e_a)
-        e_b = last[-1].end if last else e_a
+        first, e_a = self.statics.laid(plan, head + self.loads[g.first])
+        last, e_b = self.statics.laid(plan, self.loads[g.last] + tail, e_a)
         name_b = self.name(g.last, g.last_outer)
         x = name_b + ("n" if tail else "")
-        for term in first + last:
-            self.draft.lay(self.plan, term)
         rays = {
             "first": self.ray(g.first_outer, g.first, POLE, x, -1, bool(head)),
             "inner": self.ray(g.inner, g.first, e_a, x, 1, False),
