@@ -1,5 +1,6 @@
 """What is known of each link while the plans grow: its marks, its x axis, and whose turning it shares."""
 
+from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, field
 
@@ -100,6 +101,7 @@ class Bodies:
     leads: dict[str, tuple[Lead, ...]] = field(default_factory=dict)  # of a basic link: the first two meet in S
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
+    placers: dict[Lead, Callable[[], None]] = field(default_factory=dict)  # of leads that a drive inside has aside
     reach: BraceReach | None = None
     specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
     standing: set[str] = field(default_factory=lambda: {FRAME})  # links that never move

@@ -1,12 +1,9 @@
 """The scheme of basic links hinged to each other: their hinges, and a point of each, where their tracks are cut."""
 
-from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
 from planes.plans.assur.basic_chains import BasicChain
-from planes.plans.assur.basic_links import Lead
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.position.positions import rigid_body
 from planes.plans.position.triads import Cut, cut_of, hold_of, local_of, place_lead
@@ -15,11 +12,10 @@ from planes.words.names import Meaning, at
 
 def place_chain(b: Bodies, g: BasicChain) -> None:
     """Draw the basic links where their tracks are cut, and the leads."""
-    placers: dict[Lead, Callable[[], None]] = {}
     origins = [g.hinges[max(k - 1, 0)].point for k in range(len(g.basics))]
     pins = [local_of(b, b.mechanism.links[x], pin) for x, pin in zip(g.basics, origins, strict=True)]
     holds = [
-        replace(hold_of(b, basic, lead, placers), link=k, hinge=pins[k])
+        replace(hold_of(b, basic, lead), link=k, hinge=pins[k])
         for k, basic in enumerate(g.basics)
         for lead in g.sides[k]
     ]
@@ -33,7 +29,7 @@ def place_chain(b: Bodies, g: BasicChain) -> None:
         _place_basic(b, g, k, origins[k], pins[k], cut)
     for basic, side in zip(g.basics, g.sides, strict=True):
         for lead in side:
-            placers.get(lead, partial(place_lead, b, basic, lead))()
+            place_lead(b, basic, lead)
 
 
 def _place_basic(b: Bodies, g: BasicChain, k: int, pin: str, local: str, cut: Cut) -> None:

@@ -6,9 +6,6 @@ class III does, and its hinge is found by a track. The figure is turned about th
 outer hinge is where it hangs, or the guide lies as it does.
 """
 
-from collections.abc import Callable
-from functools import partial
-
 from planes.drafting.steps import Image
 from planes.drafting.steps.reckoning import Drop
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
@@ -24,8 +21,7 @@ from planes.words.names import Meaning, at, mu_of
 def place_contour(b: Bodies, g: Contour) -> None:
     """Draw the contour aside, turn it to what it hangs on, and the links from that."""
     aside = _Aside(b, g)
-    placers: dict[Lead, Callable[[], None]] = {}
-    one, two = (aside.held(lead, placers) for lead in g.leads)
+    one, two = map(aside.held, g.leads)
     inner = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
     key = inner[0] if inner else b.mechanism.links[g.basic].first_point
     cut = cut_of(b, g, key, (one, two, aside.hung()))
@@ -33,7 +29,7 @@ def place_contour(b: Bodies, g: Contour) -> None:
     aside.place_base()
     aside.place_basic(key, cut)
     for lead in g.leads:
-        placers.get(lead, partial(place_lead, b, g.basic, lead))()
+        place_lead(b, g.basic, lead)
 
 
 class _Aside:
@@ -56,7 +52,7 @@ class _Aside:
         size = max(abs(p - q) for points in links for p in points for q in points)
         return self.draft.give(f"l_{self.pivot}°", size, means=Meaning("guide", self.pivot))
 
-    def held(self, lead: Lead, placers: dict[Lead, Callable[[], None]]) -> Hold:
+    def held(self, lead: Lead) -> Hold:
         """How a lead from the base, which is drawn level about its outer hinge, holds the basic link."""
         b, d, outer, inner = self.bodies, self.draft, lead.outer, lead.inner
         if outer.kind == "P":
@@ -72,7 +68,7 @@ class _Aside:
         way = d.turn(f"→{self.pivot}{p}", self.level, turned, Meaning("given", p))
         length = b.length(self.base, self.pivot, p)
         place = d.lay_off(SCHEME, f"{p}°{self.pivot}", at(SCHEME, self.pivot), way, length, Meaning("guide", p))
-        return hold_of(b, self.basic.name, lead, placers, place)
+        return hold_of(b, self.basic.name, lead, place)
 
     def hung(self) -> Hold:
         """How the basic link is held by what the group hangs on, as the base sees it."""

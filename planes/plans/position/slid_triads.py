@@ -5,9 +5,6 @@ from its own point of the basic link to the one that is sought: both leads then 
 dyad do.
 """
 
-from collections.abc import Callable
-from functools import partial
-
 from planes.drafting.equations import Equation, Term
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
@@ -28,15 +25,14 @@ def place_slid(b: Bodies, g: Triad) -> None:
     way = b.direction_from(inner, slid.link, b.axis_along(outer, slid.link, along))
     axis = b.axis_along(inner, g.basic, way)
     key = next((lead.inner.point for lead in leads if lead.inner.kind == "R"), link.first_point)
-    placers: dict[Lead, Callable[[], None]] = {}
-    one, two = (_reaching(b, g.basic, lead, key, axis, placers) for lead in leads)
+    one, two = (_reaching(b, g.basic, lead, key, axis) for lead in leads)
     side = None if one[-1].direction and two[-1].direction else b.draft.give(f"side_{key}", 1.0)
     if side:
         b.choices.append(AssemblyChoice(side, key, g))
     b.draft.draw(Equation(SCHEME, (one, two), f"r_{key}", side))
     b.place_points(Body(link, BodyPoint(key, key), axis, mate.root))
     for lead in leads:
-        placers.get(lead, partial(place_lead, b, g.basic, lead))()
+        place_lead(b, g.basic, lead)
     first = b.mechanism.links[slid.link].first_point
     lines = (on_line(b, pair, slid.link, first) for pair in (outer, inner))
     chains = [chain_to(first, start, along=line) for start, line in lines]
@@ -44,11 +40,8 @@ def place_slid(b: Bodies, g: Triad) -> None:
     place_slider(b, outer, slid.link, first, along)
 
 
-def _reaching(
-    b: Bodies, basic: str, lead: Lead, key: str, axis: str, placers: dict[Lead, Callable[[], None]]
-) -> tuple[Term, Term]:
-    """How a lead reaches a point of the basic link that lies along ``axis``; what draws one with a drive inside is put
-    among the ``placers``."""
+def _reaching(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -> tuple[Term, Term]:
+    """How a lead reaches a point of the basic link that lies along ``axis``."""
     outer, inner = lead.outer, lead.inner
     if inner.kind == "P":
         along, hinge = b.direction_from(inner, basic, axis), outer.point
@@ -58,7 +51,7 @@ def _reaching(
         return chain_to(key, label_of(start), along=along)
     hinge = inner.point
     if lead.drive:
-        way, placers[lead] = driven_way(b, lead.moving(basic))
+        way, b.placers[lead] = driven_way(b, lead.moving(basic))
         start = moved_over(b, basic, label_of(way.start), hinge, key, axis)
         return chain_to(key, start, way.length or None, way.along or None)
     if outer.kind == "P":

@@ -4,9 +4,6 @@ Every lead holds the basic link by one tie: a rod of two hinges on an arc, a sli
 turns about a hinge and slides on the basic one by that one's guide.
 """
 
-from collections.abc import Callable
-from functools import partial
-
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Tracked
@@ -24,8 +21,7 @@ Cut = tuple[Holds, SeriesGuess, str, str]  # what cuts the tracks of a basic lin
 def place_triad(b: Bodies, g: Triad) -> None:
     """Draw the basic link where its track is cut, and the leads."""
     d, link = b.draft, b.mechanism.links[g.basic]
-    placers: dict[Lead, Callable[[], None]] = {}
-    one, two, three = (hold_of(b, g.basic, lead, placers) for lead in g.leads)
+    one, two, three = (hold_of(b, g.basic, lead) for lead in g.leads)
     hinges = [lead.inner.point for lead in reversed(g.leads) if lead.inner.kind == "R"] or [link.first_point]
     key = hinges[0]
     cut = cut_of(b, g, key, (one, two, three))
@@ -37,7 +33,7 @@ def place_triad(b: Bodies, g: Triad) -> None:
         axis = d.step(CutTurn(f"x_{g.basic}", local_of(b, link, key), *cut, means=Meaning("own", g.basic)))
         b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
     for lead in g.leads:
-        placers.get(lead, partial(place_lead, b, g.basic, lead))()
+        place_lead(b, g.basic, lead)
 
 
 def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
@@ -56,7 +52,9 @@ def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
 def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
     """A lead from the basic link that is drawn."""
     outer, inner = lead.outer, lead.inner
-    if lead.name == "RR":
+    if place := b.placers.get(lead):
+        place()
+    elif lead.name == "RR":
         b.place_points(rigid_body(b, lead.link, outer.point, inner.point))
     elif outer.kind == "P":
         place_slider(b, outer, lead.link, inner.point, on_line(b, outer, lead.link, inner.point)[1])
@@ -65,17 +63,14 @@ def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
         place_slider(b, inner, lead.link, outer.point, along)
 
 
-def hold_of(
-    b: Bodies, basic: str, lead: Lead, placers: dict[Lead, Callable[[], None]], hinge: str | None = None
-) -> Hold:
-    """How a lead holds the basic link, from its outer ``hinge`` (where that is drawn aside, from there); what draws one
-    with a drive inside is put among the ``placers``."""
+def hold_of(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold:
+    """How a lead holds the basic link, from its outer ``hinge`` (where that is drawn aside, from there)."""
     d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
     place = hinge or at(SCHEME, outer.point)
     if inner.kind == "R":
         local = local_of(b, link, inner.point)
         if lead.drive:
-            way, placers[lead] = driven_way(b, lead.moving(basic), hinge or "")
+            way, b.placers[lead] = driven_way(b, lead.moving(basic), hinge or "")
             return (
                 Hold("arc", local, place, way.length) if way.length else Hold("line", local, way.start, "", way.along)
             )
