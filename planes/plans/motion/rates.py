@@ -1,21 +1,71 @@
 """Plans of rates: every group in its order; those with basic links on crossing leads by Assur's special points.
 
-The third lead's point is found from the special point S of the two others.
+The third lead's point is found from the special point S of the two others. Of basic links hinged to each other the
+special point of one, with their hinge, is a lead of the next, which has three then like any basic link of class III.
 """
 
+from collections.abc import Iterable
 from functools import partial
 
-from planes.drafting.steps.by_leads import CrossLeads
+from planes.drafting.steps.by_leads import CrossInChain, CrossLeads
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
-from planes.plans.assur.groups import Group
-from planes.plans.motion.chain_rates import ChainRates
+from planes.plans.assur.groups import Group, Pair
 from planes.plans.motion.contour_rates import ContourRates
 from planes.plans.motion.kinematics import Rates
-from planes.plans.motion.legs import lead_leg
-from planes.plans.motion.slid_contour_rates import SlidContourRates
-from planes.plans.motion.slid_rates import SlidRates
+from planes.plans.motion.legs import Leg, lead_leg
+from planes.plans.motion.slid_rates import SlidContourRates, SlidRates
 from planes.plans.motion.special_points import SpecialPoint, line_of
+from planes.plans.position.bodies import SCHEME, BodyPoint
+from planes.words.names import at
+
+
+class ChainRates:
+    """The rates of one chain of basic links."""
+
+    def __init__(self, r: Rates, g: BasicChain) -> None:
+        self.rates, self.group, self.last = r, g, r.bodies.leads[g.basic][-1]
+        self.own = {lead: lead_leg(r.bodies, g.basics[k], lead) for k, side in enumerate(g.sides) for lead in side}
+        points, lines = zip(*(line_of(r.bodies.draft, leg) for leg in self.own.values()), strict=True)
+        pins = tuple(at(SCHEME, hinge.point) for hinge in g.hinges)
+        sides = tuple(k for k, side in enumerate(g.sides) for _ in side)
+        own = partial(CrossInChain, points=points, lines=lines, sides=sides)
+        self.crossing = partial(own, pins=pins, joined=g.joined, turn=(*g.leads, *g.joints).index(self.last))
+        self.ends: list[SpecialPoint] = []  # of the links that lead to others, from the ends of the chain on
+        for basic in g.basics:
+            r.bodies.special(basic)
+
+    def draw(self) -> None:
+        k = self.group.root(self.last)
+        legs = self.legs(k)
+        third = legs.pop(self.last.inner)
+        self.point(k, legs.values()).lead(third)
+        for end in reversed(self.ends):
+            end.read()
+        for link in self.group.whole:
+            self.rates.show_points(link)
+
+    def legs(self, k: int, but: Pair | None = None) -> dict[Pair, Leg]:
+        """The leads of a basic link, other basic links among them but the one at that hinge."""
+        g = self.group
+        found = {lead.inner: self.own[lead] for lead in g.sides[k]}
+        others = ((h, sum(ends) - k) for h, ends in zip(g.hinges, g.joined, strict=True) if k in ends and h != but)
+        return found | {hinge: self.joint(end, hinge) for hinge, end in others}
+
+    def joint(self, end: int, hinge: Pair) -> Leg:
+        """What a basic link is to the next one: its special point is found, and their hinge goes about that."""
+        point, pin = self.point(end, self.legs(end, hinge).values()), BodyPoint(hinge.point, hinge.point)
+        point.solve()
+        point.known_by(pin)
+        self.ends.append(point)
+        return point.about(pin)
+
+    def point(self, k: int, legs: Iterable[Leg]) -> SpecialPoint:
+        """The special point of a basic link, on the scheme."""
+        one, two = legs
+        point = SpecialPoint(self.rates, self.group.basics[k], (one, two))
+        point.meet(self.crossing)
+        return point
 
 
 def draw_rates(r: Rates) -> None:

@@ -5,13 +5,11 @@ from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.position.braces import place_braced
-from planes.plans.position.chain_scheme import place_chain
 from planes.plans.position.contour_scheme import place_contour
 from planes.plans.position.driven_positions import place_driven
 from planes.plans.position.positions import PLACERS, place_slider
-from planes.plans.position.slid_contours import place_slid_contour
-from planes.plans.position.slid_triads import place_slid
-from planes.plans.position.triads import place_triad
+from planes.plans.position.slid_groups import place_slid, place_slid_contour
+from planes.plans.position.triads import place_chain, place_triad
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning
 
