@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterator, Mapping
 
+from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.drafting.steps.settling import Fed, Settle
@@ -84,6 +85,13 @@ def used(text: str) -> list[str]:
 def factors(step: Calculate) -> Iterator[str]:
     """The values a sum of products is made of."""
     return (name for term in step.terms for name, _ in term.factors)
+
+
+def products(program: Program, power: int) -> dict[str, tuple[str, str]]:
+    """Values of a program that are one other times (1), or through (-1), a length: both by name."""
+    plain = (s for s in program.steps if isinstance(s, Calculate) and len(s.terms) == 1)
+    factors = ((s.makes, s.terms[0].factors) for s in plain)
+    return {name: (f[0][0], f[1][0]) for name, f in factors if [p for _, p in f] == [1, power]}
 
 
 def plain(name: str) -> str:

@@ -5,9 +5,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from planes.drafting.steps.reckoning import Measure
-from planes.lesson.reckoned import Reckoned
+from planes.lesson.reckoning import products
 from planes.plans.quantities import Measured
 from planes.plans.transfers import PLAN, driver_vector
+from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, greek, lettered_curve
 from planes.words.names import label_of
@@ -17,13 +18,14 @@ NOISE = 1e-9  # a vector that is less of the driver's is rounding noise
 
 
 @dataclass(frozen=True)
-class TransferFunctions(Reckoned):
+class TransferFunctions:
     """What the velocities of a position are to the driver's, from its plan: v_qC = pc·l_AB/pb,
     u_21 = bc·l_AB/(pb·l_BC).
 
     The program is read backwards: ω₂ was calculated from a measured vector and a length.
     """
 
+    position: Position
     naming: Naming
 
     def rows(self) -> Iterator[list[str]]:
@@ -53,10 +55,10 @@ class TransferFunctions(Reckoned):
     def turning(self, found: Iterable[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
         """Ratios of links whose angular velocity is read off the plan, those that turn alike together, with the segment
         and the length it is found by."""
-        known = list(found)
-        for rate, (vector, length) in self.products(-1).items():
+        known, program = list(found), self.position.drawing.program
+        for rate, (vector, length) in products(program, -1).items():
             alike = [f for f in known if f.quantity.columns[0].value == rate]
-            if alike and isinstance(step := self.steps.get(vector), Measure):
+            if alike and isinstance(step := program.makers.get(vector), Measure):
                 yield alike, self.ends(step.start, step.end), length
 
     def ends(self, start: str, end: str) -> str:

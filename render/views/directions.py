@@ -5,9 +5,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from planes.drafting.steps import LayOff, Through, Turn
+from planes.drafting.steps import LayOff, Step, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Measure
-from planes.lesson.reckoned import Reckoned
+from planes.lesson.reckoning import products
+from planes.solving import Position
 from planes.words.lettering import Naming
 from planes.words.names import label_of, parts_of
 from render.labels import Label
@@ -26,10 +27,16 @@ LETTER_MM = 3.5
 
 
 @dataclass(frozen=True)
-class Directions(Reckoned):
+class Directions:
     """The figures of a position."""
 
+    position: Position
     naming: Naming
+
+    @property
+    def steps(self) -> dict[str, Step]:
+        """The steps by what they make."""
+        return self.position.drawing.program.makers
 
     @property
     def letter(self) -> float:
@@ -47,7 +54,7 @@ class Directions(Reckoned):
         """A rod with the vector of its far end, and the sense of ω or ε that this gives."""
         links = self.position.plans.links.values()
         rates = {name for x in links for name in (x.omega, x.epsilon)}
-        for rate, (vector, _) in self.products(-1).items():
+        for rate, (vector, _) in products(self.position.drawing.program, -1).items():
             step = self.steps.get(vector) if rate in rates else None
             if isinstance(step, Measure) and (rod := self.rod(step.along)) and (way := self.way(step.start, step.end)):
                 yield self.turning(rod, way, vector, rate)
