@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import shapely
 
-from render.labels.candidates import FAR, NEAR, Label, beside, far_off, met, union
 from render.labels.board import Everywhere
+from render.labels.candidates import FAR, NEAR, Label, beside, far_off, met, union
 from render.labels.nearness import edges_of
 
 
