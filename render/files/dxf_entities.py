@@ -105,10 +105,9 @@ class Entities(Writer):
         """A dashed path as a block of its dashes: LibreCAD begins its line type anew at every corner, so that it draws
         short sides through."""
         if self.layers:
-            document = self.space.doc
-            block = document.blocks.new(f"{PATH}_{len(document.blocks)}")
-            Entities(block)._cut(points, dashes, looks)
-            self.space.add_blockref(block.name, (0, 0), dxfattribs={"layer": looks["layer"]})
+            name, block = self._block(PATH)
+            block._cut(points, dashes, looks)
+            self.space.add_blockref(name, (0, 0), dxfattribs={"layer": looks["layer"]})
             return
         path, begins = shapely.LineString([(z.real, z.imag) for z in points]), 0.0
         for long, drawn in zip(cycle(dashes), cycle((True, False))):
@@ -197,12 +196,17 @@ class Entities(Writer):
             self._letters(text)
             return
         level = replace(text, place=0j, turn_deg=0.0, name="")
-        document = self.space.doc
-        name = self.written.setdefault(level, f"{LETTERS}_{len(document.blocks)}")
-        if name not in document.blocks:
-            Entities(document.blocks.new(name))._letters(level)
+        if level not in self.written:
+            self.written[level], block = self._block(LETTERS)
+            block._letters(level)
         looks = {"layer": text.layer.upper(), "rotation": text.turn_deg}
-        self.space.add_blockref(name, xy(text.place), dxfattribs=looks)
+        self.space.add_blockref(self.written[level], xy(text.place), dxfattribs=looks)
+
+    def _block(self, kind: str) -> tuple[str, Entities]:
+        """A new block by its name, to be drawn in."""
+        blocks = self.space.doc.blocks
+        name = f"{kind}_{len(blocks)}"
+        return name, Entities(blocks.new(name))
 
     def _letters(self, text: Text) -> None:
         laid = layout(text)
