@@ -8,7 +8,7 @@ import base64
 import html
 import itertools
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from numpy import uint32
@@ -22,6 +22,7 @@ from planes.words.units import unit_of_parameter
 PICTURE = "scheme.png"
 STACK_VERSION = "2023121100"
 GRADE = "1.0000000"
+UNITLESS = {"unitgradingtype": "0", "unitpenalty": "0.1", "showunits": "3", "unitsleft": "0"}
 
 
 def signed(name: str, lang: Lang) -> str:
@@ -73,6 +74,12 @@ def _text(parent: Element, tag: str, text: str, **how: str) -> Element:
     return found
 
 
+def _fields(parent: Element, told: Mapping[str, str]) -> None:
+    """Elements that hold nothing but their text."""
+    for tag, text in told.items():
+        SubElement(parent, tag).text = text
+
+
 def _category(quiz: Element, course: str, name: str) -> None:
     plain = "/".join(part.replace("/", "//") for part in ("top", course or "planes", name))
     _text(SubElement(quiz, "question", type="category"), "category", f"$course$/{plain}")
@@ -87,8 +94,7 @@ def _question(quiz: Element, kind: str, name: str, text: str, picture: bytes) ->
     held = SubElement(told, "file", name=PICTURE, path="/", encoding="base64")
     held.text = base64.b64encode(picture).decode()
     _text(question, "generalfeedback", "", format="html")
-    for tag, value in (("defaultgrade", GRADE), ("penalty", "0.3333333"), ("hidden", "0")):
-        SubElement(question, tag).text = value
+    _fields(question, {"defaultgrade": GRADE, "penalty": "0.3333333", "hidden": "0"})
     return question
 
 
@@ -107,8 +113,7 @@ def _numerical(quiz: Element, one: Quiz, item: QuizItem, lang: Lang) -> None:
     answer = _text(question, "answer", f"{item.value:.10g}", fraction="100", format="moodle_auto_format")
     SubElement(answer, "tolerance").text = f"{item.tolerance:.6g}"
     _text(answer, "feedback", "", format="html")
-    for tag, value in (("unitgradingtype", "0"), ("unitpenalty", "0.1"), ("showunits", "3"), ("unitsleft", "0")):
-        SubElement(question, tag).text = value
+    _fields(question, UNITLESS)
 
 
 def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -> None:
@@ -118,19 +123,16 @@ def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -
     shown = ((n, f"{{{n}}}" if n in own else decimal(f"{v:.6g}", lang)) for n, v in first.given.items())
     text = f"<p>{html.escape(first.title)}</p><p>{task_text(given_of(shown, lang), lang)}</p>{asked(item, lang)}"
     question = _question(quiz, "calculated", f"{first.assignment}: {item.name}", text, first.picture)
-    for tag, value in (("synchronize", "1"), ("single", "0"), ("answernumbering", "abc"), ("shuffleanswers", "0")):
-        SubElement(question, tag).text = value
+    _fields(question, {"synchronize": "1", "single": "0", "answernumbering": "abc", "shuffleanswers": "0"})
     for tag in ("correctfeedback", "partiallycorrectfeedback", "incorrectfeedback"):
         _text(question, tag, "")
     answer = SubElement(question, "answer", fraction="100")
     SubElement(answer, "text").text = f"{{{item.key}}}"
     least = min(q.questions[number].tolerance for q in group)
     told = {"tolerance": f"{least:.6g}", "tolerancetype": "2", "correctanswerformat": "2", "correctanswerlength": "4"}
-    for tag, value in told.items():  # nominal; significant figures
-        SubElement(answer, tag).text = value
+    _fields(answer, told)  # nominal; significant figures
     _text(answer, "feedback", "", format="html")
-    for tag, value in (("unitgradingtype", "0"), ("unitpenalty", "0.1"), ("showunits", "3"), ("unitsleft", "0")):
-        SubElement(question, tag).text = value
+    _fields(question, UNITLESS)
     rows = {n: [q.given[n] for q in group] for n in own} | {item.key: [q.questions[number].value for q in group]}
     definitions = SubElement(question, "dataset_definitions")
     for name, values in rows.items():
@@ -153,9 +155,7 @@ def _dataset(definitions: Element, name: str, values: Sequence[float]) -> None:
     SubElement(own, "itemcount").text = str(len(values))
     items = SubElement(own, "dataset_items")
     for number, one in enumerate(values, 1):
-        item = SubElement(items, "dataset_item")
-        SubElement(item, "number").text = str(number)
-        SubElement(item, "value").text = f"{one:.10g}"
+        _fields(SubElement(items, "dataset_item"), {"number": str(number), "value": f"{one:.10g}"})
     SubElement(own, "number_of_items").text = str(len(values))
 
 
@@ -172,19 +172,14 @@ def _stack(quiz: Element, name: str, group: Sequence[Quiz], lang: Lang) -> None:
     feedback = "".join(f"[[feedback:prt{k}]]" for k in range(1, len(first.questions) + 1))
     _text(question, "specificfeedback", feedback, format="html")
     _text(question, "questionnote", "{@k@}")
-    for tag, value in (
-        ("questionsimplify", "1"),
-        ("assumepositive", "0"),
-        ("multiplicationsign", "dot"),
-        ("sqrtsign", "1"),
-    ):
-        SubElement(question, tag).text = value
+    told = {"questionsimplify": "1", "assumepositive": "0", "multiplicationsign": "dot", "sqrtsign": "1"}
+    _fields(question, told)
     for k in range(1, len(first.questions) + 1):
         _input(question, k)
     for k in range(1, len(first.questions) + 1):
         _tree(question, k, 1.0 / len(first.questions), lang)
     for seed in seeds(len(group)):
-        SubElement(question, "deployedseed").text = str(seed)
+        _fields(question, {"deployedseed": str(seed)})
 
 
 def seeds(count: int) -> list[int]:
@@ -217,25 +212,21 @@ def _one_of(name: str, numbers: Sequence[str]) -> list[str]:
 
 
 def _input(question: Element, k: int) -> None:
-    found = SubElement(question, "input")
     told = {"name": f"ans{k}", "type": "numerical", "tans": f"ta{k}", "boxsize": "12", "strictsyntax": "1"}
     told |= {"insertstars": "0", "forbidfloat": "0", "requirelowestterms": "0", "checkanswertype": "0"}
-    for tag, value in (told | {"mustverify": "0", "showvalidation": "1"}).items():
-        SubElement(found, tag).text = value
+    _fields(SubElement(question, "input"), told | {"mustverify": "0", "showvalidation": "1"})
 
 
 def _tree(question: Element, k: int, share: float, lang: Lang) -> None:
     """Right within the tolerance."""
     tree = SubElement(question, "prt")
-    for tag, value in (("name", f"prt{k}"), ("value", f"{share:.7f}"), ("autosimplify", "1"), ("feedbackstyle", "1")):
-        SubElement(tree, tag).text = value
+    _fields(tree, {"name": f"prt{k}", "value": f"{share:.7f}", "autosimplify": "1", "feedbackstyle": "1"})
     _text(tree, "feedbackvariables", f"near{k}: is(abs(ans{k} - ta{k}) <= tol{k});")
     node = SubElement(tree, "node")
     told = {"name": "0", "answertest": "AlgEquiv", "sans": f"near{k}", "tans": "true", "testoptions": "", "quiet": "1"}
-    for tag, value in told.items():
-        SubElement(node, tag).text = value
+    _fields(node, told)
     for side, score, key in (("true", "1", "quiz_right"), ("false", "0", "quiz_wrong")):
-        for tag, value in (("scoremode", "="), ("score", score), ("penalty", ""), ("nextnode", "-1")):
-            SubElement(node, f"{side}{tag}").text = value
-        SubElement(node, f"{side}answernote").text = f"prt{k}-1-{side[0].upper()}"
+        told = {"scoremode": "=", "score": score, "penalty": "", "nextnode": "-1"}
+        told["answernote"] = f"prt{k}-1-{side[0].upper()}"
+        _fields(node, {f"{side}{tag}": text for tag, text in told.items()})
         _text(node, f"{side}feedback", say(key, lang), format="html")
