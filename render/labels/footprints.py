@@ -142,12 +142,17 @@ def meeting(lines: Complexes, others: Complexes) -> Booleans:
     apart = began - start
     on_line, on_other = (apart.conjugate() * way).imag / safe, (apart.conjugate() * span).imag / safe
     inside = (on_line >= -0.02) & (on_line <= 1.02) & (on_other >= -0.02) & (on_other <= 1.02)
-    unit = span / np.abs(span)
-    one, two = apart * unit.conjugate(), (apart + way) * unit.conjugate()
-    along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
-    level = (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3)
-    there: Booleans = (inside & (across != 0)) | (level & along)
+    there: Booleans = (inside & (across != 0)) | _along(start, span, began, way) | _along(began, way, start, span)
     return there
+
+
+def _along(start: Complexes, span: Complexes, began: Complexes, way: Complexes) -> Booleans:
+    """Whether the second segments lie upon the line of the first, and beside them."""
+    unit = span / np.abs(span)
+    one, two = (began - start) * unit.conjugate(), (began + way - start) * unit.conjugate()
+    along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
+    level: Booleans = (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3)
+    return level & along
 
 
 def _shrunk(box: Polyline) -> Polyline:

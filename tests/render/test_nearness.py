@@ -10,6 +10,7 @@ import shapely
 
 from render.labels.board import Everywhere
 from render.labels.candidates import FAR, NEAR, Label, beside, far_off, met, union
+from render.labels.footprints import meeting
 from render.labels.nearness import edges_of
 
 
@@ -58,3 +59,9 @@ def test_a_place_does_to_others_what_each_pair_of_places_says(seed: int) -> None
         assert effect.clashing.tolist() == np.flatnonzero(wanted).tolist()
         assert effect.clashes.tolist() == wanted[effect.clashing].tolist()
     assert clashes.max() > 1
+
+
+def test_two_leaders_meet_whichever_is_asked_first() -> None:
+    long, short = np.array([0j, 20 + 0j]), np.array([5 + 0.1j, 6 + 0.25j])  # the long one's ends are far off its line
+    assert meeting(long, short) and meeting(short, long)
+    assert not meeting(long, short + 1j) and not meeting(short + 1j, long)
