@@ -97,14 +97,14 @@ def _named(name: str, known: Mapping[str, T], file: str) -> T:
     return known[name]
 
 
-def unwound(angles: Array, period: float = FULL) -> Array:
+def unwound(angles: Array) -> Array:
     """Angles without jumps of a full turn, most of them as they were told; NaN stays, and what follows it goes on from
     the last angle before."""
     told = np.array(angles, float)
     found, good = told.copy(), np.flatnonzero(np.isfinite(told))
     if len(good):
-        found[good] = np.unwrap(told[good], period=period)
-        found -= period * np.round(np.median((found - told)[good]) / period)
+        found[good] = np.unwrap(told[good], period=FULL)
+        found -= FULL * np.round(np.median((found - told)[good]) / FULL)
     return found
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from planes.plans.measuring import lettering
 from planes.plans.quantities import Measured
 from planes.solving import Position, Solved, key_of
-from planes.solving.text_tables import directed, error_of, errors_told, number_cell, pm, spelt, table, titled
+from planes.solving.text_tables import directed, error_of, number_cell, pm, spelt, table, titled
 from planes.words import Lang, say
 from planes.words.lettering import Naming, lettered_curve
 from planes.words.names import kind_of, label_of, plan_of
@@ -25,7 +25,7 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     for p in solved.positions:
         lines += _position(p, key_of(solved.plans), lang, naming) if moves else stated_tables(p, lang, naming)
     if some := next((p for p in solved.positions if "errors" in p.results), None):
-        lines += errors_told(True, some.drawing, lang)
+        lines += ["", say("errors_pencil" if some.drawing.tool.doubt_mm > 0 else "errors_bound", lang)]
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
 
 

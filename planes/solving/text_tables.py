@@ -4,10 +4,9 @@ import cmath
 import math
 from collections.abc import Iterable
 
-from planes.drafting.drawing import Drawing
 from planes.plans.measuring import say_plan
 from planes.solving import Position
-from planes.words import Lang, say
+from planes.words import Lang
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, mu_of
 from planes.words.records import Json
@@ -68,8 +67,3 @@ def pm(errors: Json | None) -> list[str]:
 def titled(p: Position, plan: str, lang: Lang, naming: Naming) -> str:
     """A plan with its μ."""
     return f"{say_plan(plan, lang)}, μ = {mu_text(p.scales[mu_of(plan)], kind_of(plan), lang, naming.convention)}"
-
-
-def errors_told(errors: object, drawing: Drawing, lang: Lang) -> list[str]:
-    """What the ± are, where there are any."""
-    return ["", say("errors_pencil" if drawing.tool.doubt_mm > 0 else "errors_bound", lang)] if errors else []

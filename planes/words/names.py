@@ -77,11 +77,6 @@ def label_of(mark: str) -> str:
     return mark.rpartition(":")[2]
 
 
-def point_of(mark: str) -> str:
-    """The point of a mark of the scheme, in its place or aside: B of position:B°O."""
-    return label_of(mark).partition("°")[0]
-
-
 def lettered(name: str) -> str:
     """A mark, a guide or its direction by the name people give it, without its plan."""
     return label_of(name).lstrip("°∥")

@@ -153,13 +153,13 @@ def write_png(
     return png_of(write(marks, size_mm, title, under=under), dpi)
 
 
-def png_of(data: bytes, dpi: float, page: int = 0) -> bytes:
-    """One page of a PDF file (counted from 0) as a PNG file."""
+def png_of(data: bytes, dpi: float) -> bytes:
+    """The first page of a PDF file as a PNG file."""
     import pypdfium2
 
     document = pypdfium2.PdfDocument(data)
     try:
-        picture = document[page].render(scale=dpi / 72).to_pil().convert("RGB")
+        picture = document[0].render(scale=dpi / 72).to_pil().convert("RGB")
     finally:
         document.close()
     out = io.BytesIO()

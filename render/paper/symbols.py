@@ -28,9 +28,9 @@ def unit(angle_deg: float) -> complex:
     return cmath.rect(1, math.radians(angle_deg))
 
 
-def hinge(at: complex, radius: float = HINGE_MM) -> Marks:
+def hinge(at: complex) -> Marks:
     """A turning pair: a circle of paper."""
-    return (Arc(at, radius, fill="paper"),)
+    return (Arc(at, HINGE_MM, fill="paper"),)
 
 
 def hatching(at: complex, angle_deg: float, length: float, side: int = -1) -> Marks:
@@ -49,16 +49,13 @@ def base(at: complex, angle_deg: float = 0, length: float = BASE_MM, side: int =
     return (*hatching(at, angle_deg, length, side), Line((at - half, at + half)))
 
 
-def fixed_hinge(at: complex, angle_deg: float = 0, leg: float = LEG_MM, radius: float = HINGE_MM) -> Marks:
+def fixed_hinge(at: complex, angle_deg: float = 0) -> Marks:
     """A hinge on the frame: two legs from the circle to a hatched base; ``angle_deg`` is the base's."""
     along = unit(angle_deg)
-    foot = at - 1j * along * leg
-    spread = 0.5 * leg
-    legs = []
-    for end in (foot - spread * along, foot + spread * along):
-        out = (end - at) / abs(end - at)
-        legs.append(Line((at + radius * out, end)))
-    return (*base(foot, angle_deg), *legs, *hinge(at, radius))
+    foot = at - 1j * along * LEG_MM
+    ends = (foot + side * 0.5 * LEG_MM * along for side in (-1, 1))
+    legs = [Line((at + HINGE_MM * ((end - at) / abs(end - at)), end)) for end in ends]
+    return (*base(foot, angle_deg), *legs, *hinge(at))
 
 
 def block(at: complex, angle_deg: float = 0, size: tuple[float, float] = BLOCK_MM) -> Marks:
