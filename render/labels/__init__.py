@@ -4,8 +4,8 @@ A fixed order of candidate places, costs, a greedy choice and then repairs: the 
 places.  A label that finds no room beside what it names goes farther away, with a leader line.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Sequence
+from contextlib import AbstractContextManager
 from contextvars import ContextVar
 from dataclasses import replace
 
@@ -13,7 +13,7 @@ from render.labels.board import FAR_PLACES, Board
 from render.labels.candidates import BETWEEN, CLEAR_MM, Label, Placed, liked
 from render.labels.footprints import Bounds, ink
 from render.labels.surroundings import Surroundings
-from render.paper.marks import Line, Mark, Text
+from render.paper.marks import Line, Mark, Text, within
 from render.paper.style import LARGER, large, tall
 from render.paper.typeset import box_of
 
@@ -29,14 +29,9 @@ def rough() -> bool:
     return _rough.get()
 
 
-@contextmanager
-def roughly() -> Iterator[None]:
+def roughly() -> AbstractContextManager[None]:
     """Within it, that is enough."""
-    token = _rough.set(True)
-    try:
-        yield
-    finally:
-        _rough.reset(token)
+    return within(_rough, True)
 
 
 def place(

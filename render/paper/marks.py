@@ -6,10 +6,10 @@ never scaled by a plan's μ. Back-ends know these six records and nothing else.
 """
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Literal, TypeVar
 
 Layer = Literal[
     "construction", "axis", "hatch", "table", "dimension", "frame", "scheme", "plan", "force", "result", "text"
@@ -28,6 +28,7 @@ class Face:
 
 
 OWN = Face()
+Asked = TypeVar("Asked")
 _chosen: ContextVar[Face] = ContextVar("face", default=OWN)
 
 
@@ -36,14 +37,19 @@ def current() -> Face:
     return _chosen.get()
 
 
-@contextmanager
-def lettered(face: Face) -> Iterator[None]:
+def lettered(face: Face) -> AbstractContextManager[None]:
     """Within it, texts are made and measured in that face."""
-    token = _chosen.set(face)
+    return within(_chosen, face)
+
+
+@contextmanager
+def within(asked: ContextVar[Asked], value: Asked) -> Iterator[None]:
+    """Within it, what is asked of whoever draws has that value."""
+    token = asked.set(value)
     try:
         yield
     finally:
-        _chosen.reset(token)
+        asked.reset(token)
 
 
 @dataclass(frozen=True)

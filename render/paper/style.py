@@ -3,15 +3,14 @@
 Nothing here is ever scaled by a plan's μ.  A mark names its style; this table turns the name into a pen.
 """
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import get_args
 
 from planes.drafting.pens import MEDIUM, SHAPES, THICK, THIN
-from render.paper.marks import Layer
+from render.paper.marks import Layer, within
 
 LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
 """Letter heights of ГОСТ 2.304, mm, by the next smaller one."""
@@ -86,14 +85,9 @@ def tall(mm: float) -> float:
     return LARGER[mm] if large() else mm
 
 
-@contextmanager
-def lettered_for(large: bool) -> Iterator[None]:
+def lettered_for(large: bool) -> AbstractContextManager[None]:
     """Within it figures are drawn for a ``large`` format, or a usual one."""
-    token = _large.set(large)
-    try:
-        yield
-    finally:
-        _large.reset(token)
+    return within(_large, large)
 
 
 @lru_cache

@@ -5,8 +5,8 @@ import cmath
 import math
 import re
 from bisect import bisect_left
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 
@@ -18,7 +18,7 @@ from render.paper.form1 import BESIDE, Cell, Form
 from render.paper.iso7200 import FORMS
 from render.paper.lettering import PEN
 from render.paper.letters import decimal
-from render.paper.marks import Line, Mark, Text
+from render.paper.marks import Line, Mark, Text, within
 from render.paper.typeset import ink_width, wrapped
 
 FORMATS: dict[str, tuple[float, float]] = {
@@ -58,14 +58,9 @@ _LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
 _asked: ContextVar[Form] = ContextVar("form", default=form1.FORM)
 
 
-@contextmanager
-def form_of(scene: Scene) -> Iterator[None]:
+def form_of(scene: Scene) -> AbstractContextManager[None]:
     """Within it, papers have the frame the scene asks for."""
-    token = _asked.set(FORMS[str(scene.sheet.get("frame", form1.FORM.name))])
-    try:
-        yield
-    finally:
-        _asked.reset(token)
+    return within(_asked, FORMS[str(scene.sheet.get("frame", form1.FORM.name))])
 
 
 @dataclass(frozen=True)
