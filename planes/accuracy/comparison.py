@@ -132,7 +132,7 @@ class Comparison:
 
     def newton(self, values: Array) -> Array:
         """Closed loops by iteration, each position of a path begun from the one before."""
-        drive, q, rows = self.plans.mechanism.drive, np.empty(0), []
+        drive, q, found = self.plans.mechanism.drive, np.empty(0), list[Mapping[str, Triple]]()
         for k, value in enumerate(values):
             loops = Loops(self.at(k))
             if k in self.begins:
@@ -141,16 +141,10 @@ class Comparison:
                 q = loops.start(run(plans.program, given).__getitem__)
             try:
                 q = loops.newton(q, loops.target(q, float(value)))
-                rows.append(self._row(loops.points(q, *loops.rates(q, drive.velocity, drive.acceleration))))
+                found.append(loops.points(q, *loops.rates(q, drive.velocity, drive.acceleration)))
             except np.linalg.LinAlgError:
-                rows.append(self._row({}))
-        return np.array(rows).T
-
-    def near(self, values: Array) -> Callable[[int], dict[str, complex]]:
-        """Where every point is, by the number of the position."""
-        table = self.many(values, False)
-        rows = {c.name: row for c, row in zip(self.cycle.columns, table, strict=True)}
-        return lambda k: {p: complex(rows[f"r_{p}_x"][k], rows[f"r_{p}_y"][k]) for p in self.points}
+                found.append({})
+        return self.rows(found)
 
     def rows(self, found: Sequence[Mapping[str, Triple]]) -> Array:
         """Columns of positions out of what is known of their points."""

@@ -13,7 +13,7 @@ from conftest import angles, plans
 
 from planes.accuracy.comparison import Comparison
 from planes.batch import Cycle
-from tests.helpers.other_programs import Pylinkage, kinepy_run, pylinkage_run
+from tests.helpers.other_programs import Pylinkage, kinepy_run, near_of, pylinkage_run
 
 COLUMNS = {
     "four-bar": kernels.FOUR_BAR_NAMES,
@@ -64,7 +64,7 @@ def pylinkage(name: str, count: int) -> Work | None:
     p, phis = plans(name), angles(name, count)
     if not find_spec("pylinkage") or not Pylinkage.can(p):
         return None
-    run = pylinkage_run(p, float(phis[0]), Comparison(p).near(phis[:1])(0))
+    run = pylinkage_run(p, float(phis[0]), near_of(Comparison(p), phis[:1])(0))
     return lambda: run(phis)
 
 

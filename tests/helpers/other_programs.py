@@ -32,19 +32,26 @@ def installed() -> list[OtherProgram]:
     return [make(version(name)) for name, make in made.items() if find_spec(name)]
 
 
+def near_of(bench: Comparison, values: Any) -> Near:
+    """Where every point is, by the number of the position."""
+    table = bench.many(values, False)
+    rows = {c.name: row for c, row in zip(bench.cycle.columns, table, strict=True)}
+    return lambda k: {p: complex(rows[f"r_{p}_x"][k], rows[f"r_{p}_y"][k]) for p in bench.points}
+
+
 def _pylinkage(number: str) -> OtherProgram:
     def work(bench: Comparison, values: Any) -> Any:
-        return bench.rows(pylinkage_at(bench.at, values, bench.near(values)))
+        return bench.rows(pylinkage_at(bench.at, values, near_of(bench, values)))
 
     def quickest(bench: Comparison, values: Any) -> Callable[[Any], Any]:
-        return pylinkage_run(bench.plans, values[0], bench.near(values)(0))
+        return pylinkage_run(bench.plans, values[0], near_of(bench, values)(0))
 
     return OtherProgram(f"pylinkage {number}", Pylinkage.can, work, quickest, 100_000)
 
 
 def _kinepy(number: str) -> OtherProgram:
     def work(bench: Comparison, values: Any) -> Any:
-        return bench.rows(kinepy_at(bench.at, values, bench.near(values)))
+        return bench.rows(kinepy_at(bench.at, values, near_of(bench, values)))
 
     return OtherProgram(f"kinepy {number}", lambda _: True, work, lambda bench, _: kinepy_run(bench.plans), 10_000)
 
