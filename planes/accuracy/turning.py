@@ -12,9 +12,8 @@ TIMES, WIDEST = 2.0, 6.0  # how many times longer or shorter the length is made,
 
 @dataclass(frozen=True)
 class TurningCurve:
-    """One curve: the drive's ``values`` (degrees or m) and the ``lengths`` (m) at which what makes ``mark`` turns."""
+    """One curve: the drive's ``values`` (degrees or m) and the ``lengths`` (m) at which a mark turns."""
 
-    mark: str
     values: Array
     lengths: Array
 
@@ -41,8 +40,8 @@ def turning(plans: Plans, name: str, times: float = TIMES) -> Turning:
 
 
 def _of(field: LengthField) -> Turning:
-    places = [(step.makes, found) for step in field.steps for found in field.curves(step)]
-    curves = [TurningCurve(mark, field.value(at[:, 0]), field.length(at[:, 1])) for mark, at in places]
+    places = [found for step in field.steps for found in field.curves(step)]
+    curves = [TurningCurve(field.value(at[:, 0]), field.length(at[:, 1])) for at in places]
     here = field.plans.mechanism.drive.position, field.plans.lengths[field.name]
     values, lengths = field.value(field.across), field.length(field.up)
     return Turning(field.name, here, tuple(curves), values, lengths, field.count, field.whole)

@@ -37,12 +37,11 @@ class Stroke:
 
 @dataclass
 class Picture:
-    """Strokes on a paper of ``width`` × ``height`` points; ``depth`` below the base line of a formula."""
+    """Strokes on a paper of ``width`` × ``height`` points."""
 
     width: float
     height: float
     strokes: list[Stroke] = field(default_factory=list)
-    depth: float = 0.0
 
     def svg(self, label: str) -> str:
         """An inline SVG element; ``label`` is read aloud in its place."""
@@ -149,4 +148,4 @@ def formula(tex: str, size: float = 11.0) -> Picture:
     path = TextPath((0, 0), text, size=size, prop=prop)
     pad = 1.0
     moved = path.transformed(Affine2D().translate(pad, depth + pad))
-    return Picture(width + 2 * pad, height + 2 * pad, [Stroke(pieces_of(moved), fill="#000000")], depth + pad)
+    return Picture(width + 2 * pad, height + 2 * pad, [Stroke(pieces_of(moved), fill="#000000")])

@@ -33,7 +33,7 @@ class Run:
 
 @dataclass(frozen=True)
 class LaidText:
-    """A laid-out text: ``strokes`` and ``box`` (the ink's four corners, counter-clockwise) in sheet mm.
+    """A laid-out text: ``strokes`` in sheet mm.
 
     ``pens`` holds the width of every stroke and ``width`` is the length of the ink, in mm; ``origin`` is the
     left end of the base line on the sheet and ``turn_deg`` its direction.  In an installed font the strokes are
@@ -42,7 +42,6 @@ class LaidText:
 
     strokes: tuple[Polyline, ...]
     pens: tuple[float, ...]
-    box: Polyline
     width: float
     runs: tuple[Run, ...]
     origin: complex
@@ -73,30 +72,29 @@ class Indexed:
 
 def box_of(text: Text) -> Polyline:
     """The four corners of a text's ink after its anchor and its turn, counter-clockwise; all in one place of none."""
-    return _turned(text)[2]
+    _, y0, _, y1 = _bounds(text.text, text.height, text.face, text.narrow)
+    origin, turn, x0, x1 = _turned(text)
+    corners = (complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))
+    return tuple(origin + z * turn for z in corners)
 
 
-def _turned(text: Text) -> tuple[complex, complex, Polyline]:
-    """Where the base line of a text mark begins, its direction, and the corners of its ink."""
-    x0, y0, x1, y1 = _bounds(text.text, text.height, text.face, text.narrow)
+def _turned(text: Text) -> tuple[complex, complex, float, float]:
+    """Where the base line of a text mark begins, its direction, and from where to where along it there is ink."""
+    x0, _, x1, _ = _bounds(text.text, text.height, text.face, text.narrow)
     shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
     turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
-    origin = text.place + shift * turn
-    corners = (complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))
-    return origin, turn, tuple(origin + z * turn for z in corners)
+    return text.place + shift * turn, turn, x0, x1
 
 
 def layout(text: Text) -> LaidText:
-    """Strokes, box and runs of a text mark after its anchor and its turn."""
-    x0, _, x1, _ = _bounds(text.text, text.height, text.face, text.narrow)
+    """Strokes and runs of a text mark after its anchor and its turn."""
     runs = _runs(text.text, text.height, text.face)
     inked = _inked(runs, text.face, text.narrow)
     runs = tuple(_narrowed(run, text.narrow) for run in runs)
-    origin, turn, corners = _turned(text)
+    origin, turn, x0, x1 = _turned(text)
     return LaidText(
         strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
         pens=tuple(pen for pen, _ in inked),
-        box=corners,
         width=x1 - x0,
         runs=runs,
         origin=origin,

@@ -11,7 +11,7 @@ import shapely
 from render.labels.footprints import TOUCH_MM, Bounds, InkedShapes, ink, polygons
 from render.labels.nearness import Shapes
 from render.paper.marks import Arc, Arrow, Mark, Text
-from render.paper.typeset import layout
+from render.paper.typeset import box_of, layout
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ def conflicts(texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds |
     labels = tuple(dict.fromkeys([*texts, *(mark for mark in marks if isinstance(mark, Text))]))
     labels = tuple(label for label in labels if layout(label).strokes)
     others = [mark for mark in marks if not isinstance(mark, Text)]
-    boxes = shapely.buffer(polygons([layout(label).box for label in labels]), -TOUCH_MM)
+    boxes = shapely.buffer(polygons([box_of(label) for label in labels]), -TOUCH_MM)
     return (*_struck(labels, boxes, others), *_outside((*labels, *others), field))
 
 

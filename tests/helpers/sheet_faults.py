@@ -13,7 +13,7 @@ from planes.scene import Scene
 from render.labels.footprints import bounds
 from render.paper.hues import PART
 from render.paper.marks import Arrow, Line, Text
-from render.paper.typeset import layout, plain
+from render.paper.typeset import box_of, layout, plain
 from render.sheet import Sheet
 from render.views import View
 
@@ -40,7 +40,7 @@ def one_word(sheet: Sheet) -> Iterator[str]:
 def _joined(texts: Sequence[Text]) -> Iterator[str]:
     signs = {round(m.place.imag, 6) for m in texts if set("=+Σ") & set(m.text)}  # of equations
     named = [m for m in texts if m.name and not m.turn_deg and round(m.place.imag, 6) not in signs]
-    boxes = [layout(m).box for m in named]
+    boxes = [box_of(m) for m in named]
     tree = shapely.STRtree([shapely.box(b[0].real, b[0].imag, b[2].real, b[2].imag) for b in boxes])
     for i, j in sorted(map(tuple, tree.query(tree.geometries, "dwithin", APART * LARGEST_MM).T.tolist())):
         level = min(boxes[i][2].imag, boxes[j][2].imag) - max(boxes[i][0].imag, boxes[j][0].imag)

@@ -24,7 +24,7 @@ from render.files import pdf, svg
 from render.paper import style
 from render.paper.ink import arrow_parts, flattened, hatch_strokes
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.paper.typeset import extent, layout, plain
+from render.paper.typeset import box_of, extent, layout, plain
 
 SIZE = (210.0, 297.0)
 SVG = "{http://www.w3.org/2000/svg}"
@@ -155,7 +155,7 @@ def test_the_box_of_a_text_is_where_its_ink_is(anchor: str, turn: float) -> None
         max(z.imag + half for z, half in points),
     )
     assert ink_box((text,)) == pytest.approx(box, abs=0.06)
-    corners = laid.box
+    corners = box_of(text)
     assert abs(corners[1] - corners[0]) == pytest.approx(laid.width)
     assert min(z.real for z in corners) <= box[0] + 0.01 and max(z.imag for z in corners) >= box[3] - 0.01
 

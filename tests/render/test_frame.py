@@ -12,7 +12,7 @@ from planes.documents.sheets import sheet_of
 from planes.scene import loads
 from render.paper import form1
 from render.paper.marks import Line, Text
-from render.paper.typeset import extent, layout
+from render.paper.typeset import box_of, extent, layout
 from render.sheet.frame import FORMATS, Paper, fitted
 from tests.helpers.conflicts import conflicts
 from tests.helpers.scene_texts import SIX_LINK
@@ -182,7 +182,7 @@ def test_every_cell_is_filled_from_the_scene_and_fits():
     cells = form1.cells(found.size)
     for mark in (m for m in found.marks if isinstance(m, Text) and m.name.startswith("cell ")):
         cell = cells[mark.name.removeprefix("cell ")]
-        xs, ys = [z.real for z in layout(mark).box], [z.imag for z in layout(mark).box]
+        xs, ys = [z.real for z in box_of(mark)], [z.imag for z in box_of(mark)]
         assert cell.x < min(xs) and max(xs) < cell.x + cell.width, mark.text
         assert cell.y < min(ys) and max(ys) < cell.y + cell.height, mark.text
     frame = [m for m in found.marks if m.layer == "frame"]
@@ -216,7 +216,7 @@ def test_a_text_is_broken_or_made_smaller_until_it_fits(turn, text):
     heights = {m.height for m in marks}
     assert max(heights) <= 5.0 and (len(text.split()) == 1 or heights <= {5.0, 3.5, 2.5, 1.8})
     for mark in marks:
-        for z in layout(mark).box:
+        for z in box_of(mark):
             assert 100 < z.real < 100 + wide and 100 < z.imag < 100 + high
     if turn == 0 and len(marks) > 1:  # lines are read from the top down
         assert marks[0].place.imag > marks[1].place.imag
@@ -269,7 +269,7 @@ def test_long_names_are_shared_among_lines_and_no_letter_is_off_the_standard_ser
         assert " ".join(m.text for m in found) == said[key]
         cell = cells[key]
         for mark in found:
-            xs, ys = [z.real for z in layout(mark).box], [z.imag for z in layout(mark).box]
+            xs, ys = [z.real for z in box_of(mark)], [z.imag for z in box_of(mark)]
             assert cell.x < min(xs) and max(xs) < cell.x + cell.width, mark.text
             assert cell.y < min(ys) and max(ys) < cell.y + cell.height, mark.text
     assert len(lines["company"]) > 2 and min(m.narrow for m in lines["company"]) > 0.95

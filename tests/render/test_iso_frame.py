@@ -13,7 +13,7 @@ from planes.scene import loads
 from render.files import dxf
 from render.paper import iso7200
 from render.paper.marks import Line, Text
-from render.paper.typeset import layout
+from render.paper.typeset import box_of
 from render.sheet.frame import FORMATS, Paper
 from tests.helpers.conflicts import conflicts
 from tests.helpers.scene_texts import SIX_LINK
@@ -102,7 +102,7 @@ def test_a_scene_fills_the_cells_and_the_views_keep_clear_of_the_frame():
         cells[key] = f"{cells[key]} {mark.text}" if key in cells else mark.text
         cell = iso7200.cells(found.size)[key]
         assert mark.height >= 1.8
-        for z in layout(mark).box:
+        for z in box_of(mark):
             assert cell.x < z.real < cell.x + cell.width and cell.y < z.imag < cell.y + cell.height
     assert cells == {
         "owner": "Technical University",

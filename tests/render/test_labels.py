@@ -12,7 +12,7 @@ import render.labels as labels_room
 from render.labels import Label, board, place
 from render.labels.candidates import Candidates, met
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text, moved
-from render.paper.typeset import layout
+from render.paper.typeset import box_of
 from tests.helpers.conflicts import conflicts
 
 FIELD = (0.0, 0.0, 420.0, 297.0)
@@ -33,7 +33,7 @@ def scene(labels: int, segments: int, seed: int) -> tuple[list[Label], list[Mark
 
 
 def distance(text: Text, point: complex) -> float:
-    box = layout(text).box
+    box = box_of(text)
     dx = max(box[0].real - point.real, 0, point.real - box[1].real)
     dy = max(box[0].imag - point.imag, 0, point.imag - box[2].imag)
     return abs(complex(dx, dy))
@@ -69,7 +69,7 @@ def test_labels_stand_near_what_they_name() -> None:
 @pytest.mark.parametrize("side", [1, 1j, -1, -1j])
 def test_the_wished_side_is_taken_when_it_is_free(side: complex) -> None:
     (text,) = place([Label("S_{2}", 50 + 50j, side=side)], [Arc(50 + 50j, 0.8, fill="ink")]).texts
-    box = layout(text).box
+    box = box_of(text)
     middle = sum(box) / 4 - 50 - 50j
     assert (middle / side).real > 2 and abs((middle / side).imag) < 1
 
@@ -136,7 +136,7 @@ def test_labels_that_cannot_all_stand_are_given_up_after_so_many_moves(monkeypat
 def test_neighbours_stand_apart_by_more_than_letters_of_one_word(seed: int) -> None:
     """Of 100 labels on a crowded sheet no two in one line are nearer than 0.6 of their letters' height."""
     labels, marks = scene(100, 120, seed)
-    boxes = [(text.height, layout(text).box) for text in place(labels, marks, FIELD).texts]
+    boxes = [(text.height, box_of(text)) for text in place(labels, marks, FIELD).texts]
     for k, (high, one) in enumerate(boxes):
         for other_high, other in boxes[:k]:
             in_line = min(one[2].imag, other[2].imag) > max(one[0].imag, other[0].imag)
@@ -150,7 +150,7 @@ def test_the_number_of_a_link_is_underlined_and_its_leader_ends_in_a_dot() -> No
     placed = place([Label("2", bar, underlined=True), Label("K", 60 + 55.5j)], [Line(bar), *fence])
     lines = [m for m in placed.signs if isinstance(m, Line)]
     dots = [m for m in placed.signs if isinstance(m, Arc)]
-    box = layout(placed.texts[0]).box
+    box = box_of(placed.texts[0])
     assert len(lines) == 1 and lines[0].points[0].imag < box[0].imag
     assert lines[0].points[0].real < box[0].real < box[2].real < lines[0].points[1].real
     ends = [leader.points[1] for leader in placed.leaders]

@@ -22,13 +22,11 @@ from planes.words.names import Meaning
 
 @dataclass(frozen=True)
 class Grip:
-    """What rubs in a hinge: the names of its couple on the link of the pair, of what that is to the reaction, and of
-    the speed at which the link turns against the other."""
+    """What rubs in a hinge: the names of its couple on the link of the pair, and of what that is to the reaction."""
 
     pair: Pair
     couple: str
     factor: str
-    speed: str
 
     def on(self, link: str) -> Couple:
         """Its couple on one of the two links."""
@@ -48,9 +46,9 @@ def grip_of(acting: Acting, pair: Pair) -> Grip | None:
     rates = [("", "") if root == FRAME else (acting.motion.spin(root), acting.turning(root, False)) for root in roots]
     sense = d.step(SenseBetween(f"turns_{key}", *rates[0], *rates[1]))
     signed = zip((1.0, -1.0), rates, strict=True)
-    speed = d.total(acting.motion.spin(key), [Product(sign, ((rate, 1),)) for sign, (rate, _) in signed if rate])
+    d.total(acting.motion.spin(key), [Product(sign, ((rate, 1),)) for sign, (rate, _) in signed if rate])
     factor = d.product(f"ρ_{key}", -1.0, **{circle: 1, sense: 1})
-    return Grip(pair, f"MT_{key}", factor, speed)
+    return Grip(pair, f"MT_{key}", factor)
 
 
 @dataclass(frozen=True)
@@ -58,7 +56,6 @@ class Slip:
     """What rubs on a guide: the names of the force along it, on the link that slides, and of what that is to the normal
     force."""
 
-    pair: Pair
     force: str
     factor: str
 
@@ -68,7 +65,7 @@ def slip_of(acting: Acting, pair: Pair) -> Slip | None:
     if pair.kind != "P" or pair.guide not in acting.bodies.mechanism.friction:
         return None
     key, factor = force_name(pair.link, pair.other), dict.fromkeys(sliding(acting, pair), 1)
-    return Slip(pair, f"T_{key}", acting.bodies.draft.product(f"f_{pair.link}", -1.0, **factor))
+    return Slip(f"T_{key}", acting.bodies.draft.product(f"f_{pair.link}", -1.0, **factor))
 
 
 def sliding(acting: Acting, pair: Pair) -> tuple[str, str]:
