@@ -59,14 +59,14 @@ def _course(reader: Reader, table: SourceTable, folder: Path) -> Course:
         assignments=assignments,
         title=MappingProxyType(read_words(reader, get["title"], "title")),
         sheet=MappingProxyType(sheet.entries if isinstance(sheet, SourceTable) else {}),
-        each=_whole(reader, get["each"], "each", 1, MOST_EACH),
+        each=_whole(reader, get["each"], "each", MOST_EACH),
         given_first=way == "given",
         draw=_draw(reader, get["draw"], assignments),
         sharpness_deg=_sharpness(reader, get["sharpness"]),
         documents=_words(reader, get["documents"], "documents", DOCUMENTS, DOCUMENTS[:5]),
         formats=_words(reader, get["formats"], "formats", FORMATS, FORMATS[:1]),
         plans=_words(reader, get["plans"], "plans", PLANS, PLANS[1:]),
-        seed=_whole(reader, get["seed"], "seed", 1, 10**9),
+        seed=_whole(reader, get["seed"], "seed", 10**9),
         lang=lang,
     )
 
@@ -178,8 +178,8 @@ def _sharpness(reader: Reader, node: Node | None) -> float:
     return value
 
 
-def _whole(reader: Reader, node: Node | None, key: str, default: int, most: int) -> int:
-    value = default if node is None else reader.number(node, key)
+def _whole(reader: Reader, node: Node | None, key: str, most: int) -> int:
+    value = 1 if node is None else reader.number(node, key)
     if value != int(value) or not 0 <= value <= most or (key == "each" and value < 1):
         raise reader.error(Phrase("course_whole", key=key, value=value, most=most), node or 1)
     return int(value)

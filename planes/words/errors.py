@@ -10,6 +10,7 @@ from pathlib import Path
 from planes.words import Lang, Phrase, Told
 from planes.words.names import latin
 
+QUOTED, OFFERED = 60, 40  # letters of what is quoted of a file; letters of a name that is offered, and how many
 _SPELLED = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
 _GREEK = dict(zip("αβγδεθλμρτφψω", _SPELLED.split(), strict=True))
 _RUSSIAN = """
@@ -114,20 +115,20 @@ def _spelled(name: str) -> str:
     return "".join(_GREEK.get(letter, letter) for letter in name)
 
 
-def shown(text: str, limit: int = 60) -> str:
+def shown(text: str) -> str:
     """A piece of somebody's file as it is quoted in a sentence: on one line, cut when long."""
-    short = text if len(text) <= limit else text[: limit - 1] + "…"
+    short = text if len(text) <= QUOTED else text[: QUOTED - 1] + "…"
     return '"' + "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in short) + '"'
 
 
-def choices(given: str, names: Iterable[str], limit: int = 40, what: str = "valid") -> Told:
+def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
     """Words that name what would have been valid: "; valid: a, b; did you mean a?", for lists of any length, of names
     of any length: bounded in time and in words. ``what`` is their key."""
-    known = [name for name in islice(names, 2000) if len(name) <= limit]
+    known = [name for name in islice(names, 2000) if len(name) <= OFFERED]
     if not known:
         return ""
-    near = _near(given[:limit], known)
-    if len(known) <= limit:
+    near = _near(given[:OFFERED], known)
+    if len(known) <= OFFERED:
         return Phrase(what, names=tuple(known), near=near)
     meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
     some = (*meant, *(name for name in known[:12] if name not in meant))

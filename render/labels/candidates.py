@@ -13,7 +13,7 @@ import numpy as np
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from render.labels.footprints import crossed, gaps, meeting
-from render.paper.marks import Arc, Layer, Line, Text
+from render.paper.marks import Arc, Line, Text
 from render.paper.typeset import extent
 
 Ends = tuple[complex, complex]
@@ -52,7 +52,6 @@ class Label:
     side: complex = 0
     clear: float = 0.0
     priority: int = 0
-    layer: Layer = "text"
     name: str = ""
     underlined: bool = False
     told: bool = False
@@ -232,11 +231,11 @@ def placed(labels: Sequence[Label], chosen: Candidates) -> Placed:
     for label, (x0, y0, x1, _), led in (one for one in there if not np.isnan(one[1][0])):
         left, low, *_ = label.extent
         base = complex(x0 - left, y0 - low)
-        texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
+        texts.append(Text(label.text, base, label.height, name=label.name))
         if label.underlined:
-            signs.append(Line((complex(x0, y0), complex(x1, y0)), "thin", label.layer))
+            signs.append(Line((complex(x0, y0), complex(x1, y0)), "thin", "text"))
         if not np.isnan(led[0].real):
-            leaders.append(Line(tuple(map(complex, led)), "thin", label.layer, name="leader"))
+            leaders.append(Line(tuple(map(complex, led)), "thin", "text", name="leader"))
             if isinstance(label.at, tuple):
-                signs.append(Arc(complex(led[1]), LED_DOT_MM, style="thin", layer=label.layer, fill="ink"))
+                signs.append(Arc(complex(led[1]), LED_DOT_MM, style="thin", layer="text", fill="ink"))
     return Placed(tuple(texts), tuple(leaders), tuple(signs))
