@@ -67,7 +67,9 @@ class Errors:
             n: Column(n, "", "", at(s.plan, s.start), at(s.plan, s.end), "size") for n, s in self.segments.items()
         }
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
-        self.ruler_mm, self.claims = _ruler_mm(by), _claims(self.cycle, by, plans.off)
+        pencil = by if isinstance(by, Pencil) else None
+        self.ruler_mm = pencil.ruler_mm / math.sqrt(12.0) if pencil else 0.0  # what reading a ruler adds
+        self.claims: Margins = Spread(self.cycle, pencil, {}) if pencil else Claims(self.cycle, plans.off)
 
     def of(self, position: Position) -> dict[str, Any]:
         """The ± of a position's results, in the same nested shape (None: nothing can be claimed)."""
@@ -102,16 +104,6 @@ def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
             for key, error in segments["segments"].items():
                 if error["mm"] is not None:
                     position.results["plans"][plan]["segments"][key]["error_mm"] = error["mm"]
-
-
-def _claims(ready: Ready, by: Instrument | None, off: Mapping[str, float] | None = None) -> Margins:
-    """What tells the ± of the columns drawn by this instrument; ``off``: how far off the givens are."""
-    return Spread(ready, by, {}) if isinstance(by, Pencil) else Claims(ready, off)
-
-
-def _ruler_mm(by: Instrument | None) -> float:
-    """What reading a ruler adds."""
-    return by.ruler_mm / math.sqrt(12.0) if isinstance(by, Pencil) else 0.0
 
 
 def _measured(bound: float, mu: float, ruler_mm: float) -> dict[str, float | None]:

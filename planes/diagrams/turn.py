@@ -38,9 +38,10 @@ class WholeTurn:
 
     @cached_property
     def cycles(self) -> tuple[tuple[str, Cycle], ...]:
-        """The runs there are, each with the prefix of its columns: the drive's own motion, and the unit drive's."""
+        """The runs there are, each with the prefix of its columns: the drive's own motion, and the unit drive's, ω₁ = 1
+        and ε₁ = 0 (or v = 1 and a = 0), velocities of which are analogues, dr/dφ₁."""
         columns = {c.name: c for c in columns_of(self.plans)}
-        unit = unit_drive(self.plans)
+        unit = dict(zip(self.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
         own = [columns[n] for n in self.needs if not n.startswith(UNIT)]
         one = [columns[n.removeprefix(UNIT)] for n in self.needs if n.startswith(UNIT)]
         runs = ("", None, own), (UNIT, unit, one)
@@ -75,11 +76,6 @@ class WholeTurn:
             part = np.asarray(values[start : start + chunk], float)
             found, codes = self._run(part, fast=fast)
             yield Block(part, np.array([c.read(found) + np.zeros(len(part)) for c in self.curves]), codes)
-
-
-def unit_drive(plans: Plans) -> dict[str, float]:
-    """The givens of a drive with ω₁ = 1 and ε₁ = 0 (or v = 1 and a = 0): velocities are then analogues, dr/dφ₁."""
-    return dict(zip(plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
 
 
 def turn_of(

@@ -14,7 +14,6 @@ from planes.drafting.steps.reckoning import Product, Sense, SenseBetween
 from planes.drafting.steps.settling import Fed, Settle
 from planes.plans.assur.groups import Pair
 from planes.plans.force.loads import Acting, Couple, force_name
-from planes.plans.position.bodies import Bodies
 from planes.plans.position.reckoned import HALF
 from planes.scene.mechanism import FRAME
 from planes.words.names import Meaning
@@ -36,7 +35,8 @@ class Grip:
 def grip_of(acting: Acting, pair: Pair) -> Grip | None:
     """How a hinge rubs; None where it does not, or where its links never turn against each other."""
     b, d = acting.bodies, acting.bodies.draft
-    name, roots = _rubbing(b, pair), [b.known[x].root for x in (pair.link, pair.other)]
+    name = b.mechanism.rubs(pair.point, pair.link, pair.other) if pair.kind == "R" else None
+    roots = [b.known[x].root for x in (pair.link, pair.other)]
     if name is None or roots[0] == roots[1]:
         return None
     key, journal = force_name(pair.link, pair.other), b.mechanism.journals[name]
@@ -86,7 +86,3 @@ def settle(acting: Acting, fed: tuple[Fed, ...], trial: Draft) -> None:
             steps.append(step)
     for f in fed:
         d.step(Settle(f.makes, tuple(reversed(steps)), fed))
-
-
-def _rubbing(b: Bodies, pair: Pair) -> str | None:
-    return b.mechanism.rubs(pair.point, pair.link, pair.other) if pair.kind == "R" else None
