@@ -119,7 +119,7 @@ def _look(out: Outcome) -> None:
     if paper.spots:
         out.grading = grade(bench, paper)
     if out.grading:
-        out.unreadable = readable(out.grading)
+        out.unreadable = readable(out.grading, paper.named)
         out.notes += out.grading.notes + _scale_notes(out)
     if paper.segments:
         _segments(out)

@@ -143,6 +143,15 @@ def test_marks_that_were_not_seen_are_named() -> None:
     assert found["warnings"] == ["Not seen and not judged: s2."]
 
 
+@pytest.mark.parametrize(("named", "verdict"), [((), "unreadable"), (("b",), "right")])
+def test_a_mark_that_its_name_tells_is_enough_to_judge_by(named: tuple[str, ...], verdict: str) -> None:
+    """The only crossing of a plan, upon another mark, is read by its name alone."""
+    scene = load(SAMPLES / "bntu-2.yaml")
+    bench = prepare(Asked(scene, "velocity", mu=prepare(Asked(scene, "velocity")).said_mu))
+    spots = [ReadMark("p", 0j), ReadMark("a", bench.true_marks["a"])]
+    assert check(bench.asked, ReadPaper("t", spots, whole=False, named=list(named))).verdict == verdict
+
+
 def test_a_mistake_that_changes_nothing_is_not_named() -> None:
     """A point on the line of its link, turned over about that line, stays where it is."""
     count = 0

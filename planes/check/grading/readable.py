@@ -1,5 +1,7 @@
 """Whether enough was read to judge by, and surely enough; if not, a sentence that says what is missing or asks."""
 
+from collections.abc import Collection
+
 from planes.check.grading.evidence import ASKED, MOST_BY_CHANCE, SMALLEST, size_of
 from planes.check.grading.grading import Grading
 from planes.check.grading.judging import WARN
@@ -20,10 +22,11 @@ def key_marks(grading: Grading) -> list[str]:
     return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
 
 
-def readable(grading: Grading) -> Phrase | None:
-    """None when enough was read to judge, else a sentence that says what is missing."""
+def readable(grading: Grading, named: Collection[str] = ()) -> Phrase | None:
+    """None when enough was read to judge, be it but the names of some marks, else a sentence that says what is
+    missing."""
     key = key_marks(grading)
-    found = [m for m in key if m in grading.judgement.misses]
+    found = [m for m in key if m in grading.judgement.misses or label_of(m) in named]
     if len(found) < READABLE * len(key):
         missing, steps = ", ".join(label_of(m) for m in key if m not in found), grading.plans.program.makers
         drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # on a line of marks only one may be key
