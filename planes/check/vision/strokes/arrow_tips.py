@@ -30,11 +30,11 @@ ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a pictur
 HAND = 0.08  # by how much a hand's heads differ in length, whatever those few that are seen well say
 HALF, UNLIKE = 0.2, 0.15  # of a head's length, half of its width; how much one may differ from the others
 BESIDE_MM, ABOUT_MM = 0.9, 2.0  # how far beside a line its vector may run, and a tip from where it should be
+BACK_MM = 1.5  # how far apart the bases of heads back to back may be
 GOAL_MM = 0.2  # how nearly it is told where a head is to be looked for
 SHORT_MM, BROAD_MM, MORE = 6.0, (1.2, 3.6), 0.12  # of a barb; where a head is broad, and how much ink must be there
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
-LEAST_MM = 0.1  # no tip is surer
-SEEMS_MM = 0.2  # by how much a head seems to reach too far: strokes laid one upon the other look broader
+LEAST_MM, SEEMS_MM = 0.1, 0.2  # no tip is surer; a head seems to reach too far: strokes upon each other look broader
 
 Likeness = tuple[Array, Array]  # what heads are like, and how much they differ: length, half of the width
 
@@ -79,6 +79,9 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
         free = line.clear[(sign + 1) // 2] and abs(sign * tip - end) < AT_END_MM
         start = numpy.array([end if free else sign * tip, 0.0, 0.0, abs(tip - base), 0.7])
         known = _known(z[near], [thin, *others])
+        for back in (k for k in seen if k.sign != sign and abs(k.base - found.base) < BACK_MM):
+            shape = numpy.array([-sign * back.tip, 0.0, 0.0, abs(back.tip - back.base), back.jump / 2])
+            known = numpy.maximum(known, _head(-x, y, shape, thin.width, False))
         more = (dark[near] - known)[(x < sign * tip - BROAD_MM[0]) & (x > sign * tip - BROAD_MM[1]) & (abs(y) < 1)]
         if found in seen or more.clip(0).mean() > MORE:
             yield Sight(line, thin.width, sign, x, y, dark[near], known, start, end if free else None)

@@ -33,6 +33,7 @@ INKED = 0.3  # of a line's darkness, of its own edge
 OPEN_MM = 0.6  # of paper between a line and a barb of its head
 SHAFT_MM = (9.0, 4.5)  # how far before its end a vector is looked at for where it runs
 ASTRAY_MM, BESIDE_MM = 0.6, 0.8  # how far off its vector a head may be, and its vector's ink off where it should run
+APART_MM = 1.4  # rows where bases are whole; farther apart they show the line between them
 BOTH_MM = 0.8  # how far apart the tips found from both sides may be
 SHARED = 0.5  # of a head, that two which point at each other have in common
 
@@ -55,6 +56,7 @@ class _LineSide(NamedTuple):
     half: Array
     taken: Booleans
     heads: list[SeenHead]
+    pairs: list[SeenHead]  # back to back
 
 
 def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
@@ -64,8 +66,9 @@ def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
     dark = {k: ink.at(line.at(s)[:, None] + k * 1j * line.direction(s)[:, None] * t[None, :]) for k in (1, -1)}
     found: list[SeenHead] = []
     for closed in (False, True):
-        sides = {k: _side(s, barbed(dark[k]) if closed else dark[k]) for k in (1, -1)}
+        sides = {k: _side(s, barbed(dark[k]) if closed else dark[k], line.width / 2) for k in (1, -1)}
         found += _from_both_sides(sides[1].heads, sides[-1].heads) if closed else _whole(s, sides, line.width)
+        found += _from_both_sides(sides[1].pairs, sides[-1].pairs)
     kept: list[SeenHead] = []
     for one in sorted(found, key=lambda o: -o.jump):
         inside = line.low - 1.5 < one.tip < line.high + 1.5
@@ -92,13 +95,13 @@ def barbed(dark: Array) -> Array:
     return filled
 
 
-def _side(s: Array, dark: Array) -> _LineSide:
-    """A side of a line, from the ink of rows outwards."""
+def _side(s: Array, dark: Array, own_half: float) -> _LineSide:
+    """A side of a line so wide to that side, from the ink of rows outwards."""
     own = numpy.cumprod(dark > INKED, axis=1)
     half, taken = (dark * own).sum(axis=1) * ASIDE_MM, (dark * (1 - own)).max(axis=1) > DARK
     back = _sides(-s[::-1], half[::-1], taken[::-1])
     turned = (x._replace(base=-x.base, tip=-x.tip, sign=-1) for x in back)
-    return _LineSide(half, taken, [*_sides(s, half, taken), *turned])
+    return _LineSide(half, taken, [*_sides(s, half, taken), *turned], [*_pairs(s, half, taken, own_half)])
 
 
 def _whole(s: Array, sides: Mapping[int, _LineSide], width: float) -> Iterator[SeenHead]:
@@ -174,6 +177,20 @@ def _sides(s: Array, half: Array, taken: Booleans) -> list[SeenHead]:
         if tip is not None and all(abs(tip - f.tip) > 0.6 for f in found):
             found.append(SeenHead(float(s[top]) - BASE_MM, tip, 1, before - PENCIL_MM / 2, jump, 2 * before))
     return found
+
+
+def _pairs(s: Array, half: Array, taken: Booleans, own: float) -> Iterator[SeenHead]:
+    """Heads back to back: a line so wide has no width of its own between their bases, from which both narrow to it."""
+    broad = numpy.flatnonzero(half[6:-6] > own + JUMP_MM) + 6
+    tops = [i for i in broad.tolist() if half[i] == half[i - 3 : i + 4].max() and not taken[i - 3 : i + 4].any()]
+    for i, k in product(tops, tops):
+        if not 0 <= s[k] - s[i] < APART_MM:
+            continue
+        jump, last = float(min(half[i], half[k])) - own, len(s) - 1
+        back, tip = _tip(-s[::-1], half[::-1], last - i, own, jump), _tip(s, half, k, own, jump)
+        if back is not None and tip is not None:
+            yield SeenHead(float(s[i]) + BASE_MM, -back, -1, own - PENCIL_MM / 2, jump, 2 * own)
+            yield SeenHead(float(s[k]) - BASE_MM, tip, 1, own - PENCIL_MM / 2, jump, 2 * own)
 
 
 def _tip(s: Array, half: Array, top: int, before: float, jump: float) -> float | None:
