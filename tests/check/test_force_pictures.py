@@ -11,6 +11,7 @@ import pytest
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
+from planes.check.grading.handwork import Miss  # noqa: E402
 from planes.check.grading.prepared_plan import PreparedPlan  # noqa: E402
 from planes.check.vision.image.picture import PX_PER_MM, Flat  # noqa: E402
 from planes.check.vision.marks.places import Seen, sheet_of  # noqa: E402
@@ -78,6 +79,39 @@ def test_a_head_is_told_from_the_shaft_behind_it() -> None:
 def test_heads_that_point_at_each_other_s_bases_are_of_one_ink(other: Tip, one: bool) -> None:
     """Two that stand back to back are two."""
     assert one_ink(Tip(10.0, 1, 0j, 0.1, 3.0), other) is one
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("apart", [0.0, 0.6, -0.2, 0.3, 1.0, 2.0])
+def test_heads_back_to_back_on_one_line_are_seen(apart: float) -> None:
+    """So far apart are their bases: nothing of the line, or hardly anything, is between them."""
+    a, b, up = 20 + 50j, 120 + 50j, 40j
+    left, right = 70 - apart / 2 - HEAD_MM + 50j, 70 + apart / 2 + HEAD_MM + 50j
+    others = [(a, a + up), (b, b + up), (60 + 20j, 100 + 30j)]
+    seen = sheet_of(sheet([(a, b), *others], [*others, (b, left), (a, right)]))
+    assert seen is not None
+    line = max((x for x in seen.lines if abs(x.along.imag) < 0.1), key=lambda x: x.length)
+    ways = {round(h.sign * line.along.real): h.z for h in line.heads}
+    assert abs(ways[-1] - left) < 1.1 and abs(ways[1] - right) < 1.1
+
+
+def test_a_vector_shorter_than_half_of_a_head_has_none_such() -> None:
+    a, b = 30 + 50j, 80 + 50j
+    seen = sheet_of(sheet([(a, b)], [(a, b)]))
+    assert seen is not None
+    ink = InkCover(seen, a, [50 + 0j])
+    assert [bool(ink.along(b - mm, b)[1]) for mm in (50, 2.5, 1.0)] == [True, True, False]
+
+
+@pytest.mark.parametrize(("sigma", "unseen"), [(0.3, False), (3.0, True)])
+def test_a_vector_whose_length_is_hardly_known_may_end_unseen_beside_a_place(sigma: float, unseen: bool) -> None:
+    """A line begins two millimetres from where the vector should end, upon another's line."""
+    pole, v = 20 + 50j, 40 + 0j
+    seen = sheet_of(sheet([(pole, pole + 90), (pole + v + 0.4, pole + v + 30j)], []))
+    assert seen is not None
+    sought = SoughtPolygon(InkCover(seen, pole, [v]), Place(pole, 0.1, frozenset()), {"I": Miss(0j, (sigma**2, 0, 1))})
+    ends = sought._ends_near("I", v, PolygonCorner(pole))
+    assert any(hidden for *_, hidden in ends) is unseen and not all(hidden for *_, hidden in ends)
 
 
 @pytest.mark.parametrize(("by", "priced"), [("marks", False), ("points", True)])
@@ -165,6 +199,19 @@ def test_a_mistake_of_half_a_millimetre_leaves_nothing_in_doubt(seed: int, tmp_p
     assert drawn is not None
     corpus.picture(drawn, corpus.pole_of(one), SCAN, rng, file)
     assert corpus.looked_at(one, file)[0].verdict == "right"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [3, 4])
+def test_what_ink_shows_of_a_mistake_within_a_hand_s_error_is_not_called_right(seed: int, tmp_path: Path) -> None:
+    """A force of inertia of two millimetres drawn twice as long, its end seen by where the next vector begins, or but by
+    where it should be with the mistake."""
+    one, rng, file = easel("sliding-driver", "force:2-3"), random.Random(seed), tmp_path / "p.jpg"
+    drawn = corpus.drawn(one, Mistake("force_doubled", "I_3", 0), rng)
+    assert drawn is not None
+    corpus.picture(drawn, corpus.pole_of(one), SCAN, rng, file)
+    found = corpus.looked_at(one, file)[0]
+    assert found.verdict != "right" and "I_3" in (*found.unseen, found.first_wrong)
 
 
 POLE = 100 + 75j

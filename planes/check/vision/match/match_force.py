@@ -27,7 +27,7 @@ from planes.check.vision.search.polygon_cover import (
     seen_like,
     spread_of,
 )
-from planes.check.vision.search.polygon_search import MANY, OPEN, TINY_MM, SoughtPolygon
+from planes.check.vision.search.polygon_search import LOOSE_MM, MANY, OPEN, TINY_MM, SoughtPolygon
 from planes.check.vision.strokes.line_places import WOBBLE_MM, Place
 from planes.words.names import POLE
 
@@ -36,12 +36,13 @@ DEEPER = 26.0, MOST_COST  # a chain is first looked for among the cheapest
 POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for each vector, is not surely one
 MOST_CORNERS = 12  # of a polygon, at which it may begin
 NAMED = 1.5  # how much more a polygon may cost for each vector by which its name stands
-UNSURE, HAND_MM = 2.6, 1.8  # how much more a polygon laid rightly, by a hand so far astray, must cost than a mistake
+UNSURE = 2.6  # how much more a polygon laid rightly must cost than a mistake
 APART = 5.0  # by how much a right polygon is dearer where it is out of the question
 # a mistake that costs so little more than the right plan leaves in doubt what it moves so far
 RIVAL, APART_MM = 1.0, 0.8
 PAST_MM, ASIDE_MM = (4.0, 30.0), 0.9  # how far past the pole a head may stand, and its line aside
-IN_LINE, ASLANT = 3.0, 0.1  # the same where all lie in one line (so far aslant, of a length), and letters alone tell
+# the same where all lie in one line (so far aslant, of a length) and letters alone tell, or what it moves is unseen
+IN_LINE, ASLANT = 3.0, 0.1
 BETTER = 1.0  # or where its ink, with names, is so much better than the right plan's, however unlikely the mistake is
 
 
@@ -90,25 +91,38 @@ class LaidPolygon:
     def cost(self, plainly: bool = False) -> float:
         """What it costs to believe in it, or in the plan rightly drawn on such a sheet, if by a poor hand."""
         chain = self.plain if plainly else self.best
-        if chain is None or (plainly and chain.astray(self.right, self.polygon.pole.z) > HAND_MM):
+        if chain is None or (plainly and chain.astray(self.right, self.polygon.spread, self.polygon.pole.z) > 1):
             return math.inf
         return chain.cost + self.unlikely
 
     def untold(self) -> tuple[str, ...]:
-        """Known vectors, rightly laid, that some mistake puts elsewhere and explains the ink nearly as well; where all
-        lie in one line those, too, that are so long that they have heads, and whose ends nothing shows."""
+        """Vectors that may as well be a mistake's, if the drawing is called right: those its likeliest chain has
+        elsewhere for one's sake, or that some mistake would have."""
+        if self.best is not self.plain and self.best and self.best.guess:
+            found = self.best.guess.moved(self.right, APART_MM)
+        else:
+            found = self._rivals()
+        return tuple(n for n in (*self.right.known, *self.right.closing) if n in found)
+
+    def _rivals(self) -> set[str]:
+        """Known vectors, rightly laid, that some mistake has elsewhere and explains the ink nearly as well; those, too,
+        that are so long that they have heads, and whose ends nothing shows, where all lie in one line or their lengths
+        are hardly known."""
         if self.plain is None:
-            return ()
+            return set()
         pole = self.polygon.pole.z
         drawn = self.plain.vectors(pole)
         straight = in_line([*drawn.values()])
-        found = {n for n in self.plain.hidden if straight and abs(drawn[n]) > HEADED_MM}
+        loose = {n for n, miss in self.polygon.spread.items() if straight or miss.worst > LOOSE_MM}
+        found = {n for n in self.plain.hidden if n in loose and abs(drawn[n]) > HEADED_MM}
         for guess in self.wrong:
-            most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if straight else RIVAL)
-            rival = self.polygon.lay(guess, most) if guess.cost < most and guess.differs(self.right, APART_MM) else None
+            moved = guess.moved(self.right, APART_MM)
+            unseen = straight or not moved.isdisjoint(self.plain.hidden)
+            most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if unseen else RIVAL)
+            rival = self.polygon.lay(guess, most) if guess.cost < most and moved else None
             others = rival.vectors(pole) if rival else {}
             found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}
-        return tuple(n for n in self.right.known if n in found or self.polygon.endless)
+        return set(self.right.known) if self.polygon.endless else found
 
 
 def in_line(vectors: Sequence[complex]) -> bool:
@@ -133,7 +147,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
         return ReadPolygon()
     dearer = min(other.cost(plainly=True) for other in tried) - one.cost()  # by which a right polygon is
     most = _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z)
-    if (best is not one.plain and dearer < UNSURE) or best.cost > most:
+    if (best is not one.plain and dearer < (APART if best.shows_nothing(one.right) else UNSURE)) or best.cost > most:
         return ReadPolygon(explained=1.0)
     explained = one.polygon.ink.explained(best.routes(pole.z))
     rows = [ReadMark(POLE, pole.z, pole.sigma)]
@@ -143,8 +157,8 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
         if not best.left_out(n, one.right, pole.z)
     ]
     spots = by_ruler(seen.ink.flat, near, one.share, rows, explained, {})
-    untold = (*one.untold(), *_past_pole(best, seen, pole.z)) if best is one.plain else ()
-    return ReadPolygon(spots, explained > 0.9, explained, best.hidden, untold, dearer > APART)
+    past = _past_pole(best, seen, pole.z) if best is one.plain else ()
+    return ReadPolygon(spots, explained > 0.9, explained, best.hidden, (*one.untold(), *past), dearer > APART)
 
 
 def _past_pole(best: LaidChain, seen: Seen, pole: complex) -> tuple[str, ...]:

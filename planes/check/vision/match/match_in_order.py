@@ -57,11 +57,9 @@ class SoughtInOrder(Search):
         places = {n: z for n, (z, _) in self.places(way, sides).items()}
         return {s.name: places[s.end] - places[s.start] for s in sides if s.start in places and s.end in places}
 
-    def measure(self, sides: Iterable[Side]) -> None:
-        """Know how long its vectors are."""
-        for side in sides:
-            length = abs(self._true(side.end) - self._true(side.start))
-            self.lengths.setdefault(at(self.bench.asked.plan, side.end), length)
+    def right_vectors(self, sides: Iterable[Side]) -> dict[str, complex]:
+        """Those of the right plan by name."""
+        return {s.name: self._true(s.end) - self._true(s.start) for s in sides}
 
     def _true(self, label: str) -> complex:
         return 0j if label == POLE else self.true[at(self.bench.asked.plan, label)]
@@ -93,13 +91,12 @@ class Tried:
             way = self.search.settled(variant, slip(len(variants)), most)
             self.wrong += [way] if way and way.cost < most else []
 
-    def untold(self, sides: Sequence[Side]) -> tuple[str, ...]:
-        """Vectors that some mistake puts elsewhere and explains the ink nearly as well as the right plan, or better."""
-        if self.plain is None:
-            return ()
-        most, found = self.plain.cost + RIVAL, dict[str, None]()
-        mine, *others = (self.search.vectors_of(w, sides) for w in (self.plain, *self.wrong) if w.cost < most)
-        for rival in others:
+    def untold(self, best: LaidPlan, sides: Sequence[Side]) -> tuple[str, ...]:
+        """Vectors that some mistake puts elsewhere and explains the ink nearly as well as the way it was read, or that
+        this has elsewhere itself."""
+        mine = self.search.vectors_of(best, sides) if best is self.plain else self.search.right_vectors(sides)
+        found = dict[str, None]()
+        for rival in (self.search.vectors_of(w, sides) for w in self.wrong if w.cost < best.cost + RIVAL):
             found |= dict.fromkeys(n for n, v in rival.items() if n in mine and abs(v - mine[n]) > APART_MM)
         return tuple(found)
 
@@ -112,9 +109,8 @@ def read_in_order(bench: PreparedPlan, sides: Sequence[Side], seen: Seen, near: 
     shares = likely_shares(seen.ink.flat, seen_like(bench, [*sides], seen))
     tried = [Tried(SoughtInOrder.of(bench, ink, pole, vectors, share)) for share in shares]
     for one in tried:
-        one.search.lengths = {
-            at(bench.asked.plan, s.end): abs(one.search._true(s.end) - one.search._true(s.start)) for s in sides
-        }
+        true = one.search.right_vectors(sides)
+        one.search.lengths = {at(bench.asked.plan, s.end): abs(true[s.name]) for s in sides}
         one.plain = one.search.settled(None)
     short = sum(mm < HEADED_MM for mm in tried[0].search.lengths.values())
     fair = POOR + POORLY * len(sides) + SHORT * short
@@ -148,5 +144,4 @@ def _told(one: Tried, best: LaidPlan, sides: Sequence[Side], near: complex, apar
     hidden = [s for s in sides if s.end != POLE and at(plan, s.end) not in best.found]
     names = tuple(s.name for s in hidden if search.lengths[at(plan, s.end)] > HIDDEN_MM)
     spots = by_ruler(search.seen.ink.flat, near, search.share, rows, explained, {})
-    untold = one.untold(sides) if best is one.plain else ()
-    return ReadPolygon(spots, explained > 0.9, explained, names, untold, apart)
+    return ReadPolygon(spots, explained > 0.9, explained, names, one.untold(best, sides), apart)

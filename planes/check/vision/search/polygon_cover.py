@@ -21,6 +21,7 @@ from planes.drafting.steps import Step
 from planes.drafting.steps.crossings import Cross
 from planes.words.names import POLE, at, label_of, links_of, plan_of
 
+HAND_MM, SURELY = 1.8, 3.0  # how far astray a hand leads, and of how many σ
 NOTHING_MM, NAMED_MM = 0.3, 3.0  # a shorter vector is not drawn; one so long has a name
 WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet
 TURNED = 0.01  # the sine of the angle by which lines of a reaction differ on paper
@@ -63,11 +64,11 @@ class Guess:
         """The vectors of the right polygon that are none here."""
         return [n for n, v in right.known.items() if abs(v) > 1 and abs(self.known.get(n, v)) < NOTHING_MM]
 
-    def differs(self, right: Self, mm: float) -> bool:
-        """Whether it puts some known vector elsewhere than the right polygon, by more than that, or turns a closing
-        one: what is less shows on no paper."""
-        moved = any(abs(v - right.known[n]) > mm for n, v in self.known.items())
-        return moved or any(abs((u * right.closing[n].conjugate()).imag) > TURNED for n, u in self.closing.items())
+    def moved(self, right: Self, mm: float) -> set[str]:
+        """The vectors it puts elsewhere than the right polygon by more than that, or anywhere, and the closing ones it
+        turns: what is less shows on no paper."""
+        known = {n for n, v in self.known.items() if n == self.free or abs(v - right.known[n]) > mm}
+        return known | {n for n, u in self.closing.items() if abs((u * right.closing[n].conjugate()).imag) > TURNED}
 
     def unwritten(self, words: HandWords, right: Self) -> float:
         """What it costs to believe that nobody drew these, for where names were read: a short one may have none."""
@@ -84,6 +85,7 @@ class LaidChain:
     hidden: tuple[str, ...] = ()
     steps: int = 0  # of ink, and heads, that the vectors account for: bits
     heads: int = 0
+    guess: Guess | None = None  # it is laid by
 
     def routes(self, pole: complex) -> list[tuple[complex, complex]]:
         """Where its vectors run, from a pole."""
@@ -102,10 +104,16 @@ class LaidChain:
         """By how many of its vectors their names stand, as surely as they were read."""
         return sum(words.told(n, a, b) for (n, _, _), (a, b) in zip(self.rows, self.routes(pole), strict=True))
 
-    def astray(self, right: Guess, pole: complex) -> float:
-        """How far the end of a known vector is from where it should be, seen from its start, at the most."""
-        drawn = self.vectors(pole).items()
-        return max((abs(v - right.known[n]) for n, v in drawn if n in right.known), default=0.0)
+    def astray(self, right: Guess, spread: Mapping[str, Miss], pole: complex) -> float:
+        """By how many times a hand's error the end of a known vector is from where it should be, seen from its start:
+        such as it makes at all, or as what the vector is reckoned from may have."""
+        known = {n: v for n, v in self.vectors(pole).items() if n in right.known}
+        off = (abs(v - right.known[n]) / max(HAND_MM, SURELY * spread[n].worst) for n, v in known.items())
+        return max(off, default=0.0)
+
+    def shows_nothing(self, right: Guess) -> bool:
+        """Whether a vector that it has elsewhere than the right polygon is one whose end is not seen."""
+        return self.guess is not None and not self.guess.moved(right, NOTHING_MM).isdisjoint(self.hidden)
 
     def left_out(self, name: str, right: Guess, pole: complex) -> bool:
         """Whether a known vector of some length is laid with none: nobody drew it."""

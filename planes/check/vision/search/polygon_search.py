@@ -26,6 +26,7 @@ TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden wher
 HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of a millimetre; if no ink is on its way
 # what it costs that so much more of a vector is not drawn than may be; how much more at most
 BARE, MOST_BARE = 12.0, 0.3
+LOOSE_MM = 1.6  # σ of a vector that may as well end unseen as at a place near by
 ON_MM = 3.0  # by which a line goes on at the end of a vector that is not seen on it
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
@@ -85,7 +86,7 @@ class SoughtPolygon:
         self.best, self.most, self.steps = None, most, 0
         self.known.clear()
         if not self.endless:
-            self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), PolygonCorner(self.pole.z))
+            self._lay_known(guess, dict(guess.known), LaidChain(guess.cost, guess=guess), PolygonCorner(self.pole.z))
         self.taken += self.steps
         return self.best
 
@@ -141,7 +142,8 @@ class SoughtPolygon:
             upon = (self.ink.bare(*way) for way in chain.upon(z, row[1], self.pole.z))
             bare = max(bare - max(upon, default=0.0), 0.0)
         cost = chain.cost + price + bare + self.ink.words.price(row[0], z, row[1])
-        return LaidChain(cost, [*chain.rows, row], hidden or chain.hidden, chain.steps | steps, chain.heads | heads)
+        rows, hidden = [*chain.rows, row], hidden or chain.hidden
+        return LaidChain(cost, rows, hidden, chain.steps | steps, chain.heads | heads, chain.guess)
 
     def _ends(self, guess: Guess, name: str, v: complex, start: PolygonCorner) -> list[End]:
         """Where a vector from a place may end, the likeliest first (remembered)."""
@@ -169,7 +171,8 @@ class SoughtPolygon:
                 found.append((price, p.z, p.sigma, False))
         found.sort(key=lambda f: f[0])
         least = found[0][0] if found else math.inf
-        if least > 1.0 + HIDDEN * min(abs(v), 2.0) and (abs(v) < TINY_MM or self.covered(z, goal) > 1 - 0.8 / abs(v)):
+        unsure = least > 1.0 + HIDDEN * min(abs(v), 2.0) or self.spread[name].worst > LOOSE_MM
+        if unsure and (abs(v) < TINY_MM or self.covered(z, goal) > 1 - 0.8 / abs(v)):
             upon = abs(v) < TINY_MM and self.covered(z, goal + ON_MM * v / abs(v)) == 1.0  # nothing shows where it ends
             price = min(1.0 + HIDDEN * abs(v) * (not upon), MOST_HIDDEN) + NO_INK * (1 - self.covered(z, goal))
             found.append((price, goal, self.spread[name].worst, True))
