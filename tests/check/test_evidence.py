@@ -129,6 +129,13 @@ def test_lengths_at_a_scale_of_their_own(lengths: dict[str, float], mu: float | 
     assert check(asked, ReadPaper("t", segments=list(lengths.items()))).verdict == verdict
 
 
+def test_a_table_without_one_force_of_a_polygon_is_not_judged() -> None:
+    """Marks of another plan: not one force is said to be left out."""
+    asked = Asked(load(SAMPLES / "six-link.yaml"), "force:2-3")
+    found = check(asked, ReadPaper("t", [ReadMark(n, z) for n, z in RIGHT.items()]))
+    assert found.verdict == "unreadable" and found.sentence.key == "check_nothing_read"
+
+
 def test_marks_that_were_not_seen_are_named() -> None:
     asked = Asked(load(SAMPLES / "six-link.yaml"), "velocity")
     spots = [ReadMark(n, z) for n, z in RIGHT.items()]

@@ -204,8 +204,7 @@ def test_a_mistake_of_half_a_millimetre_leaves_nothing_in_doubt(seed: int, tmp_p
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [3, 4])
 def test_what_ink_shows_of_a_mistake_within_a_hand_s_error_is_not_called_right(seed: int, tmp_path: Path) -> None:
-    """A force of inertia of two millimetres drawn twice as long, its end seen by where the next vector begins, or but by
-    where it should be with the mistake."""
+    """A force of inertia of two millimetres drawn twice as long; its end is where the next vector begins."""
     one, rng, file = easel("sliding-driver", "force:2-3"), random.Random(seed), tmp_path / "p.jpg"
     drawn = corpus.drawn(one, Mistake("force_doubled", "I_3", 0), rng)
     assert drawn is not None

@@ -10,6 +10,7 @@ from itertools import pairwise
 
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, mark_names
+from planes.check.grading.remedies import asking, told_to
 from planes.drafting.steps import LayOff
 from planes.plans import Plans
 from planes.words import Phrase
@@ -162,6 +163,9 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
         if pole is None:
             raise PlanesError(Phrase("check_no_pole"))
         rebuilt = replace(rebuild(bench.plans, plan, paper.spots, paper.whole), apart=paper.apart)
+        if not rebuilt.vectors:
+            names = ", ".join(s.name for s in sides_of(bench.plans, plan))
+            raise PlanesError(told_to("table", asking("check_nothing_read", names=names)))
         return rebuilt.spots, rebuilt, rebuilt.unknown
     found: dict[str, ReadMark] = {}
     unknown = []
