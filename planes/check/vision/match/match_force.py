@@ -17,7 +17,7 @@ from planes.check.vision.marks.places import HEADED_MM, Seen, pole_on
 from planes.check.vision.marks.print_scale import UNLIKELY, by_ruler, likely_shares
 from planes.check.vision.match.match_in_order import read_in_order
 from planes.check.vision.search.costs import ANYWHERE
-from planes.check.vision.search.ink_cover import COVERED, InkCover
+from planes.check.vision.search.ink_cover import COVERED, NO_HEAD, InkCover
 from planes.check.vision.search.polygon_cover import (
     Guess,
     LaidChain,
@@ -117,8 +117,9 @@ class LaidPolygon:
         found = {n for n in self.plain.hidden if n in loose and abs(drawn[n]) > HEADED_MM}
         for guess in self.wrong:
             moved = guess.moved(self.right, APART_MM)
-            unseen = straight or not moved.isdisjoint(self.plain.hidden)
-            most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if unseen else RIVAL)
+            unseen = (n for n in self.plain.hidden if n in moved and n in self.right.known)
+            shown = any(abs(guess.known[n]) >= abs(self.right.known[n]) for n in unseen)  # a shorter one hides better
+            most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if straight or shown else RIVAL)
             rival = self.polygon.lay(guess, most) if guess.cost < most and moved else None
             others = rival.vectors(pole) if rival else {}
             found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}
@@ -147,7 +148,8 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
         return ReadPolygon()
     dearer = min(other.cost(plainly=True) for other in tried) - one.cost()  # by which a right polygon is
     most = _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z)
-    if (best is not one.plain and dearer < (APART if best.shows_nothing(one.right) else UNSURE)) or best.cost > most:
+    unsure = dearer < (APART if best.shows_nothing(one.right) else UNSURE) if best is not one.plain else False
+    if unsure or best.cost > most or _runs_on(best, ink, pole.z):
         return ReadPolygon(explained=1.0)
     explained = one.polygon.ink.explained(best.routes(pole.z))
     rows = [ReadMark(POLE, pole.z, pole.sigma)]
@@ -159,6 +161,13 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     spots = by_ruler(seen.ink.flat, near, one.share, rows, explained, {})
     past = _past_pole(best, seen, pole.z) if best is one.plain else ()
     return ReadPolygon(spots, explained > 0.9, explained, best.hidden, (*one.untold(), *past), dearer > APART)
+
+
+def _runs_on(best: LaidChain, ink: InkCover, pole: complex) -> bool:
+    """Whether a polygon that does not close has no head where its last vector ends, though others have: where a line
+    that runs on by itself ends, no vector need do."""
+    start, end = best.routes(pole)[-1]
+    return end != pole and ink.bare(start, end) >= NO_HEAD
 
 
 def _past_pole(best: LaidChain, seen: Seen, pole: complex) -> tuple[str, ...]:
