@@ -17,12 +17,10 @@ from planes.geometry.arrays import Array, Complexes
 
 USUAL_MM = 3.0  # about how long a head is
 STEP_MM, CELL_MM = 0.2, 0.1  # along a line and across
-SOFT_MM = 0.18  # half of how far an edge is blurred
-OUTSIDE_MM = 0.08  # how far outside of a line's ink its edges are
+SOFT_MM, OUTSIDE_MM = 0.18, 0.08  # half of how far an edge is blurred; how far outside of a line's ink its edges are
 LENGTH_MM, HALF_MM = (1.5, 6.0), (0.2, 1.6)  # of a head, and half of its width
-ASKEW = 0.25  # of a head to its line
+ASKEW, TIE_MM = 0.25, 0.3  # of a head to its line, and beside it
 NEEDED, CLEAR = 0.35, 0.75  # of the ink that no line explains, the share a head must, and one that is seen well
-TIE_MM = 0.3  # of a head beside its line
 END_MM, AT_END_MM = 0.08, 1.5  # σ of where a line is seen to end; how far its head's tip may seem to be from there
 ENOUGH, EVEN, UNEVEN = 3, 0.02, 0.08  # heads that tell how alike all are, and how alike they may be; fewer do not
 SHAPE_MM = (0.2, 0.03)  # σ of a fitted head's length and half of its width
@@ -30,8 +28,7 @@ ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a pictur
 HAND = 0.08  # by how much a hand's heads differ in length, whatever those few that are seen well say
 HALF, UNLIKE = 0.2, 0.15  # of a head's length, half of its width; how much one may differ from the others
 BESIDE_MM, ABOUT_MM = 0.9, 2.0  # how far beside a line its vector may run, and a tip from where it should be
-BACK_MM = 1.5  # how far apart the bases of heads back to back may be
-GOAL_MM = 0.2  # how nearly it is told where a head is to be looked for
+BACK_MM, GOAL_MM = 1.5, 0.2  # how far apart bases back to back may be; how nearly a place to look for a head is told
 SHORT_MM, BROAD_MM, MORE = 6.0, (1.2, 3.6), 0.12  # of a barb; where a head is broad, and how much ink must be there
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM, SEEMS_MM = 0.1, 0.2  # no tip is surer; a head seems to reach too far: strokes upon each other look broader
