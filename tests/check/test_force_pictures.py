@@ -95,14 +95,6 @@ def test_heads_back_to_back_on_one_line_are_seen(apart: float) -> None:
     assert abs(ways[-1] - left) < 1.1 and abs(ways[1] - right) < 1.1
 
 
-def test_a_vector_shorter_than_half_of_a_head_has_none_such() -> None:
-    a, b = 30 + 50j, 80 + 50j
-    seen = sheet_of(sheet([(a, b)], [(a, b)]))
-    assert seen is not None
-    ink = InkCover(seen, a, [50 + 0j])
-    assert [bool(ink.along(b - mm, b)[1]) for mm in (50, 2.5, 1.0)] == [True, True, False]
-
-
 @pytest.mark.parametrize(("sigma", "unseen"), [(0.3, False), (3.0, True)])
 def test_a_vector_whose_length_is_hardly_known_may_end_unseen_beside_a_place(sigma: float, unseen: bool) -> None:
     """A line begins two millimetres from where the vector should end, upon another's line."""

@@ -115,15 +115,21 @@ class LaidPolygon:
         straight = in_line([*drawn.values()])
         loose = {n for n, miss in self.polygon.spread.items() if straight or miss.worst > LOOSE_MM}
         found = {n for n in self.plain.hidden if n in loose and abs(drawn[n]) > HEADED_MM}
-        for guess in self.wrong:
-            moved = guess.moved(self.right, APART_MM)
-            unseen = (n for n in self.plain.hidden if n in moved and n in self.right.known)
-            shown = any(abs(guess.known[n]) >= abs(self.right.known[n]) for n in unseen)  # a shorter one hides better
+        endless = False
+        for guess in sorted(self.wrong, key=self._shows):  # what is looked for longest comes last
+            shown, moved = self._shows(guess), guess.moved(self.right, APART_MM)
             most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if straight or shown else RIVAL)
             rival = self.polygon.lay(guess, most) if guess.cost < most and moved else None
+            endless |= self.polygon.endless and not shown
             others = rival.vectors(pole) if rival else {}
             found |= {n for n, v in others.items() if n in self.right.known and abs(v - drawn[n]) > APART_MM}
-        return set(self.right.known) if self.polygon.endless else found
+        return set(self.right.known) if endless else found
+
+    def _shows(self, guess: Guess) -> bool:
+        """Whether a mistake makes longer a vector that, rightly laid, ends unseen: a shorter one is hidden better."""
+        hidden = self.plain.hidden if self.plain else ()
+        unseen = (n for n in guess.moved(self.right, APART_MM) if n in hidden and n in self.right.known)
+        return any(abs(guess.known[n]) >= abs(self.right.known[n]) for n in unseen)
 
 
 def in_line(vectors: Sequence[complex]) -> bool:

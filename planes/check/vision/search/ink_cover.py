@@ -27,7 +27,6 @@ NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head,
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 SIGN_MM = (-6.0 - 8.4j, -1.4 - 1.6j)  # where its letter is printed on a blank, from the pole
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
-ROOM = 0.5  # how long a vector is at the least to its head
 UPON_MM = 0.6  # lines whose heads are farther aside are two vectors
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
 COVERED, STRANGE_MM = 0.75, 10.0  # the share of a vector that must be drawn; of its end, what tells a strange one
@@ -56,7 +55,6 @@ class InkCover:
     dark: Array = field(init=False)  # how dark the picture is at every step
     parts: list[InkPart] = field(default_factory=list)  # what hangs together, the pole's own first
     tips: list[tuple[complex, complex]] = field(default_factory=list)  # and the unit way they point
-    lengths: list[float] = field(default_factory=list)  # of their heads, mm
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
     overshot: dict[tuple[complex, complex], int] = field(default_factory=dict)
     _faint: dict[tuple[complex, complex], bool] = field(default_factory=dict)
@@ -80,7 +78,6 @@ class InkCover:
                 ):
                     heads[number] |= 1 << len(self.tips)
                     self.tips.append((tip, way))
-                    self.lengths.append(head.length)
         for k, bits in enumerate(heads):
             lengths = [x.length for x, n in zip(lines, numbers, strict=False) if n == k]
             self.parts.append(InkPart(_bits(parts == k), bits, sum(mm > 2 * HEADED_MM for mm in lengths), sum(lengths)))
@@ -171,9 +168,8 @@ class InkCover:
         """The head nearest to b among those that point from a to b there: a vector has but one."""
         if a == b:
             return 0
-        own, held = (b - a) / abs(b - a), abs(b - a) / ROOM
+        own = (b - a) / abs(b - a)
         near = [k for k, (tip, way) in enumerate(self.tips) if abs(tip - b) < TIP_NEAR_MM and _alike(own, way)]
-        near = [k for k in near if self.lengths[k] < held]
         return 1 << min(near, key=lambda k: abs(self.tips[k][0] - b)) if near else 0
 
     def bare(self, a: complex, b: complex) -> float:
