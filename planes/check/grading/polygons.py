@@ -164,8 +164,8 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
             raise PlanesError(Phrase("check_no_pole"))
         rebuilt = replace(rebuild(bench.plans, plan, paper.spots, paper.whole), apart=paper.apart)
         if not rebuilt.vectors:
-            names = ", ".join(s.name for s in sides_of(bench.plans, plan))
-            raise PlanesError(told_to("table", asking("check_nothing_read", names=names)))
+            wanted = ", ".join(s.name for s in sides_of(bench.plans, plan))
+            raise PlanesError(told_to("table", asking("check_nothing_read", names=wanted)))
         return rebuilt.spots, rebuilt, rebuilt.unknown
     found: dict[str, ReadMark] = {}
     unknown = []
