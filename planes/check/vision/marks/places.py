@@ -9,14 +9,15 @@ import numpy
 
 from planes.check.fiducials import within
 from planes.check.vision.image.picture import Flat
-from planes.check.vision.strokes.arrow_tips import ABOUT_MM, USUAL_MM, head_about, line_on_to
-from planes.check.vision.strokes.drawn_lines import lines_of, on
+from planes.check.vision.strokes.arrow_tips import ABOUT_MM, USUAL_MM, head_about
+from planes.check.vision.strokes.drawn_lines import lines_of
 from planes.check.vision.strokes.drawn_over import OVER_MM, ends_upon
 from planes.check.vision.strokes.heads import PENCIL_MM, head_at
 from planes.check.vision.strokes.ink import Ink, ink_of
 from planes.check.vision.strokes.line_fitting import Fitted, Tip
 from planes.check.vision.strokes.line_places import END_MM, HEAD_MM, TIP_REACH_MM, Normal, Place, places_of
 from planes.check.vision.strokes.lone_heads import LoneHeads
+from planes.check.vision.strokes.meeting import line_on_to, on
 from planes.check.vision.strokes.residual_ink import left_over, patches
 from planes.check.vision.strokes.rubbed_out import remaining
 from planes.check.vision.strokes.tip_edges import SIGMA_MM, ending

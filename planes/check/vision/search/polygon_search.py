@@ -19,8 +19,8 @@ from planes.check.vision.marks.places import HEADED_MM
 from planes.check.vision.search.costs import DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
 from planes.check.vision.search.ink_cover import COVERED, OTHER_HEAD, PER_MM, STEP_MM, InkCover
 from planes.check.vision.search.polygon_cover import NOTHING_MM, End, Guess, LaidChain, PolygonCorner
-from planes.check.vision.strokes.drawn_lines import crossing, on
 from planes.check.vision.strokes.line_places import END_MM, Place
+from planes.check.vision.strokes.meeting import crossing, on
 
 TINY_MM, MOST_HIDDEN = 1.6, 3.5  # a vector shorter than this may be hidden where two others meet
 HIDDEN, NO_INK = 1.5, 5.0  # what an end costs that is not seen, of a vector of a millimetre; if no ink is on its way

@@ -9,9 +9,11 @@ from dataclasses import dataclass, replace
 
 import numpy
 
+from planes.check.vision.strokes.head_ink import hides
 from planes.check.vision.strokes.heads import SeenHead, heads_of, one_ink
 from planes.check.vision.strokes.ink import LIGHT, Ink
 from planes.check.vision.strokes.line_fitting import Fitted, Tip
+from planes.check.vision.strokes.meeting import BESIDE_MM, crossing, on
 from planes.check.vision.strokes.tip_edges import sharpened
 from planes.geometry.arrays import Array, Complexes
 
@@ -27,8 +29,7 @@ SHAPE_MM = (0.2, 0.03)  # σ of a fitted head's length and half of its width
 ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a picture err together
 HAND = 0.08  # by how much a hand's heads differ in length, whatever those few that are seen well say
 HALF, UNLIKE = 0.2, 0.15  # of a head's length, half of its width; how much one may differ from the others
-BESIDE_MM, ABOUT_MM = 0.9, 2.0  # how far beside a line its vector may run, and a tip from where it should be
-BACK_MM, GOAL_MM = 1.5, 0.2  # how far apart bases back to back may be; how nearly a place to look for a head is told
+ABOUT_MM, BACK_MM = 2.0, 1.5  # how far a tip may be from where it should be; how far apart bases back to back may be
 SHORT_MM, BROAD_MM, MORE = 6.0, (1.2, 3.6), 0.12  # of a barb; where a head is broad, and how much ink must be there
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM, SEEMS_MM = 0.1, 0.2  # no tip is surer; a head seems to reach too far: strokes upon each other look broader
@@ -43,7 +44,7 @@ def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
     for sight in (*filled, *barbed):
         sight.fit(None)
     sights = max(filled, barbed, key=lambda some: sum(x.gain for x in some if x.good))  # one hand's are of one kind
-    clear = [x.p for x in sights if x.clear]
+    clear, like = [x.p for x in sights if x.clear], None
     if clear:
         shapes = numpy.array(clear)[:, 3:]
         usual = numpy.median(shapes, axis=0)
@@ -51,6 +52,12 @@ def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
         least = (EVEN if len(clear) >= ENOUGH else UNEVEN) * usual
         like = (usual, numpy.sqrt(numpy.maximum(spread**2 - numpy.square(SHAPE_MM), least**2)))
         for sight in sights:
+            sight.fit(like)
+    heads = [(x.line, (x.tip, x.sign * x.line.direction(x.tip.s))) for x in sights if x.good]
+    for sight in sights:
+        end = sight.line.ends[(sight.sign + 1) // 2]
+        if sight.end is not None and any(line is not sight.line and hides(head, end) for line, head in heads):
+            sight.line.clear[(sight.sign + 1) // 2], sight.end = False, None
             sight.fit(like)
     for line in lines:
         line.heads = []
@@ -67,8 +74,9 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
     z = line.at(s)[:, None] + 1j * line.along * t[None, :]
     dark = ink.at(z)
     seen = heads_of(ink, line)
+    single = statistics.median(one.width for one in lines)  # of two vectors side by side, one has the head
     for found in (*seen, *_supposed(line, lines, seen)):
-        tip, sign, thin = found.tip, found.sign, replace(line, width=min(line.width, found.width))
+        tip, sign, thin = found.tip, found.sign, replace(line, width=min(line.width, found.width, single))
         base, others = tip - sign * USUAL_MM, _beside(line, line.at(tip), lines)
         near = (sign * (s - base) > -3.0) & (sign * (s - tip) < 2.5)
         x, y = numpy.broadcast_arrays(sign * s[near, None], t[None, :])
@@ -85,13 +93,15 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
 
 
 def _supposed(line: Fitted, lines: Sequence[Fitted], seen: Sequence[SeenHead]) -> Iterator[SeenHead]:
-    """Heads that may be where a line ends or meets others, though others' ink hides their sides."""
+    """Heads that may be where a line ends or meets others, though others' ink hides their sides; where both run on, if
+    there is room for a head beyond."""
     met = [(s, sign) for s, sign in ((line.low, -1), (line.high, 1))]
-    for other in lines:
-        for end in other.ends if other is not line and other.length > SHORT_MM else ():
-            s, off = line.local(end)
-            if abs(off) < BESIDE_MM and line.low < s < line.high:
-                met += [(s, 1), (s, -1)]
+    for other in (x for x in lines if x is not line and x.length > SHORT_MM):
+        near = [s for s, off in map(line.local, other.ends) if abs(off) < BESIDE_MM]
+        crossed = crossing(line, other)
+        if crossed is not None and on(other, crossed) and min(abs(z - crossed) for z in line.ends) > USUAL_MM:
+            near.append(line.local(crossed)[0])
+        met += [(s, sign) for s in near if line.low < s < line.high for sign in (1, -1)]
     kept = [(one.tip, one.sign) for one in seen]
     for s, sign in met if line.length > SHORT_MM else ():
         if all(abs(s - k) > 1 or sign != way for k, way in kept):
@@ -103,18 +113,6 @@ def _beside(line: Fitted, tip: complex, lines: Sequence[Fitted]) -> list[Fitted]
     """The other lines, but those that may be the barbs of a head with its tip at a place of the line."""
     others = (x for x in lines if x is not line)
     return [x for x in others if x.length > SHORT_MM or min(abs(z - tip) for z in x.ends) > ABOUT_MM]
-
-
-def line_on_to(lines: Sequence[Fitted], start: complex, end: complex) -> tuple[Fitted, float, int] | None:
-    """The line along which a vector from ``start`` leads that goes on at its ``end``; where on it that is (to a fifth
-    of a millimetre, towards the vector's tip), and whether the vector runs along it or against it."""
-    way = (end - start) / abs(end - start)
-    near = [x for x in lines if abs((x.along * way.conjugate()).imag) < ASKEW / 2 and abs(x.local(end)[1]) < BESIDE_MM]
-    line = min(near, key=lambda x: abs(x.local(end)[1]), default=None)
-    if line is None or not line.low + AT_END_MM < line.local(end)[0] < line.high - AT_END_MM:
-        return None
-    sign = 1 if (line.along * way.conjugate()).real > 0 else -1
-    return line, round(sign * line.local(end)[0] / GOAL_MM) * GOAL_MM, sign
 
 
 def head_about(ink: Ink, lines: Sequence[Fitted], line: Fitted, goal: float, sign: int, length: float) -> Tip | None:

@@ -8,10 +8,12 @@ import numpy
 
 from planes.check.vision.image.picture import Flat, cv
 from planes.check.vision.strokes.arrow_tips import find_heads
+from planes.check.vision.strokes.head_ink import but_strokes
 from planes.check.vision.strokes.ink import DARK, Ink
 from planes.check.vision.strokes.line_fitting import Fitted, fitted
+from planes.check.vision.strokes.meeting import held
 from planes.check.vision.strokes.residual_ink import MOST_MM, STRAIGHT_MM, Edge, left_over, straight_through
-from planes.geometry.arrays import Array, Booleans, Complexes, Greys
+from planes.geometry.arrays import Array, Booleans, Greys
 
 SHORT_MM = 7.0  # of strokes that do not tell how wide lines are
 OWN = 0.22  # the share of a line that must be its own and not another's
@@ -126,7 +128,7 @@ def lines_on(ink: Ink, rough: Iterable[tuple[complex, complex]], edges: Sequence
     short = [f for f in (_short(ink, *ends) for ends, off in strokes if off <= STRAIGHT_MM) if f]
     kept = own([*kept, *short], long)
     find_heads(ink, kept)
-    return kept
+    return but_strokes(kept)
 
 
 def _short(ink: Ink, a: complex, b: complex) -> Fitted | None:
@@ -201,32 +203,3 @@ def own(lines: Iterable[Fitted], edges: Sequence[Edge]) -> list[Fitted]:
         if alone > OWN * steps and alone * line.length / steps > 1.0:
             kept.append(line)
     return kept
-
-
-def on(line: Fitted, z: complex, reach: float = 0.5, beyond: float = 0.5) -> bool:
-    """Whether a place is on a line."""
-    s, off = line.local(z)
-    return abs(off) < reach and line.low - beyond < s < line.high + beyond
-
-
-def held(line: Fitted, places: Complexes, reach: float = 0.5) -> Booleans:
-    """Which of some places are on a line, or so near it."""
-    p = (places - line.origin) * line.along.conjugate()
-    upon: Booleans = (
-        (abs(p.imag - line.bow(p.real)) < reach) & (line.low - reach < p.real) & (p.real < line.high + reach)
-    )
-    return upon
-
-
-def crossing(one: Fitted, two: Fitted) -> complex | None:
-    """Where two lines cross; None where they are nearly parallel."""
-    s, r = (one.low + one.high) / 2, (two.low + two.high) / 2
-    for _ in range(3):
-        a, u, b, w = one.at(s), one.direction(s), two.at(r), two.direction(r)
-        turn = (u.conjugate() * w).imag
-        if abs(turn) < 0.06:
-            return None
-        z = complex(a + u * ((b - a).conjugate() * w).imag / turn)
-        s = min(max(one.local(z)[0], one.low - 3), one.high + 3)
-        r = min(max(two.local(z)[0], two.low - 3), two.high + 3)
-    return z

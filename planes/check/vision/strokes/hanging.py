@@ -7,8 +7,8 @@ from itertools import combinations, product
 import numpy
 
 from planes.check.vision.image.picture import cv
-from planes.check.vision.strokes.drawn_lines import crossing, on
 from planes.check.vision.strokes.line_fitting import Fitted
+from planes.check.vision.strokes.meeting import crossing, on
 from planes.geometry.arrays import Complexes, Indices
 
 JOINED_MM = 6.0  # lines no farther apart hang together

@@ -3,12 +3,13 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import combinations
 
 import numpy
 
-from planes.check.vision.strokes.drawn_lines import crossing, on
 from planes.check.vision.strokes.ink import Ink
 from planes.check.vision.strokes.line_fitting import Fitted
+from planes.check.vision.strokes.meeting import crossing, on
 
 END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
 CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of one within other ink
@@ -17,6 +18,7 @@ HIDDEN_MM = 9.0  # the most of a line's end that is hidden in another line's ink
 PASSING_MM = 0.3  # σ of what was put on a line, off it
 SAME_MM = 0.4  # places nearer than this are one
 BARE, INKED = 0.25, 0.5  # of a line's darkness: where none is, and where one is
+ASLANT, APART = 0.2, 3.0  # the sine between lines that run one way; how many σ their ends are apart, if they are two
 WOBBLE_MM = 0.2  # what a hand's wobble does to any mark
 LOOKED_FOR = 1.7  # how much less sure a person's mark is than the tip it was told by
 
@@ -97,14 +99,16 @@ def _place(lines: Sequence[Fitted], start: complex, without: frozenset[int] = fr
     for reach in (0.8, 0.45):
         eqs, ended_now = Normal(), set[tuple[int, int]]()
         near = [k for k, x in enumerate(lines) if k not in without and on(x, z, reach, END_MM)]
+        elsewhere = _elsewhere(lines, near, z)
         for k in near:
             line = lines[k]
             s, _ = line.local(z)
-            side = 0 if abs(s - line.low) < abs(s - line.high) else 1
-            if abs(s - (line.low, line.high)[side]) < END_MM:
+            side = _side(line, s)
+            may_end = k not in elsewhere
+            if may_end and abs(s - (line.low, line.high)[side]) < END_MM:
                 ended_now.add((k, side))
                 _add_end(eqs, line, side)
-            elif any(_hidden(line, side, s, lines[j]) for j in near if j != k):
+            elif may_end and any(_hidden(line, side, s, lines[j]) for j in near if j != k):
                 ended_now.add((k, side))
             heads = [h for h in line.heads if abs(h.s - s) < HEAD_MM and (k, side) not in ended_now]
             for head in heads:  # a vector ends here, and another goes on
@@ -118,6 +122,35 @@ def _place(lines: Sequence[Fitted], start: complex, without: frozenset[int] = fr
         if abs(z - start) > 1.5:
             return Place(start, 0.5, frozenset())
     return Place(z, min(sigma, 2.0), ended)
+
+
+def _elsewhere(lines: Sequence[Fitted], near: Sequence[int], z: complex) -> set[int]:
+    """Which of the lines near a place plainly end elsewhere: of two that come one way and end apart, the farther."""
+    ends, found = list[tuple[int, complex, float, complex]](), set[int]()
+    for k in near:
+        side = _side(lines[k], lines[k].local(z)[0])
+        if abs(lines[k].local(z)[0] - (lines[k].low, lines[k].high)[side]) < END_MM:
+            ends.append((k, *_told(lines[k], side), lines[k].along * (2 * side - 1)))
+    for (k, one, sigma, way), (j, other, vague, along) in combinations(sorted(ends, key=lambda e: abs(e[1] - z)), 2):
+        turn = way * along.conjugate()
+        if turn.real > 0 and abs(turn.imag) < ASLANT and abs(one - other) > APART * math.hypot(sigma, vague):
+            found |= {j} if k not in found else set[int]()
+    return found
+
+
+def _side(line: Fitted, s: float) -> int:
+    """Which of a line's ends a place along it is nearer to."""
+    return 0 if abs(s - line.low) < abs(s - line.high) else 1
+
+
+def _told(line: Fitted, side: int) -> tuple[complex, float]:
+    """Where a line ends, by the tip of its head or by its ink, and the σ of that."""
+    s = (line.low, line.high)[side]
+    tips = [h for h in line.heads if h.sign == 2 * side - 1 and abs(h.s - s) < TIP_REACH_MM]
+    if line.clear[side] or not tips:
+        return line.at(s), CLEAR_MM if line.clear[side] else DIM_MM
+    tip = min(tips, key=lambda h: h.sigma)
+    return line.at(tip.s), tip.sigma
 
 
 def _add_end(eqs: Normal, line: Fitted, side: int) -> None:

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy
 
 from planes.check.vision.image.picture import Flat
-from planes.check.vision.strokes.drawn_lines import on
 from planes.check.vision.strokes.line_fitting import Fitted
+from planes.check.vision.strokes.meeting import on
 from planes.geometry.arrays import Array, Booleans
 
 GHOST = 0.4  # of a line's darkness: what is lighter was rubbed out
