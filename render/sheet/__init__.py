@@ -3,8 +3,8 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import product
-from typing import NamedTuple
 
 from planes.scene import Scene
 from planes.words import Lang, say
@@ -54,7 +54,8 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     raise no_room(contents, Paper(papers[-1][-1]), lang)
 
 
-class FilledPaper(NamedTuple):
+@dataclass(frozen=True)
+class FilledPaper:
     """A paper with views in their places, and those that wait for room and found none."""
 
     paper: Paper
@@ -62,7 +63,7 @@ class FilledPaper(NamedTuple):
     how: Way
     places: list[tuple[View, float, float]]
 
-    @property
+    @cached_property
     def waiting(self) -> list[View]:
         """The views that wait for room, each in the shape liked best."""
         shapes = {shaped(v.key): v for v in reversed(self.contents.extra(*self.how))}

@@ -49,6 +49,11 @@ def strange(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[
     places = {s.name: s.place - pole for s in spots}
     seen = numpy.array([places.get(n, math.inf) for n in true])
     off = numpy.where(numpy.isfinite(seen), seen - numpy.array([*true.values()]), 10 * HAND_MM)
+    return _unlike(off)
+
+
+def _unlike(off: Complexes) -> float:
+    """How unlike a hand's it is that marks are so far off, as a logarithm."""
     return float(numpy.log1p((abs(off) / HAND_MM) ** 2 / 2).sum())
 
 
@@ -64,8 +69,7 @@ def _unlikely(lens: Lens) -> Array:
 
 
 def _cost(lens: Lens, seen: Complexes, right: Complexes, k: Array) -> float:
-    off = abs(_off(lens, seen, right, k)) / HAND_MM
-    return float(numpy.log1p(off**2 / 2).sum() + 0.5 * ((k / _unlikely(lens)) ** 2).sum())
+    return _unlike(_off(lens, seen, right, k)) + 0.5 * float(((k / _unlikely(lens)) ** 2).sum())
 
 
 def _fitted(lens: Lens, seen: Complexes, right: Complexes, free: float) -> Array:

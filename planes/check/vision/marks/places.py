@@ -41,6 +41,7 @@ class Seen:
     patches: list[complex] = field(default_factory=list)  # places of ink that is on no line
     spots: Complexes | None = None  # the places as an array
     looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
+    inked: dict[tuple[complex, complex], float] = field(default_factory=dict)  # ways between places
     fits: dict[tuple[int, float, int], Tip | None] = field(default_factory=dict)  # heads on lines
     upon: dict[int, list[tuple[float, int]]] = field(default_factory=dict)  # where vectors end on lines, without heads
     read: dict[tuple[str, ...], Any] = field(default_factory=dict)  # words, by the names they may be
@@ -109,8 +110,11 @@ class Seen:
         return max(upon, key=lambda x: x.length, default=None)
 
     def covered(self, a: complex, b: complex) -> float:
-        """The share of the way from ``a`` to ``b`` along which there is ink; all of it where a bent line runs."""
-        return 1.0 if self.line_upon(a, b) else self.ink.covered(a, b)
+        """The share of the way from ``a`` to ``b`` along which there is ink; all of it where a bent line runs
+        (remembered)."""
+        if (a, b) not in self.inked:
+            self.inked[a, b] = 1.0 if self.line_upon(a, b) else self.ink.covered(a, b)
+        return self.inked[a, b]
 
     def torn(self, place: Place) -> bool:
         """Whether a line that ends at a place runs under what is printed, or has ink beyond that is no line's (what is

@@ -1,7 +1,6 @@
 """What it costs to believe in a place of a mark, or in a mistake, where ink costs half of one for a millimetre."""
 
 import math
-from dataclasses import replace
 
 from planes.check.grading.handwork import Miss
 
@@ -19,4 +18,5 @@ def slip(count: int) -> float:
 
 def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
     """How far off a place is, in σ of drawing and of reading."""
-    return replace(miss.blurred(sigma), off=off).sigmas
+    xx, xy, yy = miss.cov
+    return Miss(off, (xx + sigma**2, xy, yy + sigma**2)).sigmas

@@ -57,6 +57,7 @@ class InkCover:
     tips: list[tuple[complex, complex]] = field(default_factory=list)  # and the unit way they point
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
     overshot: dict[tuple[complex, complex], int] = field(default_factory=dict)
+    _bare: dict[tuple[complex, complex], float] = field(default_factory=dict)
     _faint: dict[tuple[complex, complex], bool] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -173,9 +174,11 @@ class InkCover:
         return 1 << min(near, key=lambda k: abs(self.tips[k][0] - b)) if near else 0
 
     def bare(self, a: complex, b: complex) -> float:
-        """What it costs to believe in a vector from a to b for want of a head."""
-        surely = min((abs(b - a) - HEADED_MM) / HEADED_MM, 1.0)
-        return NO_HEAD * surely if self.headed and surely > 0 and not self.pointed(a, b) else 0.0
+        """What it costs to believe in a vector from a to b for want of a head (remembered)."""
+        if (a, b) not in self._bare:
+            surely = min((abs(b - a) - HEADED_MM) / HEADED_MM, 1.0)
+            self._bare[a, b] = NO_HEAD * surely if self.headed and surely > 0 and not self.pointed(a, b) else 0.0
+        return self._bare[a, b]
 
     def pointed(self, a: complex, b: complex) -> bool:
         """Whether a vector from a to b has a head at its end."""

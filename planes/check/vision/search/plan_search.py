@@ -56,7 +56,7 @@ class Search:
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
         """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
         begun = self._shared(variant, cost)
-        if begun and begun.laid.cost > most:
+        if (begun and begun.laid.cost > most) or not self._at_a_glance(variant, cost):
             return None
         best, chosen = self.way(variant, None, cost, most=most + CLOSE, begun=begun), dict[str, Place | None]()
         self.plain = best if variant is None else self.plain
@@ -66,12 +66,26 @@ class Search:
             if not mark:
                 break
             tried.add((mark, id(place)))
-            trial = self.way(
-                variant, None, cost, {**chosen, mark: place}, best.cost, best.stops[mark].with_mistake(variant, cost)
-            )
+            stop = best.stops[mark].with_mistake(variant, cost)
+            trial = self.way(variant, None, cost, {**chosen, mark: place}, best.cost, stop)
             if trial and trial.cost < best.cost:
                 best, chosen[mark] = trial, place
         return best
+
+    @cached_property
+    def glance(self) -> Self:
+        """The same search by those heads alone that lines show by themselves, with the right plan laid so."""
+        found = replace(self, closely=False, near={}, plain=None)
+        found.plain = found.way(None)
+        return found
+
+    def _at_a_glance(self, variant: Variant | None, cost: float) -> bool:
+        """Whether a plan drawn so seems, at a glance, hardly dearer than the right one."""
+        rough = self.glance.plain if variant else None
+        if rough is None:
+            return True
+        begun = self.glance._shared(variant, cost)
+        return self.glance.way(variant, None, cost, most=rough.cost + CLOSE, begun=begun) is not None
 
     def _at_least(self, cost: float) -> float:
         """What a way costs before any mark is laid."""
@@ -132,23 +146,19 @@ class Search:
         self, step: Step, goal: complex, places: Mapping[str, complex], found: Mapping[str, Place]
     ) -> list[tuple[float, Place | None]]:
         """The places that a mark may mean that should be at ``goal``, or none, and what believing it costs."""
-        used, likely = {id(p) for p in found.values()}, list[tuple[float, Place | None]]()
-        for price, place in self._nearby(step, goal, places):
-            dear = price + self._doubt(place, goal, used)
-            if dear <= NO_MARK:
-                likely.append((dear, place))
-        return [*sorted(likely, key=lambda one: one[0]), (self._missing(step.makes), None)]
+        used = {id(p) for p in found.values()}
+        priced = ((price + self._doubt(p, goal, used), p) for price, p in self._nearby(step, goal, places))
+        likely = sorted((one for one in priced if one[0] <= NO_MARK), key=lambda one: one[0])
+        return [*likely, (self._missing(step.makes), None)]
 
     def _nearby(self, step: Step, goal: complex, places: Mapping[str, complex]) -> list[tuple[float, Place]]:
         """Places within the errors of hand and reading, and what they cost however sure they are (remembered)."""
         key = step.makes, goal, *(places.get(m) for m in self._before(step))
         if key not in self.near:
-            self.near[key] = []
-            for place in [*self.seen.within(goal, 12.0), self.pole, *self._closer(step.makes, goal, places)]:
-                sigmas = sigmas_of(place.z - goal, self.own[step.makes], place.sigma)
-                if sigmas <= GATE:
-                    led = self._led_to(step, place.z, places)
-                    self.near[key].append((sigmas**2 / 2 + (0.0 if led else NO_LINE), place))
+            likely = [*self.seen.within(goal, 12.0), self.pole, *self._closer(step.makes, goal, places)]
+            off = ((sigmas_of(p.z - goal, self.own[step.makes], p.sigma), p) for p in likely)
+            near = ((k**2 / 2, p) for k, p in off if k <= GATE)
+            self.near[key] = [(k + (0.0 if self._led_to(step, p.z, places) else NO_LINE), p) for k, p in near]
         return self.near[key]
 
     def _before(self, step: Step) -> list[str]:
@@ -203,16 +213,15 @@ class Search:
 
     def _ended(self) -> list[Place]:
         """Places where lines surely end."""
-        ended = (p for p in self.seen.places if p.ended and p.sigma < 0.6 and not p.doubtful)
-        return [p for p in ended if not self.seen.torn(p)]
+        return [p for p in self.seen.places if p.ended and p.sigma < 0.6 and not p.doubtful and not self.seen.torn(p)]
 
     def free_ways(self, way: LaidPlan) -> Iterator[LaidPlan]:
         """The plan drawn with a mark where nobody expects it, each cheaper than those before; looked at closely where
         what shows at a glance is half of its marks, and nearly as good."""
-        most, glance = way.cost, replace(self, closely=False, near={})
+        most = way.cost
         for fixed in self.free_marks(way):
             cost = ANYWHERE + math.log1p(abs(fixed[1].z - self.pole.z - self.true[fixed[0]]) / ASTRAY_MM)
-            rough = glance.way(None, fixed, cost, most=most + CLOSE)
+            rough = self.glance.way(None, fixed, cost, most=most + CLOSE)
             if rough and len(rough.found) >= len(self.bench.marks) / 2:
                 free = self.way(None, fixed, cost, most=most)
                 if free and free.cost < most:

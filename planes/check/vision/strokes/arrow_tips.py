@@ -79,7 +79,7 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
         tip, sign, thin = found.tip, found.sign, replace(line, width=min(line.width, found.width, single))
         base, others = tip - sign * USUAL_MM, _beside(line, line.at(tip), lines)
         near = (sign * (s - base) > -3.0) & (sign * (s - tip) < 2.5)
-        x, y = numpy.broadcast_arrays(sign * s[near, None], t[None, :])
+        x, y = sign * s[near, None], t[None, :]
         end = sign * (line.high if sign > 0 else line.low)
         free = line.clear[(sign + 1) // 2] and abs(sign * tip - end) < AT_END_MM
         start = numpy.array([end if free else sign * tip, 0.0, 0.0, abs(tip - base), 0.7])
@@ -119,7 +119,7 @@ def head_about(ink: Ink, lines: Sequence[Fitted], line: Fitted, goal: float, sig
     """The tip of the head that a vector has about a place of a line that goes on there: told by how much of the ink no
     line explains such a head does, where heads are about so long."""
     usual = numpy.array([length, HALF * length])
-    x, y = numpy.meshgrid(numpy.arange(goal - length - 3, goal + 2.5, STEP_MM), numpy.arange(-1.5, 1.51, CELL_MM))
+    x, y = numpy.arange(goal - length - 3, goal + 2.5, STEP_MM)[:, None], numpy.arange(-1.5, 1.51, CELL_MM)[None, :]
     z = line.at(sign * x) + 1j * line.along * y
     thin = replace(line, width=min(line.width, statistics.median(one.width for one in lines)))
     known = _known(z, [thin, *(one for one in lines if one is not line)])
@@ -147,16 +147,17 @@ def _shade(far: Array) -> Array:
 
 def _head(x: Array, y: Array, p: Array, width: float, barbs: bool) -> Array:
     """Darkness of a head and of the line it ends: tip at p[0], p[1], turned by p[2], p[3] long, p[4] half as wide; of
-    two barbs, or filled: by strokes as wide as the line."""
-    dx, dy = x - p[0], y - p[1]
-    u, v = dx * math.cos(p[2]) + dy * math.sin(p[2]), numpy.abs(dy * math.cos(p[2]) - dx * math.sin(p[2]))
+    two barbs, or filled: by strokes as wide as the line. Of several heads (a column of p each) a picture each."""
+    tip, aside, turn, length, half = (numpy.asarray(part)[..., None, None] for part in p)
+    dx, dy, cos, sin = x - tip, y - aside, numpy.cos(turn), numpy.sin(turn)
+    u, v = dx * cos + dy * sin, numpy.abs(dy * cos - dx * sin)
     shaft = numpy.hypot(numpy.maximum(u, 0), v)
     if barbs:
-        along = ((p[4] * v - p[3] * u) / (p[3] ** 2 + p[4] ** 2)).clip(0, 1)
-        head = numpy.hypot(u + along * p[3], v - along * p[4])
+        along = ((half * v - length * u) / (length**2 + half**2)).clip(0, 1)
+        head = numpy.hypot(u + along * length, v - along * half)
     else:
-        side = (v + p[4] / p[3] * u) / math.hypot(1, p[4] / p[3])
-        head = numpy.where(u > 0, math.inf, numpy.maximum(side, -p[3] - u))
+        side = (v + half / length * u) / numpy.hypot(1, half / length)
+        head = numpy.where(u > 0, math.inf, numpy.maximum(side, -length - u))
     return _shade(numpy.minimum(head, shaft) - width / 2 - OUTSIDE_MM)
 
 
@@ -179,27 +180,27 @@ class Sight:
     error: float = 2.0  # of its ink, in which places err together
 
     def off(self, p: Array, like: Likeness | None) -> Array:
-        """What such a head is off the ink, and off what heads are like."""
+        """What such a head is off the ink, and off what heads are like; of several (a column of p each) a row each."""
         model = numpy.maximum(_head(self.x, self.y, p, self.width, self.barbs), self.known)
         ties = [p[1] / TIE_MM, 2 * p[2] / ASKEW]
-        if self.end is not None:
-            ties.append((p[0] - self.end) / END_MM)
+        ties += [(p[0] - self.end) / END_MM] if self.end is not None else []
         if like is not None:
-            ties.extend((p[3:] - like[0]) / like[1])
-        return numpy.append((_seen(model) - self.dark).ravel(), self.error * numpy.array(ties))
+            ties += [(p[3 + k] - usual) / sigma for k, (usual, sigma) in enumerate(zip(*like, strict=True))]
+        left = (_seen(model) - self.dark).reshape(*p.shape[1:], -1)
+        return numpy.concatenate([left, self.error * numpy.stack(ties, axis=-1)], axis=-1)
 
     def fit(self, like: Likeness | None) -> None:
         """The head that fits best (Levenberg and Marquardt's way)."""
-        p, damp = self.p.copy(), 0.1
-        left = self.off(p, like)
+        p, damp, better, left = self.p.copy(), 0.1, True, self.off(self.p, like)
         for _ in range(12):
-            slope = numpy.stack([(self.off(p + d, like) - left) / d.sum() for d in numpy.diag(NUDGES)], axis=1)
-            normal = slope.T @ slope + 1e-3 * numpy.eye(5)
-            move = numpy.linalg.solve(normal + damp * numpy.diag(numpy.diag(normal)), -slope.T @ left)
+            if better:
+                slope = (self.off(p[:, None] + numpy.diag(NUDGES), like) - left) / numpy.reshape(NUDGES, (5, 1))
+                normal = slope @ slope.T + 1e-3 * numpy.eye(5)
+            move = numpy.linalg.solve(normal + damp * numpy.diag(numpy.diag(normal)), -slope @ left)
             trial = p + numpy.clip(move, -0.5, 0.5)
             trial[3:] = numpy.clip(trial[3:], (LENGTH_MM[0], HALF_MM[0]), (LENGTH_MM[1], HALF_MM[1]))
             new, step = self.off(trial, like), float(numpy.abs(trial - p).max())
-            better = new @ new < left @ left
+            better = bool(new @ new < left @ left)
             p, left, damp = (trial, new, damp / 3) if better else (p, left, damp * 5)
             if better and step < 0.005:
                 break
@@ -210,8 +211,7 @@ class Sight:
     def _weigh(self, settled: bool) -> None:
         """How much of the ink the head explains, and (but once) how far ink can be believed."""
         p = self.p
-        about = numpy.abs(self.x - p[0] + p[3] / 2) < p[3] / 2 + 0.5
-        about &= numpy.abs(self.y - p[1]) < p[4] + 0.4
+        about = (abs(self.x - p[0] + p[3] / 2) < p[3] / 2 + 0.5) & (abs(self.y - p[1]) < p[4] + 0.4)
         if not about.any():  # it has slid off what is looked at
             self.gain = 0.0
             return

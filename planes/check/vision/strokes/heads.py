@@ -7,6 +7,7 @@ the line may end or be another vector's.
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
+from statistics import linear_regression
 from typing import NamedTuple
 
 import numpy
@@ -66,7 +67,10 @@ def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
     dark = {k: ink.at(line.at(s)[:, None] + k * 1j * line.direction(s)[:, None] * t[None, :]) for k in (1, -1)}
     found: list[SeenHead] = []
     for closed in (False, True):
-        sides = {k: _side(s, barbed(dark[k]) if closed else dark[k], line.width / 2) for k in (1, -1)}
+        rows = {k: barbed(dark[k]) for k in (1, -1)} if closed else dark
+        if closed and all(rows[k] is dark[k] for k in rows):
+            break  # there are no barbs
+        sides = {k: _side(s, rows[k], line.width / 2) for k in rows}
         found += _from_both_sides(sides[1].heads, sides[-1].heads) if closed else _whole(s, sides, line.width)
         found += _from_both_sides(sides[1].pairs, sides[-1].pairs)
     kept: list[SeenHead] = []
@@ -86,13 +90,14 @@ def one_ink(one: Tip, other: Tip) -> bool:
 
 
 def barbed(dark: Array) -> Array:
-    """Rows from a line outwards with what paper there is between it and the barbs of its heads filled."""
+    """Rows from a line outwards with what paper there is between it and the barbs of its heads filled; the same, if
+    there is none."""
     wide = numpy.ones((1, round(OPEN_MM / ASIDE_MM) + 1), numpy.uint8)
     inked = (dark > INKED).astype(numpy.uint8)
     row = numpy.pad(inked, ((0, 0), (wide.size, wide.size)))
     row = cv().morphologyEx(row, cv().MORPH_CLOSE, wide)[:, wide.size : -wide.size]
-    filled: Array = numpy.where(inked < row, 1.0, dark)
-    return filled
+    paper = inked < row
+    return numpy.where(paper, 1.0, dark) if paper.any() else dark
 
 
 def _side(s: Array, dark: Array, own_half: float) -> _LineSide:
@@ -166,16 +171,18 @@ def _sides(s: Array, half: Array, taken: Booleans) -> list[SeenHead]:
     behind = numpy.convolve(half, numpy.full(4, 0.25))[: len(half)]  # of each place and the three before it
     behind = numpy.concatenate([numpy.zeros(2), behind[:-2]])
     found: list[SeenHead] = []
-    for i in (numpy.flatnonzero(half[6:-6] - behind[6:-6] > SLIGHT_MM) + 6).tolist():
+    wider = (numpy.flatnonzero(half[6:-6] - behind[6:-6] > SLIGHT_MM) + 6).tolist()
+    places, wide, held = (row.tolist() if wider else [] for row in (s, half, taken))
+    for i in wider:
         before = float(behind[i])
-        top = i + int(numpy.argmax(half[i : i + 3]))
-        jump = float(half[top]) - max(before, float(half[i - 2]))
-        sudden = jump >= SLIGHT_MM and half[top] >= half[top - 3 : top].max()
-        if not sudden or before < FAINT_MM or taken[i - 3 : top + 3].any():
+        top = max(range(i, i + 3), key=lambda k: wide[k])
+        jump = wide[top] - max(before, wide[i - 2])
+        sudden = jump >= SLIGHT_MM and wide[top] >= max(wide[top - 3 : top])
+        if not sudden or before < FAINT_MM or any(held[i - 3 : top + 3]):
             continue
-        tip = _tip(s, half, top, before, jump)
+        tip = _tip(places, wide, top, before, jump)
         if tip is not None and all(abs(tip - f.tip) > 0.6 for f in found):
-            found.append(SeenHead(float(s[top]) - BASE_MM, tip, 1, before - PENCIL_MM / 2, jump, 2 * before))
+            found.append(SeenHead(places[top] - BASE_MM, tip, 1, before - PENCIL_MM / 2, jump, 2 * before))
     return found
 
 
@@ -187,23 +194,24 @@ def _pairs(s: Array, half: Array, taken: Booleans, own: float) -> Iterator[SeenH
         if not 0 <= s[k] - s[i] < APART_MM:
             continue
         jump, last = float(min(half[i], half[k])) - own, len(s) - 1
-        back, tip = _tip(-s[::-1], half[::-1], last - i, own, jump), _tip(s, half, k, own, jump)
+        back = _tip((-s[::-1]).tolist(), half[::-1].tolist(), last - i, own, jump)
+        tip = _tip(s.tolist(), half.tolist(), k, own, jump)
         if back is not None and tip is not None:
             yield SeenHead(float(s[i]) + BASE_MM, -back, -1, own - PENCIL_MM / 2, jump, 2 * own)
             yield SeenHead(float(s[k]) - BASE_MM, tip, 1, own - PENCIL_MM / 2, jump, 2 * own)
 
 
-def _tip(s: Array, half: Array, top: int, before: float, jump: float) -> float | None:
+def _tip(s: Sequence[float], half: Sequence[float], top: int, before: float, jump: float) -> float | None:
     """Where the side of a head with its base at a row meets the head's own line; None where it does not narrow so."""
     low, end = before + 0.25 * jump, top
     while end + 1 < len(s) and low < half[end + 1] < half[end] + 0.02:
         end += 1
-    rows = numpy.arange(top, end + 1)
-    if len(rows) < 4 or half[min(end + 1, len(s) - 1)] > low:
+    x, y = s[top : end + 1], half[top : end + 1]
+    if len(x) < 4 or half[min(end + 1, len(s) - 1)] > low:
         return None
-    slope, height = numpy.polyfit(s[rows], half[rows], 1)
-    rough = float(abs(half[rows] - slope * s[rows] - height).max())
+    slope, height = linear_regression(x, y)
+    rough = max(abs(b - slope * a - height) for a, b in zip(x, y, strict=True))
     if not SLOPE[0] < -slope < SLOPE[1] or rough > ROUGH_MM:
         return None
-    tip = (max(before - PENCIL_MM / 2, 0.0) - float(height)) / float(slope)
-    return tip if LENGTH_MM[0] < tip - float(s[top]) < LENGTH_MM[1] else None
+    tip = (max(before - PENCIL_MM / 2, 0.0) - height) / slope
+    return tip if LENGTH_MM[0] < tip - s[top] < LENGTH_MM[1] else None

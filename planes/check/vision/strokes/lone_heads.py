@@ -30,6 +30,7 @@ class LoneHeads:
     usual_mm: float
     left: list[Complexes] = field(default_factory=list)  # on no line, though it hangs together with some
     pieces: list[Complexes] = field(default_factory=list)
+    middles: list[complex] = field(default_factory=list)  # of the pieces
 
     def __post_init__(self) -> None:
         flat, mask = self.ink.flat, self.ink.mask
@@ -39,6 +40,7 @@ class LoneHeads:
             if k and low < max(w, h) < high:
                 down, across = numpy.nonzero(labels[y : y + h, x : x + w] == k)
                 self.pieces.append(numpy.asarray(flat.mm(x + 0.5, y + 0.5) + (across - 1j * down) / flat.scale))
+        self.middles = [complex(piece.mean()) for piece in self.pieces]
 
     def tip(self, start: complex, end: complex) -> complex | None:
         """The tip of the head that a vector from ``start`` has about its ``end``, apart from its line."""
@@ -46,9 +48,10 @@ class LoneHeads:
         if length < SHORT_MM:
             return None
         way, found, reach = (end - start) / length, list[complex](), self.usual_mm + ABOUT_MM
-        near = (piece for piece in self.left if abs(piece - end).min() < reach)
-        for piece in (*self.pieces, *(_without_shaft(piece, way) for piece in near)):
-            tip = self._tip(piece, way) if abs(piece.mean() - end) < reach else None
+        own = (piece for piece, z in zip(self.pieces, self.middles, strict=True) if abs(z - end) < reach)
+        near = (_without_shaft(piece, way) for piece in self.left if abs(piece - end).min() < reach)
+        for piece in (*own, *(piece for piece in near if abs(piece.mean() - end) < reach)):
+            tip = self._tip(piece, way)
             if tip is not None and abs(tip - end) < ABOUT_MM and self._led(start, tip):
                 found.append(tip)
         return min(found, key=lambda z: abs(z - end), default=None)
