@@ -49,7 +49,7 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     squares.append((code_centre(), code_cells(mark.text), CODE_MM))
     texts = [f"{title_of(asked.plan, lang)}, μ = {mu}", title, *(more or _whose(asked, mark, lang))]
     fields = [] if mark.student else [say("check_blank_name", lang), say("check_blank_group", lang)]
-    pole, size = blank_pole(bench), say("check_print_size", lang)
+    pole, size = (Naming(lang).mark(POLE, kind_of(asked.plan)), blank_pole(bench)), say("check_print_size", lang)
     return blank_sheet.blank(SHEET_MM, squares, pole, texts, size, fields), title
 
 

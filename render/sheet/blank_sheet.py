@@ -20,21 +20,23 @@ Square = tuple[complex, Sequence[Sequence[bool]], float]  # its centre, black ce
 def blank(
     size_mm: tuple[float, float],
     squares: Iterable[Square],
-    pole: complex,
+    pole: tuple[str, complex],
     texts: Sequence[str],
     size: str,
     fields: Sequence[str] = (),
 ) -> list[Mark]:
-    """The marks of a blank: ``size`` is what its ruler says, ``fields`` what is to be written by hand."""
+    """The marks of a blank: ``pole`` its letter and place, ``size`` what its ruler says, ``fields`` what is written by
+    hand."""
     w, h = size_mm
     out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
     for centre, cells, side in squares:
         out += _square(centre, cells, side)
-    out += [Line((pole - d, pole + d), "thin", "plan") for d in (2 + 0j, 2j)]
-    out.append(Text("p", pole + complex(-5, -6), PLAN_MM, name="p"))
+    letter, at = pole
+    out += [Line((at - d, at + d), "thin", "plan") for d in (2 + 0j, 2j)]
+    out.append(Text(letter, at + complex(-5, -6), PLAN_MM, name=letter))
     room = FIELDS_MM[0] - 4 - TEXT_X if fields else ROOM_MM
-    for k, (line, letter) in enumerate(_lines(texts, room)):
-        out.append(Text(line, complex(TEXT_X, h - FIRST_Y - LINE_MM * k), letter))
+    for k, (line, height) in enumerate(_lines(texts, room)):
+        out.append(Text(line, complex(TEXT_X, h - FIRST_Y - LINE_MM * k), height))
     for k, name in enumerate(fields):
         out += _field(name, h - FIRST_Y - LINE_MM * k)
     return out + _ruler(complex(RULER_X, (h - RULER_MM) / 2), size)

@@ -55,6 +55,11 @@ def test_what_the_scene_does_not_say_stands_on_the_blank() -> None:
     assert "Студент: Ким Анна, группа М-31." in said(Asked(own, "velocity"))
 
 
+def test_a_pole_is_lettered_as_on_sheets_and_in_reports() -> None:
+    poles = {plan: {"p", "π"} & {*said(Asked(SIX, plan))} for plan in ("velocity", "acceleration", "force:2-3")}
+    assert poles == {"velocity": {"p"}, "acceleration": {"π"}, "force:2-3": {"p"}}
+
+
 @pytest.mark.parametrize(("plan", "mu"), [("acceleration", 1.0), ("velocity", None)])
 def test_a_pole_in_the_middle_tells_nobody_where_the_plan_goes(plan: str, mu: float | None) -> None:
     """The six-link's acceleration plan, 183 mm at the scene's μ, is drawn on its blank at half of that."""
