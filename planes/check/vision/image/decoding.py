@@ -83,8 +83,8 @@ def _blank_of(found: DecodedPicture, number: int, file: str) -> DecodedPicture:
     """One of several blanks on a picture; of one blank, or none, the picture."""
     seen = blanks_on(found.grey)
     _has(number, max(seen.parts, 1), file)
-    if seen.stray and number == len(seen.sheets):
-        raise PlanesError(Phrase("check_blank_in_part", count=seen.stray))
+    if seen.in_part and number == len(seen.sheets):
+        raise PlanesError(Phrase("check_blank_in_part", count=seen.in_part))
     return replace(found, grey=sheet_alone(found.grey, seen.sheets[number])) if seen.parts > 1 else found
 
 

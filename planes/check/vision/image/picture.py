@@ -181,7 +181,7 @@ def flatten(grey: Greys) -> Flat | None:
         return None
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
     notes += [Phrase("check_several_blanks", count=len(blanks.sheets))] if len(blanks.sheets) > 1 else []
-    notes += [Phrase("check_blank_in_part", count=blanks.stray)] if blanks.stray else []
+    notes += [Phrase("check_blank_in_part", count=blanks.in_part)] if blanks.in_part else []
     bend = bend_of(small, warp, PX_PER_MM)
     if bend is not None:
         unbent = _unbent(small, bend, seen, true)

@@ -23,9 +23,14 @@ class SheetsSeen:
     stray: int = 0  # marks of other sheets, too few to tell where these lie
 
     @property
+    def in_part(self) -> int:
+        """The marks of a sheet that is seen in part: two at least, since what is like a single one may be none."""
+        return self.stray if self.stray > 1 else 0
+
+    @property
     def parts(self) -> int:
         """The sheets, and one more if a part of it is seen."""
-        return len(self.sheets) + bool(self.stray)
+        return len(self.sheets) + bool(self.in_part)
 
 
 def sheets_apart(marks: Sequence[Found]) -> SheetsSeen:
