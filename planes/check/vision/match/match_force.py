@@ -155,7 +155,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
     dearer = min(other.cost(plainly=True) for other in tried) - one.cost()  # by which a right polygon is
     most = _most(best, one.plain, len(sides), pole.z) + NAMED * best.named(ink.words, pole.z)
     unsure = dearer < (APART if best.shows_nothing(one.right) else UNSURE) if best is not one.plain else False
-    if unsure or best.cost > most or _runs_on(best, ink, pole.z):
+    if unsure or best.cost > most or _ends_bare(best, ink, pole.z):
         return ReadPolygon(explained=1.0)
     explained = one.polygon.ink.explained(best.routes(pole.z))
     rows = [ReadMark(POLE, pole.z, pole.sigma)]
@@ -165,25 +165,29 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> ReadPolygon:
         if not best.left_out(n, one.right, pole.z)
     ]
     spots = by_ruler(seen.ink.flat, near, one.share, rows, explained, {})
-    past = _past_pole(best, seen, pole.z) if best is one.plain else ()
+    past = _past_pole(best, ink, pole.z) if best is one.plain else ()
     return ReadPolygon(spots, explained > 0.9, explained, best.hidden, (*one.untold(), *past), dearer > APART)
 
 
-def _runs_on(best: LaidChain, ink: InkCover, pole: complex) -> bool:
+def _ends_bare(best: LaidChain, ink: InkCover, pole: complex) -> bool:
     """Whether a polygon that does not close has no head where its last vector ends, though others have: where a line
     that runs on by itself ends, no vector need do."""
     start, end = best.routes(pole)[-1]
     return end != pole and ink.bare(start, end) >= NO_HEAD
 
 
-def _past_pole(best: LaidChain, seen: Seen, pole: complex) -> tuple[str, ...]:
-    """The vector that closes a polygon, if its line runs on past the pole to a head that stands there."""
+def _past_pole(best: LaidChain, ink: InkCover, pole: complex) -> tuple[str, ...]:
+    """The vector that closes a polygon, if its line runs on past the pole to a head that stands there, or where vectors
+    have no heads that would tell where it ends."""
     start, end = best.routes(pole)[-1]
     if end != pole or abs(end - start) < PAST_MM[0]:
         return ()
     beyond = end + PAST_MM[0] * (end - start) / abs(end - start)
-    drawn = seen.all_ink.covered(end, beyond, ASIDE_MM) > COVERED
-    return (best.rows[-1][0],) if drawn and seen.lone_heads.past(start, end, *PAST_MM) else ()
+    drawn = ink.seen.all_ink.covered(end, beyond, ASIDE_MM) > COVERED
+    further = ((z - end) / (beyond - end) * PAST_MM[0] for z, _ in ink.tips)
+    shown = any(PAST_MM[0] < z.real < PAST_MM[1] and abs(z.imag) < ASIDE_MM for z in further)
+    headed = shown or not ink.headed or ink.seen.lone_heads.past(start, end, *PAST_MM)
+    return (best.rows[-1][0],) if drawn and headed else ()
 
 
 def _likeliest(tried: Sequence[LaidPolygon]) -> LaidPolygon:

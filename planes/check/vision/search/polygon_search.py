@@ -195,7 +195,7 @@ class SoughtPolygon:
                 price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
             if price + chain.cost >= self.most or price > 12 + OPEN:
                 continue
-            if p is not self.pole and last and (abs(p.z - self.pole.z) < GAP_MM or self.ink.runs_out(z, p.z)):
+            if p is not self.pole and last and (abs(p.z - self.pole.z) < GAP_MM or self._runs_on(z, p.z)):
                 continue
             if p is self.pole and last and abs(way) > 2 and self._goes_on(z, chain):
                 price += OPEN
@@ -213,9 +213,16 @@ class SoughtPolygon:
             apart = on and all(abs(end - other) >= GAP_MM for _, other, _ in chain.rows)
             hidden = self.ink.seen.ink.lettered(end)[0] or self.ink.on_sign(numpy.array([end]))[0]
             drawn = apart and not hidden and self.covered(z, end) > 0.9
-            if drawn and not self.ink.runs_out(z, end):
+            if drawn and not self._runs_on(z, end):
                 return True
         return False
+
+    def _runs_on(self, z: complex, end: complex) -> bool:
+        """Whether what is drawn from z to an end is a construction line there: it grows faint, or has a head where it
+        comes by the pole."""
+        past = (end - z) / (self.pole.z - z) if z != self.pole.z else 0j
+        by_pole = past.real > 1 and abs(past.imag * (self.pole.z - z)) < GAP_MM
+        return self.ink.runs_out(z, end) or (by_pole and self.ink.pointed(z, self.pole.z))
 
     def _along(self, place: Place, way: complex) -> bool:
         """Whether a line that is seen to end at a place runs a way."""
