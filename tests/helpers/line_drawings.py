@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import math
 import random
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from tests.helpers.drawings import Motion
 
@@ -61,10 +61,14 @@ def labels(marks: Mapping[str, complex], rng: random.Random, height: float = 3.5
     return out
 
 
-def vector_labels(vectors: list[tuple[str, complex]], height: float = 3.5) -> list[tuple[str, complex]]:
-    """Names beside the vectors of a polygon that starts at 0; of two upon each other, each by its own tip."""
+def vector_labels(
+    vectors: list[tuple[str, complex]], height: float = 3.5, starts: Sequence[complex] = ()
+) -> list[tuple[str, complex]]:
+    """Names beside the vectors of a polygon that starts at 0 (or each elsewhere); of two upon each other, each by
+    its own tip."""
     out, z = [("p", -complex(height, height))], 0j
-    for name, v in vectors:
+    for k, (name, v) in enumerate(vectors):
+        z = starts[k] if starts else z
         side = v / abs(v) * 1j * (1.2 + height / 2)
         width = 0.7 * height * len(name)
         upon = any(abs(v + w) < 0.1 * abs(v) for n, w in vectors if n != name)

@@ -26,6 +26,7 @@ import pypdfium2
 
 from planes.check.blank import blank_pole, roomy
 from planes.check.fiducials import SHEET_MM, squares, within
+from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare, redrawn, variants_of
 from planes.check.report.shown import vectors
 from planes.cli import main
@@ -122,10 +123,14 @@ def drawing(bench: PreparedPlan, rng: random.Random) -> tuple[str, Drawn]:
         if all(map(_roomy, (z + blank_pole(bench) for z in marks.values()))) and (moved > MOVED_MM or not mistake):
             break
     shaken = {n: z + ERROR_MM * complex(rng.gauss(0, 1), rng.gauss(0, 1)) for n, z in marks.items()} | {POLE: 0j}
-    pairs = [(a, b) for a, b in vectors(bench) if abs(shaken[b] - shaken[a]) > 0.5]
-    strokes = [(shaken[a], shaken[b]) for a, b in pairs]
-    if kind_of(bench.asked.plan) == "force":
-        words = vector_labels([(b, shaken[b] - shaken[a]) for a, b in pairs])
+    force = kind_of(bench.asked.plan) == "force"
+    sides = sides_of(bench.plans, bench.asked.plan) if force else [Side("", a, b) for a, b in vectors(bench)]
+    sides = [s for s in sides if abs(shaken[s.end] - shaken[s.start]) > 0.5]
+    strokes = [(shaken[s.start], shaken[s.end]) for s in sides]
+    if force:
+        words = vector_labels(
+            [(s.name, shaken[s.end] - shaken[s.start]) for s in sides], starts=[a for a, _ in strokes]
+        )
     else:
         words = labels(shaken, rng)
     return mistake, Drawn(strokes, beside_lines(words, strokes), shaken)
