@@ -34,6 +34,23 @@ def seen(marks: dict[str, complex], doubt: float = MISREAD) -> Outcome:
     return check(Asked(load(SIX), "velocity"), ReadPaper("t", spots))
 
 
+@pytest.mark.parametrize(("plan", "share"), [("velocity", 0.5), ("acceleration", 1.25)])
+def test_a_plan_drawn_wholly_at_another_scale_is_told_at_which(plan: str, share: float) -> None:
+    """A blank is for one scale; a plan that is right at another one is no other drawing."""
+    scene, bench = load(SIX), prepare(Asked(load(SIX), plan))
+    true, last = bench.true_marks, max(bench.true_marks, key=lambda n: abs(bench.true_marks[n]))
+
+    def told(marks: dict[str, complex]) -> list[str]:
+        spots = [ReadMark(n, z, 0.2, MISREAD) for n, z in {"p": 0j, **marks}.items()]
+        out = check(Asked(scene, plan), ReadPaper("t", spots, mu=bench.said_mu))
+        return [p.told("en") for p in (out.sentence, *out.notes) if p.key == "check_other_scale"]
+
+    larger = {n: share * z for n, z in true.items()}
+    (said,) = told(larger)
+    assert f"at {share * bench.said_mu:g} mm/" in said and f"for {bench.said_mu:g} mm/" in said
+    assert not told(true) and not told({**larger, last: 1.6 * larger[last]})
+
+
 def moved(easel: confusion.Easel, mistake: Mistake, rng: random.Random) -> ReadPaper:
     """A drawing with a mistake, the mark it was made at put back to where it should be, another one off by chance."""
     paper = confusion.hand_in(easel, mistake, SHAKY, rng)

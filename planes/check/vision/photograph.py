@@ -4,8 +4,10 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import MISREAD, Known, ReadPaper, with_told
+from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
 from planes.check.grading.remedies import asking
 from planes.check.sheet_mark import mark_of
@@ -14,14 +16,19 @@ from planes.check.vision.image.frame import by_frame
 from planes.check.vision.image.lens import CameraTilt
 from planes.check.vision.image.picture import LARGEST_PX, Flat, by_scale, cv, find_marks, fits, flatten, smaller
 from planes.check.vision.image.two_points import by_points
-from planes.check.vision.looking import EXPLAINED, MOST_LINES, Look, seen_best
+from planes.check.vision.looking import EXPLAINED, MOST_LINES, Look, looked, seen_best
 from planes.check.vision.marks.from_aside import strange, tilt_told
+from planes.check.vision.marks.places import Seen, sheet_of
 from planes.check.vision.marks.print_scale import printed_share
 from planes.geometry.arrays import Greys
+from planes.plans.scales import fitting
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE, Names, label_of
+from planes.words.names import POLE, Names, kind_of, label_of
+
+INK_SHARES = (1.05, 0.9, 1.3, 0.75, 1.6, 0.6)  # of the ink that is seen, that a plan's vectors may be
+LEAST_MM, ALIKE = 10.0, 0.02  # of a plan's vectors together; scales that are one
 
 
 def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> ReadPaper:
@@ -68,7 +75,32 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
             paper.notes.append(Phrase("check_by_name", names=", ".join(best.named)))
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
+    if best.flat.by == "marks" and not paper.spots:
+        paper.rescaled = _at_another_scale(bench, best.flat)
     return paper
+
+
+def _at_another_scale(bench: PreparedPlan, flat: Flat) -> ReadPaper | None:
+    """What a blank shows if its plan was drawn at a standard scale that is not the blank's."""
+    flat, pole = replace(flat, notes=[]), blank_pole(bench)
+    seen = sheet_of(flat, pole)
+    for mu in _scales_by_ink(bench, seen) if seen and len(seen.lines) <= MOST_LINES else ():
+        look = looked(bench.at(mu, told=True), flat, pole, seen)
+        if look.explained >= EXPLAINED and look.spots:
+            spots, untold, named = with_told(look.spots, {}, MISREAD), [*look.untold], [*look.named]
+            return ReadPaper(spots=spots, whole=look.whole, untold=untold, named=named, apart=look.apart)
+    return None
+
+
+def _scales_by_ink(bench: PreparedPlan, seen: Seen) -> list[float]:
+    """Standard scales at which a plan has about as much ink as is seen: lines run on past their vectors, and
+    some lie upon others."""
+    plan, places = bench.asked.plan, {POLE: 0j, **bench.true_marks}
+    sides = [(s.start, s.end) for s in sides_of(bench.plans, plan)] if kind_of(plan) == "force" else bench.vectors
+    true = sum(abs(places[b] - places[a]) for a, b in sides)
+    larger = sum(line.length for line in seen.lines) / max(true, LEAST_MM)
+    found = dict.fromkeys(fitting(plan, 1.0, bench.said_mu * larger * share) for share in INK_SHARES)
+    return [mu for mu in found if abs(mu / bench.said_mu - 1) > ALIKE]
 
 
 def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
