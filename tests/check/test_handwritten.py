@@ -81,8 +81,18 @@ def test_a_mark_that_a_mistake_has_at_the_pole_is_told_by_its_name(
 def test_a_mistake_that_has_ink_of_its_own_is_told_by_that() -> None:
     """b upon n as well as at the pole leaves the same line; c drawn from there does not."""
     right = {"p": 0j, "n": 20 + 0j, "b": 20 + 0j, "c": 20 + 30j}
-    assert not named_marks._own_ink({"b": 0j, "c": 20 + 30j}, right)
-    assert named_marks._own_ink({"b": 0j, "c": 0 + 31j}, right)
+    assert not named_marks._stands_apart({"b": 0j, "c": 20 + 30j}, right)
+    assert named_marks._stands_apart({"b": 0j, "c": 0 + 31j}, right)
+
+
+@pytest.mark.parametrize(("headed", "own"), [(True, False), (False, True)])
+def test_what_a_mistake_has_upon_anothers_line_its_head_shows_alone(headed: bool, own: bool) -> None:
+    """s2 stands rightly upon b: where there is a head half-way, too, it may as well have been halved."""
+    seen, ink = SimpleNamespace(covered=lambda a, b: 1.0), SimpleNamespace(pointed=lambda a, b: headed)
+    search: Any = SimpleNamespace(vectors=[("p", "b"), ("p", "s2")], seen=seen, ink=ink)
+    right = {"p": 0j, "b": 80 + 0j, "s2": 80 + 0j}
+    assert named_marks._own_ink(search, "s2", {**right, "s2": 40 + 0j}, right) is own
+    assert named_marks._own_ink(search, "s2", {**right, "s2": 80 + 0j}, right) is False
 
 
 def test_a_name_speaks_for_the_vector_it_stands_by_and_never_loudly() -> None:

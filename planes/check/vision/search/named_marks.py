@@ -92,22 +92,30 @@ def traceless(search: Search, way: LaidPlan) -> set[str]:
     if way.variant:
         rightly = {POLE: pole, **{label_of(m): pole + z for m, z in search.true.items()}}
         gone = {label_of(m): z for m, z in search.true.items() if way.found.get(m) is search.pole and abs(z) > EVEN_MM}
-        right = _places(search, way, None, gone) if gone and not _own_ink(ends, rightly) else {}
+        right = _places(search, way, None, gone) if gone and not _stands_apart(ends, rightly) else {}
         if not any(_led(search, {**ends, **right}, n, z) for n, z in right.items()):
             return set()
         return {n for n, z in gone.items() if abs(z) < APART_MM or not _told(names_on(search), n, pole, pole + z)}
     doubled = {n: z for n, z in ends.items() if n != POLE and _upon_another(n, z, ends)}
     found = set[str]()
     for variant in variants_of(search.bench, {}, search.bench.said_mu) if doubled else ():
-        if variant.blames in doubled and variant.blames not in found:
-            n, moved = variant.blames, _places(search, way, variant, ends)
-            found |= (
-                {n} if abs(moved.get(n, doubled[n]) - doubled[n]) > APART_MM and not _own_ink(moved, ends) else set()
-            )
+        if (n := variant.blames) in doubled and n not in found:
+            moved = _places(search, way, variant, ends)
+            if abs(moved.get(n, doubled[n]) - doubled[n]) > APART_MM and not _own_ink(search, n, moved, ends):
+                found.add(n)
     return found
 
 
-def _own_ink(moved: Mapping[str, complex], ends: Mapping[str, complex]) -> bool:
+def _own_ink(search: Search, name: str, moved: Mapping[str, complex], ends: Mapping[str, complex]) -> bool:
+    """Whether a mistake in a mark would have ink that is not there: a head at an end that lies on others' lines."""
+    others = {n: z for n, z in moved.items() if n != name}
+    if _stands_apart(others, ends) or not _stands_apart({name: moved[name]}, ends):
+        return _stands_apart(others, ends)
+    starts = (ends[a] for a, b in search.vectors if b == name and a in ends)
+    return not (_led(search, ends, name, moved[name]) and any(search.ink.pointed(a, moved[name]) for a in starts))
+
+
+def _stands_apart(moved: Mapping[str, complex], ends: Mapping[str, complex]) -> bool:
     """Whether a mark that two drawings have at different places stands, in the first, where the other has none."""
     return any(n in ends and abs(z - ends[n]) > APART_MM and not _upon_another(n, z, ends) for n, z in moved.items())
 
