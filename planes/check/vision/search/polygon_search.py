@@ -218,11 +218,12 @@ class SoughtPolygon:
         return False
 
     def _runs_on(self, z: complex, end: complex) -> bool:
-        """Whether what is drawn from z to an end is a construction line there: it grows faint, or has a head where it
-        comes by the pole."""
+        """Whether what is drawn from z to an end is a construction line there: it grows faint, or comes by the pole
+        and has a head there, or none at its end where vectors have heads."""
         past = (end - z) / (self.pole.z - z) if z != self.pole.z else 0j
         by_pole = past.real > 1 and abs(past.imag * (self.pole.z - z)) < GAP_MM
-        return self.ink.runs_out(z, end) or (by_pole and self.ink.pointed(z, self.pole.z))
+        headless = self.ink.headed and not self.ink.pointed(z, end)
+        return self.ink.runs_out(z, end) or (by_pole and (headless or self.ink.pointed(z, self.pole.z)))
 
     def _along(self, place: Place, way: complex) -> bool:
         """Whether a line that is seen to end at a place runs a way."""
