@@ -7,7 +7,6 @@ from dataclasses import replace
 from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import MISREAD, Known, ReadPaper, with_told
-from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
 from planes.check.grading.remedies import asking
 from planes.check.sheet_mark import mark_of
@@ -75,13 +74,13 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
             paper.notes.append(Phrase("check_by_name", names=", ".join(best.named)))
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
-    if best.flat.by == "marks" and not paper.spots:
+    if best.flat.by == "marks" and not paper.spots and kind_of(bench.asked.plan) != "force":
         paper.rescaled = _at_another_scale(bench, best.flat)
     return paper
 
 
 def _at_another_scale(bench: PreparedPlan, flat: Flat) -> ReadPaper | None:
-    """What a blank shows if its plan was drawn at a standard scale that is not the blank's."""
+    """What a blank shows if its plan of motion was drawn at a standard scale that is not the blank's."""
     flat, pole = replace(flat, notes=[]), blank_pole(bench)
     seen = sheet_of(flat, pole)
     for mu in _scales_by_ink(bench, seen) if seen and len(seen.lines) <= MOST_LINES else ():
@@ -95,11 +94,10 @@ def _at_another_scale(bench: PreparedPlan, flat: Flat) -> ReadPaper | None:
 def _scales_by_ink(bench: PreparedPlan, seen: Seen) -> list[float]:
     """Standard scales at which a plan has about as much ink as is seen: lines run on past their vectors, and
     some lie upon others."""
-    plan, places = bench.asked.plan, {POLE: 0j, **bench.true_marks}
-    sides = [(s.start, s.end) for s in sides_of(bench.plans, plan)] if kind_of(plan) == "force" else bench.vectors
-    true = sum(abs(places[b] - places[a]) for a, b in sides)
+    places = {POLE: 0j, **bench.true_marks}
+    true = sum(abs(places[b] - places[a]) for a, b in bench.vectors)
     larger = sum(line.length for line in seen.lines) / max(true, LEAST_MM)
-    found = dict.fromkeys(fitting(plan, 1.0, bench.said_mu * larger * share) for share in INK_SHARES)
+    found = dict.fromkeys(fitting(bench.asked.plan, 1.0, bench.said_mu * larger * share) for share in INK_SHARES)
     return [mu for mu in found if abs(mu / bench.said_mu - 1) > ALIKE]
 
 
