@@ -24,7 +24,7 @@ from planes.plans.scales import fitting
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE, Names, kind_of, label_of
+from planes.words.names import POLE, Names, label_of
 
 INK_SHARES = (1.05, 0.9, 1.3, 0.75, 1.6, 0.6)  # of the ink that is seen, that a plan's vectors may be
 LEAST_MM, ALIKE = 10.0, 0.02  # of a plan's vectors together; scales that are one
@@ -74,7 +74,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
             paper.notes.append(Phrase("check_by_name", names=", ".join(best.named)))
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
-    if best.flat.by == "marks" and not paper.spots and kind_of(bench.asked.plan) != "force":
+    if best.flat.by == "marks" and not paper.spots and bench.asked.plan in ("velocity", "acceleration"):
         paper.rescaled = _at_another_scale(bench, best.flat)
     return paper
 

@@ -15,7 +15,7 @@ from itertools import combinations, permutations
 import numpy
 
 from planes.check.grading.handwork import Miss
-from planes.check.vision.marks.places import HEADED_MM
+from planes.check.vision.marks.places import HEADED_MM, TIP_MM
 from planes.check.vision.search.costs import DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
 from planes.check.vision.search.ink_cover import COVERED, OTHER_HEAD, PER_MM, STEP_MM, InkCover
 from planes.check.vision.search.polygon_cover import NOTHING_MM, End, Guess, LaidChain, PolygonCorner
@@ -219,11 +219,13 @@ class SoughtPolygon:
 
     def _runs_on(self, z: complex, end: complex) -> bool:
         """Whether what is drawn from z to an end is a construction line there: it grows faint, or comes by the pole
-        and has a head there, or none at its end where vectors have heads."""
+        and has a head there whose sides are seen, or none at its end where vectors have heads."""
         past = (end - z) / (self.pole.z - z) if z != self.pole.z else 0j
-        by_pole = past.real > 1 and abs(past.imag * (self.pole.z - z)) < GAP_MM
-        headless = self.ink.headed and not self.ink.pointed(z, end)
-        return self.ink.runs_out(z, end) or (by_pole and (headless or self.ink.pointed(z, self.pole.z)))
+        if self.ink.runs_out(z, end) or past.real <= 1 or abs(past.imag * (self.pole.z - z)) >= GAP_MM:
+            return self.ink.runs_out(z, end)
+        tip = self.ink.seen.closer(z, self.pole.z)
+        shown = self.ink.along(z, self.pole.z)[1] or (tip is not None and tip.sigma <= TIP_MM)
+        return bool(shown) or (self.ink.headed and not self.ink.pointed(z, end))
 
     def _along(self, place: Place, way: complex) -> bool:
         """Whether a line that is seen to end at a place runs a way."""
