@@ -27,7 +27,7 @@ from planes.check.vision.search.polygon_cover import (
     seen_like,
     spread_of,
 )
-from planes.check.vision.search.polygon_search import LOOSE_MM, MANY, OPEN, TINY_MM, SoughtPolygon
+from planes.check.vision.search.polygon_search import GAP_MM, LOOSE_MM, MANY, OPEN, TINY_MM, SoughtPolygon
 from planes.check.vision.strokes.line_places import WOBBLE_MM, Place
 from planes.words.names import POLE
 
@@ -185,7 +185,8 @@ def _past_pole(best: LaidChain, ink: InkCover, pole: complex) -> tuple[str, ...]
     beyond = end + PAST_MM[0] * (end - start) / abs(end - start)
     drawn = ink.seen.all_ink.covered(end, beyond, ASIDE_MM) > COVERED
     further = ((z - end) / (beyond - end) * PAST_MM[0] for z, _ in ink.tips)
-    shown = any(PAST_MM[0] < z.real < PAST_MM[1] and abs(z.imag) < ASIDE_MM for z in further)
+    aside = GAP_MM / abs(end - start)  # a line's own ends may be so far aside
+    shown = any(PAST_MM[0] < z.real < PAST_MM[1] and abs(z.imag) < GAP_MM + aside * z.real for z in further)
     headed = shown or not ink.headed or ink.seen.lone_heads.past(start, end, *PAST_MM)
     return (best.rows[-1][0],) if drawn and headed else ()
 
