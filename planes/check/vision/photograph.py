@@ -75,11 +75,11 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     if best.flat.by == "marks" and not paper.spots and bench.asked.plan in ("velocity", "acceleration"):
-        paper.rescaled = _at_another_scale(bench, best.flat)
+        paper.rescaled = _rescaled(bench, best.flat)
     return paper
 
 
-def _at_another_scale(bench: PreparedPlan, flat: Flat) -> ReadPaper | None:
+def _rescaled(bench: PreparedPlan, flat: Flat) -> ReadPaper | None:
     """What a blank shows if its plan of motion was drawn at a standard scale that is not the blank's."""
     flat, pole = replace(flat, notes=[]), blank_pole(bench)
     seen = sheet_of(flat, pole)

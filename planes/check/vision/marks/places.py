@@ -15,7 +15,7 @@ from planes.check.vision.strokes.drawn_over import OVER_MM, ends_upon
 from planes.check.vision.strokes.heads import PENCIL_MM, head_at
 from planes.check.vision.strokes.ink import Ink, ink_of
 from planes.check.vision.strokes.line_fitting import Fitted, Tip
-from planes.check.vision.strokes.line_places import END_MM, HEAD_MM, TIP_REACH_MM, Normal, Place, places_of
+from planes.check.vision.strokes.line_places import END_MM, HEAD_MM, TIP_REACH_MM, Normal, Place, nearer_end, places_of
 from planes.check.vision.strokes.lone_heads import LoneHeads
 from planes.check.vision.strokes.meeting import line_on_to, on
 from planes.check.vision.strokes.residual_ink import left_over, patches
@@ -171,7 +171,7 @@ def pole_on(seen: Seen, near: complex, reach: float = 2.0) -> Place:
     eqs.add(near, 1j, POLE_MM)
     for k, line in enumerate(seen.lines):
         s, off = line.local(near)
-        side = 0 if abs(s - line.low) < abs(s - line.high) else 1
+        side = nearer_end(line, s)
         if abs(off) < 0.8 and abs(line.ends[side] - near) < reach and line.length > 2 * reach:
             eqs.add(line.at(s), 1j * line.direction(s), 2 * line.sigma)
             ended.add((k, side))

@@ -116,8 +116,9 @@ class LaidPolygon:
         loose = {n for n, miss in self.polygon.spread.items() if straight or miss.worst > LOOSE_MM}
         found = {n for n in self.plain.hidden if n in loose and abs(drawn[n]) > HEADED_MM}
         endless = False
-        for guess in sorted(self.wrong, key=self._shows):  # what is looked for longest comes last
-            shown, moved = self._shows(guess), guess.moved(self.right, APART_MM)
+        shows = ((self._shows(guess), guess) for guess in self.wrong)
+        for shown, guess in sorted(shows, key=lambda one: one[0]):  # what is looked for longest comes last
+            moved = guess.moved(self.right, APART_MM)
             most = self.plain.cost + (max(IN_LINE, self.slip - BETTER) if straight or shown else RIVAL)
             rival = self.polygon.lay(guess, most) if guess.cost < most and moved else None
             endless |= self.polygon.endless and not shown
@@ -182,9 +183,9 @@ def _past_pole(best: LaidChain, ink: InkCover, pole: complex) -> tuple[str, ...]
     start, end = best.routes(pole)[-1]
     if end != pole or abs(end - start) < PAST_MM[0]:
         return ()
-    beyond = end + PAST_MM[0] * (end - start) / abs(end - start)
-    drawn = ink.seen.all_ink.covered(end, beyond, ASIDE_MM) > COVERED
-    further = ((z - end) / (beyond - end) * PAST_MM[0] for z, _ in ink.tips)
+    way = (end - start) / abs(end - start)
+    drawn = ink.seen.all_ink.covered(end, end + PAST_MM[0] * way, ASIDE_MM) > COVERED
+    further = ((z - end) / way for z, _ in ink.tips)
     aside = GAP_MM / abs(end - start)  # a line's own ends may be so far aside
     shown = any(PAST_MM[0] < z.real < PAST_MM[1] and abs(z.imag) < GAP_MM + aside * z.real for z in further)
     headed = shown or not ink.headed or ink.seen.lone_heads.past(start, end, *PAST_MM)

@@ -109,8 +109,10 @@ def traceless(search: Search, way: LaidPlan) -> set[str]:
 def _own_ink(search: Search, name: str, moved: Mapping[str, complex], ends: Mapping[str, complex]) -> bool:
     """Whether a mistake in a mark would have ink that is not there: a head at an end that lies on others' lines."""
     others = {n: z for n, z in moved.items() if n != name}
-    if _stands_apart(others, ends) or not _stands_apart({name: moved[name]}, ends):
-        return _stands_apart(others, ends)
+    if _stands_apart(others, ends):
+        return True
+    if not _stands_apart({name: moved[name]}, ends):
+        return False
     starts = (ends[a] for a, b in search.vectors if b == name and a in ends)
     return not (_led(search, ends, name, moved[name]) and any(search.ink.pointed(a, moved[name]) for a in starts))
 

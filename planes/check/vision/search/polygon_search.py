@@ -220,9 +220,11 @@ class SoughtPolygon:
     def _runs_on(self, z: complex, end: complex) -> bool:
         """Whether what is drawn from z to an end is a construction line there: it grows faint, or comes by the pole
         and has a head there whose sides are seen, or none at its end where vectors have heads."""
+        if self.ink.runs_out(z, end):
+            return True
         past = (end - z) / (self.pole.z - z) if z != self.pole.z else 0j
-        if self.ink.runs_out(z, end) or past.real <= 1 or abs(past.imag * (self.pole.z - z)) >= GAP_MM:
-            return self.ink.runs_out(z, end)
+        if past.real <= 1 or abs(past.imag * (self.pole.z - z)) >= GAP_MM:
+            return False
         tip = self.ink.seen.closer(z, self.pole.z)
         shown = self.ink.along(z, self.pole.z)[1] or (tip is not None and tip.sigma <= TIP_MM)
         return bool(shown) or (self.ink.headed and not self.ink.pointed(z, end))

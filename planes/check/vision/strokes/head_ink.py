@@ -40,11 +40,13 @@ def hides(head: Head, end: complex) -> bool:
 
 def but_strokes(lines: Sequence[Fitted]) -> list[Fitted]:
     """The lines but those of which all that is not on a line with a head is strokes of heads."""
-    return [line for line in lines if line.heads or not _strokes(line, [x for x in lines if x.heads])]
+    headed = [line for line in lines if line.heads]
+    heads = heads_on(headed)
+    return [line for line in lines if line.heads or not _strokes(line, headed, heads)]
 
 
-def _strokes(line: Fitted, headed: Sequence[Fitted]) -> bool:
+def _strokes(line: Fitted, headed: Sequence[Fitted], heads: Sequence[Head]) -> bool:
     """Whether some of a line is in heads of others, and all else on their lines."""
-    z, heads = line.at(numpy.linspace(line.low, line.high, PLACES)), heads_on(headed)
+    z = line.at(numpy.linspace(line.low, line.high, PLACES))
     inside = reduce(or_, (in_head(head, z, SIDE_MM) for head in heads), numpy.zeros(PLACES, bool))
     return bool(inside.any() and (inside | reduce(or_, (held(x, z) for x in headed))).all())

@@ -190,12 +190,14 @@ def _pairs(s: Array, half: Array, taken: Booleans, own: float) -> Iterator[SeenH
     """Heads back to back: a line so wide has no width of its own between their bases, from which both narrow to it."""
     broad = numpy.flatnonzero(half[6:-6] > own + JUMP_MM) + 6
     tops = [i for i in broad.tolist() if half[i] == half[i - 3 : i + 4].max() and not taken[i - 3 : i + 4].any()]
+    if not tops:
+        return
+    along, against = (s.tolist(), half.tolist()), ((-s[::-1]).tolist(), half[::-1].tolist())
     for i, k in product(tops, tops):
         if not 0 <= s[k] - s[i] < APART_MM:
             continue
-        jump, last = float(min(half[i], half[k])) - own, len(s) - 1
-        back = _tip((-s[::-1]).tolist(), half[::-1].tolist(), last - i, own, jump)
-        tip = _tip(s.tolist(), half.tolist(), k, own, jump)
+        jump = float(min(half[i], half[k])) - own
+        back, tip = _tip(*against, len(s) - 1 - i, own, jump), _tip(*along, k, own, jump)
         if back is not None and tip is not None:
             yield SeenHead(float(s[i]) + BASE_MM, -back, -1, own - PENCIL_MM / 2, jump, 2 * own)
             yield SeenHead(float(s[k]) - BASE_MM, tip, 1, own - PENCIL_MM / 2, jump, 2 * own)

@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy
 
 from planes.check.vision.strokes.ink import Ink
-from planes.check.vision.strokes.line_fitting import Fitted
+from planes.check.vision.strokes.line_fitting import Fitted, Tip
 from planes.check.vision.strokes.meeting import crossing, on
 
 END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
@@ -103,7 +103,7 @@ def _place(lines: Sequence[Fitted], start: complex, without: frozenset[int] = fr
         for k in near:
             line = lines[k]
             s, _ = line.local(z)
-            side = _side(line, s)
+            side = nearer_end(line, s)
             may_end = k not in elsewhere
             if may_end and abs(s - (line.low, line.high)[side]) < END_MM:
                 ended_now.add((k, side))
@@ -128,9 +128,10 @@ def _elsewhere(lines: Sequence[Fitted], near: Sequence[int], z: complex) -> set[
     """Which of the lines near a place plainly end elsewhere: of two that come one way and end apart, the farther."""
     ends, found = list[tuple[int, complex, float, complex]](), set[int]()
     for k in near:
-        side = _side(lines[k], lines[k].local(z)[0])
-        if abs(lines[k].local(z)[0] - (lines[k].low, lines[k].high)[side]) < END_MM:
-            ends.append((k, *_told(lines[k], side), lines[k].along * (2 * side - 1)))
+        line, (s, _) = lines[k], lines[k].local(z)
+        side = nearer_end(line, s)
+        if abs(s - (line.low, line.high)[side]) < END_MM:
+            ends.append((k, *_told(line, side), line.along * (2 * side - 1)))
     for (k, one, sigma, way), (j, other, vague, along) in combinations(sorted(ends, key=lambda e: abs(e[1] - z)), 2):
         turn = way * along.conjugate()
         if turn.real > 0 and abs(turn.imag) < ASLANT and abs(one - other) > APART * math.hypot(sigma, vague):
@@ -138,28 +139,30 @@ def _elsewhere(lines: Sequence[Fitted], near: Sequence[int], z: complex) -> set[
     return found
 
 
-def _side(line: Fitted, s: float) -> int:
-    """Which of a line's ends a place along it is nearer to."""
+def nearer_end(line: Fitted, s: float) -> int:
+    """Which of a line's ends, 0 or 1, a place along it is nearer to."""
     return 0 if abs(s - line.low) < abs(s - line.high) else 1
 
 
 def _told(line: Fitted, side: int) -> tuple[complex, float]:
     """Where a line ends, by the tip of its head or by its ink, and the σ of that."""
     s = (line.low, line.high)[side]
-    tips = [h for h in line.heads if h.sign == 2 * side - 1 and abs(h.s - s) < TIP_REACH_MM]
-    if line.clear[side] or not tips:
-        return line.at(s), CLEAR_MM if line.clear[side] else DIM_MM
-    tip = min(tips, key=lambda h: h.sigma)
-    return line.at(tip.s), tip.sigma
+    tip = min(_tips(line, side), key=lambda h: h.sigma, default=None)
+    return (line.at(tip.s), tip.sigma) if tip else (line.at(s), CLEAR_MM if line.clear[side] else DIM_MM)
+
+
+def _tips(line: Fitted, side: int) -> list[Tip]:
+    """The tips of heads that tell where a line ends; none where its ink does."""
+    s = (line.low, line.high)[side]
+    return [h for h in line.heads if h.sign == 2 * side - 1 and abs(h.s - s) < TIP_REACH_MM and not line.clear[side]]
 
 
 def _add_end(eqs: Normal, line: Fitted, side: int) -> None:
     """That a line ends here, by its ink and by its arrowhead."""
     s = (line.low, line.high)[side]
     eqs.add(line.at(s), line.direction(s), CLEAR_MM if line.clear[side] else DIM_MM)
-    for head in () if line.clear[side] else line.heads:
-        if head.sign == 2 * side - 1 and abs(head.s - s) < TIP_REACH_MM:
-            eqs.add(line.at(head.s), line.direction(s), head.sigma)
+    for head in _tips(line, side):
+        eqs.add(line.at(head.s), line.direction(s), head.sigma)
 
 
 def _hidden(line: Fitted, side: int, s: float, other: Fitted) -> bool:
