@@ -55,7 +55,9 @@ def copied(source: Path, copy: Path) -> Path:
     for file in (copy / "planes").rglob("*.py"):
         text = file.read_text("utf-8")
         file.write_text(NAME.sub(r"\1planes.render", IMPORT.sub(r"\1planes.render", text)), "utf-8")
-    (copy / "planes" / "documents" / "ours.py").write_text('"""In a wheel no other package can stand in for the renderer."""\n', "utf-8")
+    ours = copy / "planes" / "documents" / "ours.py"
+    ours.write_text('"""In a wheel no other package can stand in for the renderer."""\n', "utf-8")
     about = copy / "pyproject.toml"
-    about.write_text(re.sub(r"^render = (?=\[)", '"planes.render" = ', about.read_text("utf-8"), flags=re.MULTILINE), "utf-8")
+    settings = about.read_text("utf-8")
+    about.write_text(re.sub(r"^render = (?=\[)", '"planes.render" = ', settings, flags=re.MULTILINE), "utf-8")
     return copy

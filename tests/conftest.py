@@ -2,11 +2,14 @@
 
 ``@pytest.mark.few(n)`` leaves a test with many cases n of them, evenly chosen; the others are slow, with ``slow=m``
 so many of them, and the rest long.
+
+``@pytest.mark.needs("scipy")``: without that package the test is skipped, and says so; the extra ``ci`` has them all.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
+from importlib.util import find_spec
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -20,6 +23,10 @@ settings.load_profile("planes")
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Before tests are chosen by their marks."""
+    for item in items:
+        wanted = [name for mark in item.iter_markers("needs") for name in mark.args]
+        if missing := [name for name in wanted if find_spec(name) is None]:
+            item.add_marker(pytest.mark.skip(reason=f"without {', '.join(missing)}: pip install -e '.[ci]'"))
     cases: dict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:
         if item.get_closest_marker("few"):

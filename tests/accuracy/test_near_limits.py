@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from planes.batch import Cycle, compiled
+from planes.batch import Cycle
 from planes.cli import main
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
@@ -72,11 +72,10 @@ def test_no_number_near_a_dead_point_of_a_higher_class_is_wrong_without_a_word(f
     assert not any(silent.values()), silent
 
 
+@pytest.mark.needs("llvmlite")
 @pytest.mark.few(1)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_tables_by_arrays_and_compiled_leave_out_the_same(family: str) -> None:
-    if not compiled.available():
-        pytest.skip("the compiler is not installed")
     text, values = case(family, random.Random(7), 60)
     c = Cycle(plans_of(loads(text))[0])
     (one,), (two,) = (list(c.blocks(values, fast=fast)) for fast in (False, True))
@@ -99,10 +98,8 @@ def test_a_force_that_is_nothing_beside_others_is_warned_of() -> None:
     assert not solve(loads(FAINT + "find: [F_20]\n")).positions[0].results["warnings"]
 
 
-@pytest.mark.parametrize("fast", [False, True])
+@pytest.mark.parametrize("fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))])
 def test_a_table_leaves_out_a_force_that_is_nothing_beside_others(fast: bool) -> None:
-    if fast and not compiled.available():
-        pytest.skip("the compiler is not installed")
     for names in (None, ["F_10"], ["F_20"]):
         c = Cycle(plans_of(loads(FAINT))[0], names)
         (block,) = c.blocks([208781.2, 208785.2], fast=fast)
@@ -151,10 +148,8 @@ def test_sizes_too_different_to_reckon_with_are_warned_of(size: str) -> None:
     assert np.isnan(block.table).any(axis=0).all() and block.codes.all()
 
 
-@pytest.mark.parametrize("fast", [False, True])
+@pytest.mark.parametrize("fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))])
 def test_a_force_that_rounding_makes_exactly_nothing_is_left_out_of_a_table(fast: bool) -> None:
-    if fast and not compiled.available():
-        pytest.skip("the compiler is not installed")
     c = Cycle(plans_of(loads(EATEN))[0], ["F_23"])
     (block,) = c.blocks(np.linspace(50.0, 60.0, 16), fast=fast)
     assert block.failed.all() and np.isnan(block.table).all()

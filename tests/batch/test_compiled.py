@@ -15,7 +15,7 @@ from planes.batch.tape import Tape, read
 from planes.batch.tracing import Recording, Trace
 from tests.helpers import ROOT
 
-needs_compiler = pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
+needs_compiler = pytest.mark.needs("llvmlite")
 AR = Recording()
 
 

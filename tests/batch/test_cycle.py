@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle, compiled
+from planes.batch import Cycle
 from planes.batch.error_bounds import Claims
 from planes.cli import main
 from planes.drafting.drawing import run
@@ -43,7 +43,7 @@ def whole(c: Cycle, values: Any, **how: Any) -> tuple[Any, Any]:
     return np.hstack([b.table for b in blocks]), np.hstack([b.codes for b in blocks])
 
 
-needs_compiler = pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
+needs_compiler = pytest.mark.needs("llvmlite")
 
 
 @pytest.mark.few(1)

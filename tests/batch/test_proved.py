@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.batch import compiled
 from planes.cli import main
 from planes.course.survey import lines_of
 from planes.drafting.steps import Similar
@@ -50,7 +49,9 @@ def unbalanced(m: pytest.MonkeyPatch) -> None:
     m.setattr(Calculate, "draw", wrong)
 
 
-@pytest.mark.parametrize("fast", [False, True], ids=["arrays", "compiled"])
+@pytest.mark.parametrize(
+    "fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))], ids=["arrays", "compiled"]
+)
 @pytest.mark.parametrize(
     "spoil, scene, names, reason",
     [
@@ -62,8 +63,6 @@ def unbalanced(m: pytest.MonkeyPatch) -> None:
 def test_a_position_that_fails_a_proof_of_what_is_asked_is_masked(
     spoil: Spoil, scene: str, names: list[str], reason: str, fast: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    if fast and not compiled.available():
-        pytest.skip("no compiler")
     scene = scene.replace("phi: 60", "phi: 40")
     (right,) = cycle_of(scene, names).blocks(HIGH, fast=fast)
     assert not right.failed.any() and np.isfinite(right.table).all()
@@ -75,10 +74,10 @@ def test_a_position_that_fails_a_proof_of_what_is_asked_is_masked(
     assert np.allclose(block.table[:, ~block.failed], right.table[:, ~block.failed], rtol=1e-12, atol=1e-12)
 
 
-@pytest.mark.parametrize("fast", [False, True], ids=["arrays", "compiled"])
+@pytest.mark.parametrize(
+    "fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))], ids=["arrays", "compiled"]
+)
 def test_one_wrong_position_among_thousands_is_masked(fast: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    if fast and not compiled.available():
-        pytest.skip("no compiler")
     values, similar = np.linspace(40.0, 60.0, 4001), Similar.draw
 
     def wrong(self: Similar, env: Any, tool: Any) -> Any:

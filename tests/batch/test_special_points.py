@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from planes.accuracy.comparison import Comparison
-from planes.batch import Cycle, compiled
+from planes.batch import Cycle
 from planes.batch.error_bounds import Claims
 from planes.drafting.steps import Through
 from planes.geometry.arrays import Array, Indices
@@ -54,7 +54,7 @@ def test_numbers_there_are_those_of_fifty_digits(sample: str) -> None:
         assert np.abs(table - truth)[rows].max() <= 1e-12 * np.abs(truth[rows]).max()
 
 
-@pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
+@pytest.mark.needs("llvmlite")
 @pytest.mark.slow
 @pytest.mark.parametrize("sample", PASSES)
 def test_no_position_of_the_turn_is_looked_at_by_itself(sample: str, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -101,7 +101,7 @@ def test_pictures(suffix: str, tmp_path: Path) -> None:
     assert some[0].read_bytes() == some[1].read_bytes() and some[0].stat().st_size > 5000
 
 
-@pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
+@pytest.mark.needs("llvmlite")
 @pytest.mark.parametrize("scene", [SIX, str(SAMPLES / "kind-1-rrr.yaml")])
 def test_a_long_table_of_curves_goes_through_the_compiled_loop(scene: str, tmp_path: Path, monkeypatch: Any) -> None:
     """Its numbers and the positions it refuses are those of arrays; ``--plain`` keeps to arrays."""

@@ -8,7 +8,6 @@ import math
 import mpmath
 import numpy as np
 import pytest
-from scipy.interpolate import PchipInterpolator
 
 from planes.crank_slider.forces import balance, classical, printed, replaced
 from planes.crank_slider.given import monotone
@@ -186,8 +185,11 @@ def test_the_torque_does_the_work_of_gas_and_friction(text):
     assert w.flywheel == pytest.approx(w.excess / (0.02 * 188.5**2))
 
 
+@pytest.mark.needs("scipy")
 def test_the_diagram_is_monotone_between_its_points():
     """The same cubic as scipy's PCHIP, and no pressure outside the two neighbouring points."""
+    from scipy.interpolate import PchipInterpolator
+
     x, p = [0, 0.015, 0.04, 0.08, 0.15, 0.25, 0.4, 1], [2.9, 4.3, 4.8, 4.1, 2.75, 1.72, 1.04, 0.26]
     at = np.linspace(0, 1, 2001)
     assert np.abs(monotone(x, p)(at) - PchipInterpolator(x, p)(at)).max() < 1e-14

@@ -9,7 +9,6 @@ import pytest
 
 from tests.helpers import ROOT
 from tests.helpers.browser import chromium
-from tests.helpers.counting import PATIENCE_MS
 from tests.helpers.lessons import lesson_opened, lesson_written
 
 
@@ -23,7 +22,6 @@ def chrome() -> Iterator[Any]:
 def browser(chrome: Any, request: pytest.FixtureRequest) -> Iterator[Any]:
     """A window of the size the module asks for."""
     context = chrome.new_context(viewport=getattr(request.module, "WIDE", {"width": 1200, "height": 1000}))
-    context.set_default_timeout(PATIENCE_MS)
     yield context
     context.close()
 

@@ -75,8 +75,10 @@ def test_a_sweep_agrees_with_single_positions() -> None:
         table["v_X"]
 
 
+@pytest.mark.needs("pandas")
 def test_a_table_goes_to_pandas() -> None:
-    pandas = pytest.importorskip("pandas")
+    import pandas
+
     frame = planes.cycle(planes.load(FOUR_BAR), ["omega_2"], phi=[0, 90]).to_pandas()
     assert isinstance(frame, pandas.DataFrame) and list(frame) == ["phi", "omega_2", "failed"]
 

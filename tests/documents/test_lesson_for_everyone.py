@@ -41,7 +41,7 @@ STATES = {
 
 def complaints(page: Any) -> list[str]:
     """What axe finds against it."""
-    axe = pytest.importorskip("axe_playwright_python", reason="install the test extra: pip install -e '.[test]'")
+    axe = pytest.importorskip("axe_core_python", reason="install the test extra: pip install -e '.[test]'")
     page.evaluate((Path(axe.__file__).parent / "axe.min.js").read_text(encoding="utf-8"))
     found = page.evaluate("rules => axe.run(document, rules)", RULES)["violations"]
     return [f"{v['id']}: {[n['html'][:90] for n in v['nodes'][:3]]}" for v in found]

@@ -6,13 +6,12 @@ import re
 from pathlib import Path
 from xml.etree import ElementTree
 
-import nbformat
 import pytest
-from nbclient import NotebookClient
 
 import planes
 from tests.helpers import ROOT
 
+pytestmark = pytest.mark.needs("anywidget", "nbclient", "ipykernel")
 FOUR_BAR, CRANK = (ROOT / "samples" / f"{name}.yaml" for name in ("kind-1-rrr", "kind-2-rrp"))
 NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
 
@@ -73,6 +72,9 @@ def test_the_crank_turns() -> None:
 @pytest.mark.filterwarnings("ignore")
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda f: f.stem)
 def test_a_notebook_runs(file: Path) -> None:
+    import nbformat
+    from nbclient import NotebookClient
+
     assert len(NOTEBOOKS) >= 3
     book = nbformat.read(file, as_version=4)
     assert not any(cell.get("outputs") for cell in book.cells), "results are made, not kept"

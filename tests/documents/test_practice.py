@@ -103,8 +103,7 @@ def test_lines_drawn_by_hand(desk: Any) -> None:
 @pytest.mark.parametrize("kind", ["pen", "touch"])
 def test_a_vector_drawn_with_a_pen_or_a_finger(desk: Any, kind: str) -> None:
     desk.evaluate(UPTO, "velocity:b")
-    line = desk.context.new_cdp_session(desk)
-    line.send("Emulation.setTouchEmulationEnabled", {"enabled": kind == "touch"})
+    desk.ask("Emulation.setTouchEmulationEnabled", enabled=kind == "touch")
     desk.click("#tool-vector")
     desk.select_option("#along", "AB|1")
     box = desk.locator("#plan").bounding_box()
@@ -115,11 +114,11 @@ def test_a_vector_drawn_with_a_pen_or_a_finger(desk: Any, kind: str) -> None:
         at = "start" if k == 0 else "end" if k == 6 else "move"
         if kind == "touch":
             points = [] if at == "end" else [{"x": px, "y": py}]
-            line.send("Input.dispatchTouchEvent", {"type": f"touch{at.title()}", "touchPoints": points})
+            desk.ask("Input.dispatchTouchEvent", type=f"touch{at.title()}", touchPoints=points)
         else:
             told = {"start": "mousePressed", "end": "mouseReleased", "move": "mouseMoved"}[at]
             more = {"button": "left", "buttons": 1, "clickCount": 1, "pointerType": "pen"}
-            line.send("Input.dispatchMouseEvent", {"type": told, "x": px, "y": py, **more})
+            desk.ask("Input.dispatchMouseEvent", type=told, x=px, y=py, **more)
     drawn = float(desk.input_value("#mm").replace(",", "."))
     assert drawn == pytest.approx(desk.evaluate("Math.hypot(...practice.truth(practice.item))"), abs=1)
     desk.click("#do-draw")
@@ -193,7 +192,7 @@ def test_a_mark_must_be_nearer_to_its_place_than_to_a_mistake(desk: Any) -> None
     found = desk.evaluate("""() => data.practice.filter(t => t.kind === 'mark').map(t => {
         const p = live.at(t.what);
         const off = practice.slips(t.what).map(s => Math.hypot(s.place[0] - p[0], s.place[1] - p[1]));
-        return [practice.fits(t.what), practice.allowed(t.what), Math.min(...off, Infinity)]; })""")
+        return [practice.fits(t.what), practice.allowed(t.what), Math.min(...off, Number.MAX_VALUE)]; })""")
     assert all(fits <= wide and (fits <= off / 2 + 1e-12 or fits == 0.5) for fits, wide, off in found)
     assert any(fits < wide for fits, wide, _ in found) and any(fits == wide for fits, wide, _ in found)
 

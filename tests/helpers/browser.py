@@ -1,17 +1,20 @@
-"""A headless Chromium for the tests of pages: the system's, or the one Playwright has installed."""
+"""A headless Chromium for the tests of pages, as it is installed."""
 
 from __future__ import annotations
 
 import os
+import re
 import shutil
+import subprocess
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import pytest
 
-from tests.helpers.counting import PATIENCE_MS
+from tests.helpers.counting import PATIENCE_S
 
 FLAGS = [
     "--no-sandbox",
@@ -25,21 +28,30 @@ FLAGS = [
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 
 
+LISTENS = re.compile(r"DevTools listening on (ws://\S+)")
+
+
 @contextmanager
 def chromium() -> Iterator[Any]:
     """A browser. Without any the test is skipped, and says what to install."""
-    sync = pytest.importorskip("playwright.sync_api", reason="install the test extra: pip install -e '.[test]'")
-    with sync.sync_playwright() as tools:
-        own = Path(tools.chromium.executable_path)
-        system = next(filter(None, map(shutil.which, NAMES)), "")
-        found = os.environ.get("CHROMIUM") or (str(own) if own.exists() else system)
-        if not found:
-            pytest.skip("no Chromium here: apt-get install chromium, or playwright install --with-deps chromium")
-        started = tools.chromium.launch(executable_path=found, headless=True, args=FLAGS, timeout=PATIENCE_MS)
-        try:
-            yield started
-        finally:
-            started.close()
+    devtools = pytest.importorskip("tests.helpers.devtools", reason="install the test extra: pip install -e '.[test]'")
+    program = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), "")
+    if not program:
+        pytest.skip("no Chromium here: install it (Debian: apt-get install chromium) or name it in CHROMIUM")
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
+        own = ["--remote-debugging-port=0", f"--user-data-dir={profile}"]
+        command = [program, "--headless", *own, *FLAGS, "about:blank"]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as started:
+            try:
+                assert started.stderr
+                address = next(heard[1] for line in started.stderr if (heard := LISTENS.search(line)))
+                Thread(target=started.stderr.read, daemon=True).start()  # or it stops at a full pipe
+                line = devtools.Line(address)
+                yield devtools.Browser(line)
+                line.socket.close()
+            finally:
+                started.terminate()
+                started.wait(PATIENCE_S)
 
 
 def until(page: Any, condition: str) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import itertools
 import json
 import re
@@ -20,22 +19,16 @@ from tests.helpers.counting import PATIENCE_S
 NAMES = ("firefox-esr", "firefox")
 _LISTENS = re.compile(r"WebDriver BiDi listening on (ws://\S+)")
 WATCHED = ("log.entryAdded", "network.beforeRequestSent")
-LARGEST = 1 << 28  # bytes of one answer
 
 
 class Firefox:
     """One window: it goes to addresses and evaluates expressions; ``errors`` are what pages complain of or ask for."""
 
     def __init__(self, address: str) -> None:
-        websocket = pytest.importorskip("tornado.websocket", reason="install the test extra: pip install -e '.[test]'")
-        self.loop = asyncio.new_event_loop()
+        websocket = pytest.importorskip("websocket", reason="install the test extra: pip install -e '.[test]'")
+        self.line = websocket.create_connection(f"{address}/session", timeout=PATIENCE_S, suppress_origin=True)
         self.errors: list[str] = []
         self.numbers = itertools.count(1)
-
-        async def dialled() -> Any:
-            return await websocket.websocket_connect(f"{address}/session", max_message_size=LARGEST)
-
-        self.line: Any = self.loop.run_until_complete(dialled())
         self.ask("session.new", capabilities={})
         self.ask("session.subscribe", events=list(WATCHED))
         self.tab = self.ask("browsingContext.getTree")["contexts"][0]["context"]
@@ -43,14 +36,9 @@ class Firefox:
     def ask(self, method: str, **params: Any) -> Any:
         """The result of one command; events that come before it are kept."""
         number = next(self.numbers)
-        return self.loop.run_until_complete(self._asked(number, method, params))
-
-    async def _asked(self, number: int, method: str, params: Any) -> Any:
-        await self.line.write_message(json.dumps({"id": number, "method": method, "params": params}))
+        self.line.send(json.dumps({"id": number, "method": method, "params": params}))
         while True:
-            text = await asyncio.wait_for(self.line.read_message(), PATIENCE_S)
-            assert text, "Firefox has hung up"
-            said = json.loads(text)
+            said = json.loads(self.line.recv())
             if said.get("id") == number:
                 assert said["type"] == "success", f"{said.get('error')}: {said.get('message')}"
                 return said["result"]
@@ -82,7 +70,6 @@ class Firefox:
     def close(self) -> None:
         """End the session."""
         self.line.close()
-        self.loop.close()
 
 
 def installed() -> str:

@@ -13,9 +13,9 @@ from tests.helpers import ROOT
 @pytest.mark.parametrize(
     "tool",
     [
-        ["ruff", "check", "."],
-        ["ruff", "format", "--check", "planes", "render", "tests"],
-        pytest.param(["mypy"], marks=pytest.mark.slow),
+        pytest.param(["ruff", "check", "."], marks=pytest.mark.needs("ruff")),
+        pytest.param(["ruff", "format", "--check", "."], marks=pytest.mark.needs("ruff")),
+        pytest.param(["mypy"], marks=[pytest.mark.slow, pytest.mark.needs("mypy")]),
     ],
     ids=["ruff", "format", "mypy"],
 )

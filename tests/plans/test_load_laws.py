@@ -43,10 +43,10 @@ def test_laws_of_any_form_agree_with_the_independent_solver(seed) -> None:
     assert max(apart.values()) < MOST, sorted(apart.items(), key=lambda x: -x[1])[:3]
 
 
+@pytest.mark.needs("llvmlite")
 @pytest.mark.few(3)
 @pytest.mark.parametrize("seed", range(8))
 def test_many_positions_have_the_numbers_of_each(seed) -> None:
-    pytest.importorskip("llvmlite")
     case = lawful(100 + seed, (KINDS[seed % 5],), friction=seed % 4 == 3, rest=seed == 6)
     scene = loads(to_yaml(case.scene))
     assert scene.mechanism

@@ -57,10 +57,10 @@ def test_many_mixtures_agree_with_the_independent_solver(fifth: int) -> None:
     assert refused <= 3
 
 
+@pytest.mark.needs("llvmlite")
 @pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("seed", [5, 11, 50, 14])
 def test_arrays_the_compiled_loop_and_one_position_agree(seed: int) -> None:
-    pytest.importorskip("llvmlite")
     scene = loads(to_yaml(mixed(seed).scene))
     assert scene.mechanism
     cycle, drive = Cycle(plans_of(scene.mechanism), None), scene.mechanism.drive

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.batch import Cycle, compiled
+from planes.batch import Cycle
 from planes.cli import main
 from planes.drafting.drawing import proved, run
 from planes.drafting.instruments import Pencil
@@ -154,12 +154,10 @@ def cycle_of(text: str, names: list[str] | None = None) -> Cycle:
     return Cycle(plans_of(found), names)
 
 
-@pytest.mark.parametrize("fast", [False, True])
+@pytest.mark.parametrize("fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))])
 def test_of_many_positions_the_wrong_ones_are_masked_with_the_reason(
     fast: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    if fast and not compiled.available():
-        pytest.skip("no compiler")
     draw_arm = Drop.draw
 
     def wrong(self: Drop, env: Any, tool: Any) -> Any:

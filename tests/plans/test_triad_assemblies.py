@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from flint import fmpq, fmpq_poly
 
-from planes.batch import Cycle, compiled
+from planes.batch import Cycle
 from planes.drafting.tools import Thing
 from planes.geometry import plane
 from planes.geometry.sextic import assemblies
@@ -183,7 +183,7 @@ def test_a_scene_that_does_not_say_is_told_every_assembly() -> None:
     assert "D: {near: [0.43323, -0.11375]} or D: {near: [0.50334, -0.069444]}" in said
 
 
-@pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
+@pytest.mark.needs("llvmlite")
 def test_one_assembly_is_followed_alike_by_arrays_and_the_compiled_loop() -> None:
     scene = loads(SCENE + "assembly: {D: {near: [0.5, -0.07]}}\n")
     assert scene.mechanism

@@ -38,10 +38,11 @@ def seen_in_librecad(data: bytes, folder, name: str):
 
 def kept(wanted, shown) -> float:
     """How much of the one ink is near ink of the other."""
-    from scipy.ndimage import distance_transform_edt
+    import cv2
 
     high, wide = (min(a, b) for a, b in zip(wanted.shape, shown.shape, strict=True))
-    far = distance_transform_edt(~shown[:high, :wide]) * 25.4 / DPI
+    blank = (~shown[:high, :wide]).astype(np.uint8)
+    far = cv2.distanceTransform(blank, cv2.DIST_L2, cv2.DIST_MASK_PRECISE) * 25.4 / DPI
     return float(np.mean(far[wanted[:high, :wide]] < NEAR_MM))
 
 

@@ -12,6 +12,7 @@ from functools import lru_cache
 import numpy as np
 import pypdfium2
 import pytest
+import shapely
 from pypdfium2 import raw
 
 from render.files import dxf, pdf, svg
@@ -70,10 +71,9 @@ def letters(marks):
 
 def farthest(wanted, found):
     """How far the wanted place with the most distant neighbour is from what was read."""
-    from scipy.spatial import cKDTree
-
-    tree = cKDTree(np.column_stack([np.real(found), np.imag(found)]))
-    return tree.query(np.column_stack([np.real(wanted), np.imag(wanted)]))[0].max()
+    tree = shapely.STRtree(shapely.points(np.real(found), np.imag(found)))
+    places = shapely.points(np.real(wanted), np.imag(wanted))
+    return tree.query_nearest(places, return_distance=True, all_matches=False)[1].max()
 
 
 def agree(one, other):
