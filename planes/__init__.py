@@ -5,8 +5,8 @@
 >>> planes.solve(scene, phi=150).omega["2"]  # rad/s
 8.122...
 
-What is here is the public face: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`check`,
-:func:`sheet`, :func:`picture`, :func:`lesson`, :func:`crank`, and ``Scene``, ``Position``, ``Exact``, ``Pencil``,
+The public face: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`check`, :func:`sheet`,
+:func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Position``, ``Exact``, ``Pencil``,
 ``PlanesError``.
 Each comes when it is first used, so that nothing is imported that is not needed.
 
@@ -23,7 +23,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from planes.documents.face import check, cycle, lesson, picture, sheet, solve
+    from planes.documents.face import animate, check, cycle, lesson, picture, sheet, solve
     from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
     from planes.scene import Scene, load, loads
@@ -34,7 +34,7 @@ __version__ = "0.8.0"
 
 _FROM = {
     "planes.scene": ("Scene", "load", "loads"),
-    "planes.documents.face": ("check", "cycle", "lesson", "picture", "sheet", "solve"),
+    "planes.documents.face": ("animate", "check", "cycle", "lesson", "picture", "sheet", "solve"),
     "planes.drafting.instruments": ("Exact", "Pencil"),
     "planes.solving": ("Position",),
     "planes.words.errors": ("PlanesError",),
@@ -48,6 +48,7 @@ __all__ = [
     "PlanesError",
     "Position",
     "Scene",
+    "animate",
     "check",
     "crank",
     "cycle",

@@ -14,6 +14,7 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 PICTURES = (".png", ".svg", ".pdf", ".dxf")
+FILMS = (".gif", ".mp4")
 LISTED = 24  # positions a listing may have
 
 
@@ -33,6 +34,8 @@ def cycle(args: Namespace) -> int:
             return _table(args, scene, span)
         case "picture":
             return _picture(args, scene, span)
+        case "film":
+            return _film(args, scene)
         case "graphical" | "graphical_picture":
             return _graphical(args, scene)
         case "listing":
@@ -42,6 +45,8 @@ def cycle(args: Namespace) -> int:
 
 def _answer(args: Namespace, span: Span | None) -> str:
     """Which of the answers is asked for."""
+    if args.output and Path(args.output).suffix.lower() in FILMS:
+        return "film"
     if args.output and Path(args.output).suffix.lower() not in PICTURES:
         return "curves" if args.show is not None else "table"
     if args.graphical is not None:
@@ -84,6 +89,13 @@ def _picture(args: Namespace, scene: Scene, span: Span | None) -> int:
 
     show, loops, paths = (asked(getattr(args, option), f"--{option}") for option in ("show", "hodograph", "path"))
     cycle_page(scene, span, show, loops, paths, args.lang).write(args.output)
+    return 0
+
+
+def _film(args: Namespace, scene: Scene) -> int:
+    from planes.documents.animation import animate
+
+    animate(scene, args.output, args.lang)
     return 0
 
 

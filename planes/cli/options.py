@@ -126,6 +126,7 @@ TAKES: Mapping[str, Mapping[str, str]] = {
         "table": "phi s omega epsilon errors plain",
         "curves": "phi s show omega epsilon plain",
         "picture": "phi s show hodograph path omega epsilon",
+        "film": "omega epsilon",
         "graphical": "graphical pole omega json",
         "graphical_picture": "graphical pole omega",
     },

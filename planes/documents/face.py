@@ -14,7 +14,7 @@ from planes.check import check as judge
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import read_paper
-from planes.documents import picture, view_of
+from planes.documents import animation, picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
 from planes.drafting.instruments import Instrument
@@ -29,7 +29,7 @@ from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet
 
-__all__ = ["check", "cycle", "lesson", "picture", "sheet", "solve"]
+__all__ = ["animate", "check", "cycle", "lesson", "picture", "sheet", "solve"]
 
 Numbers = Iterable[float]
 
@@ -163,3 +163,14 @@ def lesson(scene: Scene, output: str | Path | None = None, lang: Lang | None = N
     if output is not None:
         page.write(str(output))
     return page
+
+
+def animate(
+    scene: Scene, output: str | Path, *, frames: int = animation.FRAMES, seconds: float = 6.0, lang: Lang | None = None
+) -> None:
+    """Write a moving picture of the mechanism with its plans: ``output`` ends in .gif, .svg or .mp4 (extra ``check``).
+
+    ``frames`` are the positions of one turn, or of one way where the driver only swings; the picture lasts ``seconds``
+    and begins anew. Raises :class:`PlanesError` where nothing moves, or for another suffix.
+    """
+    animation.animate(scene, output, lang or home_lang(), frames, seconds)
