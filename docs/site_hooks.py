@@ -5,9 +5,12 @@ In a page stand, each as a fenced block:
 - ``figure CAPTION`` with a command that draws: its picture, lettered in the language of the page, and the command;
 - ``run`` with a command: the command and what it prints;
 - ``keys`` with names of tables of the scene's schema: their keys and what each means;
-- ``gallery`` with a folder of scenes: a picture of each; ``include`` with a file of the repository; ``tables`` with
-  a file and, a line each, ``its words = ours``: its tables alone, so that numbers stand in one place;
-- ``essay`` with a command that writes live pages into a folder: a list of them.
+- ``gallery`` with a folder of scenes: a picture of each, with its file, its lesson and its sheet (``gallery bare``:
+  with its file alone);
+- ``include`` with a file of the repository (``include below``: under the page's own title);
+- ``tables`` with a file and, a line each, ``its words = ours``: its tables alone, so that numbers stand in one place;
+- ``essay`` with a command that writes live pages into a folder: a list of them;
+- ``api`` with a package: its public names, each with its signature and docstring.
 
 Figures are drawn before the pages are read, into ``figures/`` beside them; they are never kept in the repository.
 """
@@ -16,26 +19,36 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import inspect
 import io
 import os
 import re
 import shlex
+import shutil
 from collections.abc import Callable, Iterator
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from planes.cli import main
 from planes.documents.schema import schema
-from planes.scene import load
+from planes.plans.statements.of_scene import scene_plans
+from planes.scene import Scene, load
+from render.sheet.single import name_of_view
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PAGES = HERE / "site"
 BLOCK = re.compile(
-    r"^```(figure|run|keys|gallery|include|tables|essay)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
+    r"^```(figure|run|keys|gallery|include|tables|essay|api)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
 )
 OUTSIDE = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)]*)\)")
 DRAWN = "drawing.svg"  # what a reader would name a figure
+MADE = "made"  # the folder of lessons, sheets and scenes of the gallery
+SAID_OF = {
+    "en": {"scene": "scene", "lesson": "lesson", "sheet": "sheet"},
+    "ru": {"scene": "сцена", "lesson": "урок", "sheet": "лист"},
+}
 SAID = {"en": ("key", "what it is"), "ru": ("ключ", "что это")}
 
 
@@ -77,8 +90,13 @@ def draw(command: str, lang: str) -> str:
 def gallery(folder: str) -> list[tuple[str, Path]]:
     """The scenes of a folder: what draws each, and its file."""
     files = sorted(f for f in (ROOT / folder).glob("*.yaml") if f.stem != "crank-slider")
-    views = {f: "position" if load(f).mechanism else "velocity-plan" for f in files}
+    views = {f: first_view(load(f)) for f in files}
     return [(f"sheet {f.relative_to(ROOT).as_posix()} --view {view}", f) for f, view in views.items()]
+
+
+def first_view(scene: Scene) -> str:
+    """The view by which a scene is known: its scheme, or the first plan of stated vectors."""
+    return "position" if scene.mechanism else name_of_view(scene_plans(scene).drawn[0])
 
 
 def figure(caption: str, body: str, lang: str) -> str:
@@ -122,19 +140,77 @@ def found(*schemas: dict[str, Any]) -> dict[str, dict[str, str]]:
     return tables
 
 
-def pictures(_: str, body: str, lang: str) -> str:
-    """A picture of every scene of a folder."""
+def pictures(how: str, body: str, lang: str) -> str:
+    """A picture of every scene of a folder, with what can be opened of it."""
     cards = []
     for command, file in gallery(body.strip()):
         title = load(file).title[lang]
-        below = f"<figcaption>{title}<br><code>{file.name}</code></figcaption>"
+        links = " · ".join(
+            f'<a href="{place}">{SAID_OF[lang][key]}</a>' for key, place in made_of(file, lang, how).items()
+        )
+        below = f"<figcaption>{title}<br>{links}</figcaption>"
         cards.append(f"<figure markdown>\n![{title}]({draw(command, lang)})\n{below}\n</figure>")
     return '<div class="gallery" markdown>\n' + "\n".join(cards) + "\n</div>"
 
 
-def include(_: str, body: str, lang: str) -> str:
-    """A file of the repository; what it links to outside the site stays a name."""
-    return OUTSIDE.sub(r"\1 (`\2`)", (ROOT / body.strip()).read_text("utf-8")).replace("`../", "`")
+def made_of(file: Path, lang: str, how: str) -> dict[str, str]:
+    """What can be opened of a scene, and where it lies from a page: the file, its lesson, its sheet; made once for all
+    languages, for a lesson speaks them all."""
+    folder = PAGES / "en" / MADE
+    folder.mkdir(exist_ok=True)
+    name = file.relative_to(ROOT / "samples").with_suffix("").as_posix().replace("/", "-")
+    shutil.copy(file, folder / f"{name}.yaml")
+    made = {"scene": folder / f"{name}.yaml"}
+    if how != "bare":
+        made |= {"lesson": folder / f"{name}.html", "sheet": folder / f"{name}.pdf"}
+    for command, target in made.items():
+        if not target.exists():
+            run(f"{command} {file.relative_to(ROOT).as_posix()}", "en", "-o", str(target))
+    above = "" if lang == "en" else "../"
+    return {key: f"{above}{MADE}/{target.name}" for key, target in made.items()}
+
+
+def include(how: str, body: str, lang: str) -> str:
+    """A file of the repository, ``below`` the title of a page one level lower; links out of the site stay names."""
+    text = OUTSIDE.sub(r"\1 (`\2`)", (ROOT / body.strip()).read_text("utf-8")).replace("`../", "`")
+    return re.sub(r"^(?=#+ )", "#", text, flags=re.MULTILINE) if how == "below" else text
+
+
+def api(_: str, body: str, lang: str) -> str:
+    """The public names of a package."""
+    package = import_module(body.strip())
+    return "\n".join(section for name in package.__all__ for section in named_in(name, getattr(package, name), "##"))
+
+
+def named_in(name: str, thing: Any, level: str) -> Iterator[str]:
+    """A public name with its docstring; of a class its public members too."""
+    act = getattr(thing, "__wrapped__", thing)
+    if isinstance(thing, property):
+        yield f"{level} `{name}`\n\n{told_by(thing.fget)}\n"
+        return
+    try:
+        signature = re.sub(r"\bplanes\.[\w.]+\.|collections\.abc\.|pathlib\.|typing\.", "", str(inspect.signature(act)))
+    except ValueError:  # an exception's
+        signature = ""
+    shown = re.sub(r"\bself(, )?|(?<=: )'|(?<=> )'|(?<=\w|\])'(?=[,)\s]|$)", "", f"{name}{signature}")
+    yield f"{level} `{name}`\n\n```python\n{shown}\n```\n\n{told_by(act)}\n"
+    if inspect.isclass(act):
+        for key, member in vars(act).items():
+            if (
+                not key.startswith("_")
+                and (inspect.isfunction(member) or isinstance(member, property))
+                and member.__doc__
+            ):
+                yield from named_in(key, member, level + "#")
+
+
+def told_by(thing: Any) -> str:
+    """A docstring as Markdown: roles and code as code, examples as blocks."""
+    text = inspect.getdoc(thing) or ""
+    text = re.sub(r":\w+:`~?(?:[\w.]+\.)?(\w+)`", r"`\1`", text).replace("``", "`")
+    return re.sub(
+        r"(?:^>>> .*\n?(?:^(?!>>>|$).*\n?)*)+", lambda m: f"```pycon\n{m[0].rstrip()}\n```\n", text, flags=re.MULTILINE
+    )
 
 
 def tables(_: str, body: str, lang: str) -> str:
@@ -171,6 +247,7 @@ MAKERS: dict[str, Callable[[str, str, str], str]] = {
     "include": include,
     "tables": tables,
     "essay": essay,
+    "api": api,
 }
 
 
@@ -183,14 +260,15 @@ def on_pre_build(config: Any) -> None:
     """Draw every figure, so that the pages find them."""
     os.environ.setdefault("MPLBACKEND", "Agg")
     for page in pages():
-        for kind, _, body in BLOCK.findall(page.read_text("utf-8")):
+        for kind, how, body in BLOCK.findall(page.read_text("utf-8")):
             if kind == "figure":
                 draw(body.strip(), language(page))
             elif kind == "essay":
                 write(body.strip(), language(page))
             elif kind == "gallery":
-                for command, _ in gallery(body.strip()):
+                for command, file in gallery(body.strip()):
                     draw(command, language(page))
+                    made_of(file, language(page), how)
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:

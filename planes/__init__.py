@@ -6,8 +6,8 @@
 8.122...
 
 The public face: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`check`, :func:`sheet`,
-:func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Position``, ``Exact``, ``Pencil``,
-``PlanesError``.
+:func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Linkage``, ``Position``,
+``Exact``, ``Pencil``, ``PlanesError``.
 Each comes when it is first used, so that nothing is imported that is not needed.
 
 The rooms, from the ground up: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
@@ -18,6 +18,8 @@ course crank_slider`` (readers of the program) · the renderer ``render`` · ``d
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
+from functools import update_wrapper
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
     from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
     from planes.scene import Scene, load, loads
+    from planes.scene.building import Linkage
     from planes.solving import Position
     from planes.words.errors import PlanesError
 
@@ -34,6 +37,7 @@ __version__ = "0.8.0"
 
 _FROM = {
     "planes.scene": ("Scene", "load", "loads"),
+    "planes.scene.building": ("Linkage",),
     "planes.documents.face": ("animate", "check", "cycle", "lesson", "picture", "sheet", "solve"),
     "planes.drafting.instruments": ("Exact", "Pencil"),
     "planes.solving": ("Position",),
@@ -41,9 +45,11 @@ _FROM = {
     "planes.documents": ("shown",),  # asked by whatever a notebook shows as a picture
     "planes.documents.notebook": ("crank", "in_notebook"),
 }
+_ROOMS = ("check", "lesson")
 _HOME = {name: module for module, names in _FROM.items() for name in names}
 __all__ = [
     "Exact",
+    "Linkage",
     "Pencil",
     "PlanesError",
     "Position",
@@ -61,12 +67,28 @@ __all__ = [
 ]
 
 
+class _Verb:
+    """A public function whose name a room has too: ``planes.check(scene, …)`` and ``import planes.check.reading``
+    both work."""
+
+    def __init__(self, act: Callable[..., Any], room: str) -> None:
+        update_wrapper(self, act)
+        self._act, self._room = act, room
+
+    def __call__(self, *given: Any, **named: Any) -> Any:
+        return self._act(*given, **named)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(import_module(self._room), name)
+
+
 class _Face(ModuleType):
     """The package: its public names win over the rooms of the same names, ``check`` and ``lesson``."""
 
     def __getattribute__(self, name: str) -> Any:
         if name in _HOME:
-            return getattr(import_module(_HOME[name]), name)
+            act = getattr(import_module(_HOME[name]), name)
+            return _Verb(act, f"{__name__}.{name}") if name in _ROOMS else act
         return super().__getattribute__(name)
 
     def __dir__(self) -> list[str]:

@@ -26,14 +26,14 @@ from tests.helpers import ROOT
 LANGS = {"en": ("README.md", "en_GB.UTF-8"), "ru": ("README.ru.md", "ru_RU.UTF-8")}
 PLACEHOLDER = re.compile(r"\b[A-Z]{4,}\b")  # FOLDER, SCENE: a word for a reader to fill in
 DRAWN = "drawing.svg"  # as the site names what a figure's command draws
-EXTRAS = ".venv/bin/pip install -q -e '.[all]'"  # the tour begins with it; so do README's later commands
+EXTRAS = ".venv/bin/pip install -q -e '.[all]'"  # the tour begins with it
 
 
 def of_readme(text: str) -> Iterator[str]:
     """Its first command, that of the extras, and all it says in code thereafter."""
-    found = re.search(r"<!-- draw -->\n```sh\n(.*?)\n```", text)
-    assert found and EXTRAS in text
-    yield from (found[1], EXTRAS)
+    first = re.search(r"<!-- draw -->\n```sh\n(.*?)\n```", text)
+    assert first
+    yield from (first[1], EXTRAS)
     for said in re.findall(r"`([^`\n]+)`", re.sub(r"```.*?```", "", text, flags=re.S)):
         if re.match(r"(\.venv/bin/)?planes |\.venv/bin/pip .*&&", said) and not PLACEHOLDER.search(said):
             yield said

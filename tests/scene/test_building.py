@@ -1,0 +1,48 @@
+"""A mechanism built in Python is the one its file says, and is refused as a file is."""
+
+from __future__ import annotations
+
+import pytest
+
+import planes
+from planes.scene.building import Linkage
+from tests.helpers import ROOT
+
+
+def slider_crank() -> Linkage:
+    engine = Linkage("Slider-crank", gravity=9.81, l_OA=0.1)
+    engine.fix(O=(0, 0)).guide("x-x", y=0)
+    engine.link(1, O=0, A="l_OA").link(2, A=0, B=0.35, S2=0.12j, centre="S2", mass=2, inertia=0.03)
+    engine.link(3, B=0, slides="x-x", mass=3).assemble(B="ahead").drive(1, phi=60, omega=20)
+    return engine.load(3, "B", force=500, against="motion").friction({"x-x": 0.1}).scales(velocity="30 mm/(m/s)")
+
+
+def test_it_solves_and_its_parameters_change() -> None:
+    built = slider_crank()
+    crank = planes.solve(built.scene())
+    assert crank.v["A"] == pytest.approx(20j * 0.1 * complex(0.5, 3**0.5 / 2), rel=1e-14)
+    assert abs(planes.solve(built.scene(l_OA=0.12)).v["A"]) == pytest.approx(2.4, rel=1e-14)
+
+
+def test_its_file_says_the_same() -> None:
+    built = slider_crank()
+    here, again = planes.solve(built.scene()), planes.solve(planes.loads(built.to_yaml()))
+    assert again.results == here.results
+    assert "friction: {x-x: 0.1}" in built.to_yaml() and "S2: [0.0, 0.12]" in built.to_yaml()
+
+
+def test_what_cannot_be_meant_is_a_sentence_with_its_line() -> None:
+    built = slider_crank().link(3, B=0, slides="y-y", mass=3)
+    with pytest.raises(planes.PlanesError) as refused:
+        built.scene()
+    assert "y-y" in str(refused.value) and "Slider-crank:" in str(refused.value)
+
+
+def test_a_room_is_reached_through_the_verb_of_its_name() -> None:
+    import planes.check.reading as reading
+    import planes.lesson.practice as practice
+
+    assert reading.__name__ == "planes.check.reading" and practice.__name__ == "planes.lesson.practice"
+    scene = planes.load(ROOT / "samples" / "kind-1-rrr.yaml")
+    assert callable(planes.check) and planes.lesson(scene)
+    assert planes.check.__doc__ and "drawing" in planes.check.__doc__
