@@ -7,7 +7,7 @@
 
 The public face: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`check`, :func:`sheet`,
 :func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Linkage``, ``Position``,
-``Exact``, ``Pencil``, ``PlanesError``.
+``Table``, ``Exact``, ``Pencil``, ``PlanesError``.
 Each comes when it is first used, so that nothing is imported that is not needed.
 
 The rooms, from the ground up: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
@@ -25,6 +25,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from planes.batch.table import Table
     from planes.documents.face import animate, check, cycle, lesson, picture, sheet, solve
     from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
@@ -41,6 +42,7 @@ _FROM = {
     "planes.documents.face": ("animate", "check", "cycle", "lesson", "picture", "sheet", "solve"),
     "planes.drafting.instruments": ("Exact", "Pencil"),
     "planes.solving": ("Position",),
+    "planes.batch.table": ("Table",),
     "planes.words.errors": ("PlanesError",),
     "planes.documents": ("shown",),  # asked by whatever a notebook shows as a picture
     "planes.documents.notebook": ("crank", "in_notebook"),
@@ -54,6 +56,7 @@ __all__ = [
     "PlanesError",
     "Position",
     "Scene",
+    "Table",
     "animate",
     "check",
     "crank",

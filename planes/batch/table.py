@@ -20,6 +20,7 @@ from planes.words.errors import PlanesError, choices
 from planes.words.records import Described
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from pandas import DataFrame
 
 SHOWN = 6  # columns named in the short form
@@ -58,6 +59,33 @@ class Table(Described, Mapping[str, Array | Complexes]):
         import pandas
 
         return pandas.DataFrame({**self.columns, "failed": self.failed})
+
+    def plot(self, *names: str, over: str | None = None) -> Figure:
+        """Curves of the columns named (of all, if none is) over another one, the drive's; a panel for each unit.
+
+        A vector ``v_C`` is drawn by its size. Returns a ``matplotlib.figure.Figure``, which a notebook shows and
+        ``figure.savefig("curves.png")`` keeps. Raises :class:`PlanesError` for a name that no column has.
+        """
+        from matplotlib.figure import Figure
+
+        over = over or next(iter(set(self.columns) & {"phi", "s"}), next(iter(self.columns)))
+        vectors = [name.removesuffix("_x") for name in self.columns if name.endswith("_x")]
+        parts = {f"{name}_{part}" for name in vectors for part in "xy"}
+        drawn = names or (*vectors, *(name for name in self.columns if name not in {over, *parts}))
+        panels: dict[str, list[str]] = {}
+        for name in drawn:
+            panels.setdefault(self.units.get(name) or self.units.get(f"{name}_x", ""), []).append(name)
+        figure = Figure(figsize=(7.0, 2.4 * len(panels) + 0.6), layout="constrained")
+        axes = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
+        for panel, (unit, curves) in zip(axes, panels.items(), strict=True):
+            for name in curves:
+                values = self[name]
+                panel.plot(self[over], np.abs(values) if np.iscomplexobj(values) else values, label=name)
+            panel.set_ylabel(unit)
+            panel.grid(alpha=0.3)
+            panel.legend(loc="best")
+        axes[-1].set_xlabel(f"{over}, {self.units[over]}")
+        return figure
 
     @classmethod
     def joined(cls, tables: list[Table]) -> Table:

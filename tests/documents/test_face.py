@@ -153,3 +153,14 @@ def test_a_sheet_is_written(tmp_path: Path) -> None:
     assert (tmp_path / "v.svg").read_text("utf-8").startswith("<?xml") and len(repr(drawn)) < 200
     planes.lesson(scene, tmp_path / "lesson.html")
     assert "<html" in (tmp_path / "lesson.html").read_text("utf-8")
+
+
+def test_a_table_is_plotted_a_panel_for_each_unit() -> None:
+    table = planes.cycle(planes.load(FOUR_BAR), ["v_C", "omega_2", "omega_3"], phi=range(0, 360, 30))
+    figure = table.plot()
+    assert [panel.get_ylabel() for panel in figure.axes] == ["m/s", "rad/s"]
+    assert figure.axes[-1].get_xlabel() == "phi, °"
+    (speed,) = table.plot("v_C").axes[0].lines
+    assert list(speed.get_ydata()) == pytest.approx(abs(table["v_C"]).tolist())  # type: ignore[arg-type]
+    with pytest.raises(planes.PlanesError, match="v_X"):
+        table.plot("v_X")
