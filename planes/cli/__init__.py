@@ -5,6 +5,8 @@ Bad input is one sentence and exit status 2.
 
 import argparse
 import io
+import math
+import os
 import re
 import sys
 from collections.abc import Iterator, Sequence
@@ -60,7 +62,16 @@ def _run(args: argparse.Namespace) -> int:
     if args.lang and (borrowed := table(args.lang).borrowed):
         other = table(table(args.lang).other)["language_name"]
         print(say("words_borrowed", args.lang, of=args.lang, count=len(borrowed), other=other), file=sys.stderr)
+    _tell_file(args)
     return status
+
+
+def _tell_file(args: argparse.Namespace) -> None:
+    """A person at a terminal reads which file was written, and how large it is."""
+    output = getattr(args, "output", None)
+    if output and sys.stderr and sys.stderr.isatty() and os.path.isfile(output):
+        size = math.ceil(os.path.getsize(output) / 1000)
+        print(say("file_written", args.lang or home_lang(), file=output, size=size), file=sys.stderr)
 
 
 def reader_of(lang: Lang) -> argparse.ArgumentParser:

@@ -133,3 +133,15 @@ def test_a_clock_is_shown_to_a_person_alone(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_every_language_has_a_name() -> None:
     assert langs()[:2] == ("ru", "en")
+
+
+def test_a_person_at_a_terminal_reads_what_was_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "plan.svg"
+    words = ["sheet", str(ROOT / "samples/kind-1-rrr.yaml"), "--view", "velocity-plan", "-o", str(file), "--lang", "en"]
+    assert main(words) == 0 and capsys.readouterr().err == ""  # a program that reads it hears nothing
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    assert main(words) == 0
+    size = -(-file.stat().st_size // 1000)
+    assert f"{file} is written ({size} kB)" in capsys.readouterr().err
