@@ -14,8 +14,10 @@ from planes.plans.assur.groups import Pair
 from planes.plans.assur.structure import Structure
 from planes.plans.force.loads import Loads
 from planes.plans.passive_motion import LinkValues
+from planes.plans.position.tracks import MIDWAY
 from planes.plans.proving import closed
 from planes.plans.scales import scales
+from planes.plans.statements.certain import Closings, of_nothing
 from planes.plans.statements.stated_chains import Chains
 from planes.plans.statements.stated_plans import plans_of_equations
 from planes.plans.statements.stated_vectors import StatedVectors
@@ -27,6 +29,13 @@ from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, ProgramError, SceneError
 from planes.words.lettering import name_in_words
 from planes.words.names import mu_of
+
+ONE = 1e-5  # degrees: where arcs touch there is one direction, told twice, a root of a rounding apart
+
+
+def _turned(one: float, two: float) -> float:
+    """The angle between two directions, degrees."""
+    return abs((one - two + 180) % 360 - 180)
 
 
 def stated_plans(scene: Scene) -> Plans:
@@ -49,7 +58,7 @@ class StatedPlansBuilder:
         self.chains = Chains(self.vectors)
         self.solved: dict[str, VectorEquation] = {}  # mark -> the equation it was drawn for
         self.chosen: set[str] = set()  # vectors whose direction a side decides
-        self.sides: dict[str, float] = {}
+        self.closings = Closings(self.vectors, self._draw)
 
     def error(self, equation: VectorEquation, phrase: Told) -> SceneError:
         return SceneError(phrase, self.scene.file, equation.line)
@@ -59,7 +68,7 @@ class StatedPlansBuilder:
         left = [(e, (e.sides[0], side)) for e in self.statement.equations for side in e.sides[1:]]
         while left:
             self.vectors.settle()
-            done = self._one(left) or self._pair(left)
+            done = self._one(left) or self._pair(left) or self._closing(left)
             if not done:
                 raise self._stuck([e for e, _ in left])
             left = [row for row in left if row not in done]
@@ -98,6 +107,15 @@ class StatedPlansBuilder:
                     return [left[i], (other, (same, second))]
         return []
 
+    def _closing(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
+        """What nobody else needs an unknown of: an equation to be held against what is known."""
+        for row in left:
+            terms = row[1][0] + row[1][1]
+            if self._ready(t.name for t in terms) and len(self.unknowns(terms)) < 2:
+                self.closings.draw(row)
+                return [row]
+        return []
+
     def _stuck(self, left: list[VectorEquation]) -> SceneError:
         """Why none of these can be drawn: too many unknowns, or numbers that lead round in a circle."""
         for equation in left:
@@ -118,13 +136,8 @@ class StatedPlansBuilder:
         other: VectorEquation | None = None,
     ) -> None:
         d, plan = self.draft, self.plan_of[equation.line, equation.text]
-        if (
-            not total
-            and two
-            and len(one) == 1
-            and one[0].times == 1
-            and self.vectors.parts(one[0].name) == (None, None)
-        ):
+        alone = not total and two and len(one) == 1 and one[0].times == 1
+        if alone and self.vectors.parts(one[0].name) == (None, None):
             total, one = one[0].name, ()
         plan, chains = self.chains.of(plan, one, two, total)
         terms = [*chains[0], *chains[1]]
@@ -148,17 +161,27 @@ class StatedPlansBuilder:
         self.chosen |= {*free}
         vectors = self.statement.vectors
         near = {n: angle for n in free if (angle := vectors[n].near_deg) is not None}
-        asked, found = list(near) or free[:1], []
-        for sign in (1.0, -1.0):
-            ways = self._ways(asked, side, sign)
-            if ways:
-                apart = sum(abs((ways[name] - angle + 180) % 360 - 180) for name, angle in near.items())
-                found.append((apart, sign, ways))
-        if not near and found:
-            offers = tuple(Phrase("near_angle", angle=ways[asked[0]]) for _, _, ways in found)
+        asked = list(near) or free[:1]
+        found = [(sign, ways) for sign in (1.0, -1.0) if (ways := self._ways(asked, side, sign))]
+        if len(found) == 2 and all(_turned(found[0][1][n], found[1][1][n]) <= ONE for n in asked):
+            self.draft.given[side] = 1.0
+            return
+        chosen = {name: self._nearer(name, angle, found) for name, angle in near.items() if found}
+        if found and len({*chosen.values()}) != 1:
+            key = "near_apart" if near else "two_directions"
+            offers = tuple(Phrase("near_angle", angle=ways[asked[0]]) for _, ways in found)
             line = self.scene.where.get(("vectors", asked[0]))
-            raise SceneError(Phrase("two_directions", name=asked[0], offers=offers), self.scene.file, line)
-        self.draft.given[side] = min(found, key=lambda one: one[0], default=(0.0, 1.0, {}))[1]
+            raise SceneError(Phrase(key, name=asked[0], others=tuple(asked[1:]), offers=offers), self.scene.file, line)
+        self.draft.given[side] = next(iter(chosen.values()), 1.0)
+
+    def _nearer(self, name: str, angle: float, found: list[tuple[float, dict[str, float]]]) -> float:
+        """The side on which a vector points nearer to what is said of it; refused midway between both."""
+        (off, sign), *more = sorted((_turned(ways[name], angle), sign) for sign, ways in found)
+        if more and off > MIDWAY * more[0][0]:
+            offers = tuple(Phrase("near_angle", angle=ways[name]) for _, ways in found)
+            told = {"name": name, "off": off, "next": more[0][0], "offers": offers}
+            raise SceneError(Phrase("near_midway", **told), self.scene.file, self.scene.where.get(("vectors", name)))
+        return sign
 
     def _ways(self, names: list[str], side: str, sign: float) -> dict[str, float] | None:
         """Which way these vectors point on one side; None where it cannot be drawn."""
@@ -208,9 +231,15 @@ class StatedPlansBuilder:
     def _try(self, plans: Plans) -> None:
         """Refuse what cannot be drawn, in millimetres of its paper."""
         try:
-            run(plans.program, {**plans.given, **scales(plans, self.scene.mu)})
+            given = {**plans.given, **scales(plans, self.scene.mu)}
+            drawing = run(plans.program, given)
         except PlanFailure as failure:
             raise self._failure(failure) from None
+        for equation, why in self.closings.faults(drawing):
+            raise self.error(equation, why)
+        if name := of_nothing(self.vectors, drawing, given):
+            line = self.scene.where.get(("vectors", name))
+            raise SceneError(Phrase("no_direction", name=name, by=self.vectors.leaned[name]), self.scene.file, line)
 
     def _failure(self, failure: PlanFailure) -> SceneError:
         """What an equation cannot be drawn for, in words of vectors."""
