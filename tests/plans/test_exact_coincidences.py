@@ -291,3 +291,21 @@ def test_a_check_of_vectors_that_were_all_drawn() -> None:
     assert solved(vectors(rows, *both, "P_4 = 2*P_1 + P_2")).value("P_4") == 6 + 4j
     with pytest.raises(SceneError, match="it is open by 3"):
         solved(vectors(rows, *both, "P_4 = P_1 + P_2"))
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ("value: 1/P_0, direction: 10", "s.yaml:5: P_2 is divided by P_0, which is zero"),
+        ("similar: P_0, as: [P_1, P_0]", "s.yaml:5: P_2 is divided by P_0, which is zero"),
+    ],
+)
+def test_a_quotient_by_a_given_nothing_is_refused_at_its_line(given: str, words: str) -> None:
+    rows = f"  P_0: {{value: 0, direction: 30}}\n  P_1: {{value: 3, direction: 0}}\n  P_2: {{{given}}}\n  P_4: {{}}\n"
+    with pytest.raises(SceneError, match=re.escape(words)):
+        solved(vectors(rows, "P_4 = P_1 + P_2"))
+
+
+def test_a_given_nothing_has_the_direction_it_is_given() -> None:
+    rows = "  P_0: {value: 0, direction: 30}\n  P_1: {value: 3, direction: P_0}\n  P_2: {}\n"
+    assert solved(vectors(rows, "P_2 = P_1 + P_0")).value("P_2") == pytest.approx(cmath.rect(3, math.radians(30)))

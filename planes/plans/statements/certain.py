@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from planes.drafting.drawing import SHAKEN, Drawing, run
+from planes.drafting.drawing import SHAKEN, Drawing, reached
 from planes.drafting.instruments import Shaken
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.statements.stated_vectors import StatedVectors, VectorState
 from planes.scene.vector_equations import Side, SideTerm, VectorEquation
 from planes.words import Phrase
-from planes.words.errors import PlanFailure
 from planes.words.names import mu_of, plan_of
 
 CLOSED = 1e-4  # of the largest vector: the digits with which numbers are given
@@ -65,27 +64,27 @@ def _gap(drawing: Drawing, value: complex, given: VectorState) -> float:
     return float(abs(plane.cross(way, value)) if length is None else abs(value - way * length))
 
 
-def of_nothing(vectors: StatedVectors, drawing: Drawing, given: Mapping[str, float]) -> str | None:
-    """The first vector of which a direction or a quotient is taken though no digit of it is left: a drawing a thousand
-    times blunter moves its ends as far as they are apart."""
+def uncertain(vectors: StatedVectors, drawing: Drawing, given: Mapping[str, float]) -> Iterator[tuple[str, str, str]]:
+    """What is divided by nothing, and what takes its direction or size from a vector of which no digit is left: the
+    key of the sentence, its name, and by what."""
+    yield from (
+        ("divided_by_nothing", name, by)
+        for name, by, number in vectors.quotients
+        if number in drawing and drawing[number] == 0
+    )
     faint = [n for n in vectors.leaned if vectors.spanned(n) and _faint(vectors, drawing, n)]
-    if not faint:
-        return None
-    try:
-        blunter = [run(drawing.program, given, Shaken(seed)) for seed in SHAKEN]
-    except PlanFailure:
-        return faint[0]
+    blunter = [reached(drawing.program, given, Shaken(seed))[0] for seed in SHAKEN if faint]
     for name in faint:
-        size, *moved = (
-            abs(one[end] - one[start]) for start, end in [vectors.span(name)] for one in (drawing, *blunter)
-        )
-        if size <= max(abs(other - size) for other in moved):
-            return name
-    return None
+        start, end = vectors.span(name)
+        size, *moved = (abs(one[end] - one[start]) for one in (drawing, *blunter) if start in one and end in one)
+        if size <= max((abs(other - size) for other in moved), default=size):
+            yield "no_direction", name, vectors.leaned[name]
 
 
 def _faint(vectors: StatedVectors, drawing: Drawing, name: str) -> bool:
     """Whether a vector is next to nothing beside the marks of its plan."""
     start, end = vectors.span(name)
-    largest = max(abs(drawing[s.makes]) for s in drawing.program.marks[plan_of(start)])
+    if start not in drawing or end not in drawing:
+        return False
+    largest = max(abs(drawing[s.makes]) for s in drawing.program.marks[plan_of(start)] if s.makes in drawing)
     return bool(abs(drawing[end] - drawing[start]) <= CERTAIN * largest)

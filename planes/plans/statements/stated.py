@@ -1,12 +1,10 @@
 """The plans of a scene that states vectors and equations: one program, its equations in whatever order they can be
 drawn, each number found on the plans before it."""
 
-import cmath
-import math
 from collections.abc import Iterable
 from dataclasses import replace
 
-from planes.drafting.drawing import run
+from planes.drafting.drawing import reached, run
 from planes.drafting.equations import Equation, unknown
 from planes.drafting.program import Program
 from planes.plans import STILL, Plans
@@ -14,10 +12,10 @@ from planes.plans.assur.groups import Pair
 from planes.plans.assur.structure import Structure
 from planes.plans.force.loads import Loads
 from planes.plans.passive_motion import LinkValues
-from planes.plans.position.tracks import MIDWAY
 from planes.plans.proving import closed
-from planes.plans.scales import scales
-from planes.plans.statements.certain import Closings, of_nothing
+from planes.plans.scales import scales, unit_scales
+from planes.plans.statements.certain import Closings, uncertain
+from planes.plans.statements.nearer_way import chosen_side
 from planes.plans.statements.stated_chains import Chains
 from planes.plans.statements.stated_plans import plans_of_equations
 from planes.plans.statements.stated_vectors import StatedVectors
@@ -28,14 +26,6 @@ from planes.scene.vectors import Statement
 from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, ProgramError, SceneError
 from planes.words.lettering import name_in_words
-from planes.words.names import mu_of
-
-ONE = 1e-5  # degrees: where arcs touch there is one direction, told twice, a root of a rounding apart
-
-
-def _turned(one: float, two: float) -> float:
-    """The angle between two directions, degrees."""
-    return abs((one - two + 180) % 360 - 180)
 
 
 def stated_plans(scene: Scene) -> Plans:
@@ -154,45 +144,9 @@ class StatedPlansBuilder:
         d.draw(drawn)
         self.vectors.learn(drawn, self.chains.stated)
         if side:
-            self._choose(side, [n.rpartition("·")[2] for n in free])
-
-    def _choose(self, side: str, free: list[str]) -> None:
-        """The root whose vectors point nearer to ``near:``."""
-        self.chosen |= {*free}
-        vectors = self.statement.vectors
-        near = {n: angle for n in free if (angle := vectors[n].near_deg) is not None}
-        asked = list(near) or free[:1]
-        found = [(sign, ways) for sign in (1.0, -1.0) if (ways := self._ways(asked, side, sign))]
-        if len(found) == 2 and all(_turned(found[0][1][n], found[1][1][n]) <= ONE for n in asked):
-            self.draft.given[side] = 1.0
-            return
-        chosen = {name: self._nearer(name, angle, found) for name, angle in near.items() if found}
-        if found and len({*chosen.values()}) != 1:
-            key = "near_apart" if near else "two_directions"
-            offers = tuple(Phrase("near_angle", angle=ways[asked[0]]) for _, ways in found)
-            line = self.scene.where.get(("vectors", asked[0]))
-            raise SceneError(Phrase(key, name=asked[0], others=tuple(asked[1:]), offers=offers), self.scene.file, line)
-        self.draft.given[side] = next(iter(chosen.values()), 1.0)
-
-    def _nearer(self, name: str, angle: float, found: list[tuple[float, dict[str, float]]]) -> float:
-        """The side on which a vector points nearer to what is said of it; refused midway between both."""
-        (off, sign), *more = sorted((_turned(ways[name], angle), sign) for sign, ways in found)
-        if more and off > MIDWAY * more[0][0]:
-            offers = tuple(Phrase("near_angle", angle=ways[name]) for _, ways in found)
-            told = {"name": name, "off": off, "next": more[0][0], "offers": offers}
-            raise SceneError(Phrase("near_midway", **told), self.scene.file, self.scene.where.get(("vectors", name)))
-        return sign
-
-    def _ways(self, names: list[str], side: str, sign: float) -> dict[str, float] | None:
-        """Which way these vectors point on one side; None where it cannot be drawn."""
-        spans = {n: self.vectors.span(n) for n in names}
-        program = Program(tuple(self.draft.steps.values())).sliced(m for s in spans.values() for m in s)
-        given = {**self.draft.given, **{mu_of(plan): 1.0 for plan in program.marks}, side: sign}
-        try:
-            drawing = run(program, given)
-        except PlanFailure:
-            return None
-        return {n: math.degrees(cmath.phase(drawing[end] - drawing[start])) for n, (start, end) in spans.items()}
+            names = [n.rpartition("·")[2] for n in free]
+            self.chosen |= {*names}
+            d.given[side] = chosen_side(self.scene, self.vectors, side, names)
 
     def _check_used(self) -> None:
         """Whatever is said of a vector must have an effect."""
@@ -230,16 +184,21 @@ class StatedPlansBuilder:
 
     def _try(self, plans: Plans) -> None:
         """Refuse what cannot be drawn, in millimetres of its paper."""
+        self._certain(plans)
         try:
-            given = {**plans.given, **scales(plans, self.scene.mu)}
-            drawing = run(plans.program, given)
+            drawing = run(plans.program, {**plans.given, **scales(plans, self.scene.mu)})
         except PlanFailure as failure:
             raise self._failure(failure) from None
         for equation, why in self.closings.faults(drawing):
             raise self.error(equation, why)
-        if name := of_nothing(self.vectors, drawing, given):
-            line = self.scene.where.get(("vectors", name))
-            raise SceneError(Phrase("no_direction", name=name, by=self.vectors.leaned[name]), self.scene.file, line)
+
+    def _certain(self, plans: Plans) -> None:
+        """Refuse a quotient by nothing, and a direction of it; drawn as far as it goes."""
+        given = {**plans.given, **unit_scales(plans)}
+        drawing, _ = reached(plans.program, given)
+        for key, name, by in uncertain(self.vectors, drawing, given):
+            line = self.scene.where.get(("vectors", name), self.scene.where.get(("values", name)))
+            raise SceneError(Phrase(key, name=name, by=by), self.scene.file, line)
 
     def _failure(self, failure: PlanFailure) -> SceneError:
         """What an equation cannot be drawn for, in words of vectors."""
