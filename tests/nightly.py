@@ -6,11 +6,14 @@ families of scenes on the way to a limit.
     python -m tests.nightly masks --positions 10000000 --minutes 60
     python -m tests.nightly scenes --positions 2000
     python -m tests.nightly limits --positions 100000 --minutes 60
+    python -m tests.nightly snapped --positions 2000
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
 
 ``scenes`` draws scenes of any shape and compares every number with the independent solver (at most 1e-9 of the largest
 of its kind, times the least sharpness).
+
+``snapped`` makes so many scenes with one exact coincidence, and of each a position, a run and a document.
 
 ``written`` compares with scenes as they are written, their decimals at 50 digits. The truth of ``claims`` is the same
 tape read in numbers of 106 bits; at a few positions of every mechanism it is compared with 50 digits (it must not stray
@@ -25,9 +28,11 @@ import argparse
 import math
 import random
 import sys
+import tempfile
 import time
 from collections import Counter
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -46,6 +51,8 @@ from tests.helpers.double_double import FINE, Two, apart, read_long
 from tests.helpers.mechanisms import KINDS, any_scene, make, shape_of, to_yaml
 from tests.helpers.near_limits import FAMILIES, walk
 from tests.helpers.oracle import NoSolution
+from tests.helpers.snapped import DOCUMENTS, document_faults, faults, snapped
+from tests.helpers.snapped import FAMILIES as FAMILIES_OF_SNAPPED
 
 EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
 FULL = 40  # positions of one mechanism compared with its text
@@ -329,15 +336,38 @@ def limits(positions: int, end: float, seed: int) -> bool:
     return not any(t[k] for t in tallies.values() for k in ("invented", "unsaid", "arrays wrong", "compiled wrong"))
 
 
+def coincidences(count: int, end: float, seed: int) -> bool:
+    """Whether every scene with an exact coincidence has right numbers or one sentence, and so has a document of it."""
+    done, wrong = Counter[str](), 0
+    with tempfile.TemporaryDirectory() as folder:
+        for k in range(seed + 1000, seed + 1000 + count):  # the suite has those below
+            if time.monotonic() > end:
+                break
+            one, command = snapped(k), DOCUMENTS[k // len(FAMILIES_OF_SNAPPED) % len(DOCUMENTS)]
+            done.update((one.family, command))
+            for path in Path(folder).iterdir():
+                path.unlink()
+            try:
+                said = [*faults(one), *document_faults(one, command, Path(folder))]
+            except Exception as error:  # a traceback is what is looked for
+                said = [f"{type(error).__name__}: {error}"]
+            wrong += bool(said)
+            for fault in said[:1]:
+                print(f"scene {k} ({one.family}, {command}): {fault}", flush=True)
+    print(f"snapped: {sum(done[c] for c in DOCUMENTS)} scenes, {wrong} with faults; {dict(done)}")
+    return not wrong
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=("claims", "written", "masks", "scenes", "limits"))
+    parser.add_argument("what", choices=("claims", "written", "masks", "scenes", "limits", "snapped"))
     parser.add_argument("--positions", type=int, default=1000)
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=0)
     asked = parser.parse_args()
     end = time.monotonic() + 60 * asked.minutes
     every = {"claims": claims, "written": written, "masks": masks, "scenes": scenes, "limits": limits}
+    every["snapped"] = coincidences
     work = every[asked.what]
     return 0 if work(asked.positions, end, asked.seed) else 1
 

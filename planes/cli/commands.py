@@ -4,6 +4,7 @@ import json
 import os
 import sys
 from argparse import Namespace
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
@@ -28,8 +29,14 @@ def scene_of(args: Namespace) -> Scene:
     scene = load(args.scene, args.variant)
     said = [doubt.told(args.lang) for doubt in scene.doubts]
     said += [fault.told(args.lang) for fault in _of_its_sheet(scene) if args.command != "sheet"]
-    print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
+    warn(said, args.lang)
     return scene
+
+
+def warn(said: Iterable[str], lang: Lang) -> None:
+    """Sentences on stderr that stop nothing: nobody takes them for a refusal."""
+    for sentence in said:
+        print(say("warning", lang, of=sentence), file=sys.stderr)
 
 
 def _of_its_sheet(scene: Scene) -> tuple[PlanesError, ...]:
@@ -112,7 +119,7 @@ def structure(args: Namespace) -> int:
     try:
         variant = aligned(scene_plans(scene), scene.file)
     except PlanesError as error:  # the structure is known all the same
-        print(error.told(args.lang), file=sys.stderr)
+        warn([error.told(args.lang)], args.lang)
         variant = None
     if args.json:
         print(as_json({**found.json(), "self_aligning": variant and variant.json()}))
@@ -138,9 +145,8 @@ def sheet(args: Namespace) -> int:
         from planes.solving.remedies import for_sheet
 
         scene, values, said = for_sheet(scene, values, args.lang)
-        print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
-    for sentence in draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text"):
-        print(sentence, file=sys.stderr)
+        warn(said, args.lang)
+    warn(draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text"), args.lang)
     return 0
 
 
@@ -199,8 +205,7 @@ def course(args: Namespace) -> int:
         raise PlanesError(Phrase("course_jobs", count=args.jobs))
     found = read_course(args.folder)
     lang = said or found.lang or args.lang
-    for doubt in (doubt for assignment in found.assignments for doubt in assignment.doubts):
-        print(doubt.told(lang), file=sys.stderr)
+    warn((doubt.told(lang) for assignment in found.assignments for doubt in assignment.doubts), lang)
     folder = Path(args.output) if args.output else Path(found.file).parent / OUT
     with crowd(args.jobs, args.scheduler, READY) as each, bar() as step:
         report = conduct(found, folder, each, lang, step, bool(args.scheduler))

@@ -62,22 +62,72 @@ def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
     from concurrent.futures.process import BrokenProcessPool
 
     way = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
-    context = multiprocessing.get_context(way)
-    if way == "forkserver":
-        context.set_forkserver_preload(list(ready))
+    context: Any = multiprocessing.get_context(way)
     pool = ProcessPoolExecutor(count, context, _follow)
 
     def each(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Iterator[tuple[int, Done]]:
-        waiting = {pool.submit(work, task): k for k, task in enumerate(tasks)}
+        with _unheard():
+            waiting = {pool.submit(work, task): k for k, task in enumerate(tasks)}
         for done in as_completed(waiting):
             yield waiting.pop(done), done.result()
 
     try:
+        if way == "forkserver":
+            context.set_forkserver_preload(list(ready))
+            _imported(context.Process(target=_follow))
         yield each
     except BrokenProcessPool:
         raise PlanesError(Phrase("course_worker_lost")) from None
+    except (SystemExit, KeyboardInterrupt):
+        _let_go()
+        raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _imported(first: Any) -> None:
+    """Wait until a first process has been made, so that what all are made from has imported everything; a signal is
+    heard meanwhile."""
+    from threading import Thread
+
+    def start() -> None:
+        with suppress(EOFError, OSError):  # it was ended
+            first.start()
+
+    starting = Thread(target=start, daemon=True)
+    starting.start()
+    while starting.is_alive():
+        starting.join(0.1)
+
+
+@contextmanager
+def _unheard() -> Iterator[None]:
+    """A short work in which no signal comes between: a process half made would be nobody's."""
+    import signal
+
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM, signal.SIGHUP})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _let_go() -> None:
+    """End all workers now, whatever they do: nobody waits for what is not wanted any more, and they write no files. So
+    does the process they are made from, which may yet be importing what they need."""
+    import multiprocessing
+    import multiprocessing.forkserver
+    import signal
+
+    maker: Any = getattr(multiprocessing.forkserver, "_forkserver", None)
+    if pid := getattr(maker, "_forkserver_pid", None):
+        with suppress(OSError):
+            os.kill(pid, signal.SIGKILL)
+    for worker in multiprocessing.active_children():
+        worker.terminate()
 
 
 def _follow() -> None:

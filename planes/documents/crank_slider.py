@@ -10,7 +10,7 @@ from planes.crank_slider.pages_mechanics import scene_at, worked
 from planes.crank_slider.report import as_json, document, summary
 from planes.scene import Scene
 from planes.scene.files import keep
-from planes.words import Lang, Phrase
+from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from render import report
 from render.sheet.composer import Composer
@@ -41,7 +41,7 @@ def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None
         raise PlanesError(Phrase("cs_phi", value=phi, low=low, high=high))
     asked = worked(found) if phi is None else float(found.motion.phi_deg[found.at(phi)])
     for sentence in draw_sheet(scene_at(found, asked), [asked], path, lang):
-        print(sentence, file=sys.stderr)
+        print(say("warning", lang, of=sentence), file=sys.stderr)
 
 
 def _write(found: Calculation, path: Path, lang: Lang) -> None:

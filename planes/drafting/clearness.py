@@ -10,6 +10,7 @@ from functools import reduce
 from planes.drafting.program import Program
 from planes.drafting.steps import Through
 from planes.drafting.steps.crossings import Touch
+from planes.drafting.steps.reckoning import Sense
 from planes.drafting.steps.tracks import CutTrack
 from planes.drafting.tools import Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
@@ -19,6 +20,7 @@ BLUNT, CLEAR = 0.1, 0.01
 """A sharpness of ``BLUNT`` takes nothing away; all together may leave no less than ``CLEAR`` of it. An acceleration
 errs by some 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, by less than 1e-5."""
 NOTHING = 4e-15  # beside the largest of a plan: what rounding may have made of nothing, or nothing of
+CERTAIN = 1e-12  # beside the largest speed: which way a slower thing goes rounding may have made
 FAR = 1e6  # lengths as many times longer than the shortest: digits go where no line is blunt
 _AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans whose lines are those of the scheme
 
@@ -36,10 +38,13 @@ def clear(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iter
     ok: Truth = (scheme >= CLEAR) & (forces >= BLUNT * CLEAR)
     rays = (s for s in program.steps if isinstance(s, Touch | Through) and s.makes not in program.vanishing)
     for step in rays:
-        if plan_of(step.start) == "position":
+        if kind_of(plan_of(step.start)) not in _AGAIN:
             one, two = things[step.start], things[step.end]
             apart, size = _size(two - one, ar), ar.maximum(_size(one, ar), _size(two, ar))
             ok = ok & ((apart >= BLUNT * CLEAR * size) | (apart == 0))
+    for sense in (s for s in program.steps if isinstance(s, Sense)):
+        length, largest = sense.weighed(things, ar)
+        ok = ok & ((abs(length) > CERTAIN * largest) | (abs(length) <= tool.still * largest))
     return ok & _none_faint(program, things, tool, sides)
 
 

@@ -80,7 +80,7 @@ def reached(
         import numpy
 
         tool.shape = numpy.broadcast_shapes(*shapes)
-    drawing = Drawing(program, {name: tool.given(value) for name, value in given.items()}, tool)
+    drawing = Drawing(program, {name: tool.spread(tool.given(value)) for name, value in given.items()}, tool)
     try:
         draw_steps(program.steps, drawing.things, tool)
     except PlanFailure as failure:
@@ -128,7 +128,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]
     with tool.quiet():
         for proof in proofs:
             gap, size = proof.compared(shown)
-            wrong = gap > TOLD_APART * size + LEAST
+            wrong = tool.spread(gap > TOLD_APART * size + LEAST)
             if wrong.any() if tool.many else wrong:
                 apart.append((proof, wrong, gap, size))
     for proof, wrong, gap, size in apart:

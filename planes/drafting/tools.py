@@ -59,7 +59,16 @@ class Tool:
 
     def draw(self, step: Step, things: Env) -> Thing:
         """The thing itself."""
-        return step.draw(things, self)
+        return self.spread(step.draw(things, self))
+
+    def spread(self, thing: Any) -> Any:
+        """What does not depend on what moves, in the shape of what is drawn at once: no constant reaches an array's
+        method."""
+        if not self.shape or getattr(thing, "shape", None) == self.shape:
+            return thing
+        import numpy
+
+        return numpy.broadcast_to(thing, self.shape)
 
     def masked(self, thing: Thing, step: Step, before: int) -> Thing:
         """What a step made of many drawings, NaN in those that failed since there were ``before`` failures."""
@@ -109,7 +118,7 @@ class Tool:
         if not self.many:
             if not ok:
                 raise PlanFailure(reason, **names_of(step), **{k: float(abs(v)) for k, v in numbers.items()})
-        elif not ok.all() if hasattr(ok, "all") else not ok:
+        elif not (ok := self.spread(ok)).all():
             self.failures.append((reason, step, ok, numbers))
 
     def prefer(self, ok: Truth, step: object, reason: str) -> None:
@@ -117,7 +126,7 @@ class Tool:
 
     def note(self, ok: Truth, step: object, reason: str) -> None:
         """Warn where ``ok`` is false."""
-        if not (ok.all() if hasattr(ok, "all") else ok):
+        if not (self.spread(ok).all() if self.many else ok):
             self.notes.append((reason, step, ok))
 
 

@@ -77,7 +77,7 @@ def _stated(bodies: Bodies) -> Plans:
     motion = Rates(bodies, "motion") if at_rest else velocity
     for rates in (velocity, acceleration, *([motion] if at_rest else [])):
         draw_rates(rates)
-    acting = Acting(bodies, motion, acceleration, LawValues(bodies, motion, velocity, acceleration))
+    acting = Acting(bodies, motion, acceleration, LawValues(bodies, velocity, acceleration))
     acting.gather()
     statics = Statics(bodies, acting)
     draw_forces(statics)

@@ -65,8 +65,7 @@ class DrawingReader:
         for plan in self.stated.drawn:
             if plan in ("lever", "motion"):
                 continue
-            sharpness = self.sharpness(plan)
-            bluntest = min([1.0, *sharpness.values()])
+            sharpness, bluntest = self.sharpness(plan), self.bluntest(plan)
             segments = {
                 key: self.segment(s, bluntest, (errors or {}).get(f"{plan}:{key}"))
                 for key, s in self.plan_segments(plan, names).items()
@@ -91,6 +90,10 @@ class DrawingReader:
         program, sharpness = self.drawing.program, self.drawing.sharpness
         crossed = (s.makes for s in program.marks.get(plan, ()) if s.makes in sharpness)
         return {label_of(name): float(sharpness[name]) for name in crossed if name not in program.trials}
+
+    def bluntest(self, plan: str) -> float:
+        """The least of them by which errors grow. Arcs that touch meet at none, and err by the root of a rounding."""
+        return max(min([1.0, *self.sharpness(plan).values()]), 2 * math.sqrt(self.drawing.tool.ar.eps))
 
 
 def polar(z: complex) -> Json:

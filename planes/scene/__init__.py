@@ -78,6 +78,7 @@ class Scene(Pictured):
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
     missing: Mapping[str, str] = field(default_factory=_none)
     doubts: tuple[Doubt, ...] = ()
+    mu_written: Convention | None = None
 
     @property
     def variant(self) -> str | None:
@@ -96,8 +97,9 @@ class Scene(Pictured):
 
     @property
     def mu_convention(self) -> Convention:
-        """How people are told μ."""
-        return "unit_per_mm" if self.sheet.get("mu_convention") == "unit_per_mm" else "mm_per_unit"
+        """How people are told μ: as ``sheet`` says, else as the first of the scene's own is written."""
+        said = self.sheet.get("mu_convention", self.mu_written)
+        return "unit_per_mm" if said == "unit_per_mm" else "mm_per_unit"
 
     def __repr__(self) -> str:
         what = "vectors" if self.mechanism is None else f"links {', '.join(self.mechanism.links)}"
@@ -190,6 +192,7 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         crank_slider=reader.optional(table, "crank_slider"),
         missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
+        mu_written=settings.convention_written(table),
     )
 
 

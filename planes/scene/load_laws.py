@@ -183,17 +183,21 @@ class LawReader:
     def _word(self, kind: str, word: str, depth: int) -> str:
         if kind != "name":
             return word
+        if word in self.stated and word in self.known and not self._drives(word):
+            raise ExpressionError(Phrase("law_parameter", name=word, meant=self.known[word][0].phrase))
         if word in self.own or (word not in self.stated and self._means(word, "drive")):
             return self.drive.kind
         if word not in self.stated:
             return word
         if word in self.following:
             return self._written(word, depth)
-        if word in self.known and word not in self.driven:
-            meant = self.known[word][0].phrase
-            raise ExpressionError(Phrase("law_parameter", name=word, meant=meant))
         value = self.reader.parameters[word]
         return repr(value) if value >= 0 else f"({value!r})"
+
+    def _drives(self, name: str) -> bool:
+        """Whether a parameter is what the drive is given by, and its name that of the same of what it drives."""
+        of = {"drive": {self.drive.link}, "link": {self.drive.turning}, "slider": {self.drive.link}, "point": ()}
+        return name in self.own | self.driven and any(m.of in of[m.sort] for m in self.known[name])
 
     def _means(self, name: str, sort: Sort) -> bool:
         return any(meaning.sort == sort for meaning in self.known.get(name, ()))

@@ -5,7 +5,7 @@ from typing import cast
 
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import FRAME, RATES, Amount, Assembly, Drive, Link, Load, Order, Sense, StrokeLoad
-from planes.scene.reader import Reader, part, section
+from planes.scene.reader import MOST_TURNS, Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 
@@ -52,6 +52,9 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
     rates = (reader.said(table, key, what) for key in RATES[kind])
     velocity, acceleration = (0.0 if rate is None else rate for rate in rates)
     position = reader.number(reader.required(table, kind, what), part(kind, what))
+    if kind == "phi" and abs(position) > 360.0 * MOST_TURNS:
+        why = Phrase("range_far", option=part(kind, what), text=f"{position:.10g}", most=MOST_TURNS)
+        raise reader.error(why, table.lines[kind])
     on = _turned_on(reader, table, kind, link, links)
     return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration, on)
 

@@ -6,6 +6,7 @@ from typing import TypeVar
 
 from planes.geometry.arrays import Array
 from planes.scene import Scene
+from planes.scene.reader import MOST_TURNS
 from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
 
@@ -69,13 +70,20 @@ def read_span(text: str, option: str = "--phi") -> Span:
     if len(numbers) not in (1, 3) or not all(math.isfinite(n) for n in numbers):
         raise SceneError(Phrase("range_parts", option=option, text=repr(text)))
     if len(numbers) == 1:
-        return Span(numbers[0], 0.0, 1)
+        return _near(Span(numbers[0], 0.0, 1), text, option)
     start, end, step = numbers
     if step == 0 or (end - start) * step < 0:
         raise SceneError(Phrase("range_endless", option=option, text=repr(text), step=step, start=start, end=end))
     steps = (end - start) / step * (1 + 1e-12) + 1e-9
     _check_count(steps, MOST_ROWS, text, option)
-    return Span(start, step, math.floor(steps) + 1)
+    return _near(Span(start, step, math.floor(steps) + 1), text, option)
+
+
+def _near(span: Span, text: str, option: str) -> Span:
+    """Refuse angles so many turns away that too few of their digits are left."""
+    if option == "--phi" and max(map(abs, span.ends)) > 360.0 * MOST_TURNS:
+        raise SceneError(Phrase("range_far", option=option, text=repr(text), most=MOST_TURNS))
+    return span
 
 
 def _check_count(count: float, most: int, text: str, option: str) -> None:

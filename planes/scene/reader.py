@@ -11,6 +11,7 @@ from planes.words.errors import ExpressionError, SceneError, choices, shown
 
 Keys = tuple[str, ...]
 MOST = 1e50  # the largest number of a scene: products of several stay far from overflow
+MOST_TURNS = 1_000_000  # of an angle: beyond that too few of a double's digits say where in its turn it is
 MAX_NAME = 40
 _NAME = re.compile(r"[\w'′″-]*\w[\w'′″-]*")
 

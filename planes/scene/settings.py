@@ -3,11 +3,11 @@
 import re
 from collections.abc import Mapping
 
-from planes.scene.reader import MAX_NAME, Reader, part, section
+from planes.scene.reader import MAX_NAME, Reader, part, section, texts
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, langs, stand_ins
 from planes.words.errors import shown
-from planes.words.units import PLANS, UnitError, plan_of_mu, read_mu
+from planes.words.units import PLANS, Convention, UnitError, read_mu, written_in
 
 Words = dict[str, str]
 
@@ -96,13 +96,19 @@ def read_vector_mu(
     """μ of each plan of a scene of vectors in mm per SI unit, and the plan whose unit its ``mu`` is written in."""
     node, mu, quantity = reader.optional(table, "mu"), dict(plans), None
     if isinstance(node, SourceScalar) and (size := _mu(reader, node, "vectors")) is not None:
-        quantity = plan_of_mu(node.text)
+        quantity = written_in(node.text)[0]
         if mu[quantity] is not None:
             raise reader.error(Phrase("both_keys", what=Phrase("the_scene"), one="mu", two=f"plans.{quantity}"), node)
         mu[quantity] = size
     elif node is not None:
         _mu(reader, node, "vectors")
     return {**mu, "contour": mu["position"], "vectors": None}, quantity
+
+
+def convention_written(table: SourceTable) -> Convention | None:
+    """How the first μ of a scene that has been read is written."""
+    said = (node for path, node in texts(table) if path == ("mu",) or (path[0] == "plans" and node.text != "auto"))
+    return next((written_in(node.text)[1] for node in said if not node.absent), None)
 
 
 def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:

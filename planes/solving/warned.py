@@ -47,7 +47,7 @@ def _faint(reader: DrawingReader) -> Iterator[str]:
             mark = marks.velocity if letter == "v" else marks.acceleration
             if mark in reader.drawing:
                 sizes[point] = abs(reader.drawing[mark])
-        limit = NOTHING * max(sizes.values(), default=0.0) / min([1.0, *reader.sharpness(plan).values()])
+        limit = NOTHING * max(sizes.values(), default=0.0) / reader.bluntest(plan)
         yield from (f"{letter}_{point}" for point, size in sizes.items() if 0 < size <= limit)
 
 

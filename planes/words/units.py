@@ -49,9 +49,9 @@ def read_mu(text: str, plan: str) -> float:
     return _read(text, plan)[0]
 
 
-def plan_of_mu(text: str) -> str:
-    """The plan whose unit this μ is written in: "velocity" for "30 mm/(m/s)"."""
-    return _read(text, "vectors")[1]
+def written_in(text: str) -> tuple[str, Convention]:
+    """The plan whose unit a μ is written in, and which way up: "velocity", mm per unit for "30 mm/(m/s)"."""
+    return _read(text, "vectors")[1:]
 
 
 def fitting_units(plan: str) -> tuple[Phrase, ...]:
@@ -59,19 +59,20 @@ def fitting_units(plan: str) -> tuple[Phrase, ...]:
     return tuple(Phrase(f"units_{p}") for p in (PLANS if plan == "vectors" else (plan,)))
 
 
-def _read(text: str, plan: str) -> tuple[float, str]:
+def _read(text: str, plan: str) -> tuple[float, str, Convention]:
     if plan not in (*PLANS, "vectors"):
         raise UnitError(Phrase("mu_no_plan", plan=plan, names=PLANS))
     brief = text if len(text) <= 60 else text[:59] + "…"
     if len(text) <= 60 and plan in ("position", "vectors") and (scale := _SCALE.fullmatch(text)):
-        return _checked(1000.0, float(scale[1]), float(scale[2]), brief), "position"
+        return _checked(1000.0, float(scale[1]), float(scale[2]), brief), "position", "mm_per_unit"
     if len(text) <= 60 and _SCALE.fullmatch(text):
         raise UnitError(Phrase("mu_scale", mu=brief, plan=Phrase(f"scale_{plan}"), units=fitting_units(plan)))
     if len(text) > 60 or not (match := _NUMBER.match(text)):
         raise UnitError(Phrase("mu_not_number", mu=brief, units=fitting_units(plan)))
     number, unit = _number(match[1], brief), text[match.end() :]
     found, size, inverse = _meaning(unit, plan, brief)
-    return (_checked(1.0, 1.0, number * size, brief) if inverse else _checked(1.0, number, size, brief)), found
+    mu = _checked(1.0, 1.0, number * size, brief) if inverse else _checked(1.0, number, size, brief)
+    return mu, found, "unit_per_mm" if inverse else "mm_per_unit"
 
 
 def _number(text: str, brief: str) -> float:

@@ -127,6 +127,19 @@ def test_a_signal_in_a_course_leaves_whole_files(tmp_path: Path) -> None:
     assert {p.name for p in out.rglob("*") if p.is_file()} == {"task.pdf", "scene.yaml", "key.json", ".journal"}
 
 
+@POSIX
+def test_nobody_waits_for_a_worker_whose_work_is_not_wanted_any_more() -> None:
+    program = (
+        "import sys, time\n"
+        "from planes.course.workers import crowd\n"
+        "if __name__ == '__main__':\n"
+        "    with crowd(2) as each:\n"
+        "        for _ in each(time.sleep, [0.0, 1e5, 1e5]): sys.exit(3)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=MINUTES, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (3, "", "")
+
+
 def until(true: Any) -> None:
     """Wait for it, for minutes if need be."""
     last = time.monotonic() + MINUTES

@@ -363,7 +363,24 @@ def test_doubts_go_to_stderr_and_into_json(capsys, tmp_path) -> None:
     assert main(["solve", str(scene), "--json", "--lang", "ru"]) == 0
     told = capsys.readouterr()
     assert told.err.count("миллиметры") == 2
-    assert json.loads(told.out)["positions"][0]["warnings"][:2] == told.err.splitlines()
+    assert json.loads(told.out)["positions"][0]["warnings"][:2] == [
+        line.removeprefix("предупреждение: ") for line in told.err.splitlines()
+    ]
+
+
+@pytest.mark.parametrize("refused", [False, True])
+@pytest.mark.parametrize(
+    ("lang", "word"),
+    [("en", "warning: "), ("ru", "предупреждение: "), ("uk", "попередження: "), ("be", "папярэджанне: ")],
+)
+def test_what_is_only_doubted_is_marked_so(lang, word, refused, capsys, tmp_path) -> None:
+    """Nobody takes it for the refusal that may follow."""
+    scene = tmp_path / "s.yaml"
+    text = PLAIN.replace("l_OA: 0.08, l_AB: 0.3", "l_OA: 80, l_AB: 300")
+    scene.write_text(text + "find: [Z_9]\n" * refused, encoding="utf-8")
+    assert main(["solve", str(scene), "--lang", lang]) == 2 * refused
+    lines = capsys.readouterr().err.splitlines()
+    assert [line.startswith(word) for line in lines] == [True, True, *[False] * refused]
 
 
 @pytest.mark.slow
@@ -393,3 +410,33 @@ def test_what_the_system_says_is_told_in_russian() -> None:
     why = os.strerror(errno.ENOSPC)
     assert say("cannot_write", "ru", file="f", reason=why).endswith("на диске нет места")
     assert say("cannot_write", "en", file="f", reason=why).endswith(why)
+
+
+@pytest.mark.parametrize("text", ["1e17", "-4e8", "0:4e8:90"])
+def test_an_angle_beyond_a_million_turns_is_refused(text, capsys) -> None:
+    """Of 1e17 degrees no digit says where in its turn it is."""
+    for command, more in (("solve", []), ("cycle", ["-o", "t.csv"])):
+        assert main([command, str(SAMPLES / "six-link.yaml"), f"--phi={text}", *more, "--lang", "en"]) == 2
+        assert "beyond 1000000 whole turns" in capsys.readouterr().err
+    with pytest.raises(PlanesError, match=r"phi of drive 1e.12 is beyond 1000000 whole turns"):
+        loads(PLAIN.replace("phi_1: 40", "phi_1: 1e12"), "s.yaml")
+
+
+@pytest.mark.parametrize(
+    ("mu", "more", "said"),
+    [
+        ("25 N/mm", "", "μ = 25 N/mm"),
+        ("0.04 mm/N", "", "μ = 0.04 mm/N"),
+        ("25 N/mm", "sheet: {mu_convention: mm_per_unit}\n", "μ = 0.04 mm/N"),
+    ],
+)
+def test_a_scale_is_told_as_it_is_written(mu, more, said, capsys, tmp_path) -> None:
+    scene = tmp_path / "s.yaml"
+    rows = "  P_1: {value: 400, direction: 0}\n  P_2: {direction: 60}\n  P_3: {direction: 130}\n"
+    text = f"planes: 1\nvectors:\n{rows}equations: ['P_1 + P_2 + P_3 = 0']\nmu: {mu}\n{more}"
+    scene.write_text(text, encoding="utf-8")
+    assert main(["solve", str(scene), "--lang", "en"]) == 0
+    assert said in capsys.readouterr().out
+    scene.write_text(f"{PLAIN}plans: {{velocity: {{mu: 0.04 (m/s)/mm}}}}\n", encoding="utf-8")
+    assert main(["solve", str(scene), "--lang", "en"]) == 0
+    assert "μ = 0.04 (m/s)/mm" in capsys.readouterr().out

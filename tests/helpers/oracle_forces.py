@@ -54,7 +54,7 @@ def velocity(sol: Solution, link: str, at: complex) -> complex:
 def worked_out(scene: Mapping[str, Any], sol: Solution, said: Any, link: str) -> float:
     """A number of a load in this position: a number, an expression, a table over one, or one for each stroke."""
     if isinstance(said, Mapping) and "working" in said:
-        speed = sol.speeds[str(said.get("slider", link))] * (-1 if said.get("stroke") == "behind" else 1)
+        speed = sol.slides[str(said.get("slider", link))][0] * (-1 if said.get("stroke") == "behind" else 1)
         if abs(speed) <= 1e-12 * max(abs(v) for v in sol.speeds.values()):
             return 0.0
         return worked_out(scene, sol, said["working" if speed > 0 else "idle"], link)

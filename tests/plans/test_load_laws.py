@@ -122,9 +122,28 @@ def test_strokes_and_their_ends() -> None:
     (ends,) = planes_solve(scene, [180]).positions
     assert ends.results["loads"]["P_3"] == 0 and "3: the speed is zero" in ends.results["warnings"][0]
     resting = loads(ENGINE.replace("LAW", "{working: 6000, idle: 1}").replace(", omega: 10", ""))
-    assert load_at(resting, 90, 270) == [1, 6000]  # as a positive drive would have it
+    assert load_at(resting, 90, 270) == [0, 0]  # with the driver at rest there is no stroke
     hand = planes_solve(scene, [0, 180, 359.99], Pencil())
     assert not hand.failed
+
+
+def test_a_parameter_with_the_name_of_another_motion_is_refused() -> None:
+    """phi_2 is the angle of link 2, and so is no name for the crank's; phi_1 is both the parameter and the angle."""
+    assert load_at(engine('"3000*sin(phi_1)"'), 90) == pytest.approx([3000])
+    with pytest.raises(SceneError, match="phi_2 is a parameter, and could also be the angle of link 2"):
+        loads(ENGINE.replace("phi_1", "phi_2").replace("LAW", '"3000*sin(phi_2)"'), "e.yaml")
+    rate = ENGINE.replace("omega: 10", "omega: omega_2").replace("l_OA: 0.08,", "l_OA: 0.08, omega_2: 10,")
+    with pytest.raises(SceneError, match="omega_2 is a parameter"):
+        loads(rate.replace("LAW", '"phi + omega_2"'), "e.yaml")
+    own = rate.replace("omega_2", "omega_1").replace("LAW", '"phi + omega_1"')
+    assert load_at(loads(own, "e.yaml"), 50) == [60]
+
+
+def test_a_stroke_of_a_driver_at_rest_loads_nothing_and_says_so() -> None:
+    scene = loads(ENGINE.replace("LAW", "{working: 6000, idle: 200}").replace("omega: 10", "omega: 0, epsilon: 5"))
+    (found,) = planes_solve(scene, [40]).positions
+    assert found.results["loads"]["P_3"] == 0
+    assert any(said.startswith("3: the speed is zero") for said in found.results["warnings"])
 
 
 REFUSED = [

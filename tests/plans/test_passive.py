@@ -120,3 +120,13 @@ def test_forces_that_are_not_determined_are_told_of() -> None:
     assert found.value("M_1") == pytest.approx(5 * 9.81 * 0.1 * math.cos(math.radians(40)), rel=1e-12)
     still = solve(loads(trammel())).results["warnings"]
     assert not any("there are more reactions" in one for one in still)  # no forces there
+
+
+@pytest.mark.parametrize("own", [30.0, -77.0])
+def test_the_angle_of_a_passive_link_is_that_of_its_own_axis(own: float) -> None:
+    """Its two hinges lie along the crank's direction, and its axis is turned back by the angle they have in it."""
+    text = parallelogram(phi=40).replace("{E: 0, C: 0.1}", f"{{E: 0, C: {{r: 0.1, angle: {own}}}}}")
+    found = solve(loads(text))
+    assert found.plans.structure.passive
+    assert found.value("phi_4") == pytest.approx(40 - own)
+    assert found.omega["4"] == pytest.approx(10)

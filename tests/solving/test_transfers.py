@@ -12,6 +12,8 @@ from planes.diagrams.turn import turn_of
 from planes.drafting.instruments import Pencil
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.measuring import lettering
+from planes.plans.statements.of_scene import scene_plans
+from planes.plans.transfers import analogue_units, transfers
 from planes.scene import Scene, load, loads
 from planes.solving import Position, plans_of, solve
 from planes.solving.tables import report
@@ -107,3 +109,18 @@ def test_a_driver_at_rest_has_none_and_a_wrong_name_is_refused() -> None:
     assert "transfers" not in position(still, find=None).results
     with pytest.raises(SceneError, match="u_31"):
         plans_of(replace(still, find=("u_31",)))
+
+
+@pytest.mark.parametrize(
+    ("sample", "units"), [("six-link", {"u_31": "1", "v_qC": "m"}), ("sliding-driver", {"omega_q": "1/m", "v_q": "1"})]
+)
+def test_they_have_the_units_of_derivatives_by_the_driver_s_place(sample: str, units: dict[str, str]) -> None:
+    """By an angle in radians, or by metres; so are those of the accelerations."""
+    plans = scene_plans(load(ROOT / f"samples/{sample}.yaml"))
+    told = {name: d.unit for d in transfers(plans) for name in d.names}
+    for head, unit in units.items():
+        named = [u for name, u in told.items() if name.startswith(head)]
+        assert named and set(named) == {unit}
+    slides = plans.mechanism.drive.kind == "s"
+    assert analogue_units(not slides)["epsilon"] == ("1/m²" if slides else "1")
+    assert analogue_units(not slides)["a"] == ("1/m" if slides else "m")

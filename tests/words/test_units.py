@@ -11,11 +11,11 @@ from planes.words.units import (
     UnitError,
     mu_text,
     number,
-    plan_of_mu,
     quantity,
     read_mu,
     standard_mu,
     standard_scale,
+    written_in,
 )
 
 READ = [
@@ -120,7 +120,7 @@ def test_mu_is_written_in_both_conventions():
 @pytest.mark.parametrize("mu", [30.0, 1 / 3, 2.5e-5, 1e-9, 1e15, 123456.789, 1 / 0.0333])
 def test_what_is_written_reads_back_exactly(plan, lang, mu):
     assert read_mu(mu_text(mu, plan, lang), plan) == mu
-    assert plan_of_mu(mu_text(mu, plan, lang)) == plan
+    assert written_in(mu_text(mu, plan, lang)) == (plan, "mm_per_unit")
     assert read_mu(mu_text(mu, plan, lang, "unit_per_mm"), plan) == pytest.approx(mu, rel=5e-3)
 
 

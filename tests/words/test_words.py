@@ -81,7 +81,7 @@ BAD_MECHANISMS = [
 BAD_EQUATIONS = ["a", "a = a", "0 = 0", "a = ", "a b = c", " - = c", "v_C = v_CB + v_B", "v_C = v_CB"]
 BAD_PLANS_OF_VECTORS = [
     ("a: , b: , c: ", "a = b + c", "неизвестные: величина a, направление a"),
-    ("a: {value: 1, direction: 2}, b: {value: 1, direction: 2}", "a = b", "неизвестные: нет"),
+    ("a: {value: 1, direction: 2}, b: {value: 1, direction: 3}", "a = b", "не замыкается"),
     ("a: , b: ", "a = b + cc", "нет вектора cc; допустимо: a, b"),
     ("a: {value: 1, direction: 0}, b: {value: 2}, c: {value: 2}", "a = b + c", "near: 75.52 или near: -75.52"),
     (

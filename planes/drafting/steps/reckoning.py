@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import reduce
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step, directions, marks, values
@@ -116,12 +117,14 @@ class Sense(Step):
     kind: ClassVar[Kind] = "value"
     needs = marks("start", "end", "beside") + directions("along")
 
-    def draw(self, env: Env, tool: Tool) -> Thing:
+    def weighed(self, env: Mapping[str, Thing], ar: Arithmetic) -> tuple[Real, Real]:
+        """How long the segment is along its direction, and how far the farthest of the others."""
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)
-        largest: Real = 0.0
-        for mark in self.beside:
-            largest = tool.ar.maximum(largest, abs(env[mark]))
+        return length, reduce(ar.maximum, (abs(env[mark]) for mark in self.beside), 0.0)
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        length, largest = self.weighed(env, tool.ar)
         moving = abs(length) > tool.still * largest
         if self.told:
             tool.note(moving, self, "standstill")

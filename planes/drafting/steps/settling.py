@@ -95,7 +95,7 @@ class Settle(Step):
     def _sizes(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> list[Real]:
         """Draw a plan; the sizes it gives."""
         for step in steps:
-            things[step.makes] = step.draw(things, tool)
+            things[step.makes] = tool.draw(step, things)
         return [things[f.size] for f in self.fed]
 
 

@@ -17,10 +17,9 @@ from planes.words.names import POLE, Meaning, at
 
 @dataclass(frozen=True)
 class LawValues:
-    """Makes values of loads; ``motion`` tells the strokes, even of a driver at rest; ``said`` are the laws by name."""
+    """Makes values of loads; ``said`` are the laws by name."""
 
     bodies: Bodies
-    motion: Rates
     velocity: Rates
     accelerations: Rates
     said: dict[str, LoadLaw | StrokeLoad] = field(default_factory=dict)
@@ -31,14 +30,14 @@ class LawValues:
         if not isinstance(value, StrokeLoad):
             return self.amount(name, load, value, means)
         self.said[name] = value
-        slid = self.motion.slides.get(value.slider)
+        slid = self.velocity.slides.get(value.slider)  # with the driver at rest there is no stroke
         if slid is None:
             what = Phrase("load", number=self.numbers[id(load)] + 1)
-            why = Phrase("law_slider", what=what, link=value.slider, valid=choices("", self.motion.slides))
+            why = Phrase("law_slider", what=what, link=value.slider, valid=choices("", self.velocity.slides))
             raise SceneError(why, self.bodies.file, self._line(load))
         sense = 1 if value.stroke == "ahead" else -1
         stroke = self.bodies.draft.step(
-            Sense(f"moves_{value.slider}", *slid.ends, slid.along, tuple(self.motion.driven))
+            Sense(f"moves_{value.slider}", *slid.ends, slid.along, tuple(self.velocity.driven))
         )
         working = self.amount(f"‖{name}", load, value.working, means, stroke, sense)
         idle = self.amount(f"|{name}", load, value.idle, means, stroke, -sense)

@@ -6,7 +6,7 @@ from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Group
 from planes.plans.position.bodies import AssemblyChoice, Bodies, TrackChoice
-from planes.plans.position.tracks import resolve_track
+from planes.plans.position.tracks import MIDWAY, nearest, one_chosen, resolve_track
 from planes.scene.mechanism import Assembly, Mechanism
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
@@ -24,30 +24,39 @@ def resolve(b: Bodies) -> None:
             resolve_track(b, program, choice)
             program = Program(tuple(draft.steps.values()))
             continue
-        key, said = _said(choice, mechanism)
-        words = WORDS_OF_KIND[choice.group.kind]
-        if said is None or (said.near is not None and not choice.placed):
+        said = _said(choice, mechanism)
+        if not said or any(one.near is not None and not choice.placed for _, one in said):
             line = mechanism.where.get(("assembly",), mechanism.where.get(("links",)))
             raise SceneError(_question(b, program, choice), b.file, line)
-        if said.near is not None:
-            draft.given[choice.side] = _nearer(b, program, choice, key, said.near)
-        elif said.order in words:
-            draft.given[choice.side] = 1.0 if said.order == words[0] else -1.0
-        else:
-            named = {"name": choice.group.name, "links": choice.group.links, "one": words[0], "two": words[1]}
-            why = Phrase("order_misfit", key=key, order=said.order, **named)
-            raise SceneError(why, b.file, mechanism.where.get(("assembly", key)))
+        chosen = {key: _side(b, program, choice, key, one) for key, one in said}
+        sides = _places(b, program, choice, _judged(b, choice, said[0][0])) if len(said) > 1 else []
+        offers: dict[object, Phrase] = {
+            side: Phrase("track_offer", key=said[0][0], x=z.real, y=z.imag) for side, z in sides
+        }
+        one_chosen(b, choice, chosen, offers)
+        draft.given[choice.side] = chosen[said[0][0]]
 
 
-def _said(choice: AssemblyChoice, mechanism: Mechanism) -> tuple[str, Assembly | None]:
+def _side(b: Bodies, program: Program, choice: AssemblyChoice, key: str, said: Assembly) -> float:
+    """The side that a word or a place of the scene means."""
+    words = WORDS_OF_KIND[choice.group.kind]
+    if said.near is not None:
+        return _nearer(b, program, choice, key, said.near)
+    if said.order in words:
+        return 1.0 if said.order == words[0] else -1.0
+    told = {"name": choice.group.name, "links": choice.group.links, "one": words[0], "two": words[1]}
+    why = Phrase("order_misfit", key=key, order=said.order, **told)
+    raise SceneError(why, b.file, b.mechanism.where.get(("assembly", key)))
+
+
+def _said(choice: AssemblyChoice, mechanism: Mechanism) -> list[tuple[str, Assembly]]:
     """What the scene says of this group: under its own key, or ``near`` under any point of it."""
-    if choice.key in mechanism.assembly:
-        return choice.key, mechanism.assembly[choice.key]
-    points = _new_points(choice.group, mechanism)
-    for key, said in mechanism.assembly.items():
-        if key in points and (said.near is not None or any(pair.point == key for pair in choice.group.inner_pairs)):
-            return key, said
-    return choice.key, None
+    points, hinges = _new_points(choice.group, mechanism), {pair.point for pair in choice.group.inner_pairs}
+    return [
+        (key, said)
+        for key, said in mechanism.assembly.items()
+        if key == choice.key or (key in points and (said.near is not None or key in hinges))
+    ]
 
 
 def _new_points(group: Group | Triad | Contour, mechanism: Mechanism) -> list[str]:
@@ -72,9 +81,7 @@ def _places(b: Bodies, program: Program, choice: AssemblyChoice, point: str) -> 
 
 
 def _nearer(b: Bodies, program: Program, choice: AssemblyChoice, key: str, near: complex) -> float:
-    point, line = key, b.mechanism.where.get(("assembly", key))
-    if at("position", point) not in b.draft.steps:  # keyed by the guide: judge by a point that moves with the choice
-        point = next(iter(_new_points(choice.group, b.mechanism)), key)
+    point, line = _judged(b, choice, key), b.mechanism.where.get(("assembly", key))
     places = _places(b, program, choice, point)
     if not places:
         try:
@@ -83,7 +90,14 @@ def _nearer(b: Bodies, program: Program, choice: AssemblyChoice, key: str, near:
             raise SceneError(Phrase("near_not_drawn", key=key, failure=failure.phrase), b.file, line) from None
     if len(places) == 2 and places[0][1] == places[1][1]:
         raise SceneError(Phrase("near_same", key=key, point=point), b.file, line)
-    return min(places, key=lambda found: abs(found[1] - near))[0]
+    there = nearest(b, choice, key, near, [place for _, place in places], MIDWAY)
+    return next(side for side, place in places if place == there)
+
+
+def _judged(b: Bodies, choice: AssemblyChoice, key: str) -> str:
+    """The point by which it is judged: of a key that is a guide, one that moves with the choice."""
+    placed = at("position", key) in b.draft.steps
+    return key if placed else next(iter(_new_points(choice.group, b.mechanism)), key)
 
 
 def _question(b: Bodies, program: Program, choice: AssemblyChoice) -> Phrase:

@@ -1,7 +1,7 @@
 """Which assembly of a higher group is meant: all are found and counted at the drive's value, one chosen, followed."""
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from planes.drafting.drawing import run
@@ -14,7 +14,7 @@ from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
-from planes.plans.position.bodies import SCHEME, Bodies, TrackChoice
+from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, TrackChoice
 from planes.plans.position.branch import Branch, follow
 from planes.scene.mechanism import Assembly
 from planes.words import Phrase
@@ -22,7 +22,9 @@ from planes.words.errors import PlanFailure, SceneError
 from planes.words.names import at, mu_of
 
 ORDERS = ((0, 1), (1, 2), (2, 0))
+AnyChoice = AssemblyChoice | TrackChoice
 DOUBTFUL = 0.8  # of how far the next assembly is from the place a scene names: no nearer than that none is chosen
+MIDWAY = 0.95  # the same of two places, which nobody takes for others: about the middle between them
 
 
 class Tracks:
@@ -105,10 +107,7 @@ class Tracks:
 
     def named(self) -> dict[str, object]:
         """What sentences say of the group."""
-        g, drive = self.choice.group, self.bodies.mechanism.drive
-        unit = "°" if drive.kind == "phi" else " m"
-        name = "φ" if drive.kind == "phi" else "s"
-        return {"level": g.level, "links": g.links, "name": g.name, "drive": name, "value": f"{self.start:.10g}{unit}"}
+        return named(self.bodies, self.choice)
 
     def error(self, why: Phrase, *path: str) -> SceneError:
         """A refusal at its line."""
@@ -127,49 +126,74 @@ def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
         raise tracks.error(Phrase("tracks_touch", **tracks.named()), "drive")
     if not counted.poses:
         raise tracks.error(Phrase("tracks_miss" if counted.whole else "tracks_not_met", **tracks.named()), "drive")
-    key, said = _said(b, choice)
-    if said is None and len(counted.poses) == 1 and counted.whole:
+    said = _said(b, choice)
+    if not said and len(counted.poses) == 1 and counted.whole:
         tracks.choose(counted.poses[0])
         return
-    if said is None or said.near is None:
-        raise tracks.error(_question(tracks, counted, key))
-    near = said.near
-    found = {tracks.place(pose, key): pose for pose in counted.poses}
-    if len(found) < len(counted.poses):
-        raise tracks.error(Phrase("near_same", key=key, point=key), "assembly", key)
-    off = sorted(abs(place - near) for place in found)
-    if len(off) > 1 and off[0] > DOUBTFUL * off[1]:
-        told = {
-            "key": key,
-            "off": off[0],
-            "next": off[1],
-            "count": len(off),
-            "offers": tuple(_offers(tracks, counted, key)),
-        }
-        raise tracks.error(Phrase("near_between", **told, **tracks.named()), "assembly", key)
-    tracks.choose(found[min(found, key=lambda place: abs(place - near))])
+    if not said or any(assembly.near is None for _, assembly in said):
+        raise tracks.error(_question(tracks, counted, said[0][0] if said else choice.key))
+    chosen = dict[str, Pose]()
+    for key, assembly in said:
+        places = {tracks.place(pose, key): pose for pose in counted.poses}
+        if len(places) < len(counted.poses):
+            raise tracks.error(Phrase("near_same", key=key, point=key), "assembly", key)
+        assert assembly.near is not None
+        chosen[key] = places[nearest(b, choice, key, assembly.near, list(places))]
+    one_chosen(b, choice, chosen, dict(_offers(tracks, counted, choice.key)))
+    tracks.choose(chosen[said[0][0]])
 
 
-def _said(b: Bodies, choice: TrackChoice) -> tuple[str, Assembly | None]:
-    """What the scene says of a triad, under any point that moves with it."""
+def nearest(
+    b: Bodies, choice: AnyChoice, key: str, near: complex, places: Sequence[complex], doubtful: float = DOUBTFUL
+) -> complex:
+    """The one of all places that a scene's ``near`` means; :class:`SceneError` where the next is hardly farther."""
+    ordered = sorted(places, key=lambda place: abs(place - near))
+    off = [abs(place - near) for place in ordered]
+    if len(off) > 1 and off[0] > doubtful * off[1]:
+        offers = tuple(Phrase("track_offer", key=key, x=z.real, y=z.imag) for z in places)
+        told = {"key": key, "off": off[0], "next": off[1], "count": len(off), "offers": offers}
+        line = b.mechanism.where.get(("assembly", key))
+        raise SceneError(Phrase("near_between", **told, **named(b, choice)), b.file, line)
+    return ordered[0]
+
+
+def one_chosen(b: Bodies, choice: AnyChoice, chosen: Mapping[str, object], offers: Mapping[object, Phrase]) -> None:
+    """Refuse what chooses one assembly by one point and another by another."""
+    (key, first), *others = chosen.items()
+    against = next((other for other, it in others if it != first), None)
+    if against is not None:
+        told = {"key": key, "other": against, "offers": tuple(offers[x] for x in offers)}
+        line = b.mechanism.where.get(("assembly", against))
+        raise SceneError(Phrase("near_against", **told, **named(b, choice)), b.file, line)
+
+
+def named(b: Bodies, choice: AnyChoice) -> dict[str, object]:
+    """What sentences say of a group and of where the drive is."""
+    g, drive = choice.group, b.mechanism.drive
+    name, unit = ("φ", "°") if drive.kind == "phi" else ("s", " m")
+    return {"level": g.level, "links": g.links, "name": g.name, "drive": name, "value": f"{drive.position:.10g}{unit}"}
+
+
+def _said(b: Bodies, choice: TrackChoice) -> list[tuple[str, Assembly]]:
+    """What the scene says of a triad, under any points that move with it."""
     inside = choice.group.inner_pairs
     outer = {pair.point for pair in choice.group.pairs if pair not in inside}
     points = {p for link in choice.group.links for p in b.mechanism.links[link].points} - outer
-    return next(((key, said) for key, said in b.mechanism.assembly.items() if key in points), (choice.key, None))
+    return [(key, said) for key, said in b.mechanism.assembly.items() if key in points]
 
 
 def _question(tracks: Tracks, counted: Counted, key: str) -> Phrase:
     """All assemblies, each with the words that choose it."""
-    offers = tuple(_offers(tracks, counted, key))
+    offers = tuple(offer for _, offer in _offers(tracks, counted, key))
     more = bool(tracks.bodies.mechanism.assembly)
     told = {"count": len(offers), "offers": offers, "proof": Phrase("tracks_proved" if counted.whole else "tracks_met")}
     return Phrase("tracks_more" if more else "tracks_all", **told, **tracks.named())
 
 
-def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[Phrase]:
+def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[tuple[Pose, Phrase]]:
     for pose in counted.poses:
         place = tracks.place(pose, key)
-        yield Phrase("track_offer", key=key, x=place.real, y=place.imag)
+        yield pose, Phrase("track_offer", key=key, x=place.real, y=place.imag)
 
 
 def turns(pose: Pose) -> tuple[tuple[float, ...], ...]:

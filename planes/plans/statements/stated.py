@@ -1,12 +1,10 @@
 """The plans of a scene that states vectors and equations: one program, its equations in whatever order they can be
 drawn, each number found on the plans before it."""
 
-import cmath
-import math
 from collections.abc import Iterable
 from dataclasses import replace
 
-from planes.drafting.drawing import run
+from planes.drafting.drawing import reached, run
 from planes.drafting.equations import Equation, unknown
 from planes.drafting.program import Program
 from planes.plans import STILL, Plans
@@ -15,7 +13,9 @@ from planes.plans.assur.structure import Structure
 from planes.plans.force.loads import Loads
 from planes.plans.passive_motion import LinkValues
 from planes.plans.proving import closed
-from planes.plans.scales import scales
+from planes.plans.scales import scales, unit_scales
+from planes.plans.statements.certain import Closings, uncertain
+from planes.plans.statements.nearer_way import chosen_side
 from planes.plans.statements.stated_chains import Chains
 from planes.plans.statements.stated_plans import plans_of_equations
 from planes.plans.statements.stated_vectors import StatedVectors
@@ -26,7 +26,6 @@ from planes.scene.vectors import Statement
 from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, ProgramError, SceneError
 from planes.words.lettering import name_in_words
-from planes.words.names import mu_of
 
 
 def stated_plans(scene: Scene) -> Plans:
@@ -49,7 +48,7 @@ class StatedPlansBuilder:
         self.chains = Chains(self.vectors)
         self.solved: dict[str, VectorEquation] = {}  # mark -> the equation it was drawn for
         self.chosen: set[str] = set()  # vectors whose direction a side decides
-        self.sides: dict[str, float] = {}
+        self.closings = Closings(self.vectors, self._draw)
 
     def error(self, equation: VectorEquation, phrase: Told) -> SceneError:
         return SceneError(phrase, self.scene.file, equation.line)
@@ -59,7 +58,7 @@ class StatedPlansBuilder:
         left = [(e, (e.sides[0], side)) for e in self.statement.equations for side in e.sides[1:]]
         while left:
             self.vectors.settle()
-            done = self._one(left) or self._pair(left)
+            done = self._one(left) or self._pair(left) or self._closing(left)
             if not done:
                 raise self._stuck([e for e, _ in left])
             left = [row for row in left if row not in done]
@@ -98,6 +97,15 @@ class StatedPlansBuilder:
                     return [left[i], (other, (same, second))]
         return []
 
+    def _closing(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
+        """What nobody else needs an unknown of: an equation to be held against what is known."""
+        for row in left:
+            terms = row[1][0] + row[1][1]
+            if self._ready(t.name for t in terms) and len(self.unknowns(terms)) < 2:
+                self.closings.draw(row)
+                return [row]
+        return []
+
     def _stuck(self, left: list[VectorEquation]) -> SceneError:
         """Why none of these can be drawn: too many unknowns, or numbers that lead round in a circle."""
         for equation in left:
@@ -118,13 +126,8 @@ class StatedPlansBuilder:
         other: VectorEquation | None = None,
     ) -> None:
         d, plan = self.draft, self.plan_of[equation.line, equation.text]
-        if (
-            not total
-            and two
-            and len(one) == 1
-            and one[0].times == 1
-            and self.vectors.parts(one[0].name) == (None, None)
-        ):
+        alone = not total and two and len(one) == 1 and one[0].times == 1
+        if alone and self.vectors.parts(one[0].name) == (None, None):
             total, one = one[0].name, ()
         plan, chains = self.chains.of(plan, one, two, total)
         terms = [*chains[0], *chains[1]]
@@ -141,35 +144,9 @@ class StatedPlansBuilder:
         d.draw(drawn)
         self.vectors.learn(drawn, self.chains.stated)
         if side:
-            self._choose(side, [n.rpartition("·")[2] for n in free])
-
-    def _choose(self, side: str, free: list[str]) -> None:
-        """The root whose vectors point nearer to ``near:``."""
-        self.chosen |= {*free}
-        vectors = self.statement.vectors
-        near = {n: angle for n in free if (angle := vectors[n].near_deg) is not None}
-        asked, found = list(near) or free[:1], []
-        for sign in (1.0, -1.0):
-            ways = self._ways(asked, side, sign)
-            if ways:
-                apart = sum(abs((ways[name] - angle + 180) % 360 - 180) for name, angle in near.items())
-                found.append((apart, sign, ways))
-        if not near and found:
-            offers = tuple(Phrase("near_angle", angle=ways[asked[0]]) for _, _, ways in found)
-            line = self.scene.where.get(("vectors", asked[0]))
-            raise SceneError(Phrase("two_directions", name=asked[0], offers=offers), self.scene.file, line)
-        self.draft.given[side] = min(found, key=lambda one: one[0], default=(0.0, 1.0, {}))[1]
-
-    def _ways(self, names: list[str], side: str, sign: float) -> dict[str, float] | None:
-        """Which way these vectors point on one side; None where it cannot be drawn."""
-        spans = {n: self.vectors.span(n) for n in names}
-        program = Program(tuple(self.draft.steps.values())).sliced(m for s in spans.values() for m in s)
-        given = {**self.draft.given, **{mu_of(plan): 1.0 for plan in program.marks}, side: sign}
-        try:
-            drawing = run(program, given)
-        except PlanFailure:
-            return None
-        return {n: math.degrees(cmath.phase(drawing[end] - drawing[start])) for n, (start, end) in spans.items()}
+            names = [n.rpartition("·")[2] for n in free]
+            self.chosen |= {*names}
+            d.given[side] = chosen_side(self.scene, self.vectors, side, names)
 
     def _check_used(self) -> None:
         """Whatever is said of a vector must have an effect."""
@@ -207,10 +184,21 @@ class StatedPlansBuilder:
 
     def _try(self, plans: Plans) -> None:
         """Refuse what cannot be drawn, in millimetres of its paper."""
+        self._certain(plans)
         try:
-            run(plans.program, {**plans.given, **scales(plans, self.scene.mu)})
+            drawing = run(plans.program, {**plans.given, **scales(plans, self.scene.mu)})
         except PlanFailure as failure:
             raise self._failure(failure) from None
+        for equation, why in self.closings.faults(drawing):
+            raise self.error(equation, why)
+
+    def _certain(self, plans: Plans) -> None:
+        """Refuse a quotient by nothing, and a direction of it; drawn as far as it goes."""
+        given = {**plans.given, **unit_scales(plans)}
+        drawing, _ = reached(plans.program, given)
+        for key, name, by in uncertain(self.vectors, drawing, given):
+            line = self.scene.where.get(("vectors", name), self.scene.where.get(("values", name)))
+            raise SceneError(Phrase(key, name=name, by=by), self.scene.file, line)
 
     def _failure(self, failure: PlanFailure) -> SceneError:
         """What an equation cannot be drawn for, in words of vectors."""

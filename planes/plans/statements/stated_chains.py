@@ -137,13 +137,16 @@ class Chains:
 
     def _alike(self, stated: SideTerm, like: Similarity, mark: str, end: str) -> bool:
         """Whether a vector is drawn by similarity from a mark; if not, its length and direction are found."""
-        v, name, of = self.vectors, stated.name, self.vectors.span(like.of)
+        v, name = self.vectors, stated.name
         v.used |= {like.of, *(like.shape or ())}
-        if stated.times == 1 and like.shape:
+        drawn = stated.times == 1 and all(map(v.spanned, (like.of, *(like.shape or ()))))
+        of = v.span(like.of) if drawn else ("", "")
+        if drawn and like.shape:
             one, two = map(v.span, like.shape)
+            v.leaned |= dict.fromkeys(like.shape, name)
             self.draft.step(Image(at(self.plan, end), at(self.plan, mark), one, two, of))
             return True
-        if stated.times == 1 and of[0] == at(self.plan, mark):
+        if drawn and of[0] == at(self.plan, mark):
             self._similar(end, *of, like.ratio, f"ratio_{name}")
             return True
         v.transfer(name, like)

@@ -37,6 +37,8 @@ class StatedVectors:
         self.states: dict[str, VectorState] = {}
         self.values: dict[str, str] = {}
         self.used: set[str] = set()
+        self.leaned: dict[str, str] = {}  # those of which a direction or a quotient is taken, by what takes it
+        self.quotients: list[tuple[str, str, str]] = []  # what is divided, by what, and the name of that number
 
     def given(self, name: str) -> VectorGiven:
         """What the scene says of a vector."""
@@ -60,7 +62,7 @@ class StatedVectors:
         if isinstance(given.direction, AlongVector) and not self.has_direction(given.direction.vector):
             yield given.direction.vector
         if given.like:
-            yield from (n for n in (given.like.of, *(given.like.shape or ())) if not self.spanned(n))
+            yield from (n for n in (given.like.of, *(given.like.shape or ())) if not self.known_whole(n))
 
     def ready(self, name: str) -> bool:
         """Whether all that is given of it can be drawn."""
@@ -71,6 +73,10 @@ class StatedVectors:
         if name not in self.statement.vectors:
             return name in self.values or name in self.statement.parameters
         return self.spanned(name) or (self.given(name).value is not None and self.ready(name))
+
+    def known_whole(self, name: str) -> bool:
+        """Whether a vector's length and direction are there."""
+        return self.spanned(name) or (self.ready(name) and None not in self.parts(name))
 
     def has_direction(self, name: str) -> bool:
         """Whether it is known where a vector points."""
@@ -94,6 +100,9 @@ class StatedVectors:
         if not isinstance(amount, VectorAmount):
             return self.draft.give(plain, amount, means=self.load_of(name))
         found = {n: self.number(n) for n in amount.names}
+        below = [n for _, factors in amount.terms for n, power in factors if power < 0]
+        self.quotients += [(name, n, found[n]) for n in below]
+        self.leaned |= {n: name for n in below if n in self.states and self.given(n).value is None}
         terms = [Product(c, tuple((found[n], power) for n, power in factors)) for c, factors in amount.terms]
         return self.draft.total(name, terms)
 
@@ -128,6 +137,8 @@ class StatedVectors:
         if isinstance(way, float):
             return d.aim(f"∠{name}", way, Meaning("given", *line_of(name)))
         self.used.add(way.vector)
+        if self.given(way.vector).direction is None:
+            self.leaned[way.vector] = name
         base, points = self.direction(way.vector), line_of(way.vector)
         quarter, link = way.quarter % 4, len(points) == 2
         if quarter == 1:
@@ -147,6 +158,8 @@ class StatedVectors:
         factors = {self.length(like.of): 1}
         if like.shape:
             one, two = like.shape
+            self.leaned |= {n: name for n in (one, two) if self.given(n).direction is None}
+            self.quotients.append((name, two, self.length(two)))
             factors |= {self.length(one): 1, self.length(two): -1}
             angles = [d.step(Protractor(f"angle_{n}", self.direction(n))) for n in like.shape]
             turned = d.total(f"turn_{name}", [Product(1.0, ((angles[0], 1),)), Product(-1.0, ((angles[1], 1),))])

@@ -1,0 +1,114 @@
+"""Polynomials in rationals, without rounding: how many real roots there are by J. C. F. Sturm's theorem, and each
+caught between two places where the sign differs."""
+
+from fractions import Fraction
+from functools import reduce
+from itertools import pairwise
+from math import gcd
+
+CLOSE = Fraction(1, 1 << 40)  # how narrowly a root is caught before Newton's steps
+Polynomial = list[Fraction]  # coefficients from the lowest power
+
+
+def trimmed(poly: Polynomial) -> Polynomial:
+    """Without the highest powers that are nothing, in whole numbers without a common factor."""
+    while poly and not poly[-1]:
+        poly = poly[:-1]
+    if not poly:
+        return []
+    below = reduce(lambda m, q: m * q.denominator // gcd(m, q.denominator), poly, 1)
+    whole = [int(q * below) for q in poly]
+    common = gcd(*whole)
+    return [Fraction(q // common) for q in whole]
+
+
+def value(poly: Polynomial, t: Fraction) -> Fraction:
+    """Its number at t."""
+    total = Fraction(0)
+    for q in reversed(poly):
+        total = total * t + q
+    return total
+
+
+def sturm(poly: Polynomial) -> list[Polynomial]:
+    """Sturm's chain: the polynomial, its slope, and the remainders with their signs turned."""
+    chain = [poly, trimmed([k * q for k, q in enumerate(poly)][1:])]
+    while len(chain[-1]) > 1:
+        rest = divided(chain[-2], chain[-1])[1]
+        if not any(rest):
+            break
+        chain.append([-q for q in trimmed(rest)])
+    return [c for c in chain if c]
+
+
+def divided(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """The quotient of two polynomials and what is left."""
+    rest, found = list(poly), list[Fraction]()
+    while len(rest) >= len(by):
+        factor, shift = rest[-1] / by[-1], len(rest) - len(by)
+        found.append(factor)
+        rest = [q - factor * by[k - shift] if k >= shift else q for k, q in enumerate(rest)][:-1]
+    return found[::-1], rest
+
+
+def changes(chain: list[Polynomial], t: Fraction) -> int:
+    """How often the signs of a chain change at t."""
+    signs = [s for s in (value(c, t) for c in chain) if s]
+    return sum((one > 0) != (two > 0) for one, two in pairwise(signs))
+
+
+def isolated(chain: list[Polynomial]) -> list[tuple[Fraction, Fraction]]:
+    """Ranges (low, high] with one root each."""
+    poly = chain[0]
+    bound = 1 + max((abs(q / poly[-1]) for q in poly[:-1]), default=Fraction(0))
+    edge = Fraction(1 << (int(bound) + 1).bit_length())
+    found, left = [], [(-edge, edge, changes(chain, -edge), changes(chain, edge))]
+    while left:
+        low, high, before, after = left.pop()
+        if before - after == 1:
+            found.append((low, high))
+        elif before > after:
+            middle = (low + high) / 2
+            between = changes(chain, middle)
+            left += [(middle, high, between, after), (low, middle, before, between)]
+    return found
+
+
+def caught(poly: Polynomial, low: Fraction, high: Fraction) -> Fraction:
+    """The one root of a range, narrowly; where a double root leaves no change of sign, the middle."""
+    above = value(poly, high)
+    if not above:
+        return high
+    if (value(poly, low) > 0) == (above > 0):
+        return (low + high) / 2
+    while high - low > CLOSE * (1 + min(abs(low), abs(high)) ** 2):
+        middle = (low + high) / 2
+        here = value(poly, middle)
+        if not here:
+            return middle
+        low, high = (low, middle) if (here > 0) == (above > 0) else (middle, high)
+    return (low + high) / 2
+
+
+def each_once(poly: Polynomial) -> tuple[Polynomial, bool]:
+    """A polynomial with every root once, and whether any was there more often: where a multiple one lies Sturm's whole
+    chain vanishes and counts nothing."""
+    rest = sturm(poly)[-1]
+    return (divided(poly, rest)[0], True) if len(rest) > 1 else (poly, False)
+
+
+def common(one: Polynomial, two: Polynomial) -> Polynomial:
+    """The greatest polynomial that divides both, by Euclid."""
+    while two:
+        one, two = two, trimmed(divided(one, two)[1])
+    return one
+
+
+def sign_at(poly: Polynomial, low: Fraction, high: Fraction, other: Polynomial) -> int:
+    """The sign of another polynomial at the one root of this in (low, high], where it is not nothing."""
+    chain = sturm(other)
+    while changes(chain, low) != changes(chain, high) or not value(other, low):
+        middle = (low + high) / 2
+        own = sturm(poly)
+        low, high = (low, middle) if changes(own, low) > changes(own, middle) else (middle, high)
+    return 1 if value(other, low) > 0 else -1

@@ -1,0 +1,90 @@
+"""What must hold of stated vectors before they are told: what closes, closes; of nothing no direction is taken."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from planes.drafting.drawing import SHAKEN, Drawing, reached
+from planes.drafting.instruments import Shaken
+from planes.geometry import plane
+from planes.geometry.arithmetic import Arithmetic
+from planes.plans.statements.stated_vectors import StatedVectors, VectorState
+from planes.scene.vector_equations import Side, SideTerm, VectorEquation
+from planes.words import Phrase
+from planes.words.names import mu_of, plan_of
+
+CLOSED = 1e-4  # of the largest vector: the digits with which numbers are given
+CERTAIN = 1e-6  # of the largest vector of a plan: larger ones are more than rounding can make
+Row = tuple[VectorEquation, tuple[Side, Side]]
+Drawer = Callable[[VectorEquation, Side, Side], None]
+
+
+class Closings:
+    """Equations with less than two unknowns: one of their vectors is drawn as what closes the polygon, and then held
+    against what is given of it."""
+
+    def __init__(self, vectors: StatedVectors, draw: Drawer) -> None:
+        self.vectors, self._draw = vectors, draw
+        self.closed: list[tuple[VectorEquation, Side, str, VectorState]] = []
+
+    def draw(self, row: Row) -> None:
+        """Draw an equation of vectors that are known but for one length or direction, or entirely."""
+        (equation, (one, two)), vectors = row, self.vectors
+        left = [t.name for t in one + two if not vectors.spanned(t.name) and not vectors.given(t.name).like]
+        free = next((n for n in left if None in vectors.parts(n)), left[-1] if left else "")
+        given = VectorState()
+        if free:
+            given, vectors.states[free] = vectors.states[free], given
+            self._draw(equation, one, two)
+        against = tuple(SideTerm(t.name, -t.times) for t in two)
+        self.closed.append((equation, one + against, free, given))
+
+    def faults(self, drawing: Drawing) -> Iterator[tuple[VectorEquation, Phrase]]:
+        """The equations that do not close, and by how much."""
+        for equation, terms, free, given in self.closed:
+            values = {t.name: self._value(drawing, t.name) for t in terms}
+            gap = _gap(drawing, values[free], given) if free else abs(sum(t.times * values[t.name] for t in terms))
+            if gap > CLOSED * max(map(abs, values.values())):
+                told = {"text": equation.text, "gap": gap}
+                if free:
+                    told |= {"name": free, "size": abs(values[free]), "angle": Arithmetic().angle_deg(values[free])}
+                yield equation, Phrase("closing_open_by" if free else "closing_open", **told)
+
+    def _value(self, drawing: Drawing, name: str) -> complex:
+        start, end = self.vectors.span(name)
+        return complex((drawing[end] - drawing[start]) / drawing[mu_of(plan_of(start))])
+
+
+def _gap(drawing: Drawing, value: complex, given: VectorState) -> float:
+    """How far the vector that closes a polygon is from what is given of it."""
+    length = drawing[given.length] if given.length else None
+    if given.direction is None:
+        return float(abs(abs(value) - abs(length or 0.0)))
+    way = drawing[given.direction]
+    return float(abs(plane.cross(way, value)) if length is None else abs(value - way * length))
+
+
+def uncertain(vectors: StatedVectors, drawing: Drawing, given: Mapping[str, float]) -> Iterator[tuple[str, str, str]]:
+    """What is divided by nothing, and what takes its direction or size from a vector of which no digit is left: the
+    key of the sentence, its name, and by what."""
+    yield from (
+        ("divided_by_nothing", name, by)
+        for name, by, number in vectors.quotients
+        if number in drawing and drawing[number] == 0
+    )
+    faint = [n for n in vectors.leaned if vectors.spanned(n) and _faint(vectors, drawing, n)]
+    blunter = [reached(drawing.program, given, Shaken(seed))[0] for seed in SHAKEN if faint]
+    for name in faint:
+        start, end = vectors.span(name)
+        size, *moved = (abs(one[end] - one[start]) for one in (drawing, *blunter) if start in one and end in one)
+        if size <= max((abs(other - size) for other in moved), default=size):
+            yield "no_direction", name, vectors.leaned[name]
+
+
+def _faint(vectors: StatedVectors, drawing: Drawing, name: str) -> bool:
+    """Whether a vector is next to nothing beside the marks of its plan."""
+    start, end = vectors.span(name)
+    if start not in drawing or end not in drawing:
+        return False
+    largest = max(abs(drawing[s.makes]) for s in drawing.program.marks[plan_of(start)] if s.makes in drawing)
+    return bool(abs(drawing[end] - drawing[start]) <= CERTAIN * largest)

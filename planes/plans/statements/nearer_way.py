@@ -1,0 +1,60 @@
+"""Which of two solutions of an equation is meant: the one whose vectors point nearer to what is said of them."""
+
+import cmath
+import math
+
+from planes.drafting.drawing import run
+from planes.drafting.program import Program
+from planes.plans.position.tracks import MIDWAY
+from planes.plans.statements.stated_vectors import StatedVectors
+from planes.scene import Scene
+from planes.words import Phrase
+from planes.words.errors import PlanFailure, SceneError
+from planes.words.names import mu_of
+
+ONE = 1e-5  # degrees: where arcs touch there is one direction, told twice, a root of a rounding apart
+Ways = dict[str, float]  # directions by the vectors' names, degrees
+
+
+def chosen_side(scene: Scene, vectors: StatedVectors, side: str, free: list[str]) -> float:
+    """±1, by ``near`` of the vectors whose direction is ``free``; :class:`SceneError` where nothing, or not one thing,
+    is said of it, with both directions."""
+    near = {n: angle for n in free if (angle := vectors.given(n).near_deg) is not None}
+    asked = list(near) or free[:1]
+    found = [(sign, ways) for sign in (1.0, -1.0) if (ways := _ways(vectors, asked, side, sign))]
+    if not found or (len(found) == 2 and all(_turned(found[0][1][n], found[1][1][n]) <= ONE for n in asked)):
+        return 1.0
+    chosen = {_nearer(scene, name, angle, found) for name, angle in near.items()}
+    if len(chosen) != 1:
+        raise _refusal(scene, "near_apart" if near else "two_directions", asked[0], found, others=tuple(asked[1:]))
+    return chosen.pop()
+
+
+def _nearer(scene: Scene, name: str, angle: float, found: list[tuple[float, Ways]]) -> float:
+    """The side on which a vector points nearer to what is said of it."""
+    (off, sign), *more = sorted((_turned(ways[name], angle), sign) for sign, ways in found)
+    if more and off > MIDWAY * more[0][0]:
+        raise _refusal(scene, "near_midway", name, found, off=off, next=more[0][0])
+    return sign
+
+
+def _refusal(scene: Scene, key: str, name: str, found: list[tuple[float, Ways]], **told: object) -> SceneError:
+    offers = tuple(Phrase("near_angle", angle=ways[name]) for _, ways in found)
+    return SceneError(Phrase(key, name=name, offers=offers, **told), scene.file, scene.where.get(("vectors", name)))
+
+
+def _ways(vectors: StatedVectors, names: list[str], side: str, sign: float) -> Ways | None:
+    """Which way these vectors point on one side; None where it cannot be drawn."""
+    spans, d = {n: vectors.span(n) for n in names}, vectors.draft
+    program = Program(tuple(d.steps.values())).sliced(m for s in spans.values() for m in s)
+    given = {**d.given, **{mu_of(plan): 1.0 for plan in program.marks}, side: sign}
+    try:
+        drawing = run(program, given)
+    except PlanFailure:
+        return None
+    return {n: math.degrees(cmath.phase(drawing[end] - drawing[start])) for n, (start, end) in spans.items()}
+
+
+def _turned(one: float, two: float) -> float:
+    """The angle between two directions, degrees."""
+    return abs((one - two + 180) % 360 - 180)
