@@ -4,13 +4,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
+from planes.check.grading.figures import WrittenNumber, result_figures, segment_figures
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
 from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.remedies import asking, told_to
-from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
+from planes.check.grading.written_numbers import Account, account
 from planes.plans.quantities import catalogue
 from planes.plans.scales import fitting
 from planes.words import Phrase, Written, under
@@ -95,6 +96,11 @@ class Outcome(Described):
         closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
         hidden = (n for n in self.grading.unseen if n not in self.paper.named)
         return list(dict.fromkeys([*hidden, *untold, *closing, *far]))
+
+    def typed(self, text: str) -> str:
+        """What is told of the work, in names as people type them."""
+        scored = (s.figure.name for t in (self.segments, self.results) if t for s in t.scored)
+        return self.bench.naming.retold(text, {*map(label_of, self.bench.marks), *scored})
 
     def right(self, unseen: str) -> Phrase:
         """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""
@@ -219,7 +225,8 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
 
 def _results(out: Outcome) -> None:
     bench, known = out.bench, catalogue(out.bench.plans)
-    figures = _known(out, result_figures(known, out.paper.results))
+    names = bench.naming.names(known, poles=False)
+    figures = _known(out, result_figures(known, names, out.paper.results))
     if not figures:
         return
     wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]

@@ -27,8 +27,8 @@ from planes.solving.structure_text import alignment_report, ways_told
 from planes.solving.tables import difference
 from planes.words import Lang, capital, decimal, say
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of
+from planes.words.naming import Naming
 from planes.words.units import number
 
 

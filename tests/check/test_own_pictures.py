@@ -20,7 +20,7 @@ from planes.documents.sheets import sheet_of
 from planes.scene.carried import carried, carrying
 from planes.solving import Position
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.paper.ink import arrow_parts
 from render.paper.marks import Arrow
 from render.sheet import Sheet

@@ -25,7 +25,7 @@ vectors:
   F_24: {value: 7700, direction: 214.7}
   F_36^n: {direction: 83}
   F_21^n: {direction: 35}
-equations: ["F_21^t + G_2 + Φ_2 + F_24 + F_36^n + F_21^n = 0"]
+equations: [force:2-3: "F_21^t + G_2 + Φ_2 + F_24 + F_36^n + F_21^n = 0"]
 """
 ARCS = """planes: 1
 vectors: {r_1: {value: 0.3, direction: 10}, r_2: {value: 0.25, near: 80}, r_3: {value: 0.2}}
@@ -130,7 +130,7 @@ def test_a_vector_found_before_may_stand_alone_on_its_side():
         ("a_B a_CB a_C", "acceleration", "mm/(m/s²)"),
         ("a b c", "vectors", "mm/unit"),
         ("P R F_1", "force", "mm/N"),
-        ("Φ_2 G_2 N", "force:2", "mm/N"),
+        ("Φ_2 G_2 N", "force", "mm/N"),
     ],
 )
 def test_the_unit_is_told_by_the_names(names, plan, unit):

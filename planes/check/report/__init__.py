@@ -94,9 +94,9 @@ def as_json(out: Outcome, lang: Lang = "en") -> Json:
         "first_wrong": None if unreadable else out.first_wrong,
         "mistake": out.mistake,
         "runner_up": None if unreadable else out.runner_up,
-        "sentence": {one: out.sentence.told(one) for one in langs("check")},
+        "sentence": {one: out.typed(out.sentence.told(one)) for one in langs("check")},
         "results": result_rows(out),
-        "warnings": [n.told(lang) for n in (*out.notes, *unseen)],
+        "warnings": [out.typed(n.told(lang)) for n in (*out.notes, *unseen)],
     }
 
 
