@@ -18,6 +18,7 @@ from planes.plans.assur.alignment import aligned
 from planes.plans.law_words import law_said
 from planes.plans.measuring import counted, lettering, say_plan
 from planes.plans.quantities import Measured
+from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
@@ -94,7 +95,7 @@ class Note:
 
     def sought(self) -> Sequence[str]:
         """What the task names."""
-        return self.scene.find or ()
+        return found_of(self.scene)
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""

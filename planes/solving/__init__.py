@@ -44,35 +44,27 @@ class Position(Pictured):
     @property
     def r(self) -> Readings[complex]:
         """Places of points, m."""
-        return self._vectors("r")
+        return self.of("points", "r").each(lambda found: found.vector)
 
     @property
     def v(self) -> Readings[complex]:
         """Velocities of points, m/s."""
-        return self._vectors("v")
+        return self.of("points", "v").each(lambda found: found.vector)
 
     @property
     def a(self) -> Readings[complex]:
         """Accelerations of points, m/s²."""
-        return self._vectors("a")
-
-    def _vectors(self, letter: str) -> Readings[complex]:
-        vectors = {name: found.vector for name, found in self.of("points", letter).items()}
-        return Readings(vectors, self.plans.naming, letter)
-
-    def _rates(self, letter: str) -> Readings[float]:
-        rates = {name: found.number for name, found in self.of("links", letter).items()}
-        return Readings(rates, self.plans.naming, letter)
+        return self.of("points", "a").each(lambda found: found.vector)
 
     @property
     def omega(self) -> Readings[float]:
         """Angular velocities of links, rad/s, counter-clockwise positive."""
-        return self._rates("omega")
+        return self.of("links", "omega").each(lambda found: found.number)
 
     @property
     def epsilon(self) -> Readings[float]:
         """Angular accelerations of links, rad/s²."""
-        return self._rates("epsilon")
+        return self.of("links", "epsilon").each(lambda found: found.number)
 
     def of(self, group: str, key: str = "") -> Readings[Measured]:
         """What was found of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction."""

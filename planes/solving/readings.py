@@ -1,11 +1,12 @@
 """Results by the names people give them."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TypeVar
 
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 
+S = TypeVar("S")
 T = TypeVar("T")
 
 
@@ -23,10 +24,15 @@ class Readings(dict[str, T]):
 
     def __init__(self, found: Mapping[str, T], naming: Naming, letter: str = "") -> None:
         super().__init__(found)
-        self._names = naming.names(found, poles=False, more={name: f"{letter}_{name}" for name in found})
+        self.naming, self.letter = naming, letter
 
     def __missing__(self, name: object) -> T:
+        names = self.naming.names(self, poles=False, more={own: (f"{self.letter}_{own}",) for own in self})
         try:
-            return self[self._names.one(str(name), "no_reading")]
+            return self[names.one(str(name), "no_reading")]
         except PlanesError as error:
             raise UnknownName(error.phrase) from None
+
+    def each(self, take: Callable[[T], S]) -> "Readings[S]":
+        """Something of each."""
+        return Readings({name: take(one) for name, one in self.items()}, self.naming, self.letter)

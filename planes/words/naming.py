@@ -5,7 +5,7 @@ the second; I_2 is Φ_2, the pole of accelerations π. Everything that prints a 
 """
 
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
@@ -18,6 +18,7 @@ from planes.words.units import Convention, mu_text
 
 PRIME = "′"
 _POLES = {"π", "p", "p'", "π'", "полюс", "pole", "P"}
+Ways = Mapping[str, Sequence[str]]
 
 
 @dataclass(frozen=True)
@@ -158,7 +159,7 @@ class Naming:
             ways.append(self.curve(name))
         return tuple(ways)
 
-    def names(self, known: Iterable[str], poles: bool = True, more: Mapping[str, str] | None = None) -> "Names":
+    def names(self, known: Iterable[str], poles: bool = True, more: Ways | None = None) -> "Names":
         """The gate for names of the program that are ``known``; ``poles`` also reads the ways to write p; ``more`` says
         how else some are written."""
         return Names(known, self, poles, more)
@@ -171,7 +172,6 @@ class Naming:
         return tuple(replace(self, lang=lang, frame=frame, from_on=order) for lang, frame, order in ways)
 
 
-Spelled = Mapping[str, list[str]]
 _UNBRACED = str.maketrans("", "", "{}")
 
 
@@ -179,26 +179,24 @@ class Names:
     """Finds the program's name for a written one, in whichever way it is lettered; ``poles`` also reads the ways to
     write p. What is written as the scene's own sheets have it, or as the program does, means that before all else."""
 
-    def __init__(
-        self, known: Iterable[str], naming: Naming, poles: bool = True, more: Mapping[str, str] | None = None
-    ) -> None:
+    def __init__(self, known: Iterable[str], naming: Naming, poles: bool = True, more: Ways | None = None) -> None:
         self.known, self.naming, self.poles, self.more = dict.fromkeys(known), naming, poles, more or {}
 
     @cached_property
-    def _exact(self) -> Spelled:
+    def _exact(self) -> Ways:
         return self._by(self._own, str)
 
     @cached_property
-    def _otherwise(self) -> Spelled:
+    def _otherwise(self) -> Ways:
         """By the ways of other sheets: R_63 or R_36 for F_36 where the scene has not told which it means."""
         return self._by(self._of_others, str)
 
     @cached_property
-    def _folded(self) -> tuple[Spelled, Spelled]:
+    def _folded(self) -> tuple[Ways, Ways]:
         """By small letters, with their primes and without."""
         return self._by(self._own, str.casefold), self._by(self._own, lambda k: k.casefold().replace("'", ""))
 
-    def _by(self, ways: Callable[[str], Iterable[str]], key: Callable[[str], str]) -> Spelled:
+    def _by(self, ways: Callable[[str], Iterable[str]], key: Callable[[str], str]) -> Ways:
         found = dict[str, dict[str, None]]()
         for name in self.known:
             for way in ways(name):
@@ -206,7 +204,7 @@ class Names:
         return {way: [*names] for way, names in found.items()}
 
     def _own(self, name: str) -> Iterator[str]:
-        yield from (name, self.more.get(name, name), *self.naming.lettered(name))
+        yield from (name, *self.more.get(name, ()), *self.naming.lettered(name))
 
     def _of_others(self, name: str) -> Iterator[str]:
         for naming in self.naming.others:
@@ -236,7 +234,7 @@ class Names:
         valid = choices(written, map(self.naming.typed, self.known))
         raise PlanesError(Phrase(refusal, name=written, valid=valid, **more))
 
-    def meant(self, written: str) -> list[str]:
+    def meant(self, written: str) -> Sequence[str]:
         """All names of the program that a written one may stand for, none where nobody writes any so."""
         if written in self.known and not written.startswith(("F_", "R_")):
             return [written]

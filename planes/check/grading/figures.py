@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from itertools import permutations
+from itertools import permutations, product
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.geometry.arithmetic import Arithmetic, Real
@@ -53,8 +53,8 @@ def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -
     for s in bench.plans.segments:
         if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
             pairs.setdefault(end_of(s.name), (s.start, s.end))
-    spelt = {end: bench.names.more.get(end) or flat(bench.naming.named(end, plan)) for end in ends}
-    more = {one + two: spelt[one] + spelt[two] for one, two in permutations(ends, 2)}
+    ways = {end: (end, *bench.names.more.get(end, ()), flat(bench.naming.named(end, plan))) for end in ends}
+    more = {one + two: ["".join(way) for way in product(ways[one], ways[two])] for one, two in permutations(ends, 2)}
     names = bench.naming.names(pairs, poles=False, more=more)
     read = [(names.find(text), text, mm) for text, mm in written]
     found = [WrittenNumber(n, mm, _millimetres(plan, *pairs[n]), False, plan) for n, _, mm in read if n]
