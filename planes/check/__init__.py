@@ -37,6 +37,7 @@ class Outcome(Described):
     results: Account | None = None
     unreadable: Phrase | None = None
     notes: list[Phrase] = field(default_factory=list)
+    unknown: list[str] = field(default_factory=list)  # names in tables that mean nothing here
 
     def __repr__(self) -> str:
         return f"<Outcome {self.verdict}: {self.sentence.told()}>"
@@ -87,15 +88,19 @@ class Outcome(Described):
     @property
     def unseen(self) -> list[str]:
         """Marks of the plan that nobody has looked at, or that may as well be drawn with a mistake; so may those that
-        are far from where the steps before them lead, if these hardly tell where that is."""
-        if self.grading is None or self.unreadable:
+        are far from where the steps before them lead, if these hardly tell where that is; and names and columns of
+        tables that mean nothing here."""
+        if self.unreadable:
             return []
+        left = [*self.unknown, *self.paper.left]
+        if self.grading is None:
+            return left
         misses = {} if self.wrong else self.grading.judgement.misses
         far = (label_of(m) for m, miss in misses.items() if abs(miss.off) > max(ASTRAY_MM, self.grading.laid_mm(m) / 2))
         untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
         closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
         hidden = (n for n in self.grading.unseen if n not in self.paper.named)
-        return list(dict.fromkeys([*hidden, *untold, *closing, *far]))
+        return list(dict.fromkeys([*hidden, *untold, *closing, *far, *left]))
 
     def typed(self, text: str) -> str:
         """What is told of the work, in names as people type them."""
@@ -183,6 +188,7 @@ def _known(out: Outcome, figures: tuple[list[WrittenNumber], list[str]]) -> list
     """The numbers of a table that mean something here; the others are noted."""
     known, unknown = figures
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    out.unknown += unknown
     return known
 
 
