@@ -11,6 +11,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
 from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.remedies import asking, told_to
+from planes.check.grading.signs import SignFault, exchanged
 from planes.check.grading.written_numbers import Account, account
 from planes.plans.quantities import catalogue
 from planes.plans.scales import fitting
@@ -50,17 +51,19 @@ class Outcome(Described):
         return "wrong" if self.wrong else "right_as_seen" if self.unseen else "right"
 
     @property
-    def wrong(self) -> Grading | Account | None:
-        """What goes wrong: the drawing, else the lengths or the results."""
-        return next((one for one in (self.grading, self.segments, self.results) if one and one.fault), None)
+    def wrong(self) -> Grading | SignFault | Account | None:
+        """What goes wrong: the drawing, its letters and arrows, else the lengths or the results."""
+        every = (self.grading, *self.paper.signs, self.segments, self.results)
+        return next((one for one in every if one and one.fault), None)
 
     @property
     def chance(self) -> float | None:
         """How likely the verdict is true; None where there is none."""
         if self.unreadable:
             return None
-        tables = (t.first.chance_wrong for t in (self.segments, self.results) if t and t.first)
-        wrong = max(self.grading.chance_wrong if self.grading else 0.0, next(tables, 0.0))
+        every = [t.first.chance_wrong for t in (self.segments, self.results) if t and t.first]
+        every += [one.chance_wrong for one in self.paper.signs]
+        wrong = max(self.grading.chance_wrong if self.grading else 0.0, *every, 0.0)
         return wrong if self.verdict == "wrong" else 1 - wrong
 
     @property
@@ -148,6 +151,9 @@ def _look(out: Outcome) -> None:
         out.notes.append(Phrase("check_scale_vector", mark=paper.scale_mark))
     if paper.spots:
         out.grading = grade(bench, paper)
+    if out.grading and (mended := exchanged(bench, paper, out.grading)):
+        out.grading, fault = mended
+        paper.signs = [fault]
     if out.grading:
         out.unreadable = readable(out.grading, paper.named)
         out.notes += out.grading.notes + _scale_notes(out)

@@ -48,6 +48,7 @@ def mark_rows(out: Outcome) -> list[Json]:
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
         elif absent:
             row["verdict"] = "unread"
+        row |= {"verdict": "wrong"} if any(label_of(mark) in one.marks for one in out.paper.signs) else {}
         if label_of(mark) == out.paper.scale_mark:
             row["unjudged"] = "length"  # the scale was taken from it
         rows.append(row)
