@@ -81,3 +81,26 @@ def test_signs_of_other_programs_drawings(
     file = tmp_path / ("plan.dxf" if write is line_drawings.dxf else "plan.svg")
     file.write_text(write(strokes_of(mistake, truth), words, 200 + 150j), encoding="utf-8")
     told(checked(file), mistake, marks)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("camera", ["SCAN", "PHONE"])
+@pytest.mark.parametrize(("mistake", "marks"), [FAULTS[0], FAULTS[1], FAULTS[3]])
+def test_signs_on_pictures(mistake: str | None, marks: set[str], camera: str, tmp_path: Path) -> None:
+    pytest.importorskip("cv2")
+    from tests import picture_corpus as corpus
+    from tests.confusion import easel
+    from tests.helpers import photographs
+
+    one, file = easel(SAMPLE, "velocity"), tmp_path / "p.jpg"
+    paper = corpus.drawn(one, None, random.Random(1))
+    assert paper
+    if mistake == "names_exchanged":
+        words = [(LETTERS[1 - LETTERS.index(t)] if t in LETTERS else t, z) for t, z in paper.words]
+        paper = replace(paper, words=words)
+    elif mistake == "arrow_reversed":
+        turned = [s[::-1] if s == (0j, paper.marks["b"]) else s for s in paper.strokes]
+        assert turned != paper.strokes
+        paper = replace(paper, strokes=turned)
+    corpus.picture(paper, corpus.pole_of(one), getattr(photographs, camera), random.Random(1), file)
+    told(corpus.looked_at(one, file)[0], mistake, marks)
