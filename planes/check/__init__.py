@@ -95,7 +95,7 @@ class Outcome(Described):
         tables that mean nothing here."""
         if self.unreadable:
             return []
-        left = [*self.unknown, *self.paper.left]
+        left = [*(self.results.unsure if self.results else ()), *self.unknown, *self.paper.left]
         if self.grading is None:
             return left
         misses = {} if self.wrong else self.grading.judgement.misses

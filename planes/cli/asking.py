@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from planes.check import STATUS, Outcome
 from planes.check.grading.paper import Known
-from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
 from planes.check.report import as_json, chance_told, heads, numbers_of, rows_of
+from planes.drafting.skill import HAND, cad
 from planes.scene import Scene
 from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, say

@@ -8,6 +8,7 @@ from itertools import count, groupby
 from pathlib import Path
 from typing import ClassVar
 
+from planes.check.grading.by_hand import unsure
 from planes.lesson import Teller, value_of
 from planes.lesson.conditions import conditions
 from planes.lesson.formulas import NOISE, fill, mu_said, unit
@@ -218,6 +219,8 @@ class Note:
         """What must be known of the results."""
         for warning in self.position.results["warnings"]:
             yield Paragraph(self.say("note_warning", text=warning.rstrip(".")))
+        if names := ", ".join(f"⟨{name}⟩" for name in unsure(self.position)):
+            yield Paragraph(self.say("note_warning", text=self.say("unsure_by_hand", names=names).rstrip(".")))
 
     def vector(self, found: Measured | None) -> tuple[str, str]:
         """Size and direction."""

@@ -14,7 +14,6 @@ import pytest
 from planes.check import Outcome, check
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.paper import Known
-from planes.check.grading.perturbing import HAND
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare, variants_of
 from planes.check.handed_in import read_paper
 from planes.check.reading.arrowheads import settle
@@ -27,6 +26,7 @@ from planes.check.reading.whole_page import enlarged, paper_on
 from planes.cli import main
 from planes.documents import _mechanism_views
 from planes.documents.sheets import DrawnPosition
+from planes.drafting.skill import HAND
 from planes.scene import Scene, load
 from planes.solving import Position
 from planes.words.names import label_of, mu_of

@@ -34,11 +34,11 @@ def result_figures(known: Mapping[str, Quantity], names: Names, written: Iterabl
     """Figures of a table of results; a name of two that are one quantity means that."""
     read = [(names.meant(text), text, value * unit_factor(unit)) for text, value, unit in written]
     sure = {text: n[0] for n, text, _ in read if len({known[one].path for one in n}) == 1}
-    figures = [_figure(n, known[n], value) for _, text, value in read if (n := sure.get(text))]
+    figures = [figure(n, known[n], value) for _, text, value in read if (n := sure.get(text))]
     return figures, [text for _, text, _ in read if text not in sure]
 
 
-def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
+def figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """How a quantity of the catalogue is read off a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")

@@ -12,10 +12,10 @@ from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.paper import ReadMark, ReadPaper
-from planes.check.grading.perturbing import HAND, Skill
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.drawing import draw_steps, run
 from planes.drafting.program import Program
+from planes.drafting.skill import HAND, Skill
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point

@@ -9,9 +9,11 @@ from planes.check.grading.figures import WrittenNumber, first_of
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
 from planes.check.grading.slips import SHARE, number_mistake, number_of
+from planes.drafting.skill import SIGMAS, too_near
 from planes.words import Phrase, Written
 from planes.words.names import mu_of
 
+FAR = 2.0  # a number so many tolerances off is wrong, however near a dead point the drawing is
 LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
 
 
@@ -49,6 +51,11 @@ class Account:
         return next((s for s in self.scored if s.verdict == "wrong"), None)
 
     @property
+    def unsure(self) -> list[str]:
+        """The figures that nobody can judge, so near is a dead point."""
+        return [s.figure.name for s in self.scored if s.verdict == "too_near"]
+
+    @property
     def first_wrong(self) -> str | None:
         """Its name, or the mark a mistake known by its lengths is made at."""
         if self.named and self.lengths:
@@ -82,9 +89,10 @@ def account(
 
 
 def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:
-    read = f.read(free.things)
-    true, sigma = first_of(read), math.hypot(free.spread_of(read), _ruler(f, free, ruler_mm))
+    true, sigma = drawn_by(f, free, ruler_mm)
     off = _off(f, true)
+    if not ruler_mm and too_near(true, sigma) and off <= FAR * SIGMAS * sigma:
+        return _by_own_marks(f, own, true, sigma)
     if off <= max(3 * sigma, SHARE * abs(true)) + 1e-9 * abs(true):
         return Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))
     if own is None:
@@ -92,6 +100,22 @@ def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> 
     mine = first_of(f.read(own.things))
     follows = _off(f, mine) <= max(3 * own.spread_of(f.read(own.things)), SHARE * abs(mine))
     return Scored(f, true, sigma, "follows" if follows else "wrong", mine=mine)
+
+
+def _by_own_marks(f: WrittenNumber, own: Hand | None, true: float, sigma: float) -> Scored:
+    """A number of a plan near a dead point: a person's own marks may tell it nevertheless."""
+    mine, spread = drawn_by(f, own) if own else (true, sigma)
+    if own is None or too_near(mine, spread):
+        return Scored(f, true, sigma, "too_near")
+    fits = _off(f, mine) <= max(SIGMAS * spread, SHARE * abs(mine))
+    verdict = "right" if abs(mine - true) <= SIGMAS * sigma else "follows"
+    return Scored(f, true, sigma, verdict if fits else "wrong", mine=mine)
+
+
+def drawn_by(f: WrittenNumber, free: Hand, ruler_mm: float = 0.0) -> tuple[float, float]:
+    """The true value of a number, and by how much (1σ) it is off as it is drawn and read."""
+    read = f.read(free.things)
+    return first_of(read), math.hypot(free.spread_of(read), _ruler(f, free, ruler_mm))
 
 
 def _ruler(f: WrittenNumber, free: Hand, ruler_mm: float) -> float:

@@ -10,12 +10,12 @@ from planes.check import Outcome
 from planes.check.grading.evidence import SURE
 from planes.check.grading.grading import empty
 from planes.check.grading.judging import WARN
-from planes.check.grading.perturbing import HAND
 from planes.check.grading.remedies import Reader, told_to
 from planes.check.grading.written_numbers import Scored
 from planes.check.report.moved_marks import moved_marks
 from planes.check.report.places import wrong_places
 from planes.check.report.shown import shown_plans
+from planes.drafting.skill import HAND
 from planes.geometry.arithmetic import Real
 from planes.plans.measuring import lettering, title_of
 from planes.words import Lang, Phrase, decimal, langs, say
@@ -149,8 +149,8 @@ def told_all(found: Outcome, reader: Reader) -> list[Phrase]:
 
 
 def chance_told(found: Outcome, lang: Lang) -> str:
-    """How sure the verdict is, in words; nothing of what has none."""
-    if found.chance is None:
+    """How sure the verdict is, in words; nothing of what has none, or is of but a part."""
+    if found.chance is None or found.verdict == "right_as_seen":
         return ""
     key = "check_sure" if found.chance >= SURE else "check_likely" if found.chance >= LIKELY else "check_doubtful"
     return say(key, lang, percent=f"{100 * found.chance:.0f}" if found.chance >= 0.005 else "< 1")

@@ -14,10 +14,8 @@ from planes.words.names import POLE
 Found = tuple[list[ReadMark], float, tuple[str, ...], list[SignFault]]
 """Marks, the share of the ink they explain, those that but their names tell, and signs that are wrong."""
 SURE = 0.95  # how surely such a sign was read rightly
-CROSSED, RATHER = (
-    0.12,
-    25.0,
-)  # how likely two names must be by each other's marks, and how much rather than by their own
+CROSSED = 0.08  # how likely two names together are by each other's marks, at the least
+RATHER = 25.0  # and how much rather than by their own
 LEAST_MM = 12.0  # of a vector whose heads are told apart
 AT_MM, GAIN, ASIDE = 1.0, 0.5, 0.1  # how near an end a head is, how well its ink shows it, and the sine of its lean
 
