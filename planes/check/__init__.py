@@ -11,7 +11,8 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
 from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.remedies import asking, told_to
-from planes.check.grading.signs import SignFault, exchanged
+from planes.check.grading.sign_faults import SignFault
+from planes.check.grading.signs import exchanged
 from planes.check.grading.written_numbers import Account, account
 from planes.plans.quantities import catalogue
 from planes.plans.scales import fitting

@@ -213,7 +213,7 @@ def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
 
 def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a drawing of lines."""
-    from planes.check.grading.signs import arrow_faults
+    from planes.check.grading.sign_faults import arrow_faults
     from planes.check.reading.arrow_signs import heads_between
     from planes.check.reading.construction_lines import doubt_of
     from planes.check.reading.matching import scaled

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import permutations, product
 
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.geometry.arithmetic import Arithmetic, Real
+from planes.geometry.arithmetic import Many, Real
 from planes.plans.quantities import Quantity
 from planes.words.lettering import flat
 from planes.words.names import POLE, at, end_of, label_of, plan_of
@@ -42,7 +42,7 @@ def figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """How a quantity of the catalogue is read off a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, Arithmetic()), not one.part, plan, one.value)
+    return WrittenNumber(name, value, lambda things: one.take(things, Many()), not one.part, plan, one.value)
 
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:

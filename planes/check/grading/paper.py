@@ -6,15 +6,12 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from planes.check.grading.sign_faults import SignFault
 from planes.check.reading.opened import MB, contents, too_many
 from planes.words import Phrase
 from planes.words.errors import PlanesError, shown
 from planes.words.names import POLE
-
-if TYPE_CHECKING:
-    from planes.check.grading.signs import SignFault
 
 TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
 """The columns each table must have."""
@@ -90,7 +87,7 @@ class ReadPaper:
     box: Box | None = None  # where it lies
     look: str = ""  # what stands for all that it shows
     strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
-    signs: "list[SignFault]" = field(default_factory=list)  # letters and arrowheads that are wrong
+    signs: list[SignFault] = field(default_factory=list)  # letters and arrowheads that are wrong
     left: list[str] = field(default_factory=list)  # columns of a table that nobody reads
     untold: list[str] = field(default_factory=list)  # vectors that may as well be others, with a mistake
     named: list[str] = field(default_factory=list)  # marks not read, but whose names stand where they should be

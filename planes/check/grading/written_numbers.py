@@ -79,7 +79,10 @@ def account(
     """Judge figures against the true plan; name the mistake of the first wrong one."""
     found = Account([_judged(f, free, own, ruler_mm) for f in figures], ruler_mm > 0)
     for s in found.scored:
-        if s.verdict == "wrong":
+        if s.verdict == "too_near" and _off(s.figure, s.true) > SIGMAS * s.sigma:  # a slip tells what no tolerance does
+            s.slip = number_mistake(s.figure, s.true, s.sigma, free)
+            s.verdict = "wrong" if s.slip else s.verdict
+        elif s.verdict == "wrong":
             s.slip = number_mistake(s.figure, s.true, s.sigma, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
                 s.slip = number_mistake(s.figure, s.mine, s.sigma, own)

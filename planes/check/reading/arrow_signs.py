@@ -2,7 +2,7 @@
 
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.grading.signs import Head, Vector
+from planes.check.grading.sign_faults import Head, Vector
 from planes.check.reading.strokes import ReadDrawing
 from planes.words.names import kind_of
 

@@ -39,8 +39,7 @@ def mark_rows(out: Outcome) -> list[Json]:
         row: Json = {"mark": label_of(mark), **dict.fromkeys(SIZES), "verdict": verdict}
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if own and miss and not (absent and verdict == "right"):
-            free = g.free[mark]
-            limit = g.judgement.limit
+            free, limit = g.free[mark], g.judgement.limit
             found = own.error_mm, abs(free.off), free.reach(limit), abs(miss.off), miss.reach(limit)
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
             keys = (*SIZES[1:], "own_deviation_mm", "own_tolerance_mm")

@@ -7,7 +7,7 @@ from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import Box, ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.grading.signs import SignFault
+from planes.check.grading.sign_faults import SignFault
 from planes.check.reading.as_planned import worth
 from planes.check.vision.image.picture import Flat
 from planes.check.vision.marks.page_parts import A2_MM2, parts_of

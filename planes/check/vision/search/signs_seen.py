@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.signs import Head, SignFault, Vector, arrow_faults
+from planes.check.grading.sign_faults import Head, SignFault, Vector, arrow_faults
 from planes.check.vision.marks.handwritten import HandWord
 from planes.check.vision.search.laid_plan import LaidPlan
 from planes.check.vision.search.named_marks import BESIDE_MM, names_on
