@@ -86,7 +86,8 @@ def account(
             s.slip = number_mistake(s.figure, s.true, s.sigma, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
                 s.slip = number_mistake(s.figure, s.mine, s.sigma, own)
-    if found.first and found.first.slip is None:
+    wrong = sum(s.verdict == "wrong" for s in found.scored)
+    if found.first and found.first.slip is None and (found.lengths or wrong > 1):  # one result tells no construction
         _name(found, free, variants)
     return found
 
