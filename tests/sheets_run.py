@@ -32,7 +32,7 @@ from planes.scene import Scene, load
 from planes.solving import Position, solve
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.typeset import plain
 from render.sheet import Sheet, stacking_of

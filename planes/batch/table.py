@@ -15,8 +15,7 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Floats, Indices, 
 from planes.plans import Plans
 from planes.plans.columns import Column
 from planes.plans.quantities import Quantity, once, results_of
-from planes.words import Phrase
-from planes.words.errors import PlanesError, choices
+from planes.words.naming import Naming
 from planes.words.records import Described
 
 if TYPE_CHECKING:
@@ -33,15 +32,18 @@ class Table(Described, Mapping[str, Array | Complexes]):
     numbers are NaN and ``failed`` has the reason, a key of the table of words, "" elsewhere.
     """
 
-    def __init__(self, columns: Mapping[str, Array], units: Mapping[str, str], failed: Texts) -> None:
-        self.columns, self.units, self.failed = dict(columns), dict(units), failed
+    def __init__(
+        self, columns: Mapping[str, Array], units: Mapping[str, str], failed: Texts, naming: Naming | None = None
+    ) -> None:
+        self.columns, self.units, self.failed, self.naming = dict(columns), dict(units), failed, naming or Naming()
 
     def __getitem__(self, name: str) -> Array | Complexes:
         if f"{name}_x" in self.columns:
             return self.columns[f"{name}_x"] + 1j * self.columns[f"{name}_y"]
-        if name not in self.columns:
-            raise PlanesError(Phrase("no_column", name=name, valid=choices(name, self.columns)))
-        return self.columns[name]
+        if name in self.columns:
+            return self.columns[name]
+        vectors = (column.removesuffix("_x") for column in self.columns if column.endswith("_x"))
+        return self[self.naming.names([*self.columns, *vectors], poles=False).one(name, "no_column")]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.columns)
@@ -91,7 +93,7 @@ class Table(Described, Mapping[str, Array | Complexes]):
     def joined(cls, tables: list[Table]) -> Table:
         """Tables of the same columns, one below another."""
         columns = {name: np.concatenate([t.columns[name] for t in tables]) for name in tables[0]}
-        return cls(columns, tables[0].units, np.concatenate([t.failed for t in tables]))
+        return cls(columns, tables[0].units, np.concatenate([t.failed for t in tables]), tables[0].naming)
 
 
 class Block(NamedTuple):

@@ -4,13 +4,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
+from planes.check.grading.figures import WrittenNumber, result_figures, segment_figures
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
 from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.remedies import asking, told_to
-from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
+from planes.check.grading.sign_faults import SignFault
+from planes.check.grading.signs import exchanged
+from planes.check.grading.written_numbers import Account, account
 from planes.plans.quantities import catalogue
 from planes.plans.scales import fitting
 from planes.words import Phrase, Written, under
@@ -36,6 +39,7 @@ class Outcome(Described):
     results: Account | None = None
     unreadable: Phrase | None = None
     notes: list[Phrase] = field(default_factory=list)
+    unknown: list[str] = field(default_factory=list)  # names in tables that mean nothing here
 
     def __repr__(self) -> str:
         return f"<Outcome {self.verdict}: {self.sentence.told()}>"
@@ -48,17 +52,19 @@ class Outcome(Described):
         return "wrong" if self.wrong else "right_as_seen" if self.unseen else "right"
 
     @property
-    def wrong(self) -> Grading | Account | None:
-        """What goes wrong: the drawing, else the lengths or the results."""
-        return next((one for one in (self.grading, self.segments, self.results) if one and one.fault), None)
+    def wrong(self) -> Grading | SignFault | Account | None:
+        """What goes wrong: the drawing, its letters and arrows, else the lengths or the results."""
+        every = (self.grading, *self.paper.signs, self.segments, self.results)
+        return next((one for one in every if one and one.fault), None)
 
     @property
     def chance(self) -> float | None:
         """How likely the verdict is true; None where there is none."""
         if self.unreadable:
             return None
-        tables = (t.first.chance_wrong for t in (self.segments, self.results) if t and t.first)
-        wrong = max(self.grading.chance_wrong if self.grading else 0.0, next(tables, 0.0))
+        every = [t.first.chance_wrong for t in (self.segments, self.results) if t and t.first]
+        every += [one.chance_wrong for one in self.paper.signs]
+        wrong = max(self.grading.chance_wrong if self.grading else 0.0, *every, 0.0)
         return wrong if self.verdict == "wrong" else 1 - wrong
 
     @property
@@ -86,15 +92,24 @@ class Outcome(Described):
     @property
     def unseen(self) -> list[str]:
         """Marks of the plan that nobody has looked at, or that may as well be drawn with a mistake; so may those that
-        are far from where the steps before them lead, if these hardly tell where that is."""
-        if self.grading is None or self.unreadable:
+        are far from where the steps before them lead, if these hardly tell where that is; and names and columns of
+        tables that mean nothing here."""
+        if self.unreadable:
             return []
+        left = [*(self.results.unsure if self.results else ()), *self.unknown, *self.paper.left]
+        if self.grading is None:
+            return left
         misses = {} if self.wrong else self.grading.judgement.misses
         far = (label_of(m) for m, miss in misses.items() if abs(miss.off) > max(ASTRAY_MM, self.grading.laid_mm(m) / 2))
         untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
         closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
         hidden = (n for n in self.grading.unseen if n not in self.paper.named)
-        return list(dict.fromkeys([*hidden, *untold, *closing, *far]))
+        return list(dict.fromkeys([*hidden, *untold, *closing, *far, *left]))
+
+    def typed(self, text: str) -> str:
+        """What is told of the work, in names as people type them."""
+        scored = (s.figure.name for t in (self.segments, self.results) if t for s in t.scored)
+        return self.bench.naming.retold(text, {*map(label_of, self.bench.marks), *scored})
 
     def right(self, unseen: str) -> Phrase:
         """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""
@@ -137,6 +152,9 @@ def _look(out: Outcome) -> None:
         out.notes.append(Phrase("check_scale_vector", mark=paper.scale_mark))
     if paper.spots:
         out.grading = grade(bench, paper)
+    if out.grading and (mended := exchanged(bench, paper, out.grading)):
+        out.grading, fault = mended
+        paper.signs = [fault]
     if out.grading:
         out.unreadable = readable(out.grading, paper.named)
         out.notes += out.grading.notes + _scale_notes(out)
@@ -177,6 +195,7 @@ def _known(out: Outcome, figures: tuple[list[WrittenNumber], list[str]]) -> list
     """The numbers of a table that mean something here; the others are noted."""
     known, unknown = figures
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    out.unknown += unknown
     return known
 
 
@@ -219,7 +238,8 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
 
 def _results(out: Outcome) -> None:
     bench, known = out.bench, catalogue(out.bench.plans)
-    figures = _known(out, result_figures(known, out.paper.results))
+    names = bench.naming.names(known, poles=False)
+    figures = _known(out, result_figures(known, names, out.paper.results))
     if not figures:
         return
     wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]

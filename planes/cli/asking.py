@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from planes.check import STATUS, Outcome
 from planes.check.grading.paper import Known
-from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
 from planes.check.report import as_json, chance_told, heads, numbers_of, rows_of
+from planes.drafting.skill import HAND, cad
 from planes.scene import Scene
 from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, say
@@ -23,9 +23,7 @@ _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".form
 
 def ask(args: Namespace, scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
     """The question of the command line."""
-    from planes.documents.check import spelling
-
-    asked = Asked(scene, plan, value, mu, spelt=spelling(scene, args.lang))
+    asked = Asked(scene, plan, value, mu)
     others = {}
     for pair in args.others:
         name, _, file = pair.partition("=")
@@ -65,11 +63,11 @@ def place(text: str, option: str) -> tuple[str, complex]:
 
 def told(found: Outcome, lang: Lang) -> str:
     """The outcome for people: the sentence, then the tables."""
-    lines = [" ".join(filter(None, (found.sentence.told(lang), chance_told(found, lang))))]
-    marks, numbers = heads(lang)
-    lines += table(say("check_marks", lang), marks, [row for _, *row in rows_of(found, lang)])
-    lines += table(say("check_numbers", lang), numbers, [row for _, *row in numbers_of(found, lang)])
-    return "\n".join(lines + [f"! {n.told(lang)}" for n in found.notes])
+    lines = [" ".join(filter(None, (found.typed(found.sentence.told(lang)), chance_told(found, lang))))]
+    for key, head, rows in zip(("marks", "numbers"), heads(lang), (rows_of, numbers_of), strict=True):
+        shown = [[found.typed(cell) for cell in row] for _, *row in rows(found, lang)]
+        lines += table(say(f"check_{key}", lang), head, shown)
+    return "\n".join(lines + [f"! {found.typed(n.told(lang))}" for n in found.notes])
 
 
 def said(args: Namespace, found: Outcome) -> int:

@@ -13,6 +13,7 @@ from planes.course.ledger import fingerprint
 from planes.course.random_numbers import choices_of, dice, draw_numbers
 from planes.course.students import Share
 from planes.plans.force.derived import unit_of_value
+from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
 from planes.scene.parameters import names_of, reached
@@ -154,7 +155,7 @@ def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
             found |= {(f"{k}_{link.first_point}", RATE_UNITS[k]): math.hypot(*point[k]) for k in "va" if k in point}
         elif name != m.drive.link and not link.slides:
             found |= {(f"{k}_{name}", RATE_UNITS[k]): rates[k] for k in ("omega", "epsilon") if k in rates}
-    for kind, unit, letter in (("moment", "N·m", "M"), ("force", "N", "F")):
+    for kind, unit, letter in (("moment", "N·m", "M"), ("force", "N", "Fb")):
         if (value := at.get(f"balancing_{kind}")) is not None:
             found[f"{letter}_{m.drive.link}", unit] = value
     return found
@@ -164,6 +165,6 @@ def _vectors(scene: Scene, stated: Statement, key: Json) -> dict[tuple[str, str]
     """How long the vectors are that are asked, or whose length is not given, and what the values are."""
     units = {s["name"]: s["unit"] for plan in key["plans"].values() for s in plan["segments"].values()}
     given = {n for n, v in stated.vectors.items() if v.value is not None}
-    asked = scene.find or [*(n for n in stated.vectors if n not in given), *stated.values]
+    asked = found_of(scene) or [*(n for n in stated.vectors if n not in given), *stated.values]
     found = {(n, units[n]): float(key["vectors"][n]["value"]) for n in asked if n in key["vectors"] and n in units}
     return found | {(n, unit_of_value(n)): float(key["values"][n]) for n in asked if n in key.get("values", {})}

@@ -13,6 +13,7 @@ from planes.lesson.stated_note import note_of
 from planes.plans import Plans
 from planes.plans.measuring import say_plan
 from planes.plans.scales import drawn_in_si
+from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vectors import AlongVector, Statement
@@ -116,7 +117,7 @@ def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
         if key in plans and (loaded or key not in ("force", "lever")):
             yield say("task_force_plan" if key == "force" else f"task_{key}", lang, drive=value)
     if scene.find:
-        yield say("task_find", lang, names=tuple(f"⟨{name}⟩" for name in scene.find))
+        yield say("task_find", lang, names=tuple(f"⟨{name}⟩" for name in found_of(scene)))
 
 
 def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[str], lang: Lang) -> Iterator[Block]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from planes.accuracy.errors import add_errors
 from planes.course.numbers import main_answers
+from planes.drafting import skill
 from planes.drafting.instruments import Pencil
 from planes.scene import Scene
 from planes.solving import solve
@@ -17,7 +18,7 @@ from planes.words.errors import PlanesError
 from planes.words.names import parts_of
 from planes.words.records import Json
 
-HAND = Pencil(point_mm=0.3, ray_deg=0.35, ruler_mm=0.5)
+PUPIL = Pencil(skill.HAND.point_mm, skill.HAND.ray_deg, skill.RULER_MM)
 """A pupil's pencil: by it answers are allowed to be off."""
 SIGMAS, LEAST = 2.0, 0.03
 """What is let pass: two standard deviations of that pencil, or this part of the value."""
@@ -66,10 +67,10 @@ class Quiz:
 
 def questions(scene: Scene, lang: Lang) -> tuple[QuizItem, ...]:
     """The main answers of a scene, each with what a pupil's pencil makes of it."""
-    exact, drawn = solve(scene, lang=lang), solve(scene, None, HAND, lang)
+    exact, drawn = solve(scene, lang=lang), solve(scene, None, PUPIL, lang)
     if not exact.positions or not drawn.positions:
         raise PlanesError(Phrase("quiz_not_drawn", why=(exact.failed or drawn.failed)[0]["error"]))
-    add_errors(drawn, HAND)
+    add_errors(drawn, PUPIL)
     errors = drawn.positions[0].results["errors"]
     answers = main_answers(scene, exact.json())
     return tuple(_question(name, unit, value, errors) for (name, unit), value in answers.items())

@@ -8,7 +8,7 @@ Names: r_C_x, phi_3, s_5 (place) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal, Self
+from typing import Literal, Self, TypeVar
 
 import numpy as np
 
@@ -28,6 +28,7 @@ Sample = Mapping[str, Array]
 
 Group = Literal["place", "analogue", "rate", "force"]
 UNIT = "q:"
+T = TypeVar("T", bound="Curve | CycleVector")
 FULL = 360.0
 
 
@@ -89,6 +90,12 @@ def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     for r in plans.reactions.values():
         found[r.key] = CycleVector(r.key, "N", r.key)
     return found
+
+
+def named(written: str, known: Mapping[str, T], plans: Plans, file: str) -> T:
+    """The curve or vector that a written name means. :class:`PlanesError` names those there are."""
+    names = plans.naming.names(known, poles=False)
+    return known[names.one(written, "no_curve", lambda name: known[name].name, file=file)]
 
 
 # the parts of the list

@@ -12,7 +12,7 @@ from planes.scene import Scene
 from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.lettering import in_plain_text
+from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import RATES, quantity
 
@@ -123,7 +123,7 @@ def _reading(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:
         shares = (f"{100 * x / size:.2f}" for x in (found - exact, spread))
         rows.append([label, quantity(_angle(c, half), 5), *cells, *shares])
     title = f"{LETTERS[slides][rank]}{c.motion.link}, {unit}"
-    lines = table(title, [point, f"{in_plain_text(c.motion.driver)}, °", found_head, exact_head, "Δ, %", pencil], rows)
+    lines = table(title, [point, f"{Naming().plain(c.motion.driver)}, °", found_head, exact_head, "Δ, %", pencil], rows)
     return [*lines, "  " + say("graphical_worst", lang, error=f"{100 * r.worst:.2f}")]
 
 

@@ -7,8 +7,8 @@ from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
 from planes.solving import told
 from planes.solving.text_tables import table
 from planes.words import Lang, say
-from planes.words.lettering import in_plain_text
 from planes.words.names import index_of
+from planes.words.naming import Naming
 from planes.words.records import Json, or_none
 from planes.words.units import RATES, quantity
 
@@ -34,14 +34,14 @@ def report(s: Summary, lang: Lang) -> str:
 
 def drive_name(s: Summary) -> str:
     """The letter of the driver's place: φ1, or s1."""
-    return in_plain_text(s.plans.mechanism.drive.letters[0])
+    return Naming().plain(s.plans.mechanism.drive.letters[0])
 
 
 def _drive(s: Summary, lang: Lang) -> str:
     drive = s.plans.mechanism.drive
     rates = zip((drive.velocity, drive.acceleration), RATES[drive.kind != "phi"][1:], strict=True)
     v, a = (f"{quantity(x)} {say(unit, lang)}" for x, unit in rates)
-    velocity, acceleration = (in_plain_text(name) for name in drive.letters[1:])
+    velocity, acceleration = (Naming().plain(name) for name in drive.letters[1:])
     first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
     parts = {"velocity": velocity, "v": v, "acceleration": acceleration, "a": a}
     return say("cycle_range", lang, name=drive_name(s), first=first, last=last, **parts)

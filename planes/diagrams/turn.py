@@ -6,22 +6,18 @@ Sampled at evenly spaced places it shows how far the driver can go, where a link
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeVar
 
 import numpy as np
 
 from planes.batch import CHUNK, Block, Cycle, Reason, pays
 from planes.batch.table import columns_of
-from planes.diagrams.curves import FULL, UNIT, Curve, CycleVector, WorkingRange, arrows_of, curves_of, needs_of
+from planes.diagrams.curves import FULL, UNIT, Curve, CycleVector, WorkingRange, arrows_of, curves_of, named, needs_of
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
 from planes.scene.ranges import Span
-from planes.words import Phrase
-from planes.words.errors import PlanesError, choices
 from planes.words.names import letter_of
 from planes.words.units import RATES
 
-T = TypeVar("T")
 FLIP = 90.0  # degrees a link cannot turn by from one place to the next
 CLOSINGS, HALVES = 11, (8, 4, 2, 1)  # a limit is closed in on so often, each time by so many of 16 parts
 ROUNDING = 1e-13  # what is left of numbers that cancel, beside them
@@ -83,14 +79,8 @@ def turn_of(
 ) -> WholeTurn:
     """A turn with the curves and vectors of those names (None: every curve), read with their ``slopes`` or without."""
     known, vectors = curves_of(plans), arrows_of(plans)
-    chosen = known.values() if names is None else [_named(n, known, file) for n in names]
-    return WholeTurn(plans, list(dict.fromkeys(chosen)), [_named(n, vectors, file) for n in arrows], slopes)
-
-
-def _named(name: str, known: Mapping[str, T], file: str) -> T:
-    if name not in known:
-        raise PlanesError(Phrase("no_curve", name=name, file=file, valid=choices(name, known)))
-    return known[name]
+    chosen = known.values() if names is None else [named(n, known, plans, file) for n in names]
+    return WholeTurn(plans, list(dict.fromkeys(chosen)), [named(n, vectors, plans, file) for n in arrows], slopes)
 
 
 def unwound(angles: Array) -> Array:

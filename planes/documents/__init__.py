@@ -1,16 +1,17 @@
 """The roof over both houses: solves a scene, has its sheet composed, and writes the file."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
+from planes.check.grading.by_hand import unsure
 from planes.documents import ours  # noqa: F401  (ours, before anything of render)
 from planes.documents.graphs import constructions, views_beside
 from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
-from planes.solving import Position
-from planes.words import Lang, Phrase, home_lang
+from planes.solving import Position, solve
+from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
 from render.files import SUFFIXES, Page
 from render.files.dxf_entities import Lettered
@@ -53,7 +54,14 @@ def draw_sheet(
         raise PlanesError(Phrase("bad_suffix", file=output, known=SUFFIXES))
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     drawn.write(output, text)
-    return drawn.warnings
+    return (*drawn.warnings, *(_by_hand(scene, values, lang) if view is None and number != 2 else ()))
+
+
+def _by_hand(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:
+    """That rates on the sheet cannot be told for sure from a drawing by hand, as a check of one would say."""
+    for position in solve(scene, values, lang=lang).positions if scene.mechanism else ():
+        if names := ", ".join(unsure(position)):
+            yield say("unsure_by_hand", lang, names=names)
 
 
 def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, output: str, lang: Lang) -> None:

@@ -14,13 +14,12 @@ from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
 from planes.plans.measuring import lettering, title_of
-from planes.scene import Scene
 from planes.scene.files import keep
 from planes.solving import told
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, parted
+from planes.words.naming import Naming
 from planes.words.units import mu_text
 from render.files import Page
 from render.page import check_pages
@@ -133,8 +132,3 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
         for _, n, given, true, told in report.numbers_of(found, lang)
     ]
     return [(head, rows), (report.heads(lang)[1], numbers)]
-
-
-def spelling(scene: Scene, lang: Lang) -> Callable[[str], str]:
-    """How the sheets of a scene letter the vectors of its force plans."""
-    return Naming(lang, **lettering(scene)).vector

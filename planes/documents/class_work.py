@@ -19,7 +19,7 @@ from urllib.parse import quote
 from planes.check import STATUS, report
 from planes.check.handed_in import HandedSheet
 from planes.check.report import Checked
-from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns
+from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns, typed
 from planes.course.handed_out import Task, of_several
 from planes.course.ledger import Ledger, digest, fingerprint
 from planes.scene.files import keep
@@ -128,7 +128,8 @@ class ClassWork:
     def table(self) -> tuple[list[str], list[list[str]]]:
         """The head and the rows in words."""
         keys, names = columns(self.rows, self.lang)
-        return names, self._cells(self.rows, keys)
+        told = zip(self.rows, self._cells(self.rows, keys), strict=True)
+        return names, [typed(row, cells, self.lang) for row, cells in told]
 
     def _cells(self, rows: Sequence[ClassRow], keys: Sequence[str]) -> list[list[str]]:
         """The cells of rows; beside what was found stands where the same plan of the same person is once more."""

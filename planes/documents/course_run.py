@@ -21,7 +21,7 @@ from planes.documents.answer_book import together
 from planes.documents.course import Made, Order, due, make, names_of
 from planes.scene import loads
 from planes.words import Lang, Phrase
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.report import rendered
 
 COPIES = 100  # how often numbers may fall together with somebody else's before it is said that there are too few

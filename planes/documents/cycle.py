@@ -7,7 +7,7 @@ from math import isfinite
 
 import numpy
 
-from planes.diagrams.curves import FULL, Curve, CycleVector, arrows_of, curves_of, output_curves
+from planes.diagrams.curves import FULL, Curve, CycleVector, arrows_of, curves_of, named, output_curves
 from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.motion import Runs, ends_of
 from planes.diagrams.turn import WholeTurn, grid, turn_of, unwound
@@ -18,9 +18,10 @@ from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
-from planes.words.errors import PlanesError, SceneError, choices
-from planes.words.lettering import Naming, letter_of_scale, lettered_curve
+from planes.words.errors import PlanesError, SceneError
+from planes.words.lettering import letter_of_scale
 from planes.words.names import index_of, letter_of
+from planes.words.naming import Naming
 from render.files import Page
 from render.paper.marks import Text, lettered
 from render.paper.outlines import face_of
@@ -53,13 +54,13 @@ class Turned:
             values = unwound(values)
             there = numpy.isfinite(values)
             told = told + FULL * numpy.round((numpy.interp(at, places[there], values[there]) - told) / FULL)
-        name, marked = lettered_curve(curve.name, self.naming), tuple(zip(at, told.tolist(), strict=True))
+        name, marked = self.naming.curve(curve.name), tuple(zip(at, told.tolist(), strict=True))
         place = curve.group == "place"
         return DiagramCurve(letter_of_scale(name), curve.unit, known(values), name, known(places), marked, place)
 
     def loop(self, arrow: CycleVector) -> Hodograph:
         """A hodograph, or a path."""
-        name, at = lettered_curve(arrow.name, self.naming), known(arrow.read(self.stations))
+        name, at = self.naming.curve(arrow.name), known(arrow.read(self.stations))
         point = self.naming.point(index_of(arrow.name)) if letter_of(arrow.name) == "r" else ""
         return Hodograph(name, arrow.unit, known(self.joined(arrow)[1]), at, point)
 
@@ -94,11 +95,12 @@ def check_names(scene: Scene, plans: Plans | None) -> None:
         if names and plans is None:
             raise SceneError(Phrase("cycle_no_mechanism", file=f"sheet.{key}"), scene.file, line)
         if names and plans:
-            there: Mapping[str, object] = curves_of(plans) if key == "diagrams" else arrows_of(plans)
+            there: dict[str, Curve | CycleVector] = {**(curves_of if key == "diagrams" else arrows_of)(plans)}
             for n, name in enumerate(names):
-                if name not in there:
-                    why = Phrase("no_curve", name=name, file=f"sheet.{key}", valid=choices(name, there))
-                    raise SceneError(why, scene.file, scene.where.get(("sheet", key, str(n)), line))
+                try:
+                    named(name, there, plans, f"sheet.{key}")
+                except PlanesError as error:
+                    raise SceneError(error.phrase, scene.file, scene.where.get(("sheet", key, str(n)), line)) from None
 
 
 def unready(scene: Scene) -> Iterator[PlanesError]:
@@ -133,7 +135,8 @@ def cycle_page(
         drive = plans.mechanism.drive
         balancing = f"{'M' if drive.kind == 'phi' else 'Fb'}_{drive.link}"
         show = () if hodographs or paths else (*output_curves(plans), balancing)
-    panels = [name.split("+") for name in show]
+    known = curves_of(plans)
+    panels = [[named(n, known, plans, scene.file).name for n in name.split("+")] for name in show]
     loops = [*(hodographs or ()), *(f"r_{index_of(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
     turn = turn_of(plans, [n for names in panels for n in names], loops, scene.file)
     runs = Runs(plans, *(ends_of(plans)[:2] if span is None else sorted(span.ends)))
@@ -153,12 +156,12 @@ def _title(text: str) -> list[View]:
 
 def _diagrams(turned: Turned, panels: Sequence[Sequence[str]]) -> list[View]:
     """The diagrams, one beneath the other."""
-    turn, runs, named = turned.turn, turned.runs, curves_of(turned.turn.plans)
+    turn, runs, by_name = turned.turn, turned.runs, {c.name: c for c in turned.turn.curves}
     if not panels:
         return []
     found = zip(turn.curves, extremes(grid(turn, runs.start, runs.end)), strict=True)
     ends = {curve.name: _ends(some) for curve, some in found}
-    curves = [[turned.curve(named[n], ends[named[n].name]) for n in names] for names in panels]
+    curves = [[turned.curve(by_name[n], ends[n]) for n in names] for names in panels]
     stations = runs.stations().tolist()
     shown = Diagrams(turn.plans, stations, curves, turned.naming, SECTION_MM, runs.closed, to_read=True)
     return [view("diagrams", "", shown.drawn())]

@@ -105,7 +105,7 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     units = dict.fromkeys(given, "SI") | {drive.kind: "°" if drive.kind == "phi" else "m"}
     columns |= {c.name: row for c, row in zip(run.columns, table, strict=True)}
     reasons = np.array(["", *(r.key for r in run.reasons)], dtype=object)
-    return Table(columns, units | {c.name: c.unit for c in run.columns}, reasons[codes])
+    return Table(columns, units | {c.name: c.unit for c in run.columns}, reasons[codes], plans.naming)
 
 
 def check(

@@ -16,7 +16,7 @@ from numpy.random import RandomState
 
 from planes.course.quiz import Quiz, QuizItem, by_assignment, task_text, varied
 from planes.words import Lang, decimal, say
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from planes.words.units import unit_of_parameter
 
 PICTURE = "scheme.png"

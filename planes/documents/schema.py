@@ -140,7 +140,7 @@ class Schemas:
     def vectors(self) -> Json:
         """The parts of a scene of vectors."""
         vector = one_of(self.of("vector", VECTOR_KEYS, {"similar": TEXT, "as": many(TEXT, 2)}), EMPTY)
-        equations, values = one_of(TEXT, many(TEXT)), named(NUMBER)
+        equations, values = one_of(TEXT, many(one_of(TEXT, named(TEXT)))), named(NUMBER)
         return {"vectors": named(vector), "equations": equations, "values": values, "mu": TEXT}
 
     def sheet(self) -> Json:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from functools import reduce
 from typing import Any, Protocol
 
+from planes.drafting.skill import PENCIL, RULER_MM
 from planes.drafting.tools import Env, Step, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real
 
@@ -44,9 +45,9 @@ class Pencil:
     """A draughtsman: a mark off by ``point_mm`` (standard deviation), a carried direction by ``ray_deg``, a reading
     rounded to ``ruler_mm``. The same ``seed`` draws the same errors."""
 
-    point_mm: float = 0.15
-    ray_deg: float = 0.15
-    ruler_mm: float = 0.5
+    point_mm: float = PENCIL.point_mm
+    ray_deg: float = PENCIL.ray_deg
+    ruler_mm: float = RULER_MM
     seed: int = 1
 
     def tool(self, many: bool) -> Tool:

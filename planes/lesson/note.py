@@ -8,6 +8,7 @@ from itertools import count, groupby
 from pathlib import Path
 from typing import ClassVar
 
+from planes.check.grading.by_hand import unsure
 from planes.lesson import Teller, value_of
 from planes.lesson.conditions import conditions
 from planes.lesson.formulas import NOISE, fill, mu_said, unit
@@ -18,6 +19,7 @@ from planes.plans.assur.alignment import aligned
 from planes.plans.law_words import law_said
 from planes.plans.measuring import counted, lettering, say_plan
 from planes.plans.quantities import Measured
+from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
@@ -27,8 +29,8 @@ from planes.solving.structure_text import alignment_report, ways_told
 from planes.solving.tables import difference
 from planes.words import Lang, capital, decimal, say
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of
+from planes.words.naming import Naming
 from planes.words.units import number
 
 
@@ -94,7 +96,7 @@ class Note:
 
     def sought(self) -> Sequence[str]:
         """What the task names."""
-        return self.scene.find or ()
+        return found_of(self.scene)
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""
@@ -217,6 +219,8 @@ class Note:
         """What must be known of the results."""
         for warning in self.position.results["warnings"]:
             yield Paragraph(self.say("note_warning", text=warning.rstrip(".")))
+        if names := ", ".join(f"⟨{name}⟩" for name in unsure(self.position)):
+            yield Paragraph(self.say("note_warning", text=self.say("unsure_by_hand", names=names).rstrip(".")))
 
     def vector(self, found: Measured | None) -> tuple[str, str]:
         """Size and direction."""

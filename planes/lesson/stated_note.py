@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from planes.lesson.note import Note
+from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.document import Block, Heading
@@ -27,7 +28,7 @@ class StatedNote(Note):
         """What is asked, or all vectors that are not given, and the values."""
         plans = self.position.plans
         given = {t.name for e in plans.equations for t in e.terms if t.known == 2 and not t.drawn}
-        return self.scene.find or [*(n for n in plans.vectors if n not in given), *plans.values]
+        return found_of(self.scene) or [*(n for n in plans.vectors if n not in given), *plans.values]
 
     def transfers(self) -> Iterator[Block]:
         return iter(())

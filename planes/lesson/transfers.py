@@ -10,8 +10,9 @@ from planes.plans.quantities import Measured
 from planes.plans.transfers import PLAN, driver_vector
 from planes.solving import Position
 from planes.words import say
-from planes.words.lettering import Naming, greek, lettered_curve
+from planes.words.lettering import greek
 from planes.words.names import label_of
+from planes.words.naming import Naming
 from planes.words.read_off import measured
 
 NOISE = 1e-9  # a vector that is less of the driver's is rounding noise
@@ -47,7 +48,7 @@ class TransferFunctions:
 
     def row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
         """A row of the table, of quantities that are one and the same; less than ``noise`` is nothing."""
-        name = " = ".join(lettered_curve(f.quantity.name, self.naming) for f in alike)
+        name = " = ".join(self.naming.curve(f.quantity.name) for f in alike)
         unit, value = alike[0].quantity.columns[0].unit, alike[0].number
         told = measured(value if abs(value) > noise else 0.0, self.naming.lang)
         return [name, relation, told, "" if unit == "1" else say(unit, self.naming.lang)]

@@ -12,7 +12,6 @@ from planes.plans.assur.structure import Structure
 from planes.plans.columns import Column
 from planes.plans.quantities import Measured, Quantity
 from planes.scene import Scene
-from planes.scene.mechanism import FRAME
 from planes.words import Lang, capital
 from planes.words.errors import PlanFailure
 from planes.words.lettering import plan_phrase
@@ -121,11 +120,6 @@ def counted(s: Structure) -> tuple[str, str]:
 def lettering(scene: Scene, plans: Plans | None = None) -> Json:
     """How names of a scene are lettered, on a sheet as on a page; only its plans know which vectors end at a point of
     the frame under a slider, and the vectors of force plans ask for none."""
-    means = plans.means if plans else {}
-    return {
-        "frame": scene.frame_number,
-        "from_on": scene.sheet.get("reactions") == "from-on",
-        "driver": scene.mechanism.drive.link if scene.mechanism else "",
-        "convention": scene.mu_convention,
-        "grounded": [name for name, m in means.items() if m.quantity == "rate" and m.link == FRAME],
-    }
+    drive = scene.mechanism.drive.link if scene.mechanism else ""
+    own = plans.lettering if plans else {"frame": scene.frame_number, "driver": drive}
+    return {**own, "from_on": scene.sheet.get("reactions") == "from-on", "convention": scene.mu_convention}

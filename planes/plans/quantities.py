@@ -10,8 +10,7 @@ from planes.plans.force.loads import force_name
 from planes.plans.force.reactions import Reaction
 from planes.plans.transfers import transfers
 from planes.scene.mechanism import FRAME
-from planes.words import Phrase
-from planes.words.errors import SceneError, choices
+from planes.words.errors import PlanesError, SceneError
 from planes.words.names import POLE, at, kind_of, plan_of
 from planes.words.records import Json
 from planes.words.units import UNIT
@@ -123,13 +122,11 @@ def once(quantities: Iterable[Quantity]) -> list[Quantity]:
 def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
     """The quantities named in ``find:``. :class:`SceneError` names those that would have been valid."""
     known = catalogue(plans)
-    chosen = []
-    for name in find:
-        if name not in known:
-            line = plans.mechanism.where.get(("find",))
-            raise SceneError(Phrase("no_quantity", name=name, valid=choices(name, known)), file, line)
-        chosen.append(known[name])
-    return chosen
+    names = plans.naming.names(known, poles=False)
+    try:
+        return [known[names.one(name, "no_quantity", lambda n: known[n].path)] for name in find]
+    except PlanesError as error:
+        raise SceneError(error.phrase, file, plans.mechanism.where.get(("find",))) from None
 
 
 def _results(plans: Plans) -> Iterator[Quantity]:

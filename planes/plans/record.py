@@ -16,9 +16,11 @@ from planes.plans.force.reactions import Reaction
 from planes.plans.motion.legs import SlideReading
 from planes.plans.other_leads import Leads, Restating
 from planes.plans.passive_motion import LinkValues, values_of
-from planes.scene.mechanism import Link, Mechanism
+from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of
+from planes.words.naming import Naming
+from planes.words.records import Json
 
 STILL = "°still"
 """The given in the place of a drive, where nothing moves."""
@@ -62,6 +64,18 @@ class Plans:
     passive: tuple[Link, ...] = ()  # that hold what is held already: the mechanism is stated without them
     vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: the marks they run between
     values: Mapping[str, str] = field(default_factory=dict)  # reckoned from them: their names in the program
+
+    @cached_property
+    def naming(self) -> Naming:
+        """How people name what is in these plans where no sheet says otherwise."""
+        return Naming(**self.lettering)
+
+    @property
+    def lettering(self) -> Json:
+        """What of the mechanism tells how its names are lettered: the frame's number, the driver, the vectors that end
+        at a point of the frame under a slider."""
+        grounded = [name for name, m in self.means.items() if m.quantity == "rate" and m.link == FRAME]
+        return {"frame": self.mechanism.frame_number, "driver": self.mechanism.drive.link, "grounded": grounded}
 
     def restated(self, leads: Mapping[str, Leads]) -> "Plans":
         """The same mechanism, other leads meeting in special points; whole."""

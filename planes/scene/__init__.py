@@ -12,7 +12,7 @@ from planes.scene.doubts import read_doubts
 from planes.scene.friction import read_friction
 from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader
-from planes.scene.mechanism import Mechanism, Where
+from planes.scene.mechanism import FRAME, Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_loads
 from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
 from planes.scene.reader import Reader, entries_of
@@ -73,7 +73,6 @@ class Scene(Pictured):
     mu: Mapping[str, float | None] = field(default_factory=_none)
     find: tuple[str, ...] | None = None
     sheet: Mapping[str, object] = field(default_factory=_none)
-    frame_number: str = "0"
     where: Where = field(default_factory=_none, compare=False, repr=False)
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
     missing: Mapping[str, str] = field(default_factory=_none)
@@ -94,6 +93,11 @@ class Scene(Pictured):
     def parameters(self) -> Mapping[str, float]:
         """The parameters it was read with."""
         return self.reading.parameters
+
+    @property
+    def frame_number(self) -> str:
+        """The number of the frame on sheets."""
+        return self.mechanism.frame_number if self.mechanism else FRAME
 
     @property
     def mu_convention(self) -> Convention:
@@ -136,7 +140,7 @@ class Scene(Pictured):
         plans = {plan: {"mu": mu_text(mu, plan)} for plan, mu in self.mu.items() if mu}
         find = None if self.find is None else list(self.find)
         asked = {"plans": plans, "find": find, "sheet": dict(self.sheet), "crank_slider": self.crank_slider}
-        return as_yaml(self.mechanism, {**words, "parameters": dict(self.parameters)}, asked, self.frame_number)
+        return as_yaml(self.mechanism, {**words, "parameters": dict(self.parameters)}, asked)
 
 
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
@@ -187,7 +191,6 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         mu=MappingProxyType(mu),
         find=settings.read_find(reader, reader.optional(table, "find")),
         sheet=MappingProxyType(dict(settings.read_sheet(reader, reader.optional(table, "sheet")))),
-        frame_number=settings.read_number_of_frame(reader, table.entries.get("frame")),
         where=where,
         crank_slider=reader.optional(table, "crank_slider"),
         missing=words["missing"],
@@ -241,4 +244,5 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),
         where,
         MappingProxyType(read_laws(table, stated)),
+        settings.read_number_of_frame(reader, table.entries["frame"]),
     )

@@ -207,6 +207,7 @@ class Mechanism:
     assembly: Mapping[str, Assembly] = field(default_factory=lambda: MappingProxyType({}))
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False)
     laws: Mapping[tuple[str, ...], Law] = field(default_factory=lambda: MappingProxyType({}))
+    frame_number: str = FRAME  # on sheets
 
     def link(self, name: str) -> Link:
         """The link of that name, the frame included."""

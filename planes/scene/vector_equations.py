@@ -38,6 +38,7 @@ class VectorEquation:
     text: str
     sides: tuple[Side, ...]
     line: int = field(default=0, compare=False)
+    plan: str = ""  # that it is drawn on, where the scene says so: "force:2-3"
 
     @property
     def names(self) -> tuple[str, ...]:

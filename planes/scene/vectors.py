@@ -3,7 +3,7 @@ tie them."""
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 from planes.scene.expressions import evaluate, is_name
@@ -18,6 +18,7 @@ from planes.words.names import turned_back
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
 _NAME = re.compile(VECTOR)
 _FACTOR = re.compile(r"\s*[*(·]")  # a coefficient, or a function in one
+_FORCES = re.compile(r"force:\w+(?:-\w+)*")
 Amount = float | VectorAmount
 MOST_VECTORS = 300  # with the values
 
@@ -184,6 +185,11 @@ class _StatementReader:
         return tuple(self.equation(entry, Phrase("equation", number=n)) for n, entry in enumerate(nodes, 1))
 
     def equation(self, node: Node, what: Told) -> VectorEquation:
+        if isinstance(node, SourceTable):  # beneath the name of its plan
+            (plan, own), *more = node.entries.items() or [("", node)]
+            if more or not _FORCES.fullmatch(plan):
+                raise self.reader.error(Phrase("no_such_plan", plan=shown(plan)), node)
+            return replace(self.equation(own, what), plan=plan)
         text = self.reader.text(node, what).strip()
         if "=" not in text:
             raise self.reader.error(Phrase("not_equation", text=shown(text)), node)

@@ -17,16 +17,14 @@ class _Lines(yaml.SafeDumper):
 _Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag:yaml.org,2002:seq", [z.real, z.imag]))
 
 
-def as_yaml(
-    mechanism: Mechanism, words: Mapping[str, object], asked: Mapping[str, object], frame_number: str = "0"
-) -> str:
+def as_yaml(mechanism: Mechanism, words: Mapping[str, object], asked: Mapping[str, object]) -> str:
     """The text of a scene file: numbers in full, no expressions; ``words`` and what is ``asked`` as the file has them.
 
     Parts that say nothing are left out; a part that was kept as it was written is written so again.
     """
     parts: Json = {"planes": 1, **words, **dict(_mechanism(mechanism)), **asked}
-    if frame_number != "0":
-        parts["frame"]["number"] = frame_number
+    if mechanism.frame_number != FRAME:
+        parts["frame"]["number"] = mechanism.frame_number
     return written({key: value for key, value in parts.items() if _said(value)})
 
 

@@ -14,6 +14,7 @@ from planes.plans.scales import fits_on, scales
 from planes.plans.statements.of_scene import fitted, scene_plans
 from planes.scene import Scene
 from planes.solving.nearest import Nearest
+from planes.solving.readings import Readings
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
@@ -29,8 +30,8 @@ class Position(Pictured):
     """One position drawn: where the drive is (``at``: degrees, or m), its plans, drawing and scales, what was found,
     and ``results``: the same as the JSON has it, with what was measured on the plans and what is warned of.
 
-    Everything by name: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega`` and ``epsilon`` of
-    links in rad/s and rad/s²; :meth:`value` takes any name that ``find:`` takes.
+    Everything by name, or number: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega`` and
+    ``epsilon`` of links in rad/s and rad/s²; :meth:`value` takes any name that ``find:`` takes.
     """
 
     at: float
@@ -41,36 +42,34 @@ class Position(Pictured):
     results: Json
 
     @property
-    def r(self) -> dict[str, complex]:
+    def r(self) -> Readings[complex]:
         """Places of points, m."""
-        return self._vectors("r")
+        return self.of("points", "r").each(lambda found: found.vector)
 
     @property
-    def v(self) -> dict[str, complex]:
+    def v(self) -> Readings[complex]:
         """Velocities of points, m/s."""
-        return self._vectors("v")
+        return self.of("points", "v").each(lambda found: found.vector)
 
     @property
-    def a(self) -> dict[str, complex]:
+    def a(self) -> Readings[complex]:
         """Accelerations of points, m/s²."""
-        return self._vectors("a")
-
-    def _vectors(self, letter: str) -> dict[str, complex]:
-        return {name: found.vector for name, found in self.of("points", letter).items()}
+        return self.of("points", "a").each(lambda found: found.vector)
 
     @property
-    def omega(self) -> dict[str, float]:
+    def omega(self) -> Readings[float]:
         """Angular velocities of links, rad/s, counter-clockwise positive."""
-        return {name: found.number for name, found in self.of("links", "omega").items()}
+        return self.of("links", "omega").each(lambda found: found.number)
 
     @property
-    def epsilon(self) -> dict[str, float]:
+    def epsilon(self) -> Readings[float]:
         """Angular accelerations of links, rad/s²."""
-        return {name: found.number for name, found in self.of("links", "epsilon").items()}
+        return self.of("links", "epsilon").each(lambda found: found.number)
 
-    def of(self, group: str, key: str = "") -> dict[str, Measured]:
+    def of(self, group: str, key: str = "") -> Readings[Measured]:
         """What was found of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction."""
-        return {f.quantity.of: f for f in self.found if (f.quantity.group, f.quantity.key) == (group, key)}
+        own = {f.quantity.of: f for f in self.found if (f.quantity.group, f.quantity.key) == (group, key)}
+        return Readings(own, self.plans.naming, key)
 
     def rows(self, group: str) -> dict[str, dict[str, Measured]]:
         """What was found of every point, link or slide, by its name and the key."""

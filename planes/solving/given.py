@@ -11,8 +11,9 @@ from planes.plans.law_words import law_said
 from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
 from planes.solving import Position
 from planes.words import say
-from planes.words.lettering import Naming, flat, greek
+from planes.words.lettering import flat, greek
 from planes.words.names import kind_of, letter_of
+from planes.words.naming import Naming
 from planes.words.units import UNIT, number, unit_of_parameter
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m", "units")

@@ -8,8 +8,8 @@ from planes.plans.quantities import Measured
 from planes.solving import Position, Solved, key_of
 from planes.solving.text_tables import directed, error_of, number_cell, pm, spelt, table, titled
 from planes.words import Lang, say
-from planes.words.lettering import Naming, lettered_curve
 from planes.words.names import kind_of, label_of, plan_of
+from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import UNIT
 
@@ -144,7 +144,7 @@ def _derived(p: Position, lang: Lang, naming: Naming, *groups: str) -> list[str]
         rows, e = [], p.results.get("errors")
         for of, f in p.of(group).items():
             c, error = f.quantity.columns[0], error_of(e, group, of)
-            name = spelt(lettered_curve(of, naming) if c.per else naming.vector(c.value))
+            name = spelt(naming.curve(of) if c.per else naming.vector(c.value))
             beside = max(abs(x.number) for x in p.of(group).values()) if c.per else 0.0
             rows.append([name, number_cell(f.number, beside), *error, "" if c.unit == "1" else say(c.unit, lang)])
         lines += table(say(f"of_{group}", lang), ["", say("value", lang), *pm(e), ""], rows)

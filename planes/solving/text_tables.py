@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from planes.plans.measuring import say_plan
 from planes.solving import Position
 from planes.words import Lang
-from planes.words.lettering import Naming
 from planes.words.names import kind_of, mu_of
+from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mu_text, quantity
 

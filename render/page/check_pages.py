@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from planes.check.report.class_rows import UNSURE, ClassRow
 from planes.words import Lang, say, under
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import sentence, sought, tagged, written

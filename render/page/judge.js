@@ -103,7 +103,7 @@ class Judge {
     if (out.named) return out.named.said;
     if (wrong.length) return fill(said.unclear, { mark: wrong[0], off: misses.get(wrong[0]).size.toFixed(1) });
     if (strays) { out.first = left.first; return left.said; }
-    const hidden = rule.shown_by.filter(([, by]) => !by.some(n => misses.has(n))).map(([n]) => n);
+    const hidden = rule.shown_by.filter(([, by]) => !by.some(way => way.every(n => misses.has(n)))).map(([n]) => n);
     const unseen = [...new Set([...hidden, ...(out.asWell ? [out.asWell] : [])])].join(", ");
     out.verdict = unseen ? "right_as_seen" : "right";
     return unseen ? fill(said.as_seen, { names: unseen }) : said.right;

@@ -7,7 +7,7 @@ from html import escape
 
 from planes import words
 from planes.words import Lang, langs, say
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mm_per, number
 

@@ -6,7 +6,7 @@ from importlib import import_module
 from planes.solving.document import Block
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 
 SUFFIXES = {".html": "html", ".htm": "html", ".pdf": "pdf", ".docx": "word"}
 

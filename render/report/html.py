@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from html import escape
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.charts.strokes import formula
 from render.page import web_page
 from render.paper.letters import tagged

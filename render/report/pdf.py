@@ -16,7 +16,7 @@ from reportlab.platypus import Paragraph as Words
 from reportlab.platypus import Table as Grid
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.charts.strokes import formula
 from render.files.pdf import registered
 from render.paper.letters import tagged

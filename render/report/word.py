@@ -10,7 +10,7 @@ from docx.shared import Mm, Pt
 from docx.text.paragraph import Paragraph as Words
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.charts.strokes import formula
 from render.paper.letters import pieces
 from render.report.figures import Shown, Studio, raster

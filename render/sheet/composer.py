@@ -10,8 +10,9 @@ from planes.plans.measuring import lettering
 from planes.scene import Scene
 from planes.solving import Position
 from planes.words import Lang, say
-from planes.words.lettering import Naming, indexed
+from planes.words.lettering import indexed
 from planes.words.names import kind_of, links_of, mu_of
+from planes.words.naming import Naming
 from render.labels import rough
 from render.paper.style import LARGER, large
 from render.sheet.module import GAP_MM, MODULE_MM

@@ -10,8 +10,8 @@ from planes.plans.measuring import say_plan
 from planes.solving import Position
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, label_of, links_of, plan_of
+from planes.words.naming import Naming
 from render.files import Page
 from render.labels import Label, place
 from render.paper import symbols

@@ -8,7 +8,7 @@ from planes.plans.assur.groups import Pair
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
 from planes.words import say
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render import labels
 from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark, Text, moved

@@ -8,7 +8,8 @@ from itertools import cycle
 from planes.diagrams.curves import driven
 from planes.plans import Plans
 from planes.words import say
-from planes.words.lettering import Naming, flat
+from planes.words.lettering import flat
+from planes.words.naming import Naming
 from planes.words.read_off import measured
 from planes.words.units import number, standard_mu
 from render import labels

@@ -7,7 +7,7 @@ import shapely
 
 from planes.scene.mechanism import FRAME
 from planes.words import Lang
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from planes.words.units import number
 from render.labels import Label
 from render.labels.footprints import Bounds

@@ -9,8 +9,8 @@ from planes.drafting.steps import LayOff, Step, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.reckoning import products
 from planes.solving import Position
-from planes.words.lettering import Naming
 from planes.words.names import label_of, parts_of
+from planes.words.naming import Naming
 from render.labels import Label
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark

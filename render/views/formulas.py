@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
 from planes.words import say
-from planes.words.lettering import Naming
 from planes.words.names import lines, parallel_to, written
+from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
 from planes.words.units import UNIT
 from render.paper.marks import Line, Mark, Text

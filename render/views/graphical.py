@@ -8,8 +8,8 @@ from itertools import pairwise
 from planes.diagrams.graphical import Construction, Stage
 from planes.drafting.drawing import Drawing
 from planes.words import say
-from planes.words.lettering import Naming
 from planes.words.names import at
+from planes.words.naming import Naming
 from planes.words.units import RATES, number
 from render.paper.letters import scale
 from render.paper.marks import Arc, Arrow, Line, Mark, Text

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from planes.words import Lang, say
-from planes.words.lettering import Naming
 from planes.words.names import letter_of
+from planes.words.naming import Naming
 from planes.words.units import number, standard_mu
 from render import labels
 from render.paper.letters import scale, with_unit

@@ -3,7 +3,7 @@
 from itertools import combinations
 
 from planes.solving import Position
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.labels import Label
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark

@@ -8,8 +8,8 @@ from planes.plans.force.loads import force_name
 from planes.plans.position.bodies import SCHEME
 from planes.solving import Position
 from planes.words import say
-from planes.words.lettering import Naming
 from planes.words.names import at, mu_of
+from planes.words.naming import Naming
 from planes.words.units import number
 from render import labels
 from render.paper import symbols

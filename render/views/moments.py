@@ -13,8 +13,9 @@ from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.plans.scales import ZERO_MM
 from planes.solving import Position
 from planes.words import say
-from planes.words.lettering import Naming, flat
+from planes.words.lettering import flat
 from planes.words.names import POLE, at, mu_of
+from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
 from render import labels
 from render.paper.marks import Arrow, Line, Mark

@@ -9,8 +9,8 @@ from planes.drafting.steps import Carry, Image, Similar
 from planes.drafting.steps.crossings import Cross
 from planes.plans.scales import ZERO_MM
 from planes.words import say
-from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
+from planes.words.naming import Naming
 from planes.words.read_off import measured
 from planes.words.units import UNIT, number
 from render import labels

@@ -9,8 +9,8 @@ from itertools import pairwise
 
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
-from planes.words.lettering import Naming, lowered
 from planes.words.names import POLE, ends_of, label_of
+from planes.words.naming import Naming
 from render import labels
 from render.paper import symbols
 from render.paper.marks import Line, Mark
@@ -125,7 +125,7 @@ class Scheme:
         self.axes.append(Line((foot - reach, foot + reach), "axis", "axis"))
         for letter, end in zip(ends_of(link.slides.guide), (foot + reach, foot - reach), strict=True):
             if letter:
-                self.named.append(labels.Label(lowered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
+                self.named.append(labels.Label(self.naming.point(letter), end, 3.5, name=f"guide {link.slides.guide}"))
 
     def size(self, link: Link) -> tuple[float, float]:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""

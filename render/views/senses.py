@@ -7,7 +7,7 @@ from functools import partial
 from itertools import compress
 
 from planes.scene.mechanism import FRAME
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render import labels
 from render.labels.footprints import ink, polygons
 from render.paper import symbols

@@ -3,8 +3,8 @@
 from planes.drafting.steps.crossings import Cross
 from planes.plans.position.bodies import SCHEME
 from planes.solving import Position
-from planes.words.lettering import Naming
 from planes.words.names import at, label_of
+from planes.words.naming import Naming
 from render.labels import Label
 from render.paper import symbols
 from render.paper.marks import Line, Mark

@@ -12,8 +12,8 @@ from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.tables import difference
 from planes.words import say
-from planes.words.lettering import Naming
 from planes.words.names import kind_of, parts_of, plan_of
+from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
 from planes.words.units import RATES, UNIT, number
 from render.views import View, remark, view

@@ -20,7 +20,6 @@ from planes.documents.sheets import sheet_of
 from planes.scene.carried import carried, carrying
 from planes.solving import Position
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
 from render.paper.ink import arrow_parts
 from render.paper.marks import Arrow
 from render.sheet import Sheet
@@ -40,7 +39,7 @@ def anew(written: Page | Sheet) -> bytes:
 def looked(sample: str, plan: str, data: bytes, folder: Path) -> Outcome:
     """What the check says of a picture."""
     file = folder / "p.png"
-    asked = Asked(drawn(sample)[0], plan, spelt=Naming("ru", drawn(sample)[0].frame_number).vector)
+    asked = Asked(drawn(sample)[0], plan)
     file.write_bytes(data)
     return check(asked, read_paper(str(file), asked, Known()))
 

@@ -14,7 +14,6 @@ import pytest
 from planes.check import Outcome, check
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.paper import Known
-from planes.check.grading.perturbing import HAND
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare, variants_of
 from planes.check.handed_in import read_paper
 from planes.check.reading.arrowheads import settle
@@ -27,9 +26,9 @@ from planes.check.reading.whole_page import enlarged, paper_on
 from planes.cli import main
 from planes.documents import _mechanism_views
 from planes.documents.sheets import DrawnPosition
+from planes.drafting.skill import HAND
 from planes.scene import Scene, load
 from planes.solving import Position
-from planes.words.lettering import Naming
 from planes.words.names import label_of, mu_of
 from render.files import dxf
 from render.paper.marks import Arrow, Text
@@ -68,7 +67,7 @@ def checked(sample: str, plan: str, written: Page | Sheet, file: Path) -> Outcom
     file.write_bytes(written.rendered(file.suffix))
     sketch = READERS[file.suffix](file)
     assert sketch
-    asked = Asked(scene, plan, spelt=Naming("ru", scene.frame_number).vector)
+    asked = Asked(scene, plan)
     return check(asked, paper_on(sketch, prepare(asked)))
 
 
@@ -161,7 +160,7 @@ def test_a_plan_at_another_scale_than_its_title_says_is_not_right(plan: str, suf
     sample, file = "crank-slider", tmp_path / f"view{suffix}"
     scene, position = drawn(sample)
     file.write_bytes(view(sample, plan, position).rendered(suffix))
-    asked = Asked(scene, plan, spelt=Naming("ru", scene.frame_number).vector)
+    asked = Asked(scene, plan)
     found = {}
     for said in ("", "1"):  # in front of the number: another scale
         sketch = READERS[suffix](file)

@@ -17,7 +17,8 @@ from planes.check.reading.words_near import led, led_to_vectors
 from planes.documents.sheets import DrawnPosition, sheet_of
 from planes.scene import Scene
 from planes.solving import Position
-from planes.words.names import Names, label_of
+from planes.words.names import label_of
+from planes.words.naming import Naming
 from render.sheet import Sheet
 from tests.check.test_own_sheets import ASSIGNMENTS, READERS, SCENES, checked, drawn, made, mistakes, spoiled
 from tests.helpers.sheets import sheet
@@ -187,7 +188,7 @@ def test_a_line_from_a_name_may_stop_short_of_its_mark_and_is_of_the_nearest_nam
 
 
 def test_a_line_from_a_name_of_a_force_leads_to_its_vector() -> None:
-    words, known = [Words("F_21", 10 + 20j, 5.0, 8.0), Words("G_2", 16 + 2j, 5.0, 8.0)], Names(["F_21", "G_2"])
+    words, known = [Words("F_21", 10 + 20j, 5.0, 8.0), Words("G_2", 16 + 2j, 5.0, 8.0)], Naming().names(["F_21", "G_2"])
     strokes = [(0j, 40 + 0j), (40 + 0j, 40 + 30j), (14 + 19.4j, 16 + 0j), (40 + 30j, 41 + 30j)]
     sketch = ReadDrawing(strokes=strokes, words=words, ways=[1, 1, 0, 0])
     assert [(w.text, w.place) for w in led_to_vectors(sketch, (), known)[2:]] == [("F_21", 16 + 0j)]

@@ -19,7 +19,7 @@ from planes.diagrams.turn import turn_of
 from planes.documents.cycle import Turned, over_cycle
 from planes.plans import plans_of
 from planes.scene import load, loads
-from planes.words.lettering import Naming, lettered_curve
+from planes.words.naming import Naming
 from render.views.curve_pieces import runs
 from render.views.diagrams import DiagramCurve
 from tests.diagrams.test_diagrams import ROCKER, crank
@@ -178,7 +178,7 @@ def test_the_sheet_draws_what_its_scene_asks_for() -> None:
     ],
 )
 def test_letters_of_curves(name: str, lettered: str) -> None:
-    assert lettered_curve(name, Naming("en", "6")) == lettered
+    assert Naming("en", "6").curve(name) == lettered
 
 
 def test_graphical_constructions_beside_the_exact_values(capsys: Any) -> None:

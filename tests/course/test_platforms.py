@@ -24,7 +24,7 @@ import pytest
 from PIL import Image
 
 from planes.cli import main
-from planes.course.quiz import HAND, LEAST, SIGMAS, Quiz, varied
+from planes.course.quiz import LEAST, PUPIL, SIGMAS, Quiz, varied
 from planes.documents.packages import SCORM, manifest
 from planes.documents.platforms import seeds
 from planes.scene import load
@@ -106,7 +106,7 @@ def test_answers_are_those_of_the_scene_and_what_a_pencil_draws_is_let_pass(out:
         assert item.value == pytest.approx(abs(true) if item.name[0] in "va" else true, rel=1e-9, abs=1e-9)
         assert item.tolerance >= LEAST * abs(item.value) * 0.99
     for seed in range(100, 140):
-        drawn = solve(scene, None, type(HAND)(HAND.point_mm, HAND.ray_deg, HAND.ruler_mm, seed)).positions[0]
+        drawn = solve(scene, None, type(PUPIL)(PUPIL.point_mm, PUPIL.ray_deg, PUPIL.ruler_mm, seed)).positions[0]
         for item in quiz.questions:
             got = drawn.value(item.name)
             tried += 1

@@ -21,7 +21,7 @@ from planes.scene import load
 from planes.solving import solve
 from planes.solving.document import Block, DocumentTable
 from planes.words.errors import SceneError
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.paper.marks import Text
 from tests.documents.test_one_truth import told
 from tests.helpers import ROOT

@@ -18,7 +18,7 @@ from planes.cli import main
 from planes.lesson.data import lesson_data
 from planes.scene import load
 from planes.solving import document
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.page import check_pages, lesson_page, web_page
 from render.report import rendered
 from tests.helpers import ROOT

@@ -20,8 +20,8 @@ from planes.solving import solve
 from planes.solving.document import Block, DocumentTable, Figure, Paragraph
 from planes.solving.given import GivenTable
 from planes.words import decimal
-from planes.words.lettering import Naming
 from planes.words.names import kind_of, mu_of
+from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text
 from render.paper.marks import Text
 from render.sheet import Sheet

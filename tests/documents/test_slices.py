@@ -12,8 +12,8 @@ from planes.lesson.data import lesson_data
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
 from planes.solving import Position, plans_of, position
-from planes.words.lettering import Naming
 from planes.words.names import kind_of
+from planes.words.naming import Naming
 from render.views.scheme import Scheme
 from tests.helpers import ROOT
 

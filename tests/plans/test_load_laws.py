@@ -26,7 +26,7 @@ from planes.solving.document import DocumentTable
 from planes.solving.given import GivenTable
 from planes.words import say
 from planes.words.errors import PlanesError, SceneError
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from tests.helpers.comparing import against
 from tests.helpers.mechanisms import KINDS, to_yaml
 from tests.helpers.mixtures import lawful

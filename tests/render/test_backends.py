@@ -18,7 +18,7 @@ from PIL import Image
 from planes.drafting.pens import THICK
 from planes.scene.files import keep
 from planes.solving.document import DocumentTable, Formula, Heading, Paragraph
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render import report
 from render.files import pdf, svg
 from render.paper import style

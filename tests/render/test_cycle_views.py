@@ -12,7 +12,7 @@ from planes.documents import view_of
 from planes.documents.cycle import cycle_page
 from planes.documents.sheets import sheet_of
 from planes.scene import load
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.files import Page
 from render.paper.letters import scale, unit, with_unit
 from render.paper.marks import Arc, Line, Text

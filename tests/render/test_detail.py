@@ -11,7 +11,7 @@ import pytest
 
 from planes.scene import load
 from planes.solving import solve
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.paper.hues import PART
 from render.paper.marks import Arc, Arrow, Text
 from render.views import View

@@ -10,8 +10,8 @@ import pytest
 from planes.plans.measuring import lettering
 from planes.scene import load
 from planes.solving import solve
-from planes.words.lettering import Naming
 from planes.words.names import parts_of
+from planes.words.naming import Naming
 from render.paper.marks import Arc, Arrow, Line, Shape, Text
 from render.views.directions import Directions
 from tests.helpers import ROOT

@@ -13,7 +13,7 @@ from planes.lesson.data import lesson_data
 from planes.plans import plans_of
 from planes.plans.measuring import lettering
 from planes.scene import Scene, loads
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.page.lesson_page import page
 from render.paper.letters import pieces, sentence
 from tests.helpers import ROOT

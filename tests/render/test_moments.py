@@ -9,7 +9,7 @@ import pytest
 from planes.plans.measuring import lettering
 from planes.scene import load
 from planes.solving import solve
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.views.moments import MomentLines
 from tests.helpers import ROOT
 

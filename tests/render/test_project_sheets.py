@@ -18,7 +18,7 @@ from planes.plans.assur.analysis import analyse
 from planes.scene import load
 from planes.solving import plans_of, solve
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.labels.footprints import overprinted
 from render.paper.marks import Arrow, Line, Shape, Text
 from render.paper.style import BASE_MM

@@ -16,7 +16,7 @@ from planes.documents.lesson import note
 from planes.scene import load
 from planes.solving.document import Figure, ShaftSketch
 from planes.words import Lang
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.paper.marks import Arrow, Text
 from render.report import rendered
 from render.report.figures import Studio

@@ -15,8 +15,8 @@ from planes.documents.sheets import sheet_of, turned_once
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
 from planes.solving.given import GivenTable
-from planes.words.lettering import Naming
 from planes.words.names import force_plan, links_of
+from planes.words.naming import Naming
 from render.labels import Label, place
 from render.paper.marks import Arrow, Line, Text
 from render.paper.style import lettered_for

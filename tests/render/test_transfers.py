@@ -10,8 +10,9 @@ from planes.lesson.transfers import TransferFunctions
 from planes.plans.measuring import lettering
 from planes.scene import load
 from planes.solving import Position, solve
-from planes.words.lettering import Naming, greek
+from planes.words.lettering import greek
 from planes.words.names import label_of, plan_of
+from planes.words.naming import Naming
 from tests.helpers import ROOT
 
 SCENES = sorted(p for f in ("", "assignments") for p in (ROOT / "samples" / f).glob("*.yaml") if p.stem != "vectors")

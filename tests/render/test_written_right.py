@@ -22,7 +22,7 @@ from planes.lesson.data import lesson_data
 from planes.scene import Scene, load, loads
 from planes.solving import Position, solve
 from planes.words.errors import PlanesError
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from render.labels.footprints import ink, overprinted
 from render.paper.letters import pieces
 from render.paper.marks import Line, Text

@@ -18,7 +18,7 @@ from planes.scene import Scene, load, loads
 from planes.solving import Position, plans_of, solve
 from planes.solving.tables import report
 from planes.words.errors import SceneError
-from planes.words.lettering import Naming
+from planes.words.naming import Naming
 from planes.words.read_off import measured
 from tests.helpers import ROOT
 from tests.helpers.mechanisms import KINDS, make, to_yaml

@@ -25,7 +25,7 @@ vectors:
   F_24: {value: 7700, direction: 214.7}
   F_36^n: {direction: 83}
   F_21^n: {direction: 35}
-equations: ["F_21^t + G_2 + Φ_2 + F_24 + F_36^n + F_21^n = 0"]
+equations: [force:2-3: "F_21^t + G_2 + Φ_2 + F_24 + F_36^n + F_21^n = 0"]
 """
 ARCS = """planes: 1
 vectors: {r_1: {value: 0.3, direction: 10}, r_2: {value: 0.25, near: 80}, r_3: {value: 0.2}}
@@ -100,6 +100,22 @@ def test_every_kind_on_every_side(hidden, sides, turn):
     assert vectors(found) == pytest.approx(true, abs=1e-9)
 
 
+def test_a_name_tells_no_links_and_a_truss_is_one_plan():
+    """P_1 loads node 1, and no force plan of link 1 is meant; a plan of some links is named where its equation is."""
+    truss = """planes: 1
+vectors: {P_1: {value: 10, direction: -90}, N_12: {direction: 45}, N_13: {direction: 135}, R_2: {direction: 90},
+  N_23: {direction: 0}, R_3: {}}
+equations: ["P_1 + N_12 + N_13 = 0", "R_2 - N_12 + N_23 = 0", "R_3 - N_13 - N_23 = 0"]
+"""
+    found = drawn(truss)
+    assert list(found.results["plans"]) == ["force"] and vectors(found)["R_2"] == pytest.approx(5j)
+    named = drawn(truss.replace('["P_1 + N_12 + N_13 = 0",', '[force:1: "P_1 + N_12 + N_13 = 0",'))
+    assert list(named.results["plans"]) == ["force:1", "force"]
+    for plan, words in (("velocity", "not under"), ("force:", "not under")):
+        with pytest.raises(SceneError, match=words):
+            loads(truss.replace('["P_1 + N_12 + N_13 = 0",', f'["{plan}": "P_1 + N_12 + N_13 = 0",'))
+
+
 def test_minus_signs_close_a_polygon_too():
     found = drawn(
         scene_of("F_1: {value: 3, direction: 0}, F_30: {direction: 90}, F_21: {direction: 45}", "F_1 + F_30 = -F_21")
@@ -130,7 +146,7 @@ def test_a_vector_found_before_may_stand_alone_on_its_side():
         ("a_B a_CB a_C", "acceleration", "mm/(m/s²)"),
         ("a b c", "vectors", "mm/unit"),
         ("P R F_1", "force", "mm/N"),
-        ("Φ_2 G_2 N", "force:2", "mm/N"),
+        ("Φ_2 G_2 N", "force", "mm/N"),
     ],
 )
 def test_the_unit_is_told_by_the_names(names, plan, unit):

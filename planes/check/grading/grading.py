@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.check.grading.evidence import SURE, all_drawn, breadth, by_chance, chance_wrong, own_scales
+from planes.check.grading.followers import Showing, roots_of, showing
 from planes.check.grading.handwork import Hand, Miss
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadMark, ReadPaper
@@ -40,6 +41,7 @@ class Grading:
     said_mu: bool
     rebuilt: Rebuilt | None
     notes: list[Phrase] = field(default_factory=list)
+    unknown: list[str] = field(default_factory=list)  # names of marks that the plan has not
 
     @property
     def gap(self) -> complex:
@@ -101,7 +103,8 @@ class Grading:
         """A known force that is not in the polygon and that nothing read was drawn from."""
         if self.rebuilt is None or self.judgement.wrong:
             return None
-        used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
+        roots = roots_of(self.hand.program)
+        used = set[str]().union(*(roots[m] for m in self.judgement.misses))
         for mark in self.marks:
             step = self.hand.program.makers[mark]
             if isinstance(step, LayOff) and self.laid_mm(mark) > LONG_MM:  # what is short may be there, unseen
@@ -132,30 +135,22 @@ class Grading:
 
     @property
     def unseen(self) -> list[str]:
-        """Marks not read from which nothing read was drawn, short forces without which a polygon does not close, and a
-        mark that a mistake explains as well as a hand's error."""
-        hidden = [label_of(m) for m, by in self.shown_by.items() if self.judgement.misses.keys().isdisjoint(by)]
-        return [*hidden, *(self._unseen_mm if self._gap_past > 0 else ()), *self.judgement.doubted]
+        """Marks not read whose place no read ones tell, short forces without which a polygon does not close, a mark
+        that a mistake explains as well as a hand's error, and names that mean nothing here."""
+        read = self.judgement.misses.keys()
+        hidden = [label_of(m) for m, ways in self.shown_by.items() if not any(read >= {*way} for way in ways)]
+        return [*hidden, *(self._unseen_mm if self._gap_past > 0 else ()), *self.judgement.doubted, *self.unknown]
 
-    @property
-    def shown_by(self) -> dict[str, list[str]]:
-        """By mark what shows where it is: it and the marks drawn from it. What stands on another one needs no look."""
+    @cached_property
+    def shown_by(self) -> dict[str, Showing]:
+        """By mark what shows where it is: it, or marks drawn from it. What stands on another one needs no look."""
         there = [m for m in self.marks if not self._upon_another(self.hand.program.makers[m])]
         absent = self.rebuilt.absent if self.rebuilt else ()
-        return {m: [k for k in self.marks if m in self._roots[k]] for m in there if label_of(m) not in absent}
+        return {m: showing(self.truth, m, self.marks) for m in there if label_of(m) not in absent}
 
     def _upon_another(self, step: Step) -> bool:
         """Whether a mark is another's, or so near to where it is laid off from that no pencil sets them apart."""
         return isinstance(step, Same) or (isinstance(step, LayOff) and self.laid_mm(step.makes) < ZERO_MM)
-
-    @cached_property
-    def _roots(self) -> dict[str, set[str]]:
-        """Every thing drawn with the marks it was drawn from, itself among them."""
-        found: dict[str, set[str]] = {}
-        for step in self.hand.program.steps:
-            marks = (n for n, kind in step.reads() if kind == "mark")
-            found[step.makes] = {step.makes}.union(*(found[n] for n in marks))
-        return found
 
     @property
     def first_wrong(self) -> str | None:
@@ -210,6 +205,7 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
             break
     named = [name for name in unknown if not name.startswith(NAMELESS)]
     if best and named:
+        best.unknown = named
         best.notes.append(Phrase("check_unknown", names=", ".join(named)))
     if best and len(named) < len(unknown):
         best.notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))

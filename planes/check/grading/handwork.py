@@ -14,9 +14,10 @@ from types import MappingProxyType
 import numpy
 
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.perturbing import Nudged, Skill, columns_of
+from planes.check.grading.perturbing import Nudged, columns_of
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
+from planes.drafting.skill import Skill
 from planes.drafting.steps import Aim, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from planes.check.grading.sign_faults import SignFault
 from planes.check.reading.opened import MB, contents, too_many
 from planes.words import Phrase
 from planes.words.errors import PlanesError, shown
@@ -86,6 +87,8 @@ class ReadPaper:
     box: Box | None = None  # where it lies
     look: str = ""  # what stands for all that it shows
     strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
+    signs: list[SignFault] = field(default_factory=list)  # letters and arrowheads that are wrong
+    left: list[str] = field(default_factory=list)  # columns of a table that nobody reads
     untold: list[str] = field(default_factory=list)  # vectors that may as well be others, with a mistake
     named: list[str] = field(default_factory=list)  # marks not read, but whose names stand where they should be
     apart: bool = False  # whether a mistake explains its force polygon, and no right one nearly as well
@@ -130,6 +133,7 @@ def _read_rows(paper: ReadPaper, rows: Sequence[tuple[int, list[str]]]) -> None:
     for line, row in rows:
         if head := _header(row):
             columns = head
+            paper.left += [name for name in head if name and name not in (*COLUMNS, *paper.left)]
         elif any(row[len(columns) :]):
             raise paper.refuse("check_row_long", line=line, count=len(row), most=len(columns))
         else:

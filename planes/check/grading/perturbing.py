@@ -8,32 +8,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy
 
+from planes.drafting.skill import Skill
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point, Real
 
 _COLUMNS = {"mark": 8, "value": 2, "direction": 1}  # errors a step of the kind may make: marks, rays, readings
-
-
-@dataclass(frozen=True)
-class Skill:
-    """Standard deviations of a draughtsman: a mark (each way), a reading, a carried direction."""
-
-    point_mm: float = 0.3
-    ruler_mm: float = 0.35
-    ray_deg: float = 0.35
-
-
-HAND = Skill()
-
-
-def cad(extent_mm: float) -> Skill:
-    """Work on a computer: 0.2 % of the plan's size."""
-    return Skill(0.002 * extent_mm, 0.002 * extent_mm, math.degrees(0.002))
 
 
 SHARED = "shared"  # the name of errors that all marks share

@@ -15,7 +15,8 @@ from planes.drafting.steps import LayOff
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, Names, at, end_of, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, end_of, kind_of, label_of, mu_of, plan_of
+from planes.words.naming import Naming
 
 Vectors = dict[str, ReadMark]  # a person's
 IN_LINE, AS_LONG = 0.05, 0.9  # between vectors of one line, the tangent of the angle; how long one is to hide another
@@ -84,14 +85,14 @@ def loads_of(plans: Plans, plan: str) -> set[str]:
     return {label_of(s.makes) for s in plans.program.steps if isinstance(s, LayOff) and plan_of(s.makes) == plan}
 
 
-def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = True) -> Rebuilt:
+def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, whole: bool = True) -> Rebuilt:
     """The person's vectors, each from the end of the row before it, laid off in the program's order.
 
     After the last row of a polygon one that is not of it begins another, where that begins.
     Of a ``whole`` polygon what is not listed is not there; else it may have been overlooked.
     """
     sides = {s.name: s for s in sides_of(plans, plan)}
-    names, out = Names(sides), Rebuilt()
+    names, out = naming.names(sides), Rebuilt()
     vectors: Vectors = {}
     polygons = [{end_of(t.name): t.end for t in e.terms} for e in plans.equations if e.plan == plan]
     seen: dict[str, ReadMark] = {}
@@ -157,21 +158,22 @@ def _ready(side: Side, places: dict[str, complex], read: bool, loads: set[str]) 
 
 def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, ReadMark], Rebuilt | None, list[str]]:
     """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are no marks."""
-    names = mark_names(bench.plans, plan)
+    names = mark_names(bench.plans, plan, bench.naming)
     pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
     if kind_of(plan) == "force":
         if pole is None:
             raise PlanesError(Phrase("check_no_pole"))
-        rebuilt = replace(rebuild(bench.plans, plan, paper.spots, paper.whole), apart=paper.apart)
+        rebuilt = replace(rebuild(bench.plans, plan, paper.spots, bench.naming, paper.whole), apart=paper.apart)
         if not rebuilt.vectors:
             wanted = ", ".join(s.name for s in sides_of(bench.plans, plan))
             raise PlanesError(told_to("table", asking("check_nothing_read", names=wanted)))
         return rebuilt.spots, rebuilt, rebuilt.unknown
+    fixed = bench.naming.names(bench.plans.mechanism.frame.points)
     found: dict[str, ReadMark] = {}
     unknown = []
     for spot in paper.spots:
         name = names.find(spot.name)
-        if name is None and Names(bench.plans.mechanism.frame.points).find(spot.name) is None:  # it may be at the pole
+        if name is None and fixed.find(spot.name) is None:  # it may be at the pole
             unknown.append(spot.name)
         elif name and name != POLE:
             found.setdefault(name, spot)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -12,21 +12,23 @@ from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.paper import ReadMark, ReadPaper
-from planes.check.grading.perturbing import HAND, Skill
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.drawing import draw_steps, run
 from planes.drafting.program import Program
+from planes.drafting.skill import HAND, Skill
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.plans import Plans
+from planes.plans.measuring import lettering
 from planes.plans.other_leads import fitting
 from planes.plans.scales import fits_on, scales
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, choices
-from planes.words.names import POLE, Names, at, kind_of, label_of, mu_of, parted, plan_of
+from planes.words.names import POLE, at, kind_of, label_of, mu_of, plan_of
+from planes.words.naming import Names, Naming
 from planes.words.units import mu_text
 
 
@@ -40,7 +42,6 @@ class Asked:
     mu: float | None = None
     skill: Skill = HAND
     others: Mapping[str, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
-    spelt: Callable[[str], str] = str  # how the scene's sheets letter a vector: F_56 for F_50
 
     def line(self, file: str) -> list[str]:
         """The words of the command that checks a file so."""
@@ -75,7 +76,12 @@ class PreparedPlan:
     @property
     def names(self) -> Names:
         """Names of the plan's marks as people write them."""
-        return mark_names(self.plans, self.asked.plan)
+        return mark_names(self.plans, self.asked.plan, self.naming)
+
+    @cached_property
+    def naming(self) -> Naming:
+        """How the scene's sheets letter its names."""
+        return Naming(**lettering(self.asked.scene, self.plans))
 
     @cached_property
     def true_marks(self) -> dict[str, complex]:
@@ -133,10 +139,6 @@ class PreparedPlan:
         force = kind_of(self.asked.plan) == "force"
         return {} if force else {n: place(z) for k, z in marks.items() if (n := self.names.find(k))}
 
-    def written(self, vectors: Iterable[str]) -> Names:
-        """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
-        return Names(vectors, spelt=lambda name: self.asked.spelt(parted(name)))
-
     def at(self, mu: float, told: bool = False) -> PreparedPlan:
         """The same at another scale; ``told``, if no other is to be thought of."""
         asked = replace(self.asked, mu=mu) if told else self.asked
@@ -175,11 +177,11 @@ def marks_of(plans: Plans, plan: str) -> list[str]:
     return [m for m in own if label_of(m) != POLE]
 
 
-def mark_names(plans: Plans, plan: str) -> Names:
+def mark_names(plans: Plans, plan: str, naming: Naming) -> Names:
     """Names of a plan's marks; the normal part of a driven point, n_A, may be written with its pivot too: n_AO."""
-    turning = {n: m for mark, m in plans.means.items() if m.quantity == "normal" and m.about and (n := label_of(mark))}
-    labels = [label_of(m) for m in marks_of(plans, plan)]
-    return Names(labels, spelt=lambda n: f"n_{turning[n].of}{turning[n].about}" if n in turning else n)
+    means = ((label_of(mark), m) for mark, m in plans.means.items() if m.quantity == "normal" and m.about)
+    normal = {label: (f"n_{m.of}{m.about}",) for label, m in means}
+    return naming.names([label_of(m) for m in marks_of(plans, plan)], more=normal)
 
 
 def catalogue(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:

@@ -1,37 +1,20 @@
 """Numbers a person wrote down, lengths of segments or results, against what the plans, mistakes and slips give."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from itertools import permutations
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 
 from planes.check.grading.evidence import chance_off
+from planes.check.grading.figures import WrittenNumber, first_of
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
-from planes.check.grading.prepared_plan import PreparedPlan
-from planes.drafting.steps import LayOff
-from planes.drafting.steps.reckoning import Calculate, Measure
-from planes.geometry.arithmetic import Arithmetic, Real
-from planes.plans.quantities import Quantity
+from planes.check.grading.slips import SHARE, number_mistake, number_of
+from planes.drafting.skill import SIGMAS, too_near
 from planes.words import Phrase, Written
-from planes.words.names import POLE, Names, at, end_of, label_of, letter_of, mu_of, plan_of
-from planes.words.units import unit_factor
+from planes.words.names import mu_of
 
+FAR = 2.0  # a number so many tolerances off is wrong, however near a dead point the drawing is
 LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
-SHARE = 0.03  # a number within 3 % is right, however steady the hand
-Things = Mapping[str, Real]
-
-
-@dataclass(frozen=True)
-class WrittenNumber:
-    """One number: as written (SI or mm), and how it is read off a drawing (an array over the errors' columns)."""
-
-    name: str
-    given: float
-    read: Callable[[Things], Real]
-    signed: bool = False
-    plan: str = ""
-    value: str = ""  # the program's name of it, if it has one
 
 
 @dataclass
@@ -68,6 +51,11 @@ class Account:
         return next((s for s in self.scored if s.verdict == "wrong"), None)
 
     @property
+    def unsure(self) -> list[str]:
+        """The figures that nobody can judge, so near is a dead point."""
+        return [s.figure.name for s in self.scored if s.verdict == "too_near"]
+
+    @property
     def first_wrong(self) -> str | None:
         """Its name, or the mark a mistake known by its lengths is made at."""
         if self.named and self.lengths:
@@ -85,61 +73,30 @@ class Account:
         return Phrase("check_number_unclear", mark=s.figure.name, given=given, true=true)
 
 
-Figures = tuple[list[WrittenNumber], list[str]]  # those of a table, and the names that mean nothing here
-
-
-def result_figures(known: Mapping[str, Quantity], written: Iterable[tuple[str, float, str]]) -> Figures:
-    """Figures of a table of results."""
-    names = Names(known, poles=False)
-    read = [(names.find(text), text, value * unit_factor(unit)) for text, value, unit in written]
-    return [_figure(n, known[n], value) for n, _, value in read if n], [text for n, text, _ in read if not n]
-
-
-def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
-    """How a quantity of the catalogue is read off a drawing."""
-    one = q.whole
-    plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, Arithmetic()), not one.part, plan, one.value)
-
-
-def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
-    """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2")."""
-    plan, labels = bench.asked.plan, [label_of(m) for m in bench.marks]
-    ends = [n for n in (POLE, *labels) if at(plan, n) in bench.program.made]  # a scheme has no pole
-    pairs = {one + two: (one, two) for one, two in permutations(ends, 2)}
-    for s in bench.plans.segments:
-        if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
-            pairs.setdefault(end_of(s.name), (s.start, s.end))
-    spelt = {one + two: bench.names.spelt(one) + bench.names.spelt(two) for one, two in permutations(ends, 2)}
-    names = Names(pairs, poles=False, spelt=lambda pair: spelt.get(pair, pair))
-    read = [(names.find(text), text, mm) for text, mm in written]
-    found = [WrittenNumber(n, mm, _millimetres(plan, *pairs[n]), False, plan) for n, _, mm in read if n]
-    return found, [text for n, text, _ in read if not n]
-
-
-def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
-    return lambda things: abs(things[at(plan, end)] - things[at(plan, start)])
-
-
 def account(
     figures: Sequence[WrittenNumber], free: Hand, own: Hand | None, variants: Iterable[Variant], ruler_mm: float = 0.0
 ) -> Account:
     """Judge figures against the true plan; name the mistake of the first wrong one."""
     found = Account([_judged(f, free, own, ruler_mm) for f in figures], ruler_mm > 0)
     for s in found.scored:
-        if s.verdict == "wrong":
-            s.slip = number_mistake(s, free)
+        if s.verdict == "too_near" and _off(s.figure, s.true) > SIGMAS * s.sigma:  # a slip tells what no tolerance does
+            s.slip = number_mistake(s.figure, s.true, s.sigma, free)
+            s.verdict = "wrong" if s.slip else s.verdict
+        elif s.verdict == "wrong":
+            s.slip = number_mistake(s.figure, s.true, s.sigma, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
-                s.slip = number_mistake(replace(s, true=s.mine), own)
-    if found.first and found.first.slip is None:
+                s.slip = number_mistake(s.figure, s.mine, s.sigma, own)
+    wrong = sum(s.verdict == "wrong" for s in found.scored)
+    if found.first and found.first.slip is None and (found.lengths or wrong > 1):  # one result tells no construction
         _name(found, free, variants)
     return found
 
 
 def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:
-    read = f.read(free.things)
-    true, sigma = first_of(read), math.hypot(free.spread_of(read), _ruler(f, free, ruler_mm))
+    true, sigma = drawn_by(f, free, ruler_mm)
     off = _off(f, true)
+    if not ruler_mm and too_near(true, sigma) and off <= FAR * SIGMAS * sigma:
+        return _by_own_marks(f, own, true, sigma)
     if off <= max(3 * sigma, SHARE * abs(true)) + 1e-9 * abs(true):
         return Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))
     if own is None:
@@ -149,11 +106,27 @@ def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> 
     return Scored(f, true, sigma, "follows" if follows else "wrong", mine=mine)
 
 
+def _by_own_marks(f: WrittenNumber, own: Hand | None, true: float, sigma: float) -> Scored:
+    """A number of a plan near a dead point: a person's own marks may tell it nevertheless."""
+    mine, spread = drawn_by(f, own) if own else (true, sigma)
+    if own is None or too_near(mine, spread):
+        return Scored(f, true, sigma, "too_near")
+    fits = _off(f, mine) <= max(SIGMAS * spread, SHARE * abs(mine))
+    verdict = "right" if abs(mine - true) <= SIGMAS * sigma else "follows"
+    return Scored(f, true, sigma, verdict if fits else "wrong", mine=mine)
+
+
+def drawn_by(f: WrittenNumber, free: Hand, ruler_mm: float = 0.0) -> tuple[float, float]:
+    """The true value of a number, and by how much (1σ) it is off as it is drawn and read."""
+    read = f.read(free.things)
+    return first_of(read), math.hypot(free.spread_of(read), _ruler(f, free, ruler_mm))
+
+
 def _ruler(f: WrittenNumber, free: Hand, ruler_mm: float) -> float:
     """The error of reading the segment itself: in mm of a segment, in SI of a result measured on a plan."""
     if ruler_mm or f.value:
         return ruler_mm
-    mu = _number(free, mu_of(f.plan)) if f.plan else 0.0
+    mu = number_of(free, mu_of(f.plan)) if f.plan else 0.0
     return free.tool.skill.ruler_mm / mu if mu else 0.0
 
 
@@ -187,62 +160,3 @@ def _name(found: Account, free: Hand, variants: Iterable[Variant]) -> None:
 def _fit(s: Scored, value: float) -> float:
     sigma = max(s.sigma, SHARE / 2 * abs(value), 1e-12)
     return max(-0.5 * (_off(s.figure, value) / sigma) ** 2, -50.0) if math.isfinite(value) else -50.0
-
-
-def number_mistake(s: Scored, free: Hand) -> str | None:
-    """Slips of reckoning that leave the drawing as it is."""
-    f, true = s.figure, s.true
-    if not true or not f.given:
-        return None
-    if f.signed and _near(f.given, -true, s):
-        return "sense_wrong"
-    for mistake, value in _slips(f, true, free):
-        if value and _near(abs(f.given), abs(value), s):
-            return mistake
-    return None
-
-
-def _near(given: float, wanted: float, s: Scored) -> bool:
-    share = max(SHARE, 3 * s.sigma / abs(s.true))
-    return abs(given - wanted) <= min(share, 0.25) * abs(wanted)
-
-
-def _slips(f: WrittenNumber, true: float, free: Hand) -> Iterable[tuple[str, float]]:
-    """Each slip with the number it gives."""
-    mu = _number(free, mu_of(f.plan)) if f.plan else 0.0
-    if mu and not f.value:
-        yield "mm_for_value", true * mu
-        yield "mu_inverted", true * mu * mu
-        yield "mu_inverted", true / (mu * mu)
-    if letter_of(f.value) in ("omega", "epsilon"):
-        scheme = _number(free, mu_of("position"))
-        for factor in (1 / scheme if scheme else 0.0, mu / scheme if scheme else 0.0, 1e-3):
-            yield "omega_without_mu_l", true * factor
-        if mu:
-            yield "mu_inverted", true * mu * mu
-    if letter_of(f.value) == "epsilon":
-        yield "epsilon_from_total", _from_total(f.value, free)
-
-
-def _number(free: Hand, name: str) -> float:
-    """A value of a drawing; 0 where it has none of the name."""
-    return float(free.number(name)) if name in free.things else 0.0
-
-
-def _from_total(name: str, free: Hand) -> float:
-    """ε from the whole relative acceleration instead of its tangential part."""
-    steps = free.program.makers
-    step = steps.get(name)
-    for value, power in step.terms[0].factors if isinstance(step, Calculate) else ():
-        part = steps.get(value)
-        normal = steps.get(part.start) if power == 1 and isinstance(part, Measure) else None
-        if isinstance(part, Measure) and isinstance(normal, LayOff) and part.mu in free.things:
-            whole = abs(free.number(part.end) - free.number(normal.start)) / abs(_number(free, part.mu))
-            tangential = abs(_number(free, value))
-            return float(abs(_number(free, name)) * whole / tangential) if tangential else 0.0
-    return 0.0
-
-
-def first_of(value: Real) -> float:
-    """A value without the columns of its errors."""
-    return float(value[0] if getattr(value, "shape", None) else value)

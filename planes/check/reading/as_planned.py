@@ -87,7 +87,7 @@ def vectors_named(
 ) -> ReadPaper:
     """Given vectors of a force plan by their likeness and names, with others ``beside`` them; none where one is not
     drawn, or an arrow is over."""
-    nothing, arrows, spelt = ReadPaper(sketch.file, whole=False), arrows_of(sketch), bench.written(sides)
+    nothing, arrows, spelt = ReadPaper(sketch.file, whole=False), arrows_of(sketch), bench.naming.names(sides)
     words = [(spelt.find(w.text), w) for w in sketch.words]
 
     def word(name: str, stroke: Stroke) -> float:
@@ -195,7 +195,7 @@ def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> Re
     """Of two vectors there and back that the words do not tell apart, each by the name it has if all is right, then by
     the one that a mistake explains; which of the two may be so is told, unless they stand in the plan's order."""
     order = list(true_vectors(bench))
-    names = bench.written(order)
+    names = bench.naming.names(order)
     words = [(names.find(w.text), w) for w in sketch.words]
     strokes = {k: (one.place, two.place) for k, (one, two) in enumerate(pairwise(paper.spots), 1) if two.name != POLE}
 
@@ -227,7 +227,7 @@ def vague(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> bool:
     they end, or, as none has an arrowhead, it may as well have been drawn the other way round."""
     if is_right(bench, paper):
         return False
-    names = bench.written(true_vectors(bench))
+    names = bench.naming.names(true_vectors(bench))
     told = any((names.find(w.text) or POLE) != POLE for w in sketch.words)
     return not told or apart(sketch) or (not any(sketch.ways) and worth(bench, _turned(paper)) >= worth(bench, paper))
 

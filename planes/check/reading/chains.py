@@ -11,7 +11,8 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.remedies import asking
 from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
-from planes.words.names import POLE, Names
+from planes.words.names import POLE
+from planes.words.naming import Names, Naming
 
 NEAR_MM = 9.0
 NO_WORD, FAR_WORD, UNLIKE, TOO_FAR = 5.0, 9.0, 7.0, 13.0  # what a name may cost, mm of distance from its word
@@ -56,7 +57,7 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
         edges = _reached(_edges(sketch, nodes, split), pole) if few else []
         if not edges or len(edges) > MOST_LINES:
             continue
-        words = beside(sketch.words, nodes, edges, bench.written(truth))
+        words = beside(sketch.words, nodes, edges, bench.naming.names(truth))
         for start, trail in _trails(edges, pole):
             rows = _rows(start, trail, nodes, words, truth, sketch)
             whole = trail[-1][1] == start and len(trail) == len(edges)
@@ -148,7 +149,7 @@ def alongside(a: complex, b: complex, c: complex, d: complex) -> bool:
 
 
 def _pole(words: Sequence[Words], nodes: Nodes) -> int | None:
-    names = Names([])
+    names = Naming().names(())
     for word in words:
         if names.find(word.text) == POLE:
             near = sorted(nodes.within(word.middle, 14.0), key=lambda i: word.distance(nodes.places[i]))

@@ -74,7 +74,7 @@ def others(bench: PreparedPlan) -> dict[str, complex]:
 
 def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, known: Mapping[str, complex]) -> Costs:
     """What it costs each arrow to have each name: how far its word stands, and how unlike the true vector it is."""
-    spelt = bench.written(known)
+    spelt = bench.naming.names(known)
     words = [(spelt.find(w.text), w) for w in sketch.words]
     written = {n for n, _ in words if n and n != POLE}
     out: Costs = []

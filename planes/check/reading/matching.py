@@ -56,7 +56,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     bench = sized(bench, sketch, nodes, near)
     if kind == "force":
         sides, beside = true_vectors(bench), others(bench)
-        known = bench.written({**beside, **sides})
+        known = bench.naming.names({**beside, **sides})
         sketch.words = led_to_vectors(sketch, dots, known) if headed(sketch) else sketch.words
         found = vectors_named(vectors_alone(sketch, vectors), bench, sides, beside.values())
         return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)

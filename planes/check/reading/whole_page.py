@@ -31,7 +31,7 @@ _MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of the plan on a page that may show other things too."""
     force = kind_of(bench.asked.plan) == "force"
-    known = bench.written(true_vectors(bench)) if force else bench.names
+    known = bench.naming.names(true_vectors(bench)) if force else bench.names
 
     def named(part: ReadDrawing) -> int:
         return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})

@@ -12,7 +12,8 @@ from planes.check.reading.chains import NEAR_MM, true_vectors
 from planes.check.reading.construction_lines import upon
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Stroke, Words, headed
-from planes.words.names import POLE, Names, kind_of
+from planes.words.names import POLE, kind_of
+from planes.words.naming import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
 INDEX = 0.3  # how far an index reaches below its letter, in heights of the letter
@@ -135,7 +136,7 @@ def _origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex |
     """The origin of a scheme's axes: so that the frame's points, then most others, stand beside their words."""
     truth = bench.true_marks
     places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]
-    fixed = Names(bench.plans.mechanism.frame.points)
+    fixed = bench.naming.names(bench.plans.mechanism.frame.points)
 
     def worth(origin: complex, far: float) -> float:
         off = {n: min(abs(nodes.places[i] - origin - z) for i in near[n]) for n, z in truth.items() if n in near}
@@ -171,7 +172,7 @@ def _of_marks(bench: PreparedPlan, nodes: Nodes, near: Candidates) -> list[float
 def _of_vectors(bench: PreparedPlan, sketch: ReadDrawing) -> list[float]:
     """Logarithms of drawn to stated lengths of the vectors nearest to their words."""
     truth = true_vectors(bench)
-    known, found = bench.written(truth), []
+    known, found = bench.naming.names(truth), []
     for word in sketch.words:
         name = known.find(word.text)
         if name is None or name == POLE or abs(truth[name]) < LEAST_MM:

@@ -10,12 +10,12 @@ from planes.check import Outcome
 from planes.check.grading.evidence import SURE
 from planes.check.grading.grading import empty
 from planes.check.grading.judging import WARN
-from planes.check.grading.perturbing import HAND
 from planes.check.grading.remedies import Reader, told_to
 from planes.check.grading.written_numbers import Scored
 from planes.check.report.moved_marks import moved_marks
 from planes.check.report.places import wrong_places
 from planes.check.report.shown import shown_plans
+from planes.drafting.skill import HAND
 from planes.geometry.arithmetic import Real
 from planes.plans.measuring import lettering, title_of
 from planes.words import Lang, Phrase, decimal, langs, say
@@ -39,8 +39,7 @@ def mark_rows(out: Outcome) -> list[Json]:
         row: Json = {"mark": label_of(mark), **dict.fromkeys(SIZES), "verdict": verdict}
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if own and miss and not (absent and verdict == "right"):
-            free = g.free[mark]
-            limit = g.judgement.limit
+            free, limit = g.free[mark], g.judgement.limit
             found = own.error_mm, abs(free.off), free.reach(limit), abs(miss.off), miss.reach(limit)
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
             keys = (*SIZES[1:], "own_deviation_mm", "own_tolerance_mm")
@@ -48,6 +47,7 @@ def mark_rows(out: Outcome) -> list[Json]:
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
         elif absent:
             row["verdict"] = "unread"
+        row |= {"verdict": "wrong"} if any(label_of(mark) in one.marks for one in out.paper.signs) else {}
         if label_of(mark) == out.paper.scale_mark:
             row["unjudged"] = "length"  # the scale was taken from it
         rows.append(row)
@@ -94,9 +94,9 @@ def as_json(out: Outcome, lang: Lang = "en") -> Json:
         "first_wrong": None if unreadable else out.first_wrong,
         "mistake": out.mistake,
         "runner_up": None if unreadable else out.runner_up,
-        "sentence": {one: out.sentence.told(one) for one in langs("check")},
+        "sentence": {one: out.typed(out.sentence.told(one)) for one in langs("check")},
         "results": result_rows(out),
-        "warnings": [n.told(lang) for n in (*out.notes, *unseen)],
+        "warnings": [out.typed(n.told(lang)) for n in (*out.notes, *unseen)],
     }
 
 
@@ -148,8 +148,8 @@ def told_all(found: Outcome, reader: Reader) -> list[Phrase]:
 
 
 def chance_told(found: Outcome, lang: Lang) -> str:
-    """How sure the verdict is, in words; nothing of what has none."""
-    if found.chance is None:
+    """How sure the verdict is, in words; nothing of what has none, or is of but a part."""
+    if found.chance is None or found.verdict == "right_as_seen":
         return ""
     key = "check_sure" if found.chance >= SURE else "check_likely" if found.chance >= LIKELY else "check_doubtful"
     return say(key, lang, percent=f"{100 * found.chance:.0f}" if found.chance >= 0.005 else "< 1")

@@ -15,6 +15,7 @@ from planes.check.report.places import address, thumb, wrong_places
 from planes.plans.measuring import lettering, say_plan
 from planes.words import Lang, capital, say
 from planes.words.names import kind_of
+from planes.words.naming import Naming
 from planes.words.records import Json
 
 UNREADABLE, UNSURE, WRONG, RIGHT = range(4)
@@ -66,7 +67,8 @@ class ClassRow:
     @property
     def names(self) -> list[str]:
         """The names that may stand in what is said of it."""
-        return [self.first, *(str(row["mark"]) for row in self.object.get("marks", ()))]
+        results = (str(row["name"]) for row in self.object.get("results", ()))
+        return [self.first, *(str(row["mark"]) for row in self.object.get("marks", ())), *results]
 
     @property
     def kind(self) -> str:
@@ -113,3 +115,9 @@ def cells(row: ClassRow, keys: Sequence[str], lang: Lang) -> list[str]:
     """The cells of a row under those columns."""
     shown = {"verdict": say(f"verdict_{row.verdict}", lang)}
     return [shown.get(key) or str(getattr(row, key)) for key in keys]
+
+
+def typed(row: ClassRow, told: Sequence[str], lang: Lang) -> list[str]:
+    """The cells of a row with names as people type them."""
+    naming = Naming(lang, **row.lettering)
+    return [naming.retold(cell, row.names) for cell in told]

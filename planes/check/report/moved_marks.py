@@ -103,7 +103,9 @@ def _rule(grading: Grading) -> Json:
         "readable": READABLE,
         "key": [label_of(m) for m in key_marks(grading)],
         "absent": sorted(absent),
-        "shown_by": [(label_of(m), [label_of(k) for k in by]) for m, by in grading.shown_by.items()],
+        "shown_by": [
+            (label_of(m), [[label_of(k) for k in way] for way in ways]) for m, ways in grading.shown_by.items()
+        ],
         "same": [label_of(m) for m in same if m in grading.marks],
         "smallest": evidence.SMALLEST * point,
         "sure": evidence.MOST_BY_CHANCE,

@@ -12,7 +12,8 @@ from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.plans.measuring import lettering, title_of
 from planes.words import Lang
-from planes.words.names import POLE, Names, kind_of, label_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, plan_of
+from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mu_text
 
@@ -81,7 +82,7 @@ def shown_plans(found: Outcome) -> Shown:
         drawn = [(at_own[a], at_own[b]) for a, b in pairs if a in at_own and b in at_own]
         return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {}, _leads(found, own))
     sides, order = sides_of(bench.plans, bench.asked.plan), own_order(found)
-    laid = own_sides(sides, found.paper.spots) if order else between(sides, at_own)
+    laid = own_sides(sides, found.paper.spots, bench.naming) if order else between(sides, at_own)
     right = chained(order, at_true) if order else between(sides, at_true)
     ends = {s.end: end for s, (_, end) in reversed(laid)}  # each at the end of the first side that leads to it
     marks = {s.end: ends[s.end] for s, _ in laid if s.end in own}
@@ -105,7 +106,7 @@ def own_order(found: Outcome) -> list[Side]:
     if kind_of(bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
         return []
     sides = {s.name: s for s in sides_of(bench.plans, bench.asked.plan)}
-    first, *read = map(Names(sides).find, (spot.name for spot in spots))
+    first, *read = map(bench.naming.names(sides).find, (spot.name for spot in spots))
     if POLE in read or first != POLE:
         return []
     missing = (s.name for s in sides.values() if s.end in grading.rebuilt.absent)
@@ -115,10 +116,10 @@ def own_order(found: Outcome) -> list[Side]:
 LaidSides = list[tuple[Side, Vector]]  # where they lie, mm from the pole
 
 
-def own_sides(sides: Sequence[Side], spots: Sequence[ReadMark]) -> LaidSides:
+def own_sides(sides: Sequence[Side], spots: Sequence[ReadMark], naming: Naming) -> LaidSides:
     """The vectors as they were read."""
     by_name = {s.name: s for s in sides}
-    names, pole = Names(by_name), spots[0].place
+    names, pole = naming.names(by_name), spots[0].place
     rows = [(names.find(b.name), (a.place - pole, b.place - pole)) for a, b in pairwise(spots)]
     return [(by_name[name], v) for name, v in rows if name in by_name]
 

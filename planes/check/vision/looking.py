@@ -7,6 +7,7 @@ from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import Box, ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.sign_faults import SignFault
 from planes.check.reading.as_planned import worth
 from planes.check.vision.image.picture import Flat
 from planes.check.vision.marks.page_parts import A2_MM2, parts_of
@@ -34,6 +35,7 @@ class Look:
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
     untold: tuple[str, ...] = ()  # vectors that may as well be others, with a mistake
     named: tuple[str, ...] = ()  # marks that but their names tell, which stand where they should
+    signs: list[SignFault] = field(default_factory=list)  # letters and arrows that are wrong
     apart: bool = False  # whether a mistake explains it, and no right plan nearly as well
     bare: bool = False  # whether there are no lines at all
     crowd: bool = False  # whether there are too many to look at
@@ -103,11 +105,11 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
         starts += likely_poles(seen)
     find, best = points_on if kind == "position" else marks_on, Look(flat, 0j, explained=0.0)
     for start in starts:
-        spots, explained, named = find(bench, seen, start)
+        spots, explained, named, signs = find(bench, seen, start)
         known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
         if start != near:
             explained = min(explained, EXPLAINED)  # on a sheet of another size a plan may tell its pole
-        look = Look(flat, start if known else 0j, spots, False, explained, named=named)
+        look = Look(flat, start if known else 0j, spots, False, explained, named=named, signs=signs)
         best = max(best, look, key=lambda look: look.explained)
         if known:
             break

@@ -24,7 +24,7 @@ from planes.plans.scales import fitting
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE, Names, label_of
+from planes.words.names import POLE, label_of
 
 INK_SHARES = (1.05, 0.9, 1.3, 0.75, 1.6, 0.6)  # of the ink that is seen, that a plan's vectors may be
 LEAST_MM, ALIKE = 10.0, 0.02  # of a plan's vectors together; scales that are one
@@ -69,7 +69,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if not best.spots:
             paper.reason = asking("check_force_unsure")
         paper.untold, paper.apart = [n for n in best.untold if n not in pointed], best.apart
-        paper.named = [*best.named]
+        paper.named, paper.signs = [*best.named], best.signs
         if best.named:
             paper.notes.append(Phrase("check_by_name", names=", ".join(best.named)))
         if best.hidden:
@@ -156,7 +156,7 @@ def _by_hand(
     held: CameraTilt | None = None,
 ) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
-    names = Names([label_of(m) for m in bench.marks])
+    names = bench.naming.names([label_of(m) for m in bench.marks])
     name, where = next(((n, z) for k, z in marks.items() if (n := names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))

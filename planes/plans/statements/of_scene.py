@@ -17,6 +17,11 @@ def scene_plans(scene: Scene) -> Plans:
     return plans
 
 
+def found_of(scene: Scene) -> tuple[str, ...]:
+    """What ``find:`` asks for, in whichever way it is written there, by the names of the program."""
+    return tuple(q.name for q in asked(scene_plans(scene), scene.find or (), scene.file))
+
+
 def fitted(plans: Plans, wanted: list[Quantity] | None, value: float) -> tuple[Plans, list[Quantity] | None]:
     """The plans by the leads that cross well at a value of the drive, cut to what is asked; and what is asked of
     them."""

@@ -1,18 +1,16 @@
-"""Which plan an equation of a scene of vectors is drawn on: by the letters of its vectors, or by the unit of μ."""
+"""Which plan an equation of a scene of vectors is drawn on: as it is named there, else by the letters of
+its vectors, or by the unit of μ. Names of vectors tell no links: P_1 of a truss is a load of a node."""
 
 import re
-from collections.abc import Iterable
 
 from planes.scene import Scene
 from planes.scene.vector_equations import VectorEquation
 from planes.scene.vectors import Statement
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import force_plan, kind_of
+from planes.words.names import kind_of
 
 _LETTERS = {"contour": r"[rl]_", "velocity": "v_", "acceleration": "a_", "force": r"[FRGINTPQΦФ][_\d]"}
-_LOAD = re.compile(r"[GIΦФP]_(\d+)(?:_\d+)?")
-_REACTION = re.compile(r"[FR]_(?:(\d)(\d)|(\d+)_(\d+))(?:\^[tn])?")
 QUANTITIES = {"contour": "position"}
 """The plans of a scene of vectors that have the unit of another."""
 
@@ -24,7 +22,7 @@ def plans_of_equations(scene: Scene, statement: Statement) -> dict[tuple[int, st
     found = {}
     for e in statement.equations:
         kind = _kind(scene, e) or asked or "vectors"
-        found[e.line, e.text] = force_plan(*_links(e.names)) if kind == "force" else kind
+        found[e.line, e.text] = _named(scene, e, kind) if e.plan else kind
     kinds = {kind_of(plan) for plan in found.values()}
     if asked and asked not in kinds:
         equation = statement.equations[0]
@@ -48,13 +46,8 @@ def _kind(scene: Scene, e: VectorEquation) -> str:
     return kinds[0] if kinds else ""
 
 
-def _links(names: Iterable[str]) -> list[str]:
-    """The links these forces act on, as their names tell: those of loads, and of each reaction that is of none of them
-    the first, or the second where the other reactions are written so (R_12 on link 2 from 1)."""
-    found = {match[1] for n in names if (match := _LOAD.fullmatch(n))}
-    pairs = [(m[1] or m[3], m[2] or m[4]) for n in names if (m := _REACTION.fullmatch(n))]
-    second = sum(b in found and a not in found for a, b in pairs) > sum(a in found and b not in found for a, b in pairs)
-    for pair in pairs:
-        if not found.intersection(pair):
-            found.add(pair[second])
-    return sorted(found, key=lambda link: (len(link), link))
+def _named(scene: Scene, e: VectorEquation, kind: str) -> str:
+    """The plan that an equation names: of forces."""
+    if kind != "force":
+        raise SceneError(Phrase("equation_plan", plan=e.plan, text=e.text), scene.file, e.line)
+    return e.plan

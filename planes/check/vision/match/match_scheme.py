@@ -19,6 +19,7 @@ from planes.check.vision.search.costs import ANYWHERE, NO_MARK, slip
 from planes.check.vision.search.ink_cover import COVERED, InkCover
 from planes.check.vision.search.laid_plan import LaidPlan
 from planes.check.vision.search.plan_search import Search
+from planes.check.vision.search.signs_seen import Found
 from planes.check.vision.strokes.line_places import SAME_MM, Place
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of
@@ -180,7 +181,7 @@ def with_signs(seen: Seen) -> Seen:
     return Seen(seen.ink, seen.lines, [*found, *places], seen.patches)
 
 
-def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float, tuple[str, ...]]:
+def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> Found:
     """The points of a scheme with its origin near a place, the share of the ink they explain, and nothing that is told
     by its name alone."""
     seen = with_signs(seen)
@@ -191,12 +192,12 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
     found = ((search, way) for search in searches for way in search.ways())
     search, way = min(found, key=lambda one: one[1].cost, default=(None, None))
     if search is None or way is None or not way.found:
-        return [], 0.0, ()
+        return [], 0.0, (), []
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items() if not search.lost(m, way)]
     explained = 1.0 if search.at_signs(way) else ink.explained(search.routes(way))
     spots = measured_by(seen.ink.flat, near, spots, search.own)
-    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, ()
+    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, (), []
 
 
 def origin_found(bench: PreparedPlan, seen: Seen) -> complex | None:

@@ -1,0 +1,70 @@
+"""Numbers a person wrote down, as they are read off a drawing: lengths of segments, results."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from itertools import permutations, product
+
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.geometry.arithmetic import Many, Real
+from planes.plans.quantities import Quantity
+from planes.words.lettering import flat
+from planes.words.names import POLE, at, end_of, label_of, plan_of
+from planes.words.naming import Names
+from planes.words.units import unit_factor
+
+Things = Mapping[str, Real]
+
+
+@dataclass(frozen=True)
+class WrittenNumber:
+    """One number: as written (SI or mm), and how it is read off a drawing (an array over the errors' columns)."""
+
+    name: str
+    given: float
+    read: Callable[[Things], Real]
+    signed: bool = False
+    plan: str = ""
+    value: str = ""  # the program's name of it, if it has one
+
+
+Figures = tuple[list[WrittenNumber], list[str]]  # those of a table, and the names that mean nothing here
+
+
+def result_figures(known: Mapping[str, Quantity], names: Names, written: Iterable[tuple[str, float, str]]) -> Figures:
+    """Figures of a table of results; a name of two that are one quantity means that."""
+    read = [(names.meant(text), text, value * unit_factor(unit)) for text, value, unit in written]
+    sure = {text: n[0] for n, text, _ in read if len({known[one].path for one in n}) == 1}
+    figures = [figure(n, known[n], value) for _, text, value in read if (n := sure.get(text))]
+    return figures, [text for _, text, _ in read if text not in sure]
+
+
+def figure(name: str, q: Quantity, value: float) -> WrittenNumber:
+    """How a quantity of the catalogue is read off a drawing."""
+    one = q.whole
+    plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
+    return WrittenNumber(name, value, lambda things: one.take(things, Many()), not one.part, plan, one.value)
+
+
+def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
+    """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2")."""
+    plan, labels = bench.asked.plan, [label_of(m) for m in bench.marks]
+    ends = [n for n in (POLE, *labels) if at(plan, n) in bench.program.made]  # a scheme has no pole
+    pairs = {one + two: (one, two) for one, two in permutations(ends, 2)}
+    for s in bench.plans.segments:
+        if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
+            pairs.setdefault(end_of(s.name), (s.start, s.end))
+    ways = {end: (end, *bench.names.more.get(end, ()), flat(bench.naming.named(end, plan))) for end in ends}
+    more = {one + two: ["".join(way) for way in product(ways[one], ways[two])] for one, two in permutations(ends, 2)}
+    names = bench.naming.names(pairs, poles=False, more=more)
+    read = [(names.find(text), text, mm) for text, mm in written]
+    found = [WrittenNumber(n, mm, _millimetres(plan, *pairs[n]), False, plan) for n, _, mm in read if n]
+    return found, [text for n, text, _ in read if not n]
+
+
+def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
+    return lambda things: abs(things[at(plan, end)] - things[at(plan, start)])
+
+
+def first_of(value: Real) -> float:
+    """A value without the columns of its errors."""
+    return float(value[0] if getattr(value, "shape", None) else value)

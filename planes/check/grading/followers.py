@@ -1,0 +1,60 @@
+"""What shows where a mark is: itself, or marks drawn from it that cannot all stay in their places while it moves.
+
+A Coriolis end may slide along its own line, and nothing drawn from it moves; so that end is not seen in them. How the
+followers move with a mark is the Jacobian of the steps between: it must have full rank.
+"""
+
+from collections.abc import Collection, Iterable
+from itertools import combinations
+
+import numpy
+
+from planes.drafting.drawing import Drawing, draw_steps
+from planes.drafting.program import Program
+from planes.drafting.tools import Tool
+from planes.geometry.arithmetic import Arithmetic
+from planes.geometry.arrays import Array
+from planes.words.errors import PlanesError
+
+MOVED_MM = 0.01  # a mark is moved so little that lines stay lines
+SEEN = 0.25  # a follower that moves less than this part of a mark's way lies within a hand's error
+Showing = list[tuple[str, ...]]
+
+
+def roots_of(program: Program) -> dict[str, set[str]]:
+    """Every thing drawn with the marks it was drawn from, itself among them."""
+    found: dict[str, set[str]] = {}
+    for step in program.steps:
+        marks = (n for n, kind in step.reads() if kind == "mark")
+        found[step.makes] = {step.makes}.union(*(found[n] for n in marks))
+    return found
+
+
+def showing(truth: Drawing, mark: str, marks: Iterable[str]) -> Showing:
+    """The sets of ``marks`` that tell where one is, itself first; each one or two of those drawn from it."""
+    moves = _moves(truth, mark, [m for m in marks if m != mark])
+    alone = [m for m, jacobian in moves.items() if _full(jacobian)]
+    rest = [m for m in moves if m not in alone]
+    pairs = (pair for pair in combinations(rest, 2) if _full(numpy.vstack([moves[m] for m in pair])))
+    return [(mark,), *((m,) for m in alone), *pairs]
+
+
+def _moves(truth: Drawing, mark: str, others: Collection[str]) -> dict[str, Array]:
+    """By follower the matrix of how it moves with a mark, mm a mm."""
+    columns = []
+    steps = truth.program.touched([mark])
+    for way in (1.0, 1j):
+        things = {**truth.things, mark: truth.things[mark] + MOVED_MM * way}
+        try:
+            columns.append(draw_steps(steps, things, Tool(Arithmetic())))
+        except PlanesError:
+            return {}
+    shown = [m for m in others if all(m in made for made in columns)]
+    rates = {m: [(made[m] - truth.things[m]) / MOVED_MM for made in columns] for m in shown}
+    moves = {m: numpy.array([[z.real for z in row], [z.imag for z in row]]) for m, row in rates.items()}
+    return {m: jacobian for m, jacobian in moves.items() if numpy.isfinite(jacobian).all() and jacobian.any()}
+
+
+def _full(jacobian: Array) -> bool:
+    """Whether no way of the mark leaves these followers where they are."""
+    return bool(numpy.linalg.svd(jacobian, compute_uv=False)[-1] >= SEEN)

@@ -1,0 +1,33 @@
+"""Letters of a drawing that were exchanged: with two of them in each other's place it is right."""
+
+from dataclasses import replace
+from itertools import combinations
+
+from planes.check.grading.grading import Grading, grade
+from planes.check.grading.paper import ReadPaper
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.sign_faults import SignFault
+from planes.words.names import POLE, kind_of
+
+APART_MM = 3.0  # marks nearer to each other may share their letters
+
+
+def exchanged(bench: PreparedPlan, paper: ReadPaper, found: Grading) -> tuple[Grading, SignFault] | None:
+    """The grading of a drawing that is right once two of its letters are exchanged, and which; None where that does not
+    mend it, or a mistake of the catalogue explains every mark."""
+    judged = found.judgement
+    told = judged.named is not None and judged.explained >= judged.misses.keys()
+    if not judged.wrong or told or found.rebuilt or kind_of(bench.asked.plan) == "force":
+        return None
+    names = {s.name: n for s in paper.spots if (n := bench.names.find(s.name)) and n != POLE}
+    wrong = {m.rpartition(":")[2] for m in judged.wrong}
+    for one, two in combinations(names, 2):
+        if not wrong & {names[one], names[two]}:
+            continue
+        other = {one: two, two: one}
+        spots = [replace(s, name=other.get(s.name, s.name)) for s in paper.spots]
+        a, b = (next(s.place for s in spots if s.name == name) for name in (one, two))
+        mended = grade(bench, replace(paper, spots=spots)) if abs(a - b) > APART_MM else None
+        if mended and not mended.fault and mended.said_mu >= found.said_mu:
+            return mended, SignFault("names_exchanged", names[one], names[two], found.judgement.chance_wrong)
+    return None

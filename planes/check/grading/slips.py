@@ -1,0 +1,64 @@
+"""Slips of reckoning: a number that a right drawing does not give, and what was done to it instead."""
+
+from collections.abc import Iterable
+
+from planes.check.grading.figures import WrittenNumber
+from planes.check.grading.handwork import Hand
+from planes.drafting.steps import LayOff
+from planes.drafting.steps.reckoning import Calculate, Measure
+from planes.words.names import letter_of, mu_of
+
+SHARE = 0.03  # a number within 3 % is right, however steady the hand
+
+
+def number_mistake(f: WrittenNumber, true: float, sigma: float, free: Hand) -> str | None:
+    """Slips of reckoning that leave the drawing as it is."""
+    if not true or not f.given:
+        return None
+    near = min(max(SHARE, 3 * sigma / abs(true)), 0.25)
+    if f.signed and _near(f.given, -true, near):
+        return "sense_wrong"
+    for mistake, value in _slips(f, true, free):
+        if value and _near(abs(f.given), abs(value), near):
+            return mistake
+    return None
+
+
+def _near(given: float, wanted: float, share: float) -> bool:
+    return abs(given - wanted) <= share * abs(wanted)
+
+
+def _slips(f: WrittenNumber, true: float, free: Hand) -> Iterable[tuple[str, float]]:
+    """Each slip with the number it gives."""
+    mu = number_of(free, mu_of(f.plan)) if f.plan else 0.0
+    if mu and not f.value:
+        yield "mm_for_value", true * mu
+        yield "mu_inverted", true * mu * mu
+        yield "mu_inverted", true / (mu * mu)
+    if letter_of(f.value) in ("omega", "epsilon"):
+        scheme = number_of(free, mu_of("position"))
+        for factor in (1 / scheme if scheme else 0.0, mu / scheme if scheme else 0.0, 1e-3):
+            yield "omega_without_mu_l", true * factor
+        if mu:
+            yield "mu_inverted", true * mu * mu
+    if letter_of(f.value) == "epsilon":
+        yield "epsilon_from_total", _from_total(f.value, free)
+
+
+def number_of(free: Hand, name: str) -> float:
+    """A value of a drawing; 0 where it has none of the name."""
+    return float(free.number(name)) if name in free.things else 0.0
+
+
+def _from_total(name: str, free: Hand) -> float:
+    """ε from the whole relative acceleration instead of its tangential part."""
+    steps = free.program.makers
+    step = steps.get(name)
+    for value, power in step.terms[0].factors if isinstance(step, Calculate) else ():
+        part = steps.get(value)
+        normal = steps.get(part.start) if power == 1 and isinstance(part, Measure) else None
+        if isinstance(part, Measure) and isinstance(normal, LayOff) and part.mu in free.things:
+            whole = abs(free.number(part.end) - free.number(normal.start)) / abs(number_of(free, part.mu))
+            tangential = abs(number_of(free, value))
+            return float(abs(number_of(free, name)) * whole / tangential) if tangential else 0.0
+    return 0.0

@@ -1,0 +1,59 @@
+"""Letters and arrowheads of a picture that are wrong though its lines are those of the right plan."""
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+from planes.check.grading.paper import ReadMark
+from planes.check.grading.sign_faults import Head, SignFault, Vector, arrow_faults
+from planes.check.vision.marks.handwritten import HandWord
+from planes.check.vision.search.laid_plan import LaidPlan
+from planes.check.vision.search.named_marks import BESIDE_MM, names_on
+from planes.check.vision.search.plan_search import Search
+from planes.words.names import POLE
+
+Found = tuple[list[ReadMark], float, tuple[str, ...], list[SignFault]]
+"""Marks, the share of the ink they explain, those that but their names tell, and signs that are wrong."""
+SURE = 0.95  # how surely such a sign was read rightly
+CROSSED = 0.08  # how likely two names together are by each other's marks, at the least
+RATHER = 25.0  # and how much rather than by their own
+LEAST_MM = 12.0  # of a vector whose heads are told apart
+AT_MM, GAIN, ASIDE = 1.0, 0.5, 0.1  # how near an end a head is, how well its ink shows it, and the sine of its lean
+
+
+def signs_seen(search: Search, way: LaidPlan) -> list[SignFault]:
+    """Two letters each by the other's mark alone, else vectors from the pole with their heads there."""
+    if way.variant is not None or len(way.found) < len(search.bench.marks):
+        return []
+    ends = way.ends(search.pole.z)
+    letters = next(_exchanged(search, ends), None)
+    heads = {v: head for v in search.vectors if v[0] == POLE and (head := _head(search, ends, v))}
+    reversed_ = (fault for fault in arrow_faults(heads, SURE) if fault.mistake == "arrow_reversed")
+    return [*([letters] if letters else ()), *reversed_]
+
+
+def _exchanged(search: Search, ends: dict[str, complex]) -> Iterator[SignFault]:
+    words = names_on(search).words
+    for one, two in combinations([n for n in ends if n != POLE], 2):
+        a, b = ends[one], ends[two]
+        crossed = _by(words, one, b) * _by(words, two, a)
+        straight = _by(words, one, a) * _by(words, two, b)
+        if abs(a - b) > 2 * BESIDE_MM and crossed > max(CROSSED, RATHER * straight):
+            yield SignFault("names_exchanged", one, two, SURE)
+
+
+def _by(words: Sequence[HandWord], name: str, z: complex) -> float:
+    """How likely a name stands by a place."""
+    return max((w.likely.get(name, 0.0) for w in words if w.off(z, z) < BESIDE_MM), default=0.0)
+
+
+def _head(search: Search, ends: dict[str, complex], vector: Vector) -> Head | None:
+    """The end a vector has its head at; None where none is seen."""
+    a, b = (ends.get(n) for n in vector)
+    if a is None or b is None or abs(b - a) < LEAST_MM:
+        return None
+    seen = ((h, x.direction(h.s) * h.sign) for x in search.seen.lines for h in x.heads if h.gain > GAIN)
+    heads = [(h.z, way * abs(b - a) / (b - a)) for h, way in seen]
+    along = [(z, lean.real) for z, lean in heads if abs(lean.imag) < ASIDE]
+    if any(abs(z - b) < 2 * AT_MM and way > 0 for z, way in along):
+        return "end"
+    return "start" if any(abs(z - a) < AT_MM and way < 0 for z, way in along) else None

@@ -1,0 +1,247 @@
+"""The one gate between the program's names and people's: how a sheet letters them, and what is meant by a written one.
+
+F_30 of the program is F_36 on sheets whose frame is link 6, and R_63 where reactions are told from the first link on
+the second; I_2 is Φ_2, the pole of accelerations π. Everything that prints a name or reads one passes here.
+"""
+
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import product
+
+from planes.words import Lang, Phrase, decimal, langs, say
+from planes.words.errors import PlanesError, choices
+from planes.words.lettering import flat, lowered, rate_of
+from planes.words.names import POLE, parted, parts_of, tidy
+from planes.words.units import Convention, mu_text
+
+PRIME = "′"
+_POLES = {"π", "p", "p'", "π'", "полюс", "pole", "P"}
+Ways = Mapping[str, Sequence[str]]
+
+
+@dataclass(frozen=True)
+class Naming:
+    """How this sheet names things: language, number of the frame, the convention of reactions (``from_on``: R_12 from 1
+    on 2, its tangential part R^τ, its arm H_12), the driver, vectors that end at a point of the frame under a slider,
+    the convention of μ."""
+
+    lang: Lang = "ru"
+    frame: str = "0"
+    from_on: bool = False
+    driver: str = "1"
+    grounded: Collection[str] = ()
+    convention: Convention = "mm_per_unit"
+
+    def mu(self, size: float, kind: str) -> str:
+        """μ of a kind of plans as it is written: 30 mm/(m/s)."""
+        return decimal(mu_text(size, kind, self.lang, self.convention), self.lang)
+
+    def link(self, name: str) -> str:
+        """A link's number; the frame's is the scene's."""
+        return self.frame if name == "0" else name
+
+    def point(self, name: str) -> str:
+        """A point of the scheme: S2 -> S_{2}."""
+        return lowered(name)
+
+    def mark(self, label: str, plan: str) -> str:
+        """A mark of a plan of rates: s2' -> s_{2}′, n_CB -> n_{CB}, the pole of accelerations π."""
+        if label == "p":
+            return "π" if plan == "acceleration" else "p"
+        primes, label = len(label) - len(label.rstrip("'′")), label.rstrip("'′")
+        return lowered(label) + PRIME * primes
+
+    def vector(self, name: str) -> str:
+        """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 of a unit drive."""
+        times, _, whole = name.partition("·")
+        if whole:
+            return f"{decimal(times, self.lang)}·{self.vector(whole)}"
+        base, _, part = name.partition("^")
+        letter, _, index = base.partition("_")
+        part = "τ" if self.from_on and part == "t" else part
+        if letter == "MR":
+            return f"M({self.vector(index)})"
+        if letter == "arm":
+            return f"h_{{{flat(self.vector(index))}}}"
+        if letter in ("MZ", "FZ"):
+            letter, part = letter[0], say("lever_letter", self.lang)
+        letter, analogue = rate_of(letter)
+        if letter in ("F", "R") and index:
+            letter, index = "R" if self.from_on else letter, self.reaction(index)
+        elif letter == "I":
+            letter = "Φ"
+        elif letter in ("MI", "MP"):
+            letter, index = "M", ("Φ" if letter == "MI" else "P") + index
+        elif letter in ("N", "T", "PT", "MT", "ω") and index.startswith("F_"):  # of friction, by its reaction
+            letter, index = letter[0], letter[1:] + analogue + self.reaction(index[2:])
+        elif letter in ("v", "a"):
+            index = self.driver if index == "drive" else index.removeprefix("slide_")
+            index = analogue + (index[:-1] + self.frame if base in self.grounded else index)
+        elif analogue:
+            index = analogue + index
+        elif letter == "Fb":
+            return self.balancing(False)
+        return letter + (f"_{{{index.replace('_', ',')}}}" if index else "") + (f"^{{{part}}}" if part else "")
+
+    def arm(self, force: str, arm: str) -> str:
+        """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2};
+        of a reaction R_12 from 1 on 2 H_{12}."""
+        about = arm.removeprefix(f"{arm[0]}_{force}").partition("^")[2]
+        of, letter = flat(self.vector(force)), arm[0]
+        if self.from_on and force.startswith("F_"):
+            of, letter = of.removeprefix("R"), "H"
+        return f"{letter}_{{{of}}}" + (f"^{{{flat(self.point(about))}}}" if about else "")
+
+    def reaction(self, index: str) -> str:
+        """The two links of a reaction in the order of this sheet."""
+        on, by = index.split("_", 1) if "_" in index else (index[:1], index[1:])
+        if by[-1:] in ("t", "n"):
+            by = by[:-1]
+        pair = (self.link(by), self.link(on)) if self.from_on else (self.link(on), self.link(by))
+        return "".join(pair) if max(map(len, pair)) == 1 else ",".join(pair)
+
+    def balancing(self, turning: bool) -> str:
+        """The balancing moment or force."""
+        return f"{'M' if turning else 'F'}_{{{say('balance', self.lang)}}}"
+
+    def named(self, name: str, plan: str = "") -> str:
+        """A name in running text: a mark of a plan, an arm, a point or a vector; a direction is its vector's."""
+        plain = name.strip("|‖°").removesuffix("_given")
+        letter, _, index = plain.partition("_")
+        if letter in ("h", "H") and index:
+            return self.arm(index.rpartition("_")[0] if letter == "h" else index, plain)
+        if "'" in plain or plain == "p":
+            return self.mark(plain, plan)
+        return self.vector(parted(plain)) if index else lowered(plain)
+
+    def curve(self, name: str) -> str:
+        """A curve's name with its index lowered, a letter, then _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
+        head, *index = name.split("_")
+        last = index.pop() if index[1:] and index[-1] in ("x", "y", "arm", "moment") else ""
+        axis, of = last if last in ("x", "y") else "", "".join(index[1:] if index[:1] == ["slide"] else index)
+        if head == "r":
+            return f"{axis or 'r'}_{{{of}}}"
+        if head == "u":
+            return f"u_{{{','.join(index)}}}"
+        if head in ("M", "MZ", "Fb", "FbZ"):
+            return self.balancing(head.startswith("M")) + ("^{Ж}" if head.endswith("Z") else "")
+        if head == "F":
+            letter = {"arm": "h", "moment": "M"}.get(last, "R" if self.from_on else "F")
+            return f"{letter}_{{{self.reaction('_'.join(index))}{axis}}}"
+        letter, analogue = ("a^{k}", "") if head == "coriolis" else rate_of(head)
+        return f"{letter}_{{{analogue}{of}{axis}}}"
+
+    def typed(self, name: str) -> str:
+        """A name as it is typed in a table or an option: that of the program but for reactions, F_36 or R_63."""
+        letter, index, _ = parts_of(name)
+        if letter not in ("F", "R") or not index[:1].isalnum():
+            return name
+        return self.vector(name).translate(_UNBRACED) if index.isalnum() or "_" in index else name
+
+    def retold(self, text: str, names: Iterable[str]) -> str:
+        """A sentence that was told in the program's names, in those that people type."""
+        other = {name: typed for name in names if (typed := self.typed(name)) != name}
+        some = "|".join(map(re.escape, sorted(other, key=len, reverse=True)))
+        return re.sub(rf"(?<![\w^])(?:{some})(?![\w^])", lambda m: other[m[0]], text) if other else text
+
+    def plain(self, name: str) -> str:
+        """A vector or a value as a terminal has it: omega_2_1 -> ω2,1."""
+        return flat(self.vector(name))
+
+    def lettered(self, name: str) -> tuple[str, ...]:
+        """Every way this sheet letters a name of the program."""
+        index = name.partition("_")[2]
+        ways = [self.vector(parted(name)), self.named(name)]
+        balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and index == self.driver
+        if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in ("x", "y", "arm", "moment"):
+            ways.append(self.curve(name))
+        return tuple(ways)
+
+    def names(self, known: Iterable[str], poles: bool = True, more: Ways | None = None) -> "Names":
+        """The gate for names of the program that are ``known``; ``poles`` also reads the ways to write p; ``more`` says
+        how else some are written."""
+        return Names(known, self, poles, more)
+
+    @cached_property
+    def others(self) -> tuple["Naming", ...]:
+        """The same scene's sheets of the other convention, in other languages, with the frame's number and 0."""
+        frames, orders = dict.fromkeys((self.frame, "0")), (self.from_on, not self.from_on)
+        ways = product(dict.fromkeys((self.lang, *langs())), frames, orders)
+        return tuple(replace(self, lang=lang, frame=frame, from_on=order) for lang, frame, order in ways)
+
+
+_UNBRACED = str.maketrans("", "", "{}")
+
+
+class Names:
+    """Finds the program's name for a written one, in whichever way it is lettered; ``poles`` also reads the ways to
+    write p. What is written as the scene's own sheets have it, or as the program does, means that before all else."""
+
+    def __init__(self, known: Iterable[str], naming: Naming, poles: bool = True, more: Ways | None = None) -> None:
+        self.known, self.naming, self.poles, self.more = dict.fromkeys(known), naming, poles, more or {}
+
+    @cached_property
+    def _exact(self) -> Ways:
+        return self._by(self._own, str)
+
+    @cached_property
+    def _otherwise(self) -> Ways:
+        """By the ways of other sheets: R_63 or R_36 for F_36 where the scene has not told which it means."""
+        return self._by(self._of_others, str)
+
+    @cached_property
+    def _folded(self) -> tuple[Ways, Ways]:
+        """By small letters, with their primes and without."""
+        return self._by(self._own, str.casefold), self._by(self._own, lambda k: k.casefold().replace("'", ""))
+
+    def _by(self, ways: Callable[[str], Iterable[str]], key: Callable[[str], str]) -> Ways:
+        found = dict[str, dict[str, None]]()
+        for name in self.known:
+            for way in ways(name):
+                found.setdefault(key(tidy(way)), {})[name] = None
+        return {way: [*names] for way, names in found.items()}
+
+    def _own(self, name: str) -> Iterator[str]:
+        yield from (name, *self.more.get(name, ()), *self.naming.lettered(name))
+
+    def _of_others(self, name: str) -> Iterator[str]:
+        for naming in self.naming.others:
+            for way in naming.lettered(name):
+                yield from (way, way.replace(",", ""))
+                if way.startswith("F_") and not self.naming.from_on:
+                    yield from (f"R{way[1:]}", f"R{way[1:]}".replace(",", ""))
+
+    def exactly(self, written: str) -> str | None:
+        """The program's name where it is written letter by letter, or the pole however it is written."""
+        name = self.find(written)
+        return name if name == POLE or tidy(written) in self._exact else None
+
+    def find(self, written: str) -> str | None:
+        """The program's name, or None where there is none or two would do."""
+        meant = self.meant(written)
+        return meant[0] if len(meant) == 1 else None
+
+    def one(self, written: str, refusal: str, same: Callable[[str], object] = str, **more: object) -> str:
+        """The name that is meant, any of those that are the ``same``. :class:`PlanesError` says which two may be meant,
+        or in the words of the ``refusal`` which there are."""
+        meant = {same(name): name for name in reversed(self.meant(written))}
+        if len(meant) == 1:
+            return next(iter(meant.values()))
+        if meant:
+            raise PlanesError(Phrase("name_of_two", name=written, names=", ".join(meant.values())))
+        valid = choices(written, map(self.naming.typed, self.known))
+        raise PlanesError(Phrase(refusal, name=written, valid=valid, **more))
+
+    def meant(self, written: str) -> Sequence[str]:
+        """All names of the program that a written one may stand for, none where nobody writes any so."""
+        if written in self.known and not written.startswith(("F_", "R_")):
+            return [written]
+        key = tidy(written)
+        if self.poles and key in _POLES:
+            return [POLE]
+        if names := self._exact.get(key) or self._otherwise.get(key):
+            return names
+        primed, plain = self._folded
+        return primed.get(key.casefold()) or plain.get(key.casefold().replace("'", ""), [])

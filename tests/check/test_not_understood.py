@@ -1,0 +1,102 @@
+"""What was not understood, not seen, or lies too near a dead point is never told to be right."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+import planes
+from planes.check import Outcome, check
+from planes.check.grading.by_hand import unsure
+from planes.check.grading.paper import ReadMark, ReadPaper, read_table
+from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.report import as_json, chance_told
+from planes.cli import main
+from planes.drafting.instruments import Pencil
+from planes.drafting.skill import HAND, PENCIL, cad
+from planes.solving import solve
+from tests.helpers import ROOT
+
+SIX = str(ROOT / "samples" / "six-link.yaml")
+ASKED = Asked(planes.load(SIX), "velocity")
+
+
+def of_results(*rows: tuple[str, float, str], skill: object = HAND) -> Outcome:
+    return check(Asked(ASKED.scene, "velocity", skill=skill), ReadPaper("t.csv", results=[*rows]))  # type: ignore[arg-type]
+
+
+def of_marks(plan: str, *without: str) -> Outcome:
+    """A right table of marks that leaves some out."""
+    asked = Asked(ASKED.scene, plan)
+    places = {"p": 0j, **prepare(asked).true_marks}
+    return check(asked, ReadPaper("t.csv", [ReadMark(n, z) for n, z in places.items() if n not in without]))
+
+
+def test_an_unknown_name_leaves_the_work_right_as_far_as_seen(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = of_results(("v_C", 2.404, "m/s"), ("F_99", 5.0, "N"))
+    assert (found.verdict, found.unseen) == ("right_as_seen", ["F_99"])
+    assert "F_99" in found.sentence.told("ru") and as_json(found)["unseen"] == ["F_99"]
+    assert not chance_told(found, "en")
+    file = tmp_path / "t.csv"
+    file.write_text("result,value,unit\nv_C,2.404,m/s\nF_99,5,N\n", encoding="utf-8")
+    assert main(["check", SIX, str(file), "--plan", "velocity", "--json"]) == 3
+    assert json.loads(capsys.readouterr().out)["verdict"] == "right_as_seen"
+
+
+def test_a_wrong_number_of_the_frame_is_wrong_under_the_sheets_name() -> None:
+    found = of_results(("F_36", 9999.0, "N"))
+    assert found.verdict == "wrong" and found.first_wrong == "F_30"
+    assert as_json(found)["sentence"]["en"].startswith("F_36 = 9999")
+    assert found.typed("F_30 and F_21") == "F_36 and F_21"
+
+
+def test_a_column_that_nobody_reads_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "t.csv"
+    file.write_text("result,value,unit,direction\nv_C,2.404,m/s,77\n", encoding="utf-8")
+    found = check(ASKED, read_table(file))
+    assert (found.verdict, found.unseen) == ("right_as_seen", ["direction"])
+
+
+@pytest.mark.parametrize(
+    ("plan", "without", "unseen"),
+    [
+        ("velocity", (), []),
+        ("velocity", ("c",), []),  # s2 stands on bc as S2 does on BC: it tells where c is
+        ("velocity", ("h",), ["h"]),
+        ("acceleration", ("n_CB",), ["n_CB"]),  # it may slide across BC, and c' stays
+        ("acceleration", ("k_HL",), ["k_HL"]),
+    ],
+)
+def test_a_mark_is_seen_in_its_followers_only_where_they_tell_its_place(
+    plan: str, without: tuple[str, ...], unseen: list[str]
+) -> None:
+    found = of_marks(plan, *without)
+    assert found.unseen == unseen, found.sentence.told("en")
+    assert found.verdict == ("right_as_seen" if unseen else "right")
+
+
+@pytest.mark.parametrize("skill", [HAND, cad(73.0)])
+def test_a_number_too_near_a_dead_point_is_not_sure(skill: object) -> None:
+    found = of_results(("v_H", 1.38, "m/s"), skill=skill)
+    assert found.results and found.results.scored[0].verdict == "too_near"
+    assert (found.verdict, found.unseen, found.mistake) == ("right_as_seen", ["v_H"], None)
+    assert of_results(("v_H", 3.0, "m/s"), skill=skill).verdict == "wrong"
+
+
+def test_sheet_note_and_check_tell_the_same_of_a_number_near_a_dead_point(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    names = list(unsure(solve(ASKED.scene).positions[0]))
+    assert "v_H" in names and "v_C" not in names
+    assert main(["sheet", SIX, "-o", str(tmp_path / "s.svg"), "--lang", "en"]) == 0
+    told = next(line for line in capsys.readouterr().err.splitlines() if "too near a dead point" in line)
+    assert all(name in told for name in names) and "v_C" not in told
+    assert main(["note", SIX, "-o", str(tmp_path / "n.html"), "--lang", "en"]) == 0
+    assert "too near a dead point" in (tmp_path / "n.html").read_text(encoding="utf-8")
+
+
+def test_one_place_holds_the_errors_of_people() -> None:
+    assert (Pencil().point_mm, Pencil().ray_deg) == (PENCIL.point_mm, PENCIL.ray_deg)
+    assert Asked(ASKED.scene, "velocity").skill is HAND

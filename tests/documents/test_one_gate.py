@@ -1,0 +1,159 @@
+"""Every name that is printed is read wherever a name is asked, and a number three times too large under it is wrong."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import planes
+from planes.check import check
+from planes.check.grading.paper import ReadPaper
+from planes.check.grading.prepared_plan import Asked, known_plans
+from planes.diagrams.curves import curves_of, named
+from planes.documents.lesson import note
+from planes.plans.quantities import Quantity, asked, catalogue
+from planes.plans.statements.of_scene import scene_plans
+from planes.scene import Scene
+from planes.solving import Solved, solve
+from planes.solving.tables import report
+from planes.words import Lang, langs
+from planes.words.errors import PlanesError
+from planes.words.naming import Names
+
+SAMPLES = Path(__file__).parents[2] / "samples"
+FEW = ["six-link", "assignments/27"]
+OTHERS = [
+    str(p.relative_to(SAMPLES).with_suffix(""))
+    for p in sorted(SAMPLES.rglob("*.yaml"))
+    if re.search("^links:|^vectors:", p.read_text(encoding="utf-8"), re.MULTILINE)
+]
+SHEETS = [(None, False), ("7", True), ("0", True), ("12", False)]
+CELL = re.compile(r"  (\S*[A-Za-zωεφΦ]\S*)  ")
+LETTERED = re.compile(r"([A-Za-zωεΦ])<sub>([^<]*)</sub>(?:<sup>([^<]*)</sup>)?")
+
+
+@cache
+def scene_of(sample: str, sheet: int) -> Scene:
+    """A sample with the frame's number and the convention of its sheets changed."""
+    scene, (number, from_on) = planes.load(SAMPLES / f"{sample}.yaml"), SHEETS[sheet]
+    order = {"reactions": "from-on"} if from_on else {}
+    scene = replace(scene, sheet={**scene.sheet, **order}, find=None)
+    if scene.mechanism is None or number is None:
+        return scene
+    return replace(scene, mechanism=replace(scene.mechanism, frame_number=number))
+
+
+@cache
+def solved(sample: str, sheet: int) -> Solved:
+    return solve(scene_of(sample, sheet))
+
+
+@cache
+def known_of(sample: str, sheet: int) -> tuple[dict[str, Quantity], Names]:
+    plans = solved(sample, sheet).plans
+    known = catalogue(plans)
+    return known, plans.naming.names(known, poles=False)
+
+
+def printed(sample: str, sheet: int, lang: Lang) -> set[str]:
+    """The names in the tables of ``planes solve``."""
+    lines = report(solved(sample, sheet), lang).splitlines()
+    cells = {match[1] for line in lines if (match := CELL.match(line))}
+    plans = solved(sample, sheet).plans
+    return cells - {*plans.points, *plans.links, *plans.mechanism.names}
+
+
+def meant(sample: str, sheet: int, written: str) -> list[Quantity]:
+    """The quantities a written name may mean, each once."""
+    known, names = known_of(sample, sheet)
+    return [*{known[n].path: known[n] for n in names.meant(written)}.values()]
+
+
+def gate(sample: str, sheet: int, lang: Lang) -> Iterator[tuple[str, Quantity]]:
+    """Every printed name with what it means."""
+    for written in sorted(printed(sample, sheet, lang)):
+        quantities = meant(sample, sheet, written)
+        assert len(quantities) == 1, (written, [q.name for q in quantities])
+        yield written, quantities[0]
+
+
+def accepted(sample: str, sheet: int, lang: Lang) -> None:
+    """Printed names are those of ``find:``, of Python and of ``--show``, and the numbers beside them are the same."""
+    here, plans = solved(sample, sheet).positions[0], solved(sample, sheet).plans
+    curves = curves_of(plans) if plans.moves else {}
+    for written, quantity in gate(sample, sheet, lang):
+        assert asked(plans, [written])[0].path == quantity.path
+        assert here.value(written) == pytest.approx(here.value(quantity.name), nan_ok=True)
+        if quantity.name in curves:
+            assert named(written, curves, plans, "") is curves[quantity.name]
+    text = note(scene_of(sample, sheet), None, ".html", lang).decode()
+    for letter, index, part in set(LETTERED.findall(text)):
+        if letter == ("R" if SHEETS[sheet][1] else "F") and re.fullmatch(r"\d+(,\d+)?", index) and len(index) > 1:
+            assert len(meant(sample, sheet, f"{letter}_{index}" + (f"^{part}" if part else ""))) == 1, (index, part)
+
+
+def blamed(sample: str, sheet: int, lang: Lang) -> int:
+    """How many numbers three times too large were found wrong under the names that are printed: every one but zeros."""
+    scene, here, count = scene_of(sample, sheet), solved(sample, sheet).positions[0], 0
+    ask = Asked(scene, known_plans(scene_plans(scene))[0])
+    for written, quantity in gate(sample, sheet, lang):
+        value = quantity.whole.take(here.drawing.things, here.drawing.tool.ar)
+        if quantity.columns[0].unit in ("°", "1") or not abs(value) > 1e-6:
+            continue
+        outcome = check(ask, ReadPaper("t.csv", results=[(written, 3 * value, "")]))
+        (scored,) = outcome.results.scored if outcome.results else ()
+        assert outcome.verdict == ("wrong" if scored.verdict == "wrong" else "right_as_seen"), written
+        count += scored.verdict == "wrong"
+    return count
+
+
+@pytest.mark.parametrize("sheet", range(len(SHEETS)))
+@pytest.mark.parametrize("sample", FEW)
+def test_a_printed_name_is_read_wherever_one_is_asked(sample: str, sheet: int) -> None:
+    for lang in ("ru", "en"):
+        accepted(sample, sheet, lang)
+
+
+@pytest.mark.parametrize(("sample", "sheet"), [("six-link", 0), ("six-link", 1)])
+def test_a_number_three_times_too_large_is_wrong_under_its_printed_name(sample: str, sheet: int) -> None:
+    assert blamed(sample, sheet, "en") > 15
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sample", OTHERS)
+def test_every_sample_has_names_that_are_read(sample: str) -> None:
+    for sheet in range(len(SHEETS)) if scene_of(sample, 0).mechanism else (0,):
+        for lang in langs():
+            accepted(sample, sheet, lang)
+    blamed(sample, 0, "ru")
+
+
+def test_either_number_of_the_frame_and_either_order_mean_one_reaction() -> None:
+    here = solved("six-link", 0).positions[0]
+    for written in ("F_30", "F_36", "F36", "R_63", "R_03", "F_{36}"):
+        assert here.value(written) == here.value("F_30")
+    assert here.value("v_\N{CYRILLIC CAPITAL LETTER ES}") == here.value("v_C")  # a Cyrillic letter that looks the same
+    assert here.omega[2] == here.omega["2"] == here.omega["omega_2"] and here.v["v_C"] == here.v["C"]
+    table = planes.cycle(scene_of("six-link", 0), ["F_36"], phi=[150.0])
+    assert table["R_63"] == table["F_30"] == pytest.approx(here.value("F_30"))
+
+
+def test_a_name_that_nothing_has_is_answered_by_those_there_are() -> None:
+    here = solved("six-link", 0).positions[0]
+    with pytest.raises(KeyError, match="F_36"):
+        here.of("reactions")["F_99"]
+    with pytest.raises(PlanesError, match="there is no Q here; valid: A, D, B, C, S2, H"):
+        here.v["Q"]
+
+
+def test_a_name_that_may_mean_two_things_is_said_so() -> None:
+    scene = scene_of("six-link", 0)
+    assert scene.mechanism
+    scene = replace(scene, mechanism=replace(scene.mechanism, frame_number="2"))
+    with pytest.raises(PlanesError, match=r"the name F_32 may mean F_3[02], F_3[02] here; write one of them"):
+        asked(scene_plans(scene), ["F_32"])
+    ask = Asked(scene, "force:2-3")
+    assert check(ask, ReadPaper("t.csv", results=[("F_32", 1.0, "N"), ("omega_2", 8.122, "")])).verdict != "right"
