@@ -152,8 +152,9 @@ class Naming:
 
     def lettered(self, name: str) -> tuple[str, ...]:
         """Every way this sheet letters a name of the program."""
-        index = name.partition("_")[2]
+        letter, _, index = name.partition("_")
         ways = [self.vector(parted(name)), self.named(name)]
+        ways += [self.vector(f"{letter}_F_{index}")] if letter in _OF_REACTIONS and index[:1].isalnum() else []
         balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and index == self.driver
         if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in ("x", "y", "arm", "moment"):
             ways.append(self.curve(name))
@@ -172,6 +173,7 @@ class Naming:
         return tuple(replace(self, lang=lang, frame=frame, from_on=order) for lang, frame, order in ways)
 
 
+_OF_REACTIONS = ("N", "T", "PT", "MT")  # of friction: they have the index of their reaction
 _UNBRACED = str.maketrans("", "", "{}")
 
 
