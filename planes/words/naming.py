@@ -154,8 +154,9 @@ class Naming:
         """Every way this sheet letters a name of the program."""
         letter, _, index = name.partition("_")
         ways = [self.vector(parted(name)), self.named(name)]
-        ways += [self.vector(f"{letter}_F_{index}")] if letter in _OF_REACTIONS and index[:1].isalnum() else []
-        balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and index == self.driver
+        letter, index = (f"{letter}T", index[1:]) if letter in "PM" and index.startswith("T") else (letter, index)
+        ways += [self.vector(f"{letter}_F_{index}")] if letter in _OF_REACTIONS and index[:1].isdigit() else []
+        balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and name.partition("_")[2] == self.driver
         if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in ("x", "y", "arm", "moment"):
             ways.append(self.curve(name))
         return tuple(ways)
