@@ -152,9 +152,11 @@ class Naming:
 
     def lettered(self, name: str) -> tuple[str, ...]:
         """Every way this sheet letters a name of the program."""
-        index = name.partition("_")[2]
+        letter, _, index = name.partition("_")
         ways = [self.vector(parted(name)), self.named(name)]
-        balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and index == self.driver
+        letter, index = (f"{letter}T", index[1:]) if letter in "PM" and index.startswith("T") else (letter, index)
+        ways += [self.vector(f"{letter}_F_{index}")] if letter in _OF_REACTIONS and index[:1].isdigit() else []
+        balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and name.partition("_")[2] == self.driver
         if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in ("x", "y", "arm", "moment"):
             ways.append(self.curve(name))
         return tuple(ways)
@@ -172,6 +174,7 @@ class Naming:
         return tuple(replace(self, lang=lang, frame=frame, from_on=order) for lang, frame, order in ways)
 
 
+_OF_REACTIONS = ("N", "T", "PT", "MT")  # of friction: they have the index of their reaction
 _UNBRACED = str.maketrans("", "", "{}")
 
 
