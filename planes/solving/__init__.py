@@ -17,7 +17,7 @@ from planes.solving.nearest import Nearest
 from planes.solving.readings import Readings
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
-from planes.words import Lang, Phrase, Told
+from planes.words import Lang, Phrase, Told, home_lang
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.names import POLE, at, label_of, parts_of
 from planes.words.records import Json, Pictured
@@ -84,8 +84,7 @@ class Position(Pictured):
         return next((f.number for f in self.of(group).values()), None)
 
     def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:
-        """The segments measured on a plan, but of points that never move; a whole vector of rates from the pole is
-        named by its point, not by what it was found against."""
+        """The segments of a plan, but of points that never move; a whole vector of rates is named by its point."""
         rates = {p: {"velocity": m.velocity, "acceleration": m.acceleration} for p, m in self.plans.points.items()}
         points = {label_of(marks[plan]): p for p, marks in rates.items() if plan in marks}
         for s in self.plans.segments_of.get(plan, ()):
@@ -98,14 +97,17 @@ class Position(Pictured):
                     yield (f"{plan[0]}_{point}" if whole else s.name), s, found
 
     def value(self, name: str) -> float | complex:
-        """A quantity by the name ``find:`` has for it: a number in SI, complex for a vector.
-
-        Raises :class:`SceneError` that names those there are.
-        """
+        """A quantity by its name in ``find:``: a number in SI, complex for a vector; else a :class:`SceneError`."""
         (quantity,) = asked(self.plans, [name])
         known = (f for f in self.found if f.quantity.path == quantity.path)
         found = next(known, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
         return found.number if len(found.numbers) == 1 else found.vector
+
+    def __str__(self) -> str:
+        """The tables ``planes solve`` prints, in the language of the system."""
+        from planes.solving.tables import text_of
+
+        return text_of(self, home_lang())
 
     def __repr__(self) -> str:
         drive = self.plans.mechanism.drive

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 
 from planes.plans.measuring import lettering
 from planes.plans.quantities import Measured
@@ -23,15 +24,23 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     lines = [solved.scene.title.get(lang, "")]
     lines += [f"W = {s.W}, q = {s.q}, {s.formula_as(naming.frame)}"] if moves else []
     for p in solved.positions:
-        lines += _position(p, key_of(solved.plans), lang, naming) if moves else stated_tables(p, lang, naming)
+        lines += of_position(p, lang, naming)
     if some := next((p for p in solved.positions if "errors" in p.results), None):
         lines += ["", say("errors_pencil" if some.drawing.tool.doubt_mm > 0 else "errors_bound", lang)]
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
 
 
-def _position(p: Position, key: str, lang: Lang, naming: Naming) -> list[str]:
+def text_of(p: Position, lang: Lang) -> str:
+    """The tables of one position."""
+    return "\n".join(of_position(p, lang, replace(p.plans.naming, lang=lang))).strip("\n")
+
+
+def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
+    """The lines of one position."""
+    if not p.plans.moves:
+        return stated_tables(p, lang, naming)
     r = p.results
-    head = f"φ = {p.at:.10g}°" if key == "phi_deg" else f"s = {p.at:.10g} {say('m', lang)}"
+    head = f"φ = {p.at:.10g}°" if key_of(p.plans) == "phi_deg" else f"s = {p.at:.10g} {say('m', lang)}"
     lines = ["", f"— {head} —"]
     e: Json | None = r.get("errors")
     lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)

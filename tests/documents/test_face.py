@@ -164,3 +164,10 @@ def test_a_table_is_plotted_a_panel_for_each_unit() -> None:
     assert list(speed.get_ydata()) == pytest.approx(abs(table["v_C"]).tolist())  # type: ignore[arg-type]
     with pytest.raises(planes.PlanesError, match="v_X"):
         table.plot("v_X")
+
+
+def test_a_position_prints_its_tables(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("LC_ALL", "C")
+    text = str(planes.solve(planes.load(ROOT / "samples" / "six-link.yaml"), phi=150))
+    assert text.startswith("— φ = 150° —\n") and "F_36" in text and "8.122" in text
+    assert "v_CB" in str(planes.solve(planes.load(ROOT / "samples" / "vectors.yaml")))
