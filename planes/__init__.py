@@ -44,6 +44,7 @@ _FROM = {
     "planes.solving": ("Position",),
     "planes.batch.table": ("Table",),
     "planes.words.errors": ("PlanesError",),
+    "planes.solving.tables": ("text_of",),  # asked by whatever is printed as tables
     "planes.documents": ("shown",),  # asked by whatever a notebook shows as a picture
     "planes.documents.notebook": ("crank", "in_notebook"),
 }

@@ -17,16 +17,16 @@ from planes.solving.nearest import Nearest
 from planes.solving.readings import Readings
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
-from planes.words import Lang, Phrase, Told, home_lang
+from planes.words import Lang, Phrase, Told
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.names import POLE, at, label_of, parts_of
-from planes.words.records import Json, Pictured
+from planes.words.records import Json, Pictured, Tabulated
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
 
 
 @dataclass(frozen=True)
-class Position(Pictured):
+class Position(Pictured, Tabulated):
     """One position drawn: where the drive is (``at``: degrees, or m), its plans, drawing and scales, what was found,
     and ``results``: the same as the JSON has it, with what was measured on the plans and what is warned of.
 
@@ -102,12 +102,6 @@ class Position(Pictured):
         known = (f for f in self.found if f.quantity.path == quantity.path)
         found = next(known, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
         return found.number if len(found.numbers) == 1 else found.vector
-
-    def __str__(self) -> str:
-        """The tables ``planes solve`` prints, in the language of the system."""
-        from planes.solving.tables import text_of
-
-        return text_of(self, home_lang())
 
     def __repr__(self) -> str:
         drive = self.plans.mechanism.drive

@@ -8,7 +8,7 @@ from planes.plans.measuring import lettering
 from planes.plans.quantities import Measured
 from planes.solving import Position, Solved, key_of
 from planes.solving.text_tables import directed, error_of, number_cell, pm, spelt, table, titled
-from planes.words import Lang, say
+from planes.words import Lang, home_lang, say
 from planes.words.names import kind_of, label_of, plan_of
 from planes.words.naming import Naming
 from planes.words.records import Json
@@ -30,8 +30,9 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
 
 
-def text_of(p: Position, lang: Lang) -> str:
-    """The tables of one position."""
+def text_of(p: Position) -> str:
+    """The tables of one position, in the language of the system."""
+    lang = home_lang()
     return "\n".join(of_position(p, lang, replace(p.plans.naming, lang=lang))).strip("\n")
 
 

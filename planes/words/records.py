@@ -33,6 +33,14 @@ class Pictured(Described):
         return shown
 
 
+class Tabulated:
+    """Printed as its tables."""
+
+    def __str__(self) -> str:
+        text: str = sys.modules[__name__.partition(".")[0]].text_of(self)
+        return text
+
+
 FORMULA = tuple("=+-@\t＝＋－＠")  # begins what a spreadsheet works out instead of showing
 
 

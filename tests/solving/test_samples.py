@@ -97,8 +97,8 @@ def names(position: Position) -> dict[str, Any]:
 
 @pytest.mark.parametrize("name", PUBLISHED)
 def test_published_examples(name: str) -> None:
-    """Exact to rounding; each printed value within its tolerance, or wrong for a reason the note tells."""
-    known, note = names(solved(name).positions[0]), scene(name).note
+    """Exact to rounding; each printed value within its tolerance, or wrong for a reason that stands beside it."""
+    known = names(solved(name).positions[0])
     for row in stored(name)["quantities"]:
         found, exact, printed = eval(row["read"], known), row["exact"], row["published"]
         assert abs(found - exact) <= NEAR * abs(exact), (row["quantity"], found)
@@ -107,7 +107,6 @@ def test_published_examples(name: str) -> None:
             assert abs(printed - found) <= allowed, (row["quantity"], printed, found)
             continue
         assert row["reason"] and abs(printed - found) > row.get("tolerance_rel", 0.03) * abs(exact)
-        assert f"{printed:g}".replace(".", ",") in note["ru"] and f"{printed:g}" in note["en"], row["quantity"]
 
 
 def test_how_much_was_published() -> None:
