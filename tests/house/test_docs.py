@@ -55,3 +55,10 @@ def test_every_mistake_has_its_name() -> None:
     listed = CHECKING[CHECKING.index("- position:") : CHECKING.index("**Names of marks")]
     told = set(re.findall(r"`([a-z0-9]+(?:_[a-z0-9]+)+)`", listed))
     assert told == {key.removeprefix("mistake_") for key in table("en", "mistakes") if key.startswith("mistake_")}
+
+
+def test_the_newest_version_is_told_alike() -> None:
+    newest = re.search(r"^## (\d+\.\d+\.\d+) — (\d{4}-\d\d-\d\d)$", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.M)
+    cited = (ROOT / "CITATION.cff").read_text("utf-8")
+    assert newest and newest[1] == planes.__version__
+    assert f"version: {newest[1]}\n" in cited and f"date-released: {newest[2]}\n" in cited
