@@ -20,7 +20,7 @@ PLAN = "velocity"
 def driver_vector(plans: Plans) -> DriverVector | None:
     """The vector the driver's rate is taken back from; none where it stands still or its vector is not drawn."""
     drive, steps = plans.mechanism.drive, {s.makes: s for s in plans.program.steps}
-    if not drive.velocity or not plans.moves:
+    if not drive.velocity:
         return None
     if drive.kind == "s":
         slide = plans.velocity_slides.get(drive.link)

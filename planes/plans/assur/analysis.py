@@ -40,7 +40,7 @@ def _lighter(mechanism: Mechanism, heaviness: int) -> tuple[Structure, ...]:
     """The same driven by another link on the frame, wherever its heaviest group is of a lower class; the lightest
     first."""
     finder, found = _Finder(mechanism, ""), []
-    others = [(x, finder.between(x, FRAME)) for x in mechanism.links if heaviness and x != mechanism.drive.link]
+    others = [(x, finder.between(x, FRAME)) for x in mechanism.links if heaviness]
     for link, (pair,) in [(x, pairs) for x, pairs in others if len(pairs) == 1][:TRIED]:
         try:
             drive = Drive(link, "phi" if pair.kind == "R" else "s", 0.0)
