@@ -7,6 +7,7 @@ families of scenes on the way to a limit.
     python -m tests.nightly scenes --positions 2000
     python -m tests.nightly limits --positions 100000 --minutes 60
     python -m tests.nightly snapped --positions 2000
+    python -m tests.nightly spoiled --positions 3000
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
 
@@ -14,6 +15,9 @@ Each prints what it counted when it is done or its minutes are over, and ends wi
 of its kind, times the least sharpness).
 
 ``snapped`` makes so many scenes with one exact coincidence, and of each a position, a run and a document.
+
+``spoiled`` changes lines, words and numbers of the samples' files and of drawings of them (one in eleven), and looks
+how ``solve`` and ``check`` end.
 
 ``written`` compares with scenes as they are written, their decimals at 50 digits. The truth of ``claims`` is the same
 tape read in numbers of 106 bits; at a few positions of every mechanism it is compared with 50 digits (it must not stray
@@ -31,6 +35,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -43,9 +48,10 @@ from planes.batch.error_bounds import Claims
 from planes.batch.tracing import given_values
 from planes.drafting.drawing import run
 from planes.plans import plans_of
-from planes.scene import loads
+from planes.scene import load, loads
+from planes.solving import solve
 from planes.words.errors import PlanesError
-from tests.helpers import as_written
+from tests.helpers import ROOT, as_written
 from tests.helpers.comparing import against, standing
 from tests.helpers.double_double import FINE, Two, apart, read_long
 from tests.helpers.mechanisms import KINDS, any_scene, make, shape_of, to_yaml
@@ -53,6 +59,7 @@ from tests.helpers.near_limits import FAMILIES, walk
 from tests.helpers.oracle import NoSolution
 from tests.helpers.snapped import DOCUMENTS, document_faults, faults, snapped
 from tests.helpers.snapped import FAMILIES as FAMILIES_OF_SNAPPED
+from tests.helpers.spoiled import fault, made, spoiled
 
 EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
 FULL = 40  # positions of one mechanism compared with its text
@@ -358,16 +365,57 @@ def coincidences(count: int, end: float, seed: int) -> bool:
     return not wrong
 
 
+def hurried(count: int, end: float, seed: int) -> bool:
+    """Scenes and drawings spoiled as by a hurried hand; True if every command ended as it should."""
+    samples = sorted((ROOT / "samples").glob("*.yaml")) + sorted((ROOT / "samples/vectors").glob("*.yaml"))
+    texts = [f.read_text("utf-8") for f in samples]
+    wrong, done = 0, Counter[str]()
+    with tempfile.TemporaryDirectory() as where:
+        folder = Path(where)
+        drawings = [*drawn_for_spoiling(folder)]
+        for k in range(count):
+            if time.monotonic() > end:
+                break
+            rng = random.Random(f"{seed} {k}")
+            if k % 11:
+                words = ["solve", str(made(folder, spoiled(rng.choice(texts), rng), ".yaml"))]
+            else:
+                scene, plan, text, suffix = rng.choice(drawings)
+                words = ["check", scene, str(made(folder, spoiled(text, rng), suffix)), "--plan", plan]
+            done[words[0]] += 1
+            if said := fault([*words, "--lang", "en"]):
+                wrong += 1
+                print(f"{seed} {k}: {words[0]}: {said}", flush=True)
+    print(f"spoiled: {done['solve']} scenes, {done['check']} drawings, {wrong} with faults")
+    return not wrong
+
+
+def drawn_for_spoiling(folder: Path) -> Iterator[tuple[str, str, str, str]]:
+    """Drawings of plans, as text: the scene, the plan, the text, the suffix."""
+    for name in ("kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "six-link"):
+        scene = str(ROOT / "samples" / f"{name}.yaml")
+        for suffix in (".svg", ".dxf"):
+            for plan in ("velocity", "acceleration"):
+                file = folder / f"drawn{suffix}"
+                fault(["sheet", scene, "--view", f"{plan}-plan", "-o", str(file), "--lang", "en"])
+                yield scene, plan, file.read_text("utf-8"), suffix
+        here = solve(load(scene)).positions[0]
+        rows = [f"v_{p},{abs(v):.4g},m/s" for p, v in here.v.items()] + [
+            f"omega_{n},{w:.4g},rad/s" for n, w in here.omega.items()
+        ]
+        yield scene, "velocity", "\n".join(["result,value,unit", *rows]), ".csv"
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=("claims", "written", "masks", "scenes", "limits", "snapped"))
+    parser.add_argument("what", choices=("claims", "written", "masks", "scenes", "limits", "snapped", "spoiled"))
     parser.add_argument("--positions", type=int, default=1000)
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=0)
     asked = parser.parse_args()
     end = time.monotonic() + 60 * asked.minutes
     every = {"claims": claims, "written": written, "masks": masks, "scenes": scenes, "limits": limits}
-    every["snapped"] = coincidences
+    every |= {"snapped": coincidences, "spoiled": hurried}
     work = every[asked.what]
     return 0 if work(asked.positions, end, asked.seed) else 1
 
