@@ -15,6 +15,8 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Floats, Indices, 
 from planes.plans import Plans
 from planes.plans.columns import Column
 from planes.plans.quantities import Quantity, once, results_of
+from planes.words import Phrase
+from planes.words.errors import PlanesError, UnknownName
 from planes.words.naming import Naming
 from planes.words.records import Described
 
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
 
+SWEPT = "SI"  # the unit of a parameter that takes several values
 SHOWN = 6  # columns named in the short form
 
 
@@ -42,8 +45,13 @@ class Table(Described, Mapping[str, Array | Complexes]):
             return self.columns[f"{name}_x"] + 1j * self.columns[f"{name}_y"]
         if name in self.columns:
             return self.columns[name]
-        vectors = (column.removesuffix("_x") for column in self.columns if column.endswith("_x"))
-        return self[self.naming.names([*self.columns, *vectors], poles=False).one(name, "no_column")]
+        vectors = [column.removesuffix("_x") for column in self.columns if column.endswith("_x")]
+        parts = {f"{vector}_{part}" for vector in vectors for part in "xy"}
+        known = [*vectors, *(column for column in self.columns if column not in parts)]
+        try:
+            return self[self.naming.names(known, poles=False).one(str(name), "no_column")]
+        except PlanesError as error:
+            raise UnknownName(error.phrase) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.columns)
@@ -57,23 +65,29 @@ class Table(Described, Mapping[str, Array | Complexes]):
         return f"<Table of {len(self.failed)} positions: {', '.join(names[:SHOWN])}{more}>"
 
     def to_pandas(self) -> DataFrame:
-        """The columns as a ``pandas.DataFrame``, the reasons last. Needs pandas."""
-        import pandas
+        """The columns as a ``pandas.DataFrame``, the reasons last. Needs pandas: ``pip install pandas``."""
+        try:
+            import pandas
+        except ImportError:
+            raise PlanesError(Phrase("needs_pandas")) from None
 
         return pandas.DataFrame({**self.columns, "failed": self.failed})
 
     def plot(self, *names: str, over: str | None = None) -> Figure:
         """Curves of the columns named (of all, if none is) over another one, the drive's; a panel for each unit.
 
-        A vector ``v_C`` is drawn by its size. Returns a ``matplotlib.figure.Figure``, which a notebook shows and
-        ``figure.savefig("curves.png")`` keeps. Raises :class:`PlanesError` for a name that no column has.
+        A vector ``v_C`` is drawn by its size; in a sweep each set of parameters has its curve. Returns a
+        ``matplotlib.figure.Figure``, which a notebook shows and ``figure.savefig("curves.png")`` keeps. Raises :class:`PlanesError` for a name that no column has.
         """
         from matplotlib.figure import Figure
 
         over = over or next(iter(set(self.columns) & {"phi", "s"}), next(iter(self.columns)))
         vectors = [name.removesuffix("_x") for name in self.columns if name.endswith("_x")]
         parts = {f"{name}_{part}" for name in vectors for part in "xy"}
-        drawn = names or (*vectors, *(name for name in self.columns if name not in {over, *parts}))
+        swept = [name for name in self.columns if self.units[name] == SWEPT]
+        drawn = names or (*vectors, *(name for name in self.columns if name not in {over, *parts, *swept}))
+        changes = [np.diff(self.columns[name]) != 0 for name in swept]
+        ends = (np.flatnonzero(np.any(changes, axis=0)) + 1).tolist() if swept else list[int]()
         panels: dict[str, list[str]] = {}
         for name in drawn:
             panels.setdefault(self.units.get(name) or self.units.get(f"{name}_x", ""), []).append(name)
@@ -81,8 +95,10 @@ class Table(Described, Mapping[str, Array | Complexes]):
         axes = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
         for panel, (unit, curves) in zip(axes, panels.items(), strict=True):
             for name in curves:
-                values = self[name]
-                panel.plot(self[over], np.abs(values) if np.iscomplexobj(values) else values, label=name)
+                values = np.abs(self[name]) if np.iscomplexobj(self[name]) else self[name]
+                for run in np.split(np.arange(len(values)), ends):
+                    told = [f"{one} = {self.columns[one][run[0]]:g}" for one in swept]
+                    panel.plot(self[over][run], values[run], label=", ".join([name, *told]))
             panel.set_ylabel(unit)
             panel.grid(alpha=0.3)
             panel.legend(loc="best")

@@ -18,6 +18,7 @@ from planes.documents import animation, picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
 from planes.drafting.instruments import Instrument
+from planes.plans.quantities import asked as asked_for
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import asked_of_drive
@@ -66,7 +67,7 @@ def solve(scene: Scene, phi: Any = None, *, s: Any = None, instrument: Instrumen
 
 
 def cycle(
-    scene: Scene, names: Iterable[str] | None = None, phi: Any = None, *, s: Any = None, **parameters: Any
+    scene: Scene, names: str | Iterable[str] | None = None, phi: Any = None, *, s: Any = None, **parameters: Any
 ) -> Table:
     """Results for many positions, as arrays by name; ``names`` as in ``find:`` (None: everything).
 
@@ -83,7 +84,7 @@ def cycle(
     >>> table["v_C"].shape
     (8,)
     """
-    asked = list(names) if names is not None else None
+    asked = [names] if isinstance(names, str) else list(names) if names is not None else None
     values = asked_of_drive(scene, phi, s)
     swept = {name: np.atleast_1d(np.asarray(v, float)) for name, v in parameters.items()}
     tables = []
@@ -99,13 +100,19 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     drive, run = plans.mechanism.drive, Cycle(plans, names)
     if values is None:
         values = np.arange(360.0) if drive.kind == "phi" else [drive.position]
-    blocks = list(run.blocks(np.atleast_1d(np.asarray(values if np.ndim(values) else list(values), float))))
+    elif isinstance(values, Iterable) and not isinstance(values, np.ndarray):
+        values = list(values)
+    blocks = list(run.blocks(np.atleast_1d(np.asarray(values, float))))
     at, table, codes = (np.concatenate(part, axis=-1) for part in zip(*blocks, strict=True))
     columns = {name: np.full(len(at), number) for name, number in given.items()} | {drive.kind: at}
     units = dict.fromkeys(given, "SI") | {drive.kind: "°" if drive.kind == "phi" else "m"}
     columns |= {c.name: row for c, row in zip(run.columns, table, strict=True)}
+    units |= {c.name: c.unit for c in run.columns}
+    for q in (q for q in asked_for(plans, names or ()) if q.reversed):
+        columns |= {f"{q.name}_{part}": -columns[f"{q.of}_{part}"] for part in "xy"}
+        units |= {f"{q.name}_{part}": "N" for part in "xy"}
     reasons = np.array(["", *(r.key for r in run.reasons)], dtype=object)
-    return Table(columns, units | {c.name: c.unit for c in run.columns}, reasons[codes], plans.naming)
+    return Table(columns, units, reasons[codes], plans.naming)
 
 
 def check(

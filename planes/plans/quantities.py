@@ -35,6 +35,11 @@ class Quantity(NamedTuple):
         return tuple(x for x in (self.group, self.of, self.key) if x)
 
     @property
+    def reversed(self) -> bool:
+        """Whether it is named from the other link of its pair, F_12 of F_21: the force is opposite."""
+        return self.group == "reactions" and self.name != self.of
+
+    @property
     def needs(self) -> tuple[str, ...]:
         """The names of the program it is found from."""
         return tuple(dict.fromkeys(n for c in self.columns for n in c._replace(beside=c.beside[:1]).needs))

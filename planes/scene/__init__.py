@@ -8,14 +8,14 @@ from types import MappingProxyType
 from typing import Any
 
 from planes.scene import settings, source
-from planes.scene.doubts import read_doubts
+from planes.scene.doubts import TOLD, idle_parameters, read_doubts
 from planes.scene.friction import read_friction
 from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import FRAME, Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_loads
 from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
-from planes.scene.reader import Reader, entries_of
+from planes.scene.reader import Reader, entries_of, line_of
 from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import Statement, VectorGiven, read_statement
 from planes.words import Phrase
@@ -165,6 +165,8 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     changed = with_numbers(reader, given, chosen, parameters)
     reader.parameters = MappingProxyType(read_parameters(reader, given, changed))
     stated = {**entries_of(given), **entries_of(changed)}
+    if idle := parameters.keys() & idle_parameters(table, stated, TOLD):
+        raise SceneError(Phrase("parameter_idle", name=min(idle)), file, line_of(table, ("parameters", min(idle))))
     reading = ReadWith(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
     return _scene(reader, table, reading, stated)
 

@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import fields
 from itertools import combinations
 
@@ -29,6 +29,7 @@ _WHOLE = re.compile(r"-?\d+(\.0*)?")
 _SIZES = ("force", "moment")  # of loads
 _WORD = re.compile(r"\w+")
 _STATED = ("parameters", "variants")
+TOLD = (*_STATED, "title", "note", "text", "missing", "sheet")  # what a scene says and is not made of
 _NAMED_FREELY = (*_STATED, "vectors")  # where an empty value means what it should
 
 
@@ -61,10 +62,16 @@ def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
 
 def _unused(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
     """Parameters that nothing is made of: a length misspelt or left behind; one that the note speaks of is known."""
-    besides = (node.text for path, node in texts(table) if path[0] not in _STATED)
+    idle = idle_parameters(table, parameters, _STATED)
+    yield from ((Phrase("doubt_unused", name=name), ("parameters", name)) for name in idle)
+
+
+def idle_parameters(table: SourceTable, parameters: Mapping[str, Node], without: Container[str]) -> list[str]:
+    """The parameters from which nothing is made that stands elsewhere than under the keys ``without``."""
+    besides = (node.text for path, node in texts(table) if path[0] not in without)
     words = {word for text in besides for word in _WORD.findall(text)}
     used = reached(words, {name: names_of(node) for name, node in parameters.items()})
-    yield from ((Phrase("doubt_unused", name=name), ("parameters", name)) for name in parameters if name not in used)
+    return [name for name in parameters if name not in used]
 
 
 def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:

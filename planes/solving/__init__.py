@@ -101,7 +101,8 @@ class Position(Pictured, Tabulated):
         (quantity,) = asked(self.plans, [name])
         known = (f for f in self.found if f.quantity.path == quantity.path)
         found = next(known, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
-        return found.number if len(found.numbers) == 1 else found.vector
+        vector = -found.vector if quantity.reversed else found.vector  # F_12 is opposite to F_21
+        return found.number if len(found.numbers) == 1 else vector
 
     def __repr__(self) -> str:
         drive = self.plans.mechanism.drive

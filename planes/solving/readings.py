@@ -1,19 +1,13 @@
 """Results by the names people give them."""
 
 from collections.abc import Callable, Mapping
-from typing import TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, UnknownName
 from planes.words.naming import Naming
 
 S = TypeVar("S")
 T = TypeVar("T")
-
-
-class UnknownName(PlanesError, KeyError):
-    """There is no result of this name; the sentence says which there are."""
-
-    __str__ = Exception.__str__  # a KeyError would put it in quotes
 
 
 class Readings(dict[str, T]):
@@ -25,6 +19,20 @@ class Readings(dict[str, T]):
     def __init__(self, found: Mapping[str, T], naming: Naming, letter: str = "") -> None:
         super().__init__(found)
         self.naming, self.letter = naming, letter
+
+    if TYPE_CHECKING:
+
+        def __getitem__(self, name: str | int) -> T: ...
+
+    def __contains__(self, name: object) -> bool:
+        return super().__contains__(name) or self.get(name) is not None
+
+    def get(self, name: Any, other: Any = None) -> Any:
+        """What is found by a name, in any of its spellings; else ``other``."""
+        try:
+            return self[name]
+        except UnknownName:
+            return other
 
     def __missing__(self, name: object) -> T:
         names = self.naming.names(self, poles=False, more={own: (f"{self.letter}_{own}",) for own in self})

@@ -41,6 +41,12 @@ class PlanesError(Exception):
         return self.place + (self.phrase.told(lang) if isinstance(self.phrase, Phrase) else self.phrase)
 
 
+class UnknownName(PlanesError, KeyError):
+    """There is no result of this name; the sentence says which there are."""
+
+    __str__ = Exception.__str__  # a KeyError would put it in quotes
+
+
 class SceneError(PlanesError, ValueError):
     """The scene file says something that cannot be meant."""
 
