@@ -77,7 +77,8 @@ class Table(Described, Mapping[str, Array | Complexes]):
         """Curves of the columns named (of all, if none is) over another one, the drive's; a panel for each unit.
 
         A vector ``v_C`` is drawn by its size; in a sweep each set of parameters has its curve. Returns a
-        ``matplotlib.figure.Figure``, which a notebook shows and ``figure.savefig("curves.png")`` keeps. Raises :class:`PlanesError` for a name that no column has.
+        ``matplotlib.figure.Figure``, which a notebook shows and ``figure.savefig("curves.png")`` keeps.
+        Raises :class:`UnknownName`, a KeyError, for a name that no column has.
         """
         from matplotlib.figure import Figure
 

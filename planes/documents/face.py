@@ -21,6 +21,7 @@ from planes.drafting.instruments import Instrument
 from planes.plans.quantities import asked as asked_for
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
+from planes.scene.building import Linkage
 from planes.scene.ranges import asked_of_drive
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
@@ -35,15 +36,26 @@ __all__ = ["animate", "check", "cycle", "lesson", "picture", "sheet", "solve"]
 Numbers = Iterable[float]
 
 
+def read(scene: Scene | Linkage) -> Scene:
+    """A scene, or the scene of a mechanism built in Python."""
+    return scene.scene() if isinstance(scene, Linkage) else scene
+
+
 @overload
 def solve(
-    scene: Scene, phi: float | None = None, *, s: float | None = None, instrument: Instrument | None = None
+    scene: Scene | Linkage, phi: float | None = None, *, s: float | None = None, instrument: Instrument | None = None
 ) -> Position: ...
 @overload
 def solve(
-    scene: Scene, phi: Numbers | None = None, *, s: Numbers | None = None, instrument: Instrument | None = None
+    scene: Scene | Linkage,
+    phi: Numbers | None = None,
+    *,
+    s: Numbers | None = None,
+    instrument: Instrument | None = None,
 ) -> Solved: ...
-def solve(scene: Scene, phi: Any = None, *, s: Any = None, instrument: Instrument | None = None) -> Position | Solved:
+def solve(
+    scene: Scene | Linkage, phi: Any = None, *, s: Any = None, instrument: Instrument | None = None
+) -> Position | Solved:
     """Draw and measure one position, or each of several.
 
     ``phi`` (degrees; ``s``, in m, where the driver slides) is one value or an iterable of them; left out, it is the
@@ -58,6 +70,7 @@ def solve(scene: Scene, phi: Any = None, *, s: Any = None, instrument: Instrumen
     >>> [round(p.value("omega_2"), 3) for p in planes.solve(scene, range(0, 90, 30)).positions]  # rad/s
     [-0.902, 0.684, 2.553]
     """
+    scene = read(scene)
     at = asked_of_drive(scene, phi, s)
     if isinstance(at, Iterable):
         return solve_each(scene, [float(x) for x in at], instrument, home_lang())
@@ -67,7 +80,12 @@ def solve(scene: Scene, phi: Any = None, *, s: Any = None, instrument: Instrumen
 
 
 def cycle(
-    scene: Scene, names: str | Iterable[str] | None = None, phi: Any = None, *, s: Any = None, **parameters: Any
+    scene: Scene | Linkage,
+    names: str | Iterable[str] | None = None,
+    phi: Any = None,
+    *,
+    s: Any = None,
+    **parameters: Any,
 ) -> Table:
     """Results for many positions, as arrays by name; ``names`` as in ``find:`` (None: everything).
 
@@ -84,6 +102,7 @@ def cycle(
     >>> table["v_C"].shape
     (8,)
     """
+    scene = read(scene)
     asked = [names] if isinstance(names, str) else list(names) if names is not None else None
     values = asked_of_drive(scene, phi, s)
     swept = {name: np.atleast_1d(np.asarray(v, float)) for name, v in parameters.items()}
@@ -116,7 +135,7 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
 
 
 def check(
-    scene: Scene,
+    scene: Scene | Linkage,
     drawing: str | Path,
     plan: str,
     phi: float | None = None,
@@ -135,6 +154,7 @@ def check(
     ``first_wrong``, ``mistake``, ``sentence``.
     Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
+    scene = read(scene)
     at, known_mu = asked_of_drive(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
     asked = Asked(scene, plan, None if at is None else float(at), known_mu)
     known = Known(pole, marks or {}, page=None if page is None else page - 1)
@@ -142,7 +162,7 @@ def check(
 
 
 def sheet(
-    scene: Scene,
+    scene: Scene | Linkage,
     output: str | Path | None = None,
     phi: float | None = None,
     *,
@@ -156,6 +176,7 @@ def sheet(
     ``number`` 1 or 2 is that sheet of a course project, ``view`` one view alone; else everything stands on one sheet.
     A notebook shows what is returned. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
+    scene = read(scene)
     lang, at = lang or home_lang(), asked_of_drive(scene, phi, s) if scene.mechanism else None
     values = None if at is None else [float(at)]
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
@@ -164,20 +185,25 @@ def sheet(
     return drawn
 
 
-def lesson(scene: Scene, output: str | Path | None = None, lang: Lang | None = None) -> Lesson:
+def lesson(scene: Scene | Linkage, output: str | Path | None = None, lang: Lang | None = None) -> Lesson:
     """The construction step by step, as a page that a notebook shows, written to ``output`` if that is given."""
-    page = Lesson(scene, lang or home_lang())
+    page = Lesson(read(scene), lang or home_lang())
     if output is not None:
         page.write(str(output))
     return page
 
 
 def animate(
-    scene: Scene, output: str | Path, *, frames: int = animation.FRAMES, seconds: float = 6.0, lang: Lang | None = None
+    scene: Scene | Linkage,
+    output: str | Path,
+    *,
+    frames: int = animation.FRAMES,
+    seconds: float = 6.0,
+    lang: Lang | None = None,
 ) -> None:
     """Write a moving picture of the mechanism with its plans: ``output`` ends in .gif, .svg or .mp4 (extra ``check``).
 
-    ``frames`` are the positions of one turn, or of one way where the driver only swings; the picture lasts ``seconds``
-    and begins anew. Raises :class:`PlanesError` where nothing moves, or for another suffix.
+    ``frames`` are the positions of one turn, or of one stroke where the driver only swings. The picture lasts
+    ``seconds`` and loops. Raises :class:`PlanesError` where nothing moves, or for another suffix.
     """
-    animation.animate(scene, output, lang or home_lang(), frames, seconds)
+    animation.animate(read(scene), output, lang or home_lang(), frames, seconds)

@@ -15,7 +15,9 @@ Number = float | str
 
 
 class Linkage:
-    """A mechanism to be built: fixed points and guides, links, assembly, drive, loads; each call returns it again.
+    """A mechanism to be built: fixed points and guides, links, assembly, drive, loads.
+
+    Each call adds to it and returns it.
 
     Lengths are in m, masses in kg, moments of inertia in kg·m² about the mass centre, angles in degrees
     counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` gives the scene, or the sentence by which a
@@ -156,7 +158,7 @@ class Linkage:
         return written({key: value for key, value in (self.parts | {"frame": frame}).items() if value})
 
     def scene(self, **parameters: float) -> Scene:
-        """The scene; :class:`planes.PlanesError` names the line of :meth:`to_yaml` that cannot be meant."""
+        """The scene. :class:`planes.PlanesError` points to the invalid line of :meth:`to_yaml`."""
         return loads(self.to_yaml(), self.parts["title"] or "Linkage", None, **parameters)
 
     def __repr__(self) -> str:

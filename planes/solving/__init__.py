@@ -80,7 +80,7 @@ class Position(Pictured, Tabulated):
         return rows
 
     def number(self, group: str) -> float | None:
-        """A balancing load, where it was asked."""
+        """The balancing load, if it was asked for."""
         return next((f.number for f in self.of(group).values()), None)
 
     def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:

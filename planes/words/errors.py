@@ -25,9 +25,9 @@ _MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
 
 
 class PlanesError(Exception):
-    """Base of every refusal: one sentence with names, numbers, the place and what to do, told in either language.
+    """Base of every refusal: one sentence with names, numbers, the place and what to do.
 
-    ``str`` of it is English. Words given instead of a phrase are told as they are in both languages.
+    ``str`` of it is English; :meth:`told` gives the other languages.
     """
 
     place = ""

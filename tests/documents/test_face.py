@@ -58,7 +58,7 @@ def test_a_position_is_read_by_name() -> None:
 def test_parameters_by_keyword_and_again() -> None:
     scene = planes.load(FOUR_BAR, l_CD=0.4).with_parameters(l_AB=0.11)
     assert (scene.parameters["l_CD"], scene.parameters["l_AB"]) == (0.4, 0.11)
-    with pytest.raises(planes.PlanesError, match=r"kind-1-rrr\.yaml:\d+: \"l_DC\" is no parameter.*l_CD"):
+    with pytest.raises(planes.PlanesError, match=r"kind-1-rrr\.yaml:\d+: \"l_DC\" is not a parameter.*l_CD"):
         planes.load(FOUR_BAR, l_DC=0.4)
     with pytest.raises(planes.PlanesError, match="l_DC"):
         planes.cycle(scene, ["v_C"], l_DC=[1.0])
@@ -198,3 +198,10 @@ def test_the_face_takes_what_one_types() -> None:
     runs = planes.cycle(scene, ["omega_2"], phi=range(0, 360, 90), l_CD=[0.3, 0.35]).plot().axes[0].lines
     assert [len(run.get_xdata()) for run in runs] == [4, 4]  # type: ignore[arg-type]
     assert [run.get_label() for run in runs] == ["omega_2, l_CD = 0.3", "omega_2, l_CD = 0.35"]
+
+
+def test_a_mechanism_built_in_python_needs_no_scene_of_its_own() -> None:
+    bar = planes.Linkage().fix(P=(0, 0), S=(0.2, 0)).link(1, P=0, Q=0.0625).link(2, Q=0, R=0.175).link(3, S=0, R=0.1125)
+    bar.assemble(R="left").drive(1, phi=60, omega=-10)
+    assert planes.solve(bar).omega[2] == planes.solve(bar.scene()).omega[2]
+    assert planes.cycle(bar, "omega_3", phi=[60])["omega_3"][0] == pytest.approx(-3.787, abs=1e-3)
