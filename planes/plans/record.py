@@ -16,6 +16,7 @@ from planes.plans.force.reactions import Reaction
 from planes.plans.motion.legs import SlideReading
 from planes.plans.other_leads import Leads, Restating
 from planes.plans.passive_motion import LinkValues, values_of
+from planes.plans.position.decimals import LeftOut, Lost
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of
@@ -83,6 +84,15 @@ class Plans:
         own: Plans = self.restating.plans(leads)
         plans = replace(own, restating=self.restating, structure=self.structure, passive=self.passive)
         return with_passive(plans) if self.passive else plans
+
+    @cached_property
+    def lost(self) -> dict[str, Lost]:
+        """What the doubles of givens leave out of the scene's decimals, where that is known, and how far off they may
+        be beside it; the drive's is other at every place."""
+        left_out, off, by = LeftOut(self.mechanism, self.passive), self.off, self.reckoned
+        named = ((n, z) for n, z in self.given.items() if n != self.drive_given)
+        lost = {n: left_out.of(z, off.get(n, 0.0), by.get(n)) for n, z in named}
+        return {n: one for n, one in lost.items() if one}
 
     @property
     def moves(self) -> bool:

@@ -11,6 +11,8 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Literal
 
+from planes.scene.written import Written
+
 FRAME = "0"
 RATES = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
 """How a scene calls the rates of a drive, by its kind."""
@@ -208,6 +210,7 @@ class Mechanism:
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False)
     laws: Mapping[tuple[str, ...], Law] = field(default_factory=lambda: MappingProxyType({}))
     frame_number: str = FRAME  # on sheets
+    written: Written = field(default_factory=Written, compare=False)
 
     def link(self, name: str) -> Link:
         """The link of that name, the frame included."""

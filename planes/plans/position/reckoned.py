@@ -108,12 +108,13 @@ def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
 
 def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
     """How far from one point to another it goes in a direction."""
-    found = ((shape.place(q) - shape.place(p)) * ARITHMETIC.cis_deg(-way.value)).real
+    one, two = shape.place(p), shape.place(q)
+    found, off = ((two - one) * ARITHMETIC.cis_deg(-way.value)).real, _apart(one, two) + _turned(two - one, way)
 
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(q) - shape.place(p)) * ar.cis_deg(-way.by(shape, ar))).real
 
-    return Dimension(found, 4 * HALF * abs(found), by, ("along", p, q, way.of))
+    return Dimension(found, off, by, ("along", p, q, way.of))
 
 
 def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dimension:
@@ -133,8 +134,7 @@ def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> 
     """How far a point lies to the left of the line through another in a direction."""
     one, two = shape.place(p), shape.place(q)
     apart = one - two
-    off = _apart(one, two)
-    off += HALF * abs(apart) * ((abs(math.radians(way.value)) + 6) if way.value % 90 else 0.0)
+    off = _apart(one, two) + _turned(apart, way)
 
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(p) - shape.place(q)) * ar.cis_deg(-way.by(shape, ar))).imag
@@ -151,6 +151,11 @@ def _direction(p: complex, q: complex) -> tuple[float, float]:
         return (0.0, 0.0) if way.real > 0 else (180.0, 0.0)
     angle = ARITHMETIC.angle_deg(way)
     return angle, math.degrees(_apart(p, q) / abs(way)) + 4 * HALF * abs(angle)
+
+
+def _turned(apart: complex, way: Dimension) -> float:
+    """How far off what is taken along or across a direction is for turning to it."""
+    return HALF * abs(apart) * ((abs(math.radians(way.value)) + 6) if way.value % 90 else 0.0)
 
 
 def _apart(p: complex, q: complex) -> float:
