@@ -16,11 +16,12 @@ of its kind, times the least sharpness).
 ``snapped`` makes so many scenes with one exact coincidence, and of each a position, a run and a document.
 
 ``written`` compares with scenes as they are written, their decimals at 50 digits, at random and near limits (1e-3 to
-1e-9 rad); its ratios are over every number with an error, the least of them told too. The truth of ``claims`` is the same
-tape read in numbers of 106 bits; at a few positions of every mechanism it is compared with 50 digits (it must not stray
-by a hundredth of the claim), and the drawing of one position with the claim as well. Ratios of claim to error are those
-of numbers with any error at all for which something is claimed, two hundred numbers of every mechanism, drawn at
-random; the median is over all of them.
+1e-9 rad); its ratios are over every number with an error, the least of them told too.
+
+The truth of ``claims`` is the same tape read in numbers of 106 bits; at a few positions of every mechanism it is
+compared with 50 digits (it must not stray by a hundredth of the claim), and the drawing of one position with the claim
+as well. Ratios of claim to error are those of numbers with any error at all for which something is claimed, two hundred
+numbers of every mechanism, drawn at random; the median is over all of them.
 """
 
 from __future__ import annotations

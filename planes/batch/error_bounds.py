@@ -63,9 +63,8 @@ class _Running:
     def _given(self, place: int) -> None:
         """A given is off by what its double leaves out, if that is known, and by what reckoning it has lost."""
         x, k = self.found[place], self.carrying.made
-        lost, beside = self.claims.written[place]
-        if beside is None:
-            beside = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2)
+        lost, off = self.claims.written[place]
+        beside = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2) if off is None else off
         if own := bool(np.any(beside)):
             self.largest[k], self.usual[k] = beside, 1 / 3
         if own or lost:

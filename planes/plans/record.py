@@ -16,7 +16,7 @@ from planes.plans.force.reactions import Reaction
 from planes.plans.motion.legs import SlideReading
 from planes.plans.other_leads import Leads, Restating
 from planes.plans.passive_motion import LinkValues, values_of
-from planes.plans.position.decimals import LeftOut, Lost
+from planes.plans.position.decimals import AsWritten, Lost
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of
@@ -49,7 +49,6 @@ class Plans:
     segments: tuple[Segment, ...]
     acting: Loads
     means: Mapping[str, Meaning]  # of the names whose makers say so
-    off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
     reckoned: Mapping[str, Dimension] = field(default_factory=dict)  # givens that change with the links' dimensions
     points: Mapping[str, PointMarks] = field(default_factory=dict)
     links: Mapping[str, LinkValues] = field(default_factory=dict)
@@ -89,10 +88,9 @@ class Plans:
     def lost(self) -> dict[str, Lost]:
         """What the doubles of givens leave out of the scene's decimals, where that is known, and how far off they may
         be beside it; the drive's is other at every place."""
-        left_out, off, by = LeftOut(self.mechanism, self.passive), self.off, self.reckoned
+        written = AsWritten(self.mechanism, self.passive)
         named = ((n, z) for n, z in self.given.items() if n != self.drive_given)
-        lost = {n: left_out.of(z, off.get(n, 0.0), by.get(n)) for n, z in named}
-        return {n: one for n, one in lost.items() if one}
+        return {n: lost for n, z in named if (lost := written.lost(z, self.reckoned.get(n)))}
 
     @property
     def moves(self) -> bool:

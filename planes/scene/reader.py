@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from planes.geometry.arithmetic import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
 from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk
-from planes.scene.written import Written
+from planes.scene.written_numbers import WrittenNumbers
 from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, choices, shown
 
@@ -24,7 +24,7 @@ class Reader:
         self.file = file
         self.parameters: Mapping[str, float] = parameters or {}
         self.taken: set[str] = set()  # names of points, in Latin letters
-        self.written = Written()
+        self.written = WrittenNumbers()
 
     def error(self, phrase: Told, where: Node | int) -> SceneError:
         """A refusal at a node or a line."""

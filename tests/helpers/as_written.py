@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
@@ -29,9 +28,9 @@ def long(thing: Any, places: Mapping[complex, tuple[float, ...]]) -> Any:
     """A mechanism, or a part of it, with every number as long as it is written; ``places`` are those written by radius
     and angle."""
     if isinstance(thing, complex):
-        radius, angle = places.get(thing) or (math.nan, math.nan)
-        if not math.isnan(radius):
-            return decimal(radius) * LONG.cis_deg(decimal(angle))
+        polar = places.get(thing)
+        if polar:
+            return decimal(polar[0]) * LONG.cis_deg(decimal(polar[1]))
         return LONG.mp.mpc(decimal(thing.real), decimal(thing.imag))
     if isinstance(thing, float):
         return decimal(thing)

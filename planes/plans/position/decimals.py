@@ -2,8 +2,8 @@
 are reckoned of them, too, which are reckoned again in decimals.
 """
 
-from collections.abc import Collection
-from contextlib import suppress
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 from typing import Any
@@ -11,9 +11,10 @@ from typing import Any
 from planes.drafting.dimensions import Dimension
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
-from planes.plans.position.reckoned import HALF, OwnPlace, SceneDimensions
+from planes.plans.position.reckoned import OwnPlace, SceneDimensions
 from planes.scene.mechanism import Link, Mechanism
 
+UNSURE = Decimal(2) ** -52  # relative: how far off a number is that is reckoned of what is written
 LONG = Context(prec=40)
 RADIAN = Decimal("0.01745329251994329576923690768488612713442871888541725")
 TERMS = 40  # of the series of an angle no larger than an eighth of a turn: those left out are less than 10⁻⁴⁰
@@ -27,9 +28,6 @@ class _Place:
 
     real: Decimal
     imag: Decimal
-
-    def __add__(self, other: "_Place") -> "_Place":
-        return _Place(self.real + other.real, self.imag + other.imag)
 
     def __sub__(self, other: "_Place") -> "_Place":
         return _Place(self.real - other.real, self.imag - other.imag)
@@ -64,53 +62,62 @@ class _Decimals(Arithmetic):
         return near + left.imag / left.real / RADIAN if left.real else near
 
 
-class _Written(SceneDimensions):
-    """The dimensions as they are written; a KeyError where that is not known."""
+class AsWritten(SceneDimensions):
+    """The dimensions as they are written, in decimals; numbers that are not written as they stand, as their doubles."""
+
+    def __init__(self, mechanism: Mechanism, passive: Iterable[Link]) -> None:
+        super().__init__(mechanism, passive)
+        self.unknown: dict[float, None] = {}  # the sizes of such numbers
+        self.moved = -1.0  # the one of them that is taken to be off
+
+    def lost(self, value: Thing, by: Dimension | None) -> Lost | None:
+        """What the double of a given leaves out, which is reckoned ``by`` others or written itself; None where it is
+        but a number that is not known."""
+        self.unknown, self.moved = {}, -1.0
+        with localcontext(LONG):
+            lost = self._less(value, by)
+            if self.unknown and by is None and not isinstance(value, complex):
+                return None
+            off = 0.0
+            for size in [*self.unknown]:
+                self.moved = size
+                off += abs(self._less(value, by) - lost)
+        return lost, off
 
     def place(self, spot: OwnPlace) -> Any:
-        return self.thing(super().place(spot))
+        return self.decimal(super().place(spot))
 
     def angle(self, guide: str) -> Any:
-        return self.thing(super().angle(guide))
+        return self.decimal(super().angle(guide))
 
     def lean(self, slider: str) -> Any:
-        return self.thing(super().lean(slider))
+        return self.decimal(super().lean(slider))
 
     def offset(self, slider: str) -> Any:
-        return self.thing(super().offset(slider))
+        return self.decimal(super().offset(slider))
 
-    def thing(self, value: Thing) -> Any:
+    def decimal(self, value: Thing) -> Any:
         """A number or a place."""
-        written = self.mechanism.written
         if not isinstance(value, complex):
-            return Decimal(written.decimal(value))
-        if polar := written.places.get(value):
-            radius, angle = (Decimal(written.decimal(x)) for x in polar)
-            way = _DECIMALS.cis_deg(angle)
+            return self._number(value)
+        if polar := self.mechanism.written.places.get(value):
+            radius, way = self._number(polar[0]), _DECIMALS.cis_deg(self._number(polar[1]))
             return _Place(radius * way.real, radius * way.imag)
-        return _Place(Decimal(written.decimal(value.real)), Decimal(written.decimal(value.imag)))
+        return _Place(self._number(value.real), self._number(value.imag))
 
+    def _number(self, x: float) -> Decimal:
+        if text := self.mechanism.written.decimal(x):
+            return Decimal(text)
+        self.unknown[abs(x)] = None
+        return Decimal(x) * (1 + UNSURE) if abs(x) == self.moved else Decimal(x)
 
-class LeftOut:
-    """What is left out of every given of a mechanism."""
-
-    def __init__(self, mechanism: Mechanism, passive: Collection[Link]) -> None:
-        self.written = _Written(mechanism, passive)
-
-    def of(self, value: Thing, off: float, by: Dimension | None) -> Lost | None:
-        """Of a given that may be ``off`` for what is reckoned ``by``, or else is written; None: not known, but no more
-        than half of its last place."""
-        with localcontext(LONG), suppress(KeyError, ArithmeticError):
-            lost = _less(by.by(self.written, _DECIMALS) if by else self.written.thing(value), value)
-            if abs(lost) <= off + 2 * HALF * abs(value):  # no turn apart
-                return lost, 0.0
-        return None if not off else (0.0 * value, max(off, HALF * abs(value)))
+    def _less(self, value: Thing, by: Dimension | None) -> Thing:
+        """The decimals less the double."""
+        true = by.by(self, _DECIMALS) if by else self.decimal(value)
+        if isinstance(value, complex):
+            return complex(float(true.real - Decimal(value.real)), float(true.imag - Decimal(value.imag)))
+        less = float(true - Decimal(value))
+        return math.remainder(less, 360.0) if abs(less) > 359.0 and abs(value) <= 360.0 else less  # a turn apart
 
 
 _DECIMALS = _Decimals()
-
-
-def _less(true: Any, value: Thing) -> Thing:
-    if isinstance(value, complex):
-        return complex(float(true.real - Decimal(value.real)), float(true.imag - Decimal(value.imag)))
-    return float(true - Decimal(value))

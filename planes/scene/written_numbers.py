@@ -8,7 +8,7 @@ SURE = 15  # decimals of no more digits that have the same double are the same
 
 
 @dataclass
-class Written:
+class WrittenNumbers:
     """The decimals of the numbers read, by their sizes, and radius and angle of the places written so."""
 
     numbers: dict[float, str] = field(default_factory=dict)  # "" of what is reckoned, or is two decimals
@@ -22,14 +22,13 @@ class Written:
             self.numbers[abs(value)] = ""
 
     def note_place(self, place: complex, *polar: float) -> complex:
-        """Remember the radius and angle of a place, if it is written so; NaN of one that is written both ways."""
+        """Remember the radius and angle of a place, if it is written so; nothing is known of one written both ways."""
         if self.places.setdefault(place, polar) != polar:
-            self.places[place] = float("nan"), float("nan")
+            self.places[place] = ()
+            self.numbers |= dict.fromkeys((abs(place.real), abs(place.imag)), "")
         return place
 
     def decimal(self, x: float) -> str:
-        """The decimal of a number; a KeyError where it is not known."""
+        """The decimal of a number; "" where it is not known."""
         text = self.numbers.get(abs(x)) or (repr(abs(x)) if (x * 1024).is_integer() else "")
-        if not text:
-            raise KeyError(x)
-        return f"-{text}" if x < 0 else text
+        return f"-{text}" if text and x < 0 else text
