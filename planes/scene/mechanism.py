@@ -62,7 +62,7 @@ class Journal:
 
 @dataclass(frozen=True)
 class Slide:
-    """Its x axis is turned by ``angle_deg`` from ``guide``, its first point ``offset`` m to its left; None: 0, unsaid."""
+    """Its x axis is turned by ``angle_deg`` from ``guide``, its first point ``offset`` m to its left; None: unsaid."""
 
     guide: str
     angle_deg: float | None = None

@@ -11,7 +11,7 @@ from typing import Any
 from planes.drafting.dimensions import Dimension
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
-from planes.plans.position.reckoned import OwnPlace, SceneDimensions
+from planes.plans.position.reckoned import SceneDimensions
 from planes.scene.mechanism import Link, Mechanism
 
 UNSURE = Decimal(2) ** -52  # relative: how far off a number is that is reckoned of what is written
@@ -84,20 +84,8 @@ class AsWritten(SceneDimensions):
                 off += abs(self._less(value, by) - lost)
         return lost, off
 
-    def place(self, spot: OwnPlace) -> Any:
-        return self.decimal(super().place(spot))
-
-    def angle(self, guide: str) -> Any:
-        return self.decimal(super().angle(guide))
-
-    def lean(self, slider: str) -> Any:
-        return self.decimal(super().lean(slider))
-
-    def offset(self, slider: str) -> Any:
-        return self.decimal(super().offset(slider))
-
-    def decimal(self, value: Thing) -> Any:
-        """A number or a place."""
+    def taken(self, value: Thing) -> Any:
+        """A number or a place in decimals."""
         if not isinstance(value, complex):
             return self._number(value)
         if polar := self.mechanism.written.places.get(value):
@@ -113,7 +101,7 @@ class AsWritten(SceneDimensions):
 
     def _less(self, value: Thing, by: Dimension | None) -> Thing:
         """The decimals less the double."""
-        true = by.by(self, _DECIMALS) if by else self.decimal(value)
+        true = by.by(self, _DECIMALS) if by else self.taken(value)
         if isinstance(value, complex):
             return complex(float(true.real - Decimal(value.real)), float(true.imag - Decimal(value.imag)))
         less = float(true - Decimal(value))

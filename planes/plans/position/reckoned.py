@@ -3,7 +3,7 @@ dimensions are changed, or are taken as they are written.
 """
 
 from collections.abc import Iterable
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from planes.drafting.dimensions import Dimension
 from planes.geometry.arithmetic import Arithmetic, Point, Real
@@ -36,24 +36,28 @@ class SceneDimensions:
         self.links = {FRAME: mechanism.frame, **mechanism.links, **{link.name: link for link in passive}}
         self.mechanism = mechanism
 
-    def place(self, spot: OwnPlace) -> complex:
+    def taken(self, value: Any) -> Any:
+        """A number or a place of the scene, as it is reckoned with."""
+        return value
+
+    def place(self, spot: OwnPlace) -> Any:
         """A place of a link in its own axes, m."""
         link = self.links[spot.link]
-        return link.guides[spot.guide].through if spot.guide else link.points[spot.point]
+        return self.taken(link.guides[spot.guide].through if spot.guide else link.points[spot.point])
 
-    def angle(self, guide: str) -> float:
+    def angle(self, guide: str) -> Any:
         """The direction of a guide in the axes of its link, degrees."""
-        return self.mechanism.guide(guide).angle_deg
+        return self.taken(self.mechanism.guide(guide).angle_deg)
 
-    def lean(self, slider: str) -> float:
+    def lean(self, slider: str) -> Any:
         """How far the axes of a slider are turned from its guide, degrees."""
         slides = self.links[slider].slides
-        return (slides.angle_deg if slides else None) or 0.0
+        return self.taken((slides.angle_deg if slides else None) or 0.0)
 
-    def offset(self, slider: str) -> float:
+    def offset(self, slider: str) -> Any:
         """How far to the left of its guide a slider's first point lies, m."""
         slides = self.links[slider].slides
-        return (slides.offset if slides else None) or 0.0
+        return self.taken((slides.offset if slides else None) or 0.0)
 
 
 def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
