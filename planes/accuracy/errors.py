@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from planes.batch import Cycle
-from planes.batch.error_bounds import Claims, Margins
+from planes.batch.error_bounds import Margins
 from planes.batch.slopes import SLOPES, STIFF, Carrying, Values
 from planes.batch.table import Ready
 from planes.batch.tracing import trace
@@ -69,7 +69,7 @@ class Errors:
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
         pencil = by if isinstance(by, Pencil) else None
         self.ruler_mm = pencil.ruler_mm / math.sqrt(12.0) if pencil else 0.0  # what reading a ruler adds
-        self.claims: Margins = Spread(self.cycle, pencil, {}) if pencil else Claims(self.cycle, plans.off)
+        self.claims: Margins = Spread(self.cycle, pencil, {}) if pencil else self.cycle.rough
 
     def of(self, position: Position) -> dict[str, Any]:
         """The ± of a position's results, in the same nested shape (None: nothing can be claimed)."""

@@ -108,7 +108,7 @@ class Cycle(Ready):
     @cached_property
     def rough(self) -> Claims:
         """The same, what is given being as off as decimals are."""
-        return Claims(self, self.plans.off)
+        return Claims(self, {n: lost for n, lost in self.plans.lost.items() if n not in self.known})
 
     @cached_property
     def compiled(self) -> compiled_loop.CompiledLoop:

@@ -12,12 +12,13 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from planes.batch.rounding import BLIND, LARGEST, USUAL, Lost, bent, rounding, unit_parts, whole_numbers
-from planes.batch.slopes import STIFF, Carrying, Values, times
+from planes.batch.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
+from planes.batch.slopes import STIFF, Carrying, Parts, Values, times
 from planes.batch.table import Ready, sides_of
 from planes.batch.tape import Tape, read
 from planes.batch.tracing import Trace, given_values, trace
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
+from planes.plans.position.decimals import Lost
 from planes.words.names import given_of, is_scale
 
 SIGMAS = 6.0  # roundings add up as chances do: further off than this is one sum in five hundred million
@@ -26,6 +27,7 @@ NOTHING = 1e-9  # and one this small not worth counting
 ROUNDED = 1 + 1e-6  # for what is not counted; and the bound is reckoned in floats too
 PIECE = 128  # positions worked at once
 DOUBT = 1e-3  # of the largest number of its kind: a number that may be further off is no result
+LEFT_OUT = -1  # the place of what the doubles of givens leave out, before all places of a tape
 TURN = 60.0  # degrees: a radian, near enough
 
 
@@ -40,6 +42,9 @@ class _Running:
         self.reach: dict[int, Array] = {}  # no place is further off: a rough bound, made better where it matters
         self.better: dict[int, Booleans] = {}
         self.unsure: dict[int, Array] = {}  # of the tests whether a thing moves
+        if self.claims.written:  # what the doubles of givens leave out is one error, and goes on as one
+            self.carrying.carry(LEFT_OUT, (), (), own=True)
+            self.lost[0], self.losing[0] = 1.0, True
 
     def __call__(self, wanted: frozenset[int]) -> dict[int, Array]:
         """How far the wanted places may be off."""
@@ -56,13 +61,15 @@ class _Running:
         return bounds
 
     def _given(self, place: int) -> None:
-        """A given is off by what its decimals, and reckoning it, have lost."""
+        """A given is off by what its double leaves out, if that is known, and by what reckoning it has lost."""
         x, k = self.found[place], self.carrying.made
-        decimals = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2)
-        self.largest[k] = np.maximum(decimals, self.claims.written[place])
-        self.usual[k] = 1 / 3
-        self.reach[place] = self.largest[k].copy()
-        self.carrying.carry(place, (), (), own=True)
+        lost, off = self.claims.written[place]
+        beside = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2) if off is None else off
+        if own := bool(np.any(beside)):
+            self.largest[k], self.usual[k] = beside, 1 / 3
+        if own or lost:
+            self.reach[place] = abs(lost) + beside + np.zeros(self.count)
+        self.carrying.carry(place, (LEFT_OUT,) if lost else (), (lost,) if lost else (), own)
 
     def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
         slip = rounding(self.tape, place, self.found, self.claims.whole)
@@ -85,7 +92,7 @@ class _Running:
             self.reach[place] = np.minimum(sum(moved), BLIND) + np.zeros(self.count)
         self.carrying.carry(place, args, parts, own)
 
-    def _bent(self, place: int, op: str, args: tuple[int, ...], slip: Floats | None) -> Lost:
+    def _bent(self, place: int, op: str, args: tuple[int, ...], slip: Floats | None) -> tuple[Array | None, Parts]:
         """What is lost at a place by taking it to be straight, and its slopes; with better bounds where it matters."""
         z, given = self.found[place], tuple(self.found[a] for a in args)
         if args and args[0] in self.unsure:
@@ -149,11 +156,12 @@ class _Running:
         return np.where(sure, 0.0, 2.0)
 
 
-def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
-    """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
+def _written(tape: Tape, order: list[int], lost: Mapping[str, Lost]) -> dict[int, tuple[float, float | None]]:
+    """Places of the givens a scene writes, each with what its double leaves out, and how far off it is beside that
+    (None: as any decimal); scales are of the drawing alone."""
     names = {p: str(tape.values[p]) for p in order if tape.ops[p][0] == "given"}
-    own = {p: given_of(n) for p, n in names.items() if not is_scale(n)}
-    return {p: off.get(n, 0.0) for p, n in own.items()}
+    known = {p: (n, lost.get(given_of(n), (0.0, None))) for p, n in names.items() if not is_scale(n)}
+    return {p: (one.imag if n.endswith(".y") else one.real, off) for p, (n, (one, off)) in known.items()}
 
 
 class Margins:
@@ -184,19 +192,19 @@ class Claims(Margins):
     """What a cycle of exact drawings claims of itself: no result is further from the truth; infinite where nothing can
     be claimed.
 
-    Where it is told how far ``off`` givens are (``Plans.off``), numbers are those a scene writes, not the doubles that
-    stand for them: every given is off by the last place of its decimals.
+    Where it is told what givens have ``lost`` (``Plans.lost``), numbers are those a scene writes, not the doubles that
+    stand for them: of a given that is not named there half of its last place.
     """
 
-    def __init__(self, cycle: Ready, off: Mapping[str, float] | None = None) -> None:
+    def __init__(self, cycle: Ready, lost: Mapping[str, Lost] | None = None) -> None:
         drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
         super().__init__(cycle, drawn)
         tape, order = drawn.tape, self.order
-        self.written = {} if off is None else _written(tape, order, off)
+        self.written = {} if lost is None else _written(tape, order, lost)
         self.whole, self.turns = whole_numbers(tape, order), frozenset(drawn.turns)
         self.units, self.chosen = unit_parts(tape, order)
         made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
-        self.most = made + len(self.written)
+        self.most = made + len(self.written) + 1
 
     def margins(self, found: Values, count: int) -> Array:
         outputs = self.drawn.outputs

@@ -8,13 +8,12 @@ from planes.geometry.arithmetic import Arithmetic
 
 
 class Dimension(NamedTuple):
-    """What it is, how far off it may be, how it is reckoned anew and ``of`` what: two that are one number by chance
-    are not the same dimension."""
+    """What it is, how it is reckoned anew and ``of`` what: two that are one number by chance are not the same
+    dimension."""
 
     value: Thing
-    off: float
     by: Callable[[Any, Arithmetic], Any]
     of: Hashable
 
     def __neg__(self) -> "Dimension":
-        return Dimension(-self.value, self.off, lambda shape, ar: -self.by(shape, ar), ("-", self.of))
+        return Dimension(-self.value, lambda shape, ar: -self.by(shape, ar), ("-", self.of))

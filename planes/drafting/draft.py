@@ -56,7 +56,6 @@ class Draft:
         self.steps: dict[str, Step] = {}
         self.given: dict[str, Thing] = {}
         self.means: dict[str, Meaning] = {}  # of givens and vectors
-        self.off: dict[str, float] = {}  # how far reckoned givens may be from what the scene's decimals make of them
         self.reckoned: dict[str, Dimension] = {}  # givens that change with the links' dimensions
         self.equations: list[Equation] = []
         self.moments: list[Moments] = []
@@ -70,14 +69,12 @@ class Draft:
         vars(other).update({name: copy(kept) for name, kept in vars(self).items()})
         return other
 
-    def give(self, name: str, value: Thing, off: float = 0.0, means: Meaning | None = None) -> str:
-        """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed. What is
-        reckoned of the scene's numbers may be ``off``."""
+    def give(self, name: str, value: Thing, means: Meaning | None = None) -> str:
+        """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed."""
         while name in self.steps or name in self.reckoned or self.given.setdefault(name, value) != value:
             name += "′"
         if means:
             self.means.setdefault(name, means)
-        self.off[name] = max(off, self.off.get(name, 0.0))
         return name
 
     def reckon(self, name: str, of: Dimension, means: Meaning | None = None) -> str:
@@ -85,7 +82,7 @@ class Draft:
         while name in self.given and (name not in self.reckoned or self.reckoned[name].of != of.of):
             name += "′"
         if name not in self.reckoned:
-            name = self.give(name, of.value, of.off, means)
+            name = self.give(name, of.value, means)
             self.reckoned[name] = of
         return name
 
@@ -116,9 +113,8 @@ class Draft:
         return self.step(Put(at(plan, POLE)))
 
     def put(self, plan: str, label: str, place: complex, means: Meaning | None = None) -> str:
-        """A mark at a given place of the scheme (m), off as one is that was written by radius and angle."""
-        off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
-        given = self.give(f"place_{label}", place, off, Meaning("place", label))
+        """A mark at a given place of the scheme (m)."""
+        given = self.give(f"place_{label}", place, Meaning("place", label))
         return self.step(Put(at(plan, label), given, mu_of(plan), means=means))
 
     def aim(

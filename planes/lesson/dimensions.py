@@ -44,7 +44,7 @@ class _Asked(SceneDimensions):
         self.guides: dict[str, None] = {}
         self.sliders: dict[str, None] = {}
 
-    def place(self, spot: OwnPlace) -> complex:
+    def place(self, spot: OwnPlace) -> Any:
         self.places[self.point(spot)] = None
         return super().place(spot)
 
@@ -53,11 +53,11 @@ class _Asked(SceneDimensions):
         point = self.links[spot.link].guides[spot.guide].through_point if spot.guide else None
         return OwnPlace(spot.link, point) if point else spot
 
-    def angle(self, guide: str) -> float:
+    def angle(self, guide: str) -> Any:
         self.guides[guide] = None
         return super().angle(guide)
 
-    def offset(self, slider: str) -> float:
+    def offset(self, slider: str) -> Any:
         self.sliders[slider] = None
         return super().offset(slider)
 

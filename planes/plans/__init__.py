@@ -107,7 +107,6 @@ def _stated(bodies: Bodies) -> Plans:
         at_rest=at_rest,
         laws={name: _frozen(mechanism, law, bodies.file) for name, law in draft.laws.items()},
         means=draft.means | {s.makes: s.means for s in program.steps if s.means},
-        off=draft.off,
         reckoned=draft.reckoned,
     )
 

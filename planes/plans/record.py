@@ -16,6 +16,7 @@ from planes.plans.force.reactions import Reaction
 from planes.plans.motion.legs import SlideReading
 from planes.plans.other_leads import Leads, Restating
 from planes.plans.passive_motion import LinkValues, values_of
+from planes.plans.position.decimals import AsWritten, Lost
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of
@@ -48,7 +49,6 @@ class Plans:
     segments: tuple[Segment, ...]
     acting: Loads
     means: Mapping[str, Meaning]  # of the names whose makers say so
-    off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
     reckoned: Mapping[str, Dimension] = field(default_factory=dict)  # givens that change with the links' dimensions
     points: Mapping[str, PointMarks] = field(default_factory=dict)
     links: Mapping[str, LinkValues] = field(default_factory=dict)
@@ -83,6 +83,14 @@ class Plans:
         own: Plans = self.restating.plans(leads)
         plans = replace(own, restating=self.restating, structure=self.structure, passive=self.passive)
         return with_passive(plans) if self.passive else plans
+
+    @cached_property
+    def lost(self) -> dict[str, Lost]:
+        """What the doubles of givens leave out of the scene's decimals, where that is known, and how far off they may
+        be beside it; the drive's is other at every place."""
+        written = AsWritten(self.mechanism, self.passive)
+        named = ((n, z) for n, z in self.given.items() if n != self.drive_given)
+        return {n: lost for n, z in named if (lost := written.lost(z, self.reckoned.get(n)))}
 
     @property
     def moves(self) -> bool:

@@ -247,4 +247,5 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
         where,
         MappingProxyType(read_laws(table, stated)),
         settings.read_number_of_frame(reader, table.entries["frame"]),
+        reader.written,
     )

@@ -42,11 +42,15 @@ def evaluate(text: str, names: Mapping[str, float], valid: Iterable[str] | None 
 
     ``valid`` are the names a message offers, if they are more than ``names``.
     """
-    plain = len(text) <= 30 and _NUMBER.fullmatch(text)
-    value = float(text.replace("−", "-")) if plain else ExpressionParser(text, names, valid or names).value()
+    value = float(text.replace("−", "-")) if is_plain(text) else ExpressionParser(text, names, valid or names).value()
     if not math.isfinite(value):
         raise _refusal(text, Phrase("value_large"))
     return value
+
+
+def is_plain(text: str) -> bool:
+    """Whether a text is a number as it stands."""
+    return len(text) <= 30 and _NUMBER.fullmatch(text) is not None
 
 
 def is_name(text: str) -> bool:

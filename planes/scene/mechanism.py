@@ -11,6 +11,8 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Literal
 
+from planes.scene.written_numbers import WrittenNumbers
+
 FRAME = "0"
 RATES = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
 """How a scene calls the rates of a drive, by its kind."""
@@ -60,8 +62,7 @@ class Journal:
 
 @dataclass(frozen=True)
 class Slide:
-    """This link slides on ``guide``: its x axis is turned by ``angle_deg`` from the guide's direction and
-    its first point lies ``offset`` metres to the left of the guide. ``None`` means not written, that is 0."""
+    """Its x axis is turned by ``angle_deg`` from ``guide``, its first point ``offset`` m to its left; None: unsaid."""
 
     guide: str
     angle_deg: float | None = None
@@ -208,6 +209,7 @@ class Mechanism:
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False)
     laws: Mapping[tuple[str, ...], Law] = field(default_factory=lambda: MappingProxyType({}))
     frame_number: str = FRAME  # on sheets
+    written: WrittenNumbers = field(default_factory=WrittenNumbers, compare=False)
 
     def link(self, name: str) -> Link:
         """The link of that name, the frame included."""

@@ -31,10 +31,14 @@ def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | Non
     entries = {**table.entries, **(chosen.entries if chosen else {})}
     written = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
     try:
-        return resolve(written)
+        values = resolve(written)
     except ExpressionError as error:
         what = Phrase("parameter", name=error.parameter)
         raise reader.error(Phrase("about", what=what, why=error.phrase), entries[error.parameter]) from None
+    for name, text in written.items():
+        if text not in written:
+            reader.written.note(values[name], text)
+    return values
 
 
 def with_numbers(

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from planes.geometry.arithmetic import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
 from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk
+from planes.scene.written_numbers import WrittenNumbers
 from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, choices, shown
 
@@ -23,6 +24,7 @@ class Reader:
         self.file = file
         self.parameters: Mapping[str, float] = parameters or {}
         self.taken: set[str] = set()  # names of points, in Latin letters
+        self.written = WrittenNumbers()
 
     def error(self, phrase: Told, where: Node | int) -> SceneError:
         """A refusal at a node or a line."""
@@ -107,6 +109,8 @@ class Reader:
             raise self.error(Phrase("about", what=what, why=error.phrase), node) from None
         if abs(value) > MOST:
             raise self.error(Phrase("out_of_range", what=what, value=value, most=MOST), node)
+        if node.text not in self.parameters:
+            self.written.note(value, node.text)
         return value
 
     def positive(self, node: Node, what: Told) -> float:
@@ -151,7 +155,7 @@ class Reader:
             table = self.table(node, what, ("r", "angle"))
             radius = self.number(self.required(table, "r", what), part("r", what))
             angle = self.said(table, "angle", what) or 0.0
-            return complex(radius * cos_deg(angle), radius * sin_deg(angle))
+            return self.written.note_place(complex(radius * cos_deg(angle), radius * sin_deg(angle)), radius, angle)
         if not on_axis:
             raise self.error(Phrase("place_needed", what=what, given=shown(node.text)), node)
         return complex(self.number(node, what), 0.0)
@@ -166,7 +170,7 @@ class Reader:
             hint = Phrase("decimal_no_comma") if _comma(node) else ""
             raise self.error(Phrase("pair_needed", what=what, count=len(node.items), hint=hint), node)
         x, y = (self.number(item, part(axis, what)) for axis, item in zip("xy", node.items, strict=True))
-        return complex(x, y)
+        return self.written.note_place(complex(x, y))
 
 
 def _comma(node: Items) -> bool:

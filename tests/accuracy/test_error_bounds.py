@@ -130,7 +130,7 @@ def test_a_table_carries_its_claims_block_by_block() -> None:
     results, claims = np.split(table, 2)
     assert (np.isnan(results) == np.isnan(claims)).all() and not np.isnan(results).all()
     for k in range(9):
-        one = Claims(Cycle(c.plans, known={"l_BC": lengths[k]}), c.plans.off).bounds(values[k : k + 1])[:, 0]
+        one = Cycle(c.plans, known={"l_BC": lengths[k]}).rough.bounds(values[k : k + 1])[:, 0]
         good = ~np.isnan(claims[:, k])
         assert claims[good, k] == pytest.approx(one[good], rel=1e-6)
 
@@ -278,12 +278,13 @@ drive: {{link: 1, phi: 359.976493, omega: 10.1, epsilon: 3.3}}
 
 @pytest.mark.few(3)
 @pytest.mark.parametrize("seed", range(31, 37))
-def test_claims_hold_for_the_numbers_as_a_scene_writes_them(seed: int) -> None:
-    c = random_cycle(seed, sliding=False)
-    error, claimed = beside_text(c, np.round(np.random.default_rng(seed).uniform(0, 360, 10), 6))
+def test_claims_hold_and_are_close_for_the_numbers_as_a_scene_writes_them(seed: int) -> None:
+    c, rng = random_cycle(seed, sliding=False), np.random.default_rng(seed)
+    places = [np.round(rng.uniform(0, 360, 10), 6), close_to_limits(c, rng, 1e-3)[:10]]
+    error, claimed = (np.hstack(x) for x in zip(*(beside_text(c, x) for x in places if len(x)), strict=True))
     assert not (error > claimed).any()
     sure = (error > 0) & np.isfinite(claimed)
-    assert np.median(claimed[sure] / error[sure]) < 60
+    assert np.median(claimed[sure] / error[sure]) < 11
 
 
 @pytest.mark.parametrize("far", [0.1, 10.0, 1e3, 1e6])

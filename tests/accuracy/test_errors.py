@@ -7,10 +7,12 @@ import subprocess
 import sys
 from typing import Any
 
+import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
 from planes.accuracy.errors import add_errors
+from planes.batch import Cycle
 from planes.cli import main
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Pencil
@@ -51,6 +53,20 @@ def test_errors_have_the_shape_of_results_and_hold(name: str) -> None:
         for key, segment in drawn["segments"].items():
             mm = p.results["errors"]["plans"][plan]["segments"][key]["mm"]
             assert segment["error_mm"] == mm < 1e-9
+
+
+def test_one_position_and_a_table_have_the_same_errors() -> None:
+    solved = solve(load(str(SAMPLES / "six-link.yaml")))
+    add_errors(solved)
+    (p,) = solved.positions
+    cycle = Cycle(solved.plans, known=p.scales)
+    rows = cycle.claimed(np.array([p.at, p.at + 1.0]), np.arange(2))
+    bounds = dict(zip((c.name for c in cycle.columns), rows[:, 0], strict=True))
+    points = p.results["errors"]["points"]
+    assert all(max(points[name]["v"]) > 0 for name in "BCH")
+    for name, told in points.items():
+        for kind, pair in told.items():
+            assert pair == pytest.approx([bounds[f"{kind}_{name}_{axis}"] for axis in "xy"], rel=1e-9), (name, kind)
 
 
 class Exactly(DrawingReader):

@@ -24,18 +24,23 @@ def decimal(x: float) -> Any:
     return LONG.mp.mpf(repr(float(x)))
 
 
-def long(thing: Any) -> Any:
-    """A mechanism, or a part of it, with every number as long as it is written."""
+def long(thing: Any, places: Mapping[complex, tuple[float, ...]]) -> Any:
+    """A mechanism, or a part of it, with every number as long as it is written; ``places`` are those written by radius
+    and angle."""
     if isinstance(thing, complex):
+        polar = places.get(thing)
+        if polar:
+            return decimal(polar[0]) * LONG.cis_deg(decimal(polar[1]))
         return LONG.mp.mpc(decimal(thing.real), decimal(thing.imag))
     if isinstance(thing, float):
         return decimal(thing)
     if isinstance(thing, Mapping):
-        return {k: long(v) for k, v in thing.items()}
+        return {k: long(v, places) for k, v in thing.items()}
     if isinstance(thing, tuple):
-        return tuple(long(x) for x in thing)
+        return tuple(long(x, places) for x in thing)
     if is_dataclass(thing) and not isinstance(thing, type):
-        return replace(thing, **{f.name: long(getattr(thing, f.name)) for f in fields(thing) if f.name != "where"})
+        names = [f.name for f in fields(thing) if f.name not in ("where", "written")]
+        return replace(thing, **{name: long(getattr(thing, name), places) for name in names})
     return thing
 
 
@@ -43,7 +48,7 @@ def givens(mechanism: Mechanism) -> dict[str, Any]:
     """All that is given to the drawing, reckoned with long numbers."""
     kept, reckoned.ARITHMETIC = reckoned.ARITHMETIC, LONG
     try:
-        return dict(plans_of(long(mechanism)).given)
+        return dict(plans_of(long(mechanism, mechanism.written.places)).given)
     finally:
         reckoned.ARITHMETIC = kept
 

@@ -14,7 +14,6 @@ from planes.drafting.steps.reckoning import Product, Sense, SenseBetween
 from planes.drafting.steps.settling import Fed, Settle
 from planes.plans.assur.groups import Pair
 from planes.plans.force.loads import Acting, Couple, force_name
-from planes.plans.position.reckoned import HALF
 from planes.scene.mechanism import FRAME
 from planes.words.names import Meaning
 
@@ -40,7 +39,7 @@ def grip_of(acting: Acting, pair: Pair) -> Grip | None:
     if name is None or roots[0] == roots[1]:
         return None
     key, journal = force_name(pair.link, pair.other), b.mechanism.journals[name]
-    circle = d.give(f"rho_{name}", journal.circle, 2 * HALF * journal.circle, Meaning("circle", name))
+    circle = d.give(f"rho_{name}", journal.circle, Meaning("circle", name))
     for field in ((), ("coefficient",), ("radius",)):
         d.law(circle, b.mechanism.laws.get(("friction", name, *field)))
     rates = [("", "") if root == FRAME else (acting.motion.spin(root), acting.turning(root, False)) for root in roots]

@@ -1,18 +1,15 @@
-"""What is reckoned of a scene's numbers before anything is drawn, each with how far off it may be: a decimal is off by
-half of the last place of the double that stands for it, and so is every operation. And how it is reckoned, so that it
-is again where a link's dimensions are changed.
+"""What is reckoned of a scene's numbers before anything is drawn, and how, so that it is again where a link's
+dimensions are changed, or are taken as they are written.
 """
 
-import math
 from collections.abc import Iterable
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from planes.drafting.dimensions import Dimension
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.scene.mechanism import FRAME, Link, Mechanism
 
 ARITHMETIC = Arithmetic()
-HALF = 2.0**-53  # of a last place, at most, relative to the number
 
 
 class OwnPlace(NamedTuple):
@@ -39,24 +36,28 @@ class SceneDimensions:
         self.links = {FRAME: mechanism.frame, **mechanism.links, **{link.name: link for link in passive}}
         self.mechanism = mechanism
 
-    def place(self, spot: OwnPlace) -> complex:
+    def taken(self, value: Any) -> Any:
+        """A number or a place of the scene, as it is reckoned with."""
+        return value
+
+    def place(self, spot: OwnPlace) -> Any:
         """A place of a link in its own axes, m."""
         link = self.links[spot.link]
-        return link.guides[spot.guide].through if spot.guide else link.points[spot.point]
+        return self.taken(link.guides[spot.guide].through if spot.guide else link.points[spot.point])
 
-    def angle(self, guide: str) -> float:
+    def angle(self, guide: str) -> Any:
         """The direction of a guide in the axes of its link, degrees."""
-        return self.mechanism.guide(guide).angle_deg
+        return self.taken(self.mechanism.guide(guide).angle_deg)
 
-    def lean(self, slider: str) -> float:
+    def lean(self, slider: str) -> Any:
         """How far the axes of a slider are turned from its guide, degrees."""
         slides = self.links[slider].slides
-        return (slides.angle_deg if slides else None) or 0.0
+        return self.taken((slides.angle_deg if slides else None) or 0.0)
 
-    def offset(self, slider: str) -> float:
+    def offset(self, slider: str) -> Any:
         """How far to the left of its guide a slider's first point lies, m."""
         slides = self.links[slider].slides
-        return (slides.offset if slides else None) or 0.0
+        return self.taken((slides.offset if slides else None) or 0.0)
 
 
 def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
@@ -65,94 +66,69 @@ def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
         return a
     if a is None:
         return -b
-    one, other = a.value, b.value
-    off = a.off + b.off + (HALF * (abs(one) + 2 * abs(other)) if one and other else 0.0)
-    return Dimension(one - other, off, lambda shape, ar: a.by(shape, ar) - b.by(shape, ar), ("difference", a.of, b.of))
+    return Dimension(a.value - b.value, lambda shape, ar: a.by(shape, ar) - b.by(shape, ar), ("difference", a.of, b.of))
 
 
 def own(shape: SceneDimensions, p: OwnPlace) -> Dimension:
     """The place of a point on its link."""
-    return Dimension(complex(shape.place(p)), 0.0, lambda shape, ar: shape.place(p), ("own", p))
+    return Dimension(complex(shape.place(p)), lambda shape, ar: shape.place(p), ("own", p))
 
 
 def guided(shape: SceneDimensions, guide: str) -> Dimension:
     """The direction of a guide on its link, degrees."""
-    return Dimension(shape.angle(guide), 0.0, lambda shape, ar: shape.angle(guide), ("guided", guide))
+    return Dimension(shape.angle(guide), lambda shape, ar: shape.angle(guide), ("guided", guide))
 
 
 def leaning(shape: SceneDimensions, slider: str) -> Dimension:
     """How far the axes of a slider are turned from its guide, degrees."""
-    return Dimension(shape.lean(slider), 0.0, lambda shape, ar: shape.lean(slider), ("leaning", slider))
+    return Dimension(shape.lean(slider), lambda shape, ar: shape.lean(slider), ("leaning", slider))
 
 
 def aside(shape: SceneDimensions, slider: str) -> Dimension:
     """How far to the left of its guide a slider's first point lies."""
-    return Dimension(shape.offset(slider), 0.0, lambda shape, ar: shape.offset(slider), ("aside", slider))
+    return Dimension(shape.offset(slider), lambda shape, ar: shape.offset(slider), ("aside", slider))
 
 
 def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The distance of two points."""
-    one, two = shape.place(p), shape.place(q)
-    way = two - one
-    off = _apart(one, two) + (2 * HALF * abs(way) if way.real and way.imag else 0.0)
-    return Dimension(abs(way), off, lambda shape, ar: abs(shape.place(q) - shape.place(p)), ("distance", p, q))
+
+    def by(shape: Dimensions, ar: Arithmetic) -> Real:
+        return abs(shape.place(q) - shape.place(p))
+
+    return Dimension(by(shape, ARITHMETIC), by, ("distance", p, q))
 
 
 def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The direction from one point to another, degrees."""
-    one, two = shape.place(p), shape.place(q)
-    return Dimension(
-        *_direction(one, two), lambda shape, ar: ar.angle_deg(shape.place(q) - shape.place(p)), ("angle", p, q)
-    )
+
+    def by(shape: Dimensions, ar: Arithmetic) -> Real:
+        return ar.angle_deg(shape.place(q) - shape.place(p))
+
+    return Dimension(by(shape, ARITHMETIC) or 0.0, by, ("angle", p, q))
 
 
 def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
     """How far from one point to another it goes in a direction."""
-    found = ((shape.place(q) - shape.place(p)) * ARITHMETIC.cis_deg(-way.value)).real
 
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(q) - shape.place(p)) * ar.cis_deg(-way.by(shape, ar))).real
 
-    return Dimension(found, 4 * HALF * abs(found), by, ("along", p, q, way.of))
+    return Dimension(by(shape, ARITHMETIC), by, ("along", p, q, way.of))
 
 
 def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dimension:
     """(p - q) / (r - q): how a point stands to two others."""
-    one, two, three = (shape.place(spot) for spot in (p, q, r))
-    found, base = (one - two) / (three - two), abs(three - two)
-    rounded = 6 if one.imag or two.imag or three.imag else 1
-    off = (_apart(one, two) + abs(found) * _apart(three, two)) / base + rounded * HALF * abs(found)
 
     def by(shape: Dimensions, ar: Arithmetic) -> Point:
         return (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q))
 
-    return Dimension(found, off, by, ("ratio", p, q, r))
+    return Dimension(by(shape, ARITHMETIC), by, ("ratio", p, q, r))
 
 
 def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
     """How far a point lies to the left of the line through another in a direction."""
-    one, two = shape.place(p), shape.place(q)
-    apart = one - two
-    off = _apart(one, two)
-    off += HALF * abs(apart) * ((abs(math.radians(way.value)) + 6) if way.value % 90 else 0.0)
 
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(p) - shape.place(q)) * ar.cis_deg(-way.by(shape, ar))).imag
 
-    return Dimension((apart * ARITHMETIC.cis_deg(-way.value)).imag, off, by, ("height", p, q, way.of))
-
-
-def _direction(p: complex, q: complex) -> tuple[float, float]:
-    """The direction of a point from another, degrees, and how far off it may be."""
-    way = q - p
-    if not way:
-        return 0.0, 0.0
-    if not (p.imag or q.imag):  # along the link's own axis
-        return (0.0, 0.0) if way.real > 0 else (180.0, 0.0)
-    angle = ARITHMETIC.angle_deg(way)
-    return angle, math.degrees(_apart(p, q) / abs(way)) + 4 * HALF * abs(angle)
-
-
-def _apart(p: complex, q: complex) -> float:
-    """How far off a difference of two places is, the decimals of both and its own rounding together."""
-    return HALF * (abs(p) + abs(q) + (abs(p - q) if p and q else 0.0))
+    return Dimension(by(shape, ARITHMETIC), by, ("height", p, q, way.of))

@@ -176,7 +176,6 @@ class StatedPlansBuilder:
             segments=tuple(dict.fromkeys(d.segments)),
             acting=Loads(),
             means=d.means | {s.makes: s.means for s in program.steps if s.means},
-            off=d.off,
             vectors={n: self.vectors.span(n) for n in names},
             values={n: self.vectors.values[n] for n in self.statement.values},
             links={FRAME: LinkValues("", "", "")},

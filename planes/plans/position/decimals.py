@@ -1,0 +1,111 @@
+"""What the doubles of a scene's numbers leave out of its decimals, where they are written as they stand: of givens that
+are reckoned of them, too, which are reckoned again in decimals.
+"""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from decimal import Context, Decimal, localcontext
+from typing import Any
+
+from planes.drafting.dimensions import Dimension
+from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Arithmetic, Point, Real
+from planes.plans.position.reckoned import SceneDimensions
+from planes.scene.mechanism import Link, Mechanism
+
+UNSURE = Decimal(2) ** -52  # relative: how far off a number is that is reckoned of what is written
+LONG = Context(prec=40)
+RADIAN = Decimal("0.01745329251994329576923690768488612713442871888541725")
+TERMS = 40  # of the series of an angle no larger than an eighth of a turn: those left out are less than 10⁻⁴⁰
+Lost = tuple[Thing, float]
+"""What a double leaves out of a number, and how far off the number may be beside that."""
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A place or a vector in decimals."""
+
+    real: Decimal
+    imag: Decimal
+
+    def __sub__(self, other: "_Place") -> "_Place":
+        return _Place(self.real - other.real, self.imag - other.imag)
+
+    def __mul__(self, z: "_Place") -> "_Place":
+        return _Place(self.real * z.real - self.imag * z.imag, self.real * z.imag + self.imag * z.real)
+
+    def __truediv__(self, z: "_Place") -> "_Place":
+        up, square = self * _Place(z.real, -z.imag), z.real * z.real + z.imag * z.imag
+        return _Place(up.real / square, up.imag / square)
+
+    def __abs__(self) -> Decimal:
+        return (self.real * self.real + self.imag * self.imag).sqrt()
+
+
+class _Decimals(Arithmetic):
+    """The arithmetic of decimals, as far as dimensions need it."""
+
+    def cis_deg(self, angle: Real) -> Point:
+        quarter = (angle / 90).to_integral_value()
+        x = (angle - 90 * quarter) * RADIAN
+        term, parts = Decimal(1), [Decimal(0), Decimal(0)]
+        for k in range(TERMS):
+            parts[k % 2] += -term if k % 4 > 1 else term
+            term *= x / (k + 1)
+        cos, sin = parts
+        return _Place(*((cos, sin), (-sin, cos), (-cos, -sin), (sin, -cos))[int(quarter) % 4])
+
+    def angle_deg(self, u: Point) -> Real:
+        near = Decimal(super().angle_deg(complex(u.real, u.imag)))
+        left = u * self.cis_deg(-near)
+        return near + left.imag / left.real / RADIAN if left.real else near
+
+
+class AsWritten(SceneDimensions):
+    """The dimensions as they are written, in decimals; numbers that are not written as they stand, as their doubles."""
+
+    def __init__(self, mechanism: Mechanism, passive: Iterable[Link]) -> None:
+        super().__init__(mechanism, passive)
+        self.unknown: dict[float, None] = {}  # the sizes of such numbers
+        self.moved = -1.0  # the one of them that is taken to be off
+
+    def lost(self, value: Thing, by: Dimension | None) -> Lost | None:
+        """What the double of a given leaves out, which is reckoned ``by`` others or written itself; None where it is
+        but a number that is not known."""
+        self.unknown, self.moved = {}, -1.0
+        with localcontext(LONG):
+            lost = self._less(value, by)
+            if self.unknown and by is None and not isinstance(value, complex):
+                return None
+            off = 0.0
+            for size in [*self.unknown]:
+                self.moved = size
+                off += abs(self._less(value, by) - lost)
+        return lost, off
+
+    def taken(self, value: Thing) -> Any:
+        """A number or a place in decimals."""
+        if not isinstance(value, complex):
+            return self._number(value)
+        if polar := self.mechanism.written.places.get(value):
+            radius, way = self._number(polar[0]), _DECIMALS.cis_deg(self._number(polar[1]))
+            return _Place(radius * way.real, radius * way.imag)
+        return _Place(self._number(value.real), self._number(value.imag))
+
+    def _number(self, x: float) -> Decimal:
+        if text := self.mechanism.written.decimal(x):
+            return Decimal(text)
+        self.unknown[abs(x)] = None
+        return Decimal(x) * (1 + UNSURE) if abs(x) == self.moved else Decimal(x)
+
+    def _less(self, value: Thing, by: Dimension | None) -> Thing:
+        """The decimals less the double."""
+        true = by.by(self, _DECIMALS) if by else self.taken(value)
+        if isinstance(value, complex):
+            return complex(float(true.real - Decimal(value.real)), float(true.imag - Decimal(value.imag)))
+        less = float(true - Decimal(value))
+        return math.remainder(less, 360.0) if abs(less) > 359.0 and abs(value) <= 360.0 else less  # a turn apart
+
+
+_DECIMALS = _Decimals()

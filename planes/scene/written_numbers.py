@@ -1,0 +1,34 @@
+"""How the numbers of a scene were written: a double stands for a decimal, which is known where a text is one."""
+
+from dataclasses import dataclass, field
+
+from planes.scene.expressions import is_plain
+
+SURE = 15  # decimals of no more digits that have the same double are the same
+
+
+@dataclass
+class WrittenNumbers:
+    """The decimals of the numbers read, by their sizes, and radius and angle of the places written so."""
+
+    numbers: dict[float, str] = field(default_factory=dict)  # "" of what is reckoned, or is two decimals
+    places: dict[complex, tuple[float, ...]] = field(default_factory=dict)  # none of those with coordinates
+
+    def note(self, value: float, text: str) -> None:
+        """Remember the text of a number."""
+        text = text.lstrip("+-−") if is_plain(text) else ""
+        known = self.numbers.setdefault(abs(value), text)
+        if known != text and not (known and text and max(len(known), len(text)) <= SURE):
+            self.numbers[abs(value)] = ""
+
+    def note_place(self, place: complex, *polar: float) -> complex:
+        """Remember the radius and angle of a place, if it is written so; nothing is known of one written both ways."""
+        if self.places.setdefault(place, polar) != polar:
+            self.places[place] = ()
+            self.numbers |= dict.fromkeys((abs(place.real), abs(place.imag)), "")
+        return place
+
+    def decimal(self, x: float) -> str:
+        """The decimal of a number; "" where it is not known."""
+        text = self.numbers.get(abs(x)) or (repr(abs(x)) if (x * 1024).is_integer() else "")
+        return f"-{text}" if text and x < 0 else text
