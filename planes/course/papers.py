@@ -11,7 +11,7 @@ from planes.lesson.conditions import conditions
 from planes.lesson.formulas import unit
 from planes.lesson.stated_note import note_of
 from planes.plans import Plans
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.plans.scales import drawn_in_si
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
@@ -19,15 +19,17 @@ from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vectors import AlongVector, Statement
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
+from planes.solving.given import GivenTable
 from planes.words import Lang, decimal, say
 from planes.words.errors import PlanFailure
 from planes.words.names import kind_of, mu_of, parts_of
+from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text, number, unit_of_parameter
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 _NAME = re.compile(r"[^\W\d]\w*(?:\^(?!\d)\w+)?(?!\w*\()")
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
-ACROSS = 3  # numbers to a line
+ACROSS, NARROW = 4, 26  # numbers to a line, where no name has more signs
 _WORK = ("structure", "position", "velocity", "acceleration", "force", "lever")
 
 
@@ -43,24 +45,28 @@ def task(
     if not drawn.plans.moves:
         yield from stated(scene, drawn, lang)
         return
-    if lines := list(conditions(drawn.plans.mechanism, lang)):
+    if said := " ".join(conditions(drawn.plans, lang)):
         yield Heading(say("task_conditions", lang))
-        yield from map(Paragraph, lines)
+        yield Paragraph(said)
     yield Heading(say("task_todo", lang))
     yield from (Paragraph(line, number=k) for k, line in enumerate(work(scene, drawn, lang), 1))
 
 
 def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Block:
-    """The numbers of the assignment's table, three to a line."""
+    """What is given, as the sheet has it, so many to a line as there is room for."""
+    cells: list[tuple[str, ...]] = list(given_of(scene, drawn, used, lang).rows())
+    across = ACROSS if max(len(cell) for row in cells for cell in row) <= NARROW else 2
+    high = -(-len(cells) // across)
+    cells += [("", "", "")] * (across * high - len(cells))
+    rows = (tuple(c for k in range(across) for c in cells[row + k * high]) for row in range(high))
     head = tuple(say(k, lang) for k in ("task_quantity", "task_value", "task_unit"))
-    names = [n for n in scene.parameters if n in used]
-    if not names or not drawn.plans.moves:  # all numbers stand in the scene itself
-        return next(b for b in note_of(scene, drawn, lang).opening() if isinstance(b, DocumentTable))
-    cells = [(parameter_sign(n), number(scene.parameters[n], lang, 6), unit_of(n, lang)) for n in names]
-    high = -(-len(cells) // ACROSS)
-    cells += [("", "", "")] * (ACROSS * high - len(cells))
-    rows = (tuple(c for k in range(ACROSS) for c in cells[row + k * high]) for row in range(high))
-    return DocumentTable(say("task_given", lang), (head * ACROSS, *rows))
+    return DocumentTable(say("task_given", lang), (head * across, *rows))
+
+
+def given_of(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> GivenTable:
+    """What a scene gives for what is asked; of its parameters those that are ``used``."""
+    naming = Naming(lang, **lettering(scene, drawn.plans))
+    return GivenTable(drawn, naming, {n: v for n, v in scene.parameters.items() if n in used})
 
 
 def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from pypdfium2 import PdfDocument
+
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked
 from planes.check.sheet_mark import SheetMark
@@ -32,7 +34,7 @@ from render.report import rendered
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 
-FIGURE_MM = 75.0  # of the scheme on a task: with the table it leaves room for the rest of the page
+FIGURE_MM = (75.0, 60.0, 45.0)  # of the scheme on a task, the largest first that leaves room for the rest of the page
 _ONE = threading.Lock()  # a worker may have several threads; the libraries that draw like one better
 
 
@@ -124,11 +126,16 @@ class Desk:
         return self.sheets[number]
 
     def task(self) -> bytes:
-        """The sheet of the task, its scheme drawn in another position."""
+        """The sheet of the task, its scheme drawn in another position; one page, if that is to be had."""
         plans, order = self.drawn.plans, self.order
-        other, fits = clearest(plans, self.drawn.at), {**FIT_MM, "position": FIGURE_MM}
-        shown = position(self.scene, plans, None, value=other, instrument=None, lang=order.lang, fit_mm=fits)
-        return self.set(task(self.scene, self.drawn, shown, order.heads, order.used, order.lang))
+        other, made = clearest(plans, self.drawn.at), list[bytes]()
+        for size in FIGURE_MM:
+            fits = {**FIT_MM, "position": size}
+            shown = position(self.scene, plans, None, value=other, instrument=None, lang=order.lang, fit_mm=fits)
+            made.append(self.set(task(self.scene, self.drawn, shown, order.heads, order.used, order.lang)))
+            if not plans.moves or len(PdfDocument(made[-1])) == 1:
+                return made[-1]
+        return made[0]
 
     def key(self) -> bytes:
         """The answers to be read."""

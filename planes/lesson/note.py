@@ -90,7 +90,7 @@ class Note:
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
         rows = GivenTable(self.position, self.naming, self.scene.parameters).rows()
         yield from self.table(self.given_table, head, [*rows, *self.laws()])
-        yield from map(Paragraph, conditions(plans.mechanism, self.lang, plans.forces))
+        yield from map(Paragraph, conditions(plans, self.lang))
         if remark := self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
 
