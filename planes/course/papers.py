@@ -20,8 +20,9 @@ from planes.scene.vectors import AlongVector, Statement
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.given import GivenTable
-from planes.words import Lang, decimal, say
-from planes.words.errors import PlanFailure
+from planes.words import Lang, Phrase, decimal, say
+from planes.words.errors import PlanFailure, SceneError
+from planes.words.lettering import flat, greek
 from planes.words.names import kind_of, mu_of, parts_of
 from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text, number, unit_of_parameter
@@ -33,28 +34,26 @@ ACROSS, NARROW = 4, 26  # numbers to a line, where no name has more signs
 _WORK = ("structure", "position", "velocity", "acceleration", "force", "lever")
 
 
-def task(
-    scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], used: Sequence[str], lang: Lang
-) -> Iterator[Block]:
+def task(scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], lang: Lang) -> Iterator[Block]:
     """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do."""
     yield Heading(heads[0], 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
     if drawn.plans.moves:
         yield Figure(DrawnViews(scene, shown, (("scheme",),)), say("task_scheme", lang))
-    yield given(scene, drawn, used, lang)
+    yield given(scene, drawn, lang)
     if not drawn.plans.moves:
         yield from stated(scene, drawn, lang)
         return
-    if said := " ".join(conditions(drawn.plans, lang)):
+    if said := said_of(scene, drawn, lang):
         yield Heading(say("task_conditions", lang))
         yield Paragraph(said)
     yield Heading(say("task_todo", lang))
     yield from (Paragraph(line, number=k) for k, line in enumerate(work(scene, drawn, lang), 1))
 
 
-def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Block:
+def given(scene: Scene, drawn: Position, lang: Lang) -> Block:
     """What is given, as the sheet has it, so many to a line as there is room for."""
-    cells: list[tuple[str, ...]] = list(given_of(scene, drawn, used, lang).rows())
+    cells: list[tuple[str, ...]] = list(given_of(scene, drawn, lang).rows())
     across = ACROSS if max(len(cell) for row in cells for cell in row) <= NARROW else 2
     high = -(-len(cells) // across)
     cells += [("", "", "")] * (across * high - len(cells))
@@ -63,18 +62,38 @@ def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Blo
     return DocumentTable(say("task_given", lang), (head * across, *rows))
 
 
-def given_of(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> GivenTable:
-    """What a scene gives for what is asked; of its parameters those that are ``used``."""
-    naming = Naming(lang, **lettering(scene, drawn.plans))
-    return GivenTable(drawn, naming, {n: v for n, v in scene.parameters.items() if n in used})
+def given_of(scene: Scene, drawn: Position, lang: Lang, steady: bool = False) -> GivenTable:
+    """What a scene gives for what is asked. :class:`SceneError` where two numbers would have one name."""
+    table = GivenTable(drawn, Naming(lang, **lettering(scene, drawn.plans)), scene.used, steady)
+    seen: dict[str, float] = {}
+    for row in table.listed():
+        for name in row.name.split(" = "):
+            if (other := seen.setdefault(name, row.value)) != row.value:
+                raise twice(scene, name, number(other, lang, 6), number(row.value, lang, 6))
+    return table
+
+
+def twice(scene: Scene, name: str, one: str, other: str) -> SceneError:
+    """That a name is a parameter's, and a person's for another number too."""
+    own = next((p for p in scene.used if greek(p) == name), flat(name))
+    why = Phrase("given_twice", name=own, one=one, other=other)
+    return SceneError(why, scene.file, scene.where.get(("parameters", own)))
+
+
+def said_of(scene: Scene, drawn: Position, lang: Lang) -> str:
+    """What is given in words: conditions; of stated vectors how lengths and directions go by others."""
+    if scene.statement is None:
+        return " ".join(conditions(drawn.plans, lang))
+    amounts = "; ".join(amounts_of(scene.statement))
+    return say("task_amounts", lang, amounts=amounts) if amounts else ""
 
 
 def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
     """The equations of stated vectors, and what is to be found by them."""
     for name in dict.fromkeys(e.plan for e in drawn.plans.equations):
         yield Figure(DrawnViews(scene, drawn, ((f"asked {name}",),)), "")
-    if scene.statement and (amounts := list(amounts_of(scene.statement))):
-        yield Paragraph(say("task_amounts", lang, amounts="; ".join(amounts)))
+    if said := said_of(scene, drawn, lang):
+        yield Paragraph(said)
     yield Heading(say("task_todo", lang))
     names = tuple(f"⟨{name}⟩" for name in note_of(scene, drawn, lang).sought())
     said = [say("task_stated", lang), say("task_find", lang, names=names)]
@@ -126,11 +145,11 @@ def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
         yield say("task_find", lang, names=tuple(f"⟨{name}⟩" for name in found_of(scene)))
 
 
-def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[str], lang: Lang) -> Iterator[Block]:
+def answers(scene: Scene, drawn: Position, heads: Sequence[str], lang: Lang) -> Iterator[Block]:
     """The key: the numbers, what every plan measures, the results."""
     yield Heading(say("key_title", lang, title=heads[0]), 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
-    yield given(scene, drawn, used, lang)
+    yield given(scene, drawn, lang)
     note = note_of(scene, drawn, lang)
     yield from note.answers()
     if drawn.plans.zhukovsky in drawn.drawing:

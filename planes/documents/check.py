@@ -8,14 +8,16 @@ from pathlib import Path
 from planes.check import Outcome, report
 from planes.check.blank import blank_pole, roomy
 from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
-from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare
 from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
+from planes.plans import sliced
 from planes.plans.measuring import lettering, title_of
 from planes.scene.files import keep
-from planes.solving import told
+from planes.solving import position, told
+from planes.solving.given import GivenTable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of, parted
@@ -49,7 +51,18 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     texts = [f"{title_of(asked.plan, lang)}, μ = {mu}", title, *(more or _whose(asked, mark, lang))]
     fields = [] if mark.student else [say("check_blank_name", lang), say("check_blank_group", lang)]
     pole, size = (Naming(lang).mark(POLE, kind_of(asked.plan)), blank_pole(bench)), say("check_print_size", lang)
-    return blank_sheet.blank(SHEET_MM, squares, pole, texts, size, fields), title
+    return blank_sheet.blank(SHEET_MM, squares, pole, texts, size, fields, _given(bench, lang)), title
+
+
+def _given(bench: PreparedPlan, lang: Lang) -> list[str]:
+    """What the plan is drawn by, the numbers as they are not to be broken."""
+    asked, plans = bench.asked, bench.plans
+    cut = sliced(plans, [step.makes for step in plans.program.marks[asked.plan]])
+    value = plans.mechanism.drive.position if asked.value is None else asked.value
+    at = position(asked.scene, cut, [], value, None, lang)
+    table = GivenTable(at, replace(bench.naming, lang=lang), asked.scene.used)
+    rows = [f"{name} = {number} {unit}".removesuffix(" —").replace(" °", "°") for name, number, unit in table.rows()]
+    return [f"{row};" for row in rows[:-1]] + [f"{row}." for row in rows[-1:]]
 
 
 def _whose(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:

@@ -14,8 +14,8 @@ from planes.check.sheet_mark import SheetMark
 from planes.course import PLATFORMS, Course
 from planes.course.ledger import fingerprint
 from planes.course.numbers import why
-from planes.course.papers import answers, clearest, task
-from planes.course.quiz import Quiz, questions
+from planes.course.papers import answers, clearest, given_of, said_of, task
+from planes.course.quiz import Quiz, QuizGiven, questions
 from planes.documents import picture, view_of
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed
@@ -23,13 +23,16 @@ from planes.documents.packages import scorm
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
 from planes.plans.scales import FIT_MM
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, loads
 from planes.solving import Position, position
 from planes.solving.document import Block
+from planes.solving.given import DIGITS
 from planes.words import Lang, Phrase
 from planes.words.names import kind_of
 from render.files import Page, pdf
 from render.page.lesson_page import page
+from render.paper.letters import NAME
 from render.report import rendered
 from render.sheet import Sheet
 from render.sheet.composer import Composer
@@ -45,7 +48,6 @@ class Order:
 
     scene: str
     heads: tuple[str, ...]
-    used: tuple[str, ...]
     files: tuple[str, ...]
     plans: tuple[str, ...]
     lang: Lang
@@ -127,19 +129,26 @@ class Desk:
 
     def task(self) -> bytes:
         """The sheet of the task, its scheme drawn in another position; one page, if that is to be had."""
-        plans, order = self.drawn.plans, self.order
-        other, made = clearest(plans, self.drawn.at), list[bytes]()
+        made = list[bytes]()
         for size in FIGURE_MM:
-            fits = {**FIT_MM, "position": size}
-            shown = position(self.scene, plans, None, value=other, instrument=None, lang=order.lang, fit_mm=fits)
-            made.append(self.set(task(self.scene, self.drawn, shown, order.heads, order.used, order.lang)))
-            if not plans.moves or len(PdfDocument(made[-1])) == 1:
+            shown = self.shown({**FIT_MM, "position": size})
+            made.append(self.set(task(self.scene, self.drawn, shown, self.order.heads, self.order.lang)))
+            if not self.drawn.plans.moves or len(PdfDocument(made[-1])) == 1:
                 return made[-1]
         return made[0]
 
+    @cached_property
+    def other(self) -> float:
+        """The value of the drive at which the scheme is shown, told by all that can be drawn of it."""
+        return clearest(scene_plans(self.scene), self.drawn.at)
+
+    def shown(self, fits: Mapping[str, float] | None = None) -> Position:
+        """The scheme in that position."""
+        return position(self.scene, self.drawn.plans, [], self.other, None, self.order.lang, fits)
+
     def key(self) -> bytes:
         """The answers to be read."""
-        return self.set(answers(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang))
+        return self.set(answers(self.scene, self.drawn, self.order.heads, self.order.lang))
 
     def set(self, blocks: Iterable[Block]) -> bytes:
         """Blocks as a PDF."""
@@ -168,14 +177,16 @@ class Desk:
         """What platforms ask, with the scheme in another position as a picture."""
         assignment, _, student = self.order.whose
         lang = self.order.lang
-        given = {n: v for n, v in self.scene.parameters.items() if n in self.order.used}
+        table = given_of(self.scene, self.drawn, lang, steady=True)
+        said = said_of(self.scene, self.drawn, lang)
         held = Quiz(
             student=str(self.scene.sheet.get("student", "")),
             group=str(self.scene.sheet.get("group", "")),
             assignment=assignment,
             title=self.order.heads[0],
             place=student,
-            given=given,
+            given=tuple(QuizGiven(r.name, float(f"{r.value:.{DIGITS}g}"), r.unit) for r in table.listed()),
+            said=NAME.sub(lambda m: table.naming.named(m[1]), said),
             questions=questions(self.scene, lang),
             picture=self.asked_of().rendered(".png"),
         )
@@ -183,10 +194,9 @@ class Desk:
 
     def asked_of(self) -> Page:
         """What a question shows: the scheme in another position; of stated vectors their equations."""
-        plans, lang = self.drawn.plans, self.order.lang
-        if not plans.moves:
-            return view_of(self.scene, "asked", None, lang)
-        return picture(position(self.scene, plans, None, clearest(plans, self.drawn.at), None, lang), None, lang)
+        if not self.drawn.plans.moves:
+            return view_of(self.scene, "asked", None, self.order.lang)
+        return picture(self.shown(), None, self.order.lang)
 
     def note(self) -> bytes:
         """The explanatory note."""

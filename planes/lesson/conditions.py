@@ -1,5 +1,5 @@
-"""Under which conditions a mechanism is calculated, in words alone: axes, what of the layout its dimensions do not tell,
-loads, weight, friction. Every number stands in the table of what is given, by its name."""
+"""Under which conditions a mechanism is calculated, in words alone: axes, what of the layout its dimensions leave open,
+loads, weight, friction. Numbers stand in the table of what is given, by their names."""
 
 from collections.abc import Iterator
 
@@ -48,8 +48,8 @@ def _load(load: Load, name: str, mechanism: Mechanism, lang: Lang) -> str:
 
 
 class Layout:
-    """Tells what the dimensions of a mechanism leave open: which assembly is meant, where guides and the axes point that
-    angles and coordinates of links are told in, what the drive is counted from."""
+    """Tells what the dimensions of a mechanism leave open: which assembly is meant, where guides are directed, and the
+    axes of links, in which angles and coordinates are told, what the drive is counted from."""
 
     def __init__(self, plans: Plans, lang: Lang) -> None:
         self.plans, self.mechanism, self.lang = plans, plans.mechanism, lang

@@ -88,7 +88,7 @@ class Note:
         named = {"title": title or Path(self.scene.file).stem, "drive": where, "names": asked}
         yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", **named))
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
-        rows = GivenTable(self.position, self.naming, self.scene.parameters).rows()
+        rows = GivenTable(self.position, self.naming, self.scene.used).rows()
         yield from self.table(self.given_table, head, [*rows, *self.laws()])
         yield from map(Paragraph, conditions(plans, self.lang))
         if remark := self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""):

@@ -3,6 +3,7 @@
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -14,7 +15,7 @@ from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import FRAME, Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_loads
-from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
+from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, used_names, with_numbers
 from planes.scene.reader import Reader, entries_of
 from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import Statement, VectorGiven, read_statement
@@ -93,6 +94,12 @@ class Scene(Pictured):
     def parameters(self) -> Mapping[str, float]:
         """The parameters it was read with."""
         return self.reading.parameters
+
+    @cached_property
+    def used(self) -> Mapping[str, float]:
+        """The parameters it is made of, directly or through one another."""
+        names = used_names(source.parse(self.reading.source, self.file)) if self.reading.source else {}
+        return {name: value for name, value in self.parameters.items() if name in names}
 
     @property
     def frame_number(self) -> str:

@@ -194,6 +194,16 @@ def users_of(names: Iterable[str], uses: Uses) -> set[str]:
     return reached(names, users)
 
 
+def used_names(table: SourceTable) -> set[str]:
+    """The parameters a scene's mechanism, or vectors, are made of, directly or through one another."""
+    own = {n: names_of(node) for n, node in entries_of(table.entries.get("parameters")).items()}
+    shape = (node for key, part in table.entries.items() if key not in _WORDS for _, node in texts(part))
+    return reached((n for node in shape for n in names_of(node)), own) & {*own}
+
+
+_WORDS = ("parameters", "variants", "title", "note", "text", "missing", "sheet")
+
+
 def reached(names: Iterable[str], ways: Uses) -> set[str]:
     """These names, and all that ways lead to from them."""
     found = set(names)

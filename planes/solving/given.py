@@ -27,8 +27,8 @@ DIGITS = 6  # a given number is written as it was given
 
 @dataclass(frozen=True)
 class GivenRow:
-    """A name as it is lettered, a value in the unit of the table (SI, degrees), the unit's key; ``given`` is its name in
-    the program, "" of what the scheme is drawn by."""
+    """A name as it is lettered, a value in the unit of the table (SI, degrees), the unit's key; ``given`` is its name
+    in the program, "" of what the scheme is drawn by."""
 
     name: str
     value: float
@@ -47,11 +47,13 @@ class GivenRow:
 
 @dataclass(frozen=True)
 class GivenTable:
-    """The given values of a position that what is drawn of it reads; ``parameters`` are those of its scene."""
+    """The given values of a position that what is drawn of it reads; ``parameters`` are those of its scene. ``steady``
+    ones have the same names whatever the numbers are."""
 
     position: Position
     naming: Naming
     parameters: Mapping[str, float]
+    steady: bool = False
 
     def rows(self) -> list[tuple[str, str, str]]:
         """Name, value and unit of everything that is given and read."""
@@ -135,7 +137,7 @@ class GivenTable:
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:
         """The coordinates of a place."""
-        if not z:
+        if not z and not self.steady:
             yield GivenRow(f"x_{{{name}}} = y_{{{name}}}", 0.0, "m", place=True)
             return
         yield GivenRow(f"x_{{{name}}}", z.real, "m", place=True)
@@ -159,8 +161,10 @@ class GivenTable:
         for point, z in link.points.items():
             way = z - link.points[first]
             polar = abs(way), round(math.degrees(cmath.phase(way)), 9)
-            told = self.parameters.get(f"l_{first}{point}", polar[0])  # which may be a coordinate
-            if way.imag and (not _equal(told, polar[0]) or _signs(way.real, way.imag) < _signs(*polar)):
+            name = f"l_{first}{point}"
+            told = self.parameters.get(name, polar[0])  # which may be a coordinate
+            plain = name in self.parameters if self.steady else _signs(*polar) <= _signs(way.real, way.imag)
+            if way.imag and not (plain and _equal(told, polar[0])):
                 yield from self.place(first + point, way)
                 continue
             yield GivenRow(f"l_{{{first}{point}}}", polar[0], "m")
@@ -184,7 +188,8 @@ class GivenTable:
         for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
             if isinstance(load.direction_deg, float | int):
                 of = f"^{{({self.naming.link(load.direction_link)})}}" if load.direction_link else ""
-                yield GivenRow(f"∠{self.naming.vector(name)}{of}", load.direction_deg, "°", f"angle_∠{name}", place=True)
+                sign = f"∠{self.naming.vector(name)}{of}"
+                yield GivenRow(sign, load.direction_deg, "°", f"angle_∠{name}", place=True)
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""

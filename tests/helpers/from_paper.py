@@ -1,7 +1,7 @@
 """A scene rebuilt from what a student is told of it in words and numbers, and nothing else.
 
-What a figure shows (links, which points and guides they have, what loads them) is taken of the scene with every number of
-it blanked; every number is looked up in the text by its name. One that the text does not state is 0, as in a figure
+What a figure shows (links, which points and guides they have, what loads them) is taken of the scene with every number
+of it blanked; every number is looked up in the text by its name. One that the text does not state is 0, as in a figure
 without that size.
 """
 
@@ -93,9 +93,9 @@ class Rebuilt:
         through = points.get(guide.through_point or "", 0j)
         for axis, angle, unit in (("y", 0.0, 1j), ("x", 90.0, 1 + 0j)):
             other = "x" if axis == "y" else "y"
-            if not guide.through_point and paper.of(f"∠{name}") is None and paper.of(f"{other}{name}") is None:
-                if (value := paper.of(f"{axis}{name}")) is not None:
-                    return replace(guide, through=value * unit, angle_deg=angle)
+            alone = not guide.through_point and paper.of(f"∠{name}") is None and paper.of(f"{other}{name}") is None
+            if alone and (value := paper.of(f"{axis}{name}")) is not None:
+                return replace(guide, through=value * unit, angle_deg=angle)
         through = through if guide.through_point else paper.place(name)
         return replace(guide, through=through, angle_deg=paper.number(f"∠{name}"))
 
