@@ -23,11 +23,10 @@ from planes.solving.given import GivenTable
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.lettering import flat, greek
-from planes.words.names import kind_of, mu_of, parts_of
+from planes.words.names import kind_of, mu_of
 from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text, number, unit_of_parameter
 
-_ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 _NAME = re.compile(r"[^\W\d]\w*(?:\^(?!\d)\w+)?(?!\w*\()")
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
 ACROSS, NARROW = 4, 26  # numbers to a line, where no name has more signs
@@ -92,8 +91,8 @@ def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
     """The equations of stated vectors, and what is to be found by them."""
     for name in dict.fromkeys(e.plan for e in drawn.plans.equations):
         yield Figure(DrawnViews(scene, drawn, ((f"asked {name}",),)), "")
-    if said := said_of(scene, drawn, lang):
-        yield Paragraph(said)
+    if amounts := said_of(scene, drawn, lang):
+        yield Paragraph(amounts)
     yield Heading(say("task_todo", lang))
     names = tuple(f"⟨{name}⟩" for name in note_of(scene, drawn, lang).sought())
     said = [say("task_stated", lang), say("task_find", lang, names=names)]
@@ -117,12 +116,6 @@ def amounts_of(statement: Statement) -> Iterator[str]:
 def amount_said(amount: VectorAmount) -> str:
     """An amount as it is stated, its names lettered."""
     return _NAME.sub(lambda m: f"⟨{m[0]}⟩", amount.text).replace("*", "·")
-
-
-def parameter_sign(name: str) -> str:
-    """A parameter as it is written: l_AB lettered, angle_AOH as ∠AOH."""
-    letter, index, _ = parts_of(name)
-    return f"∠{index}" if index and letter == "angle" else _ANGLES.get(name) or f"⟨{name}⟩"
 
 
 def unit_of(name: str, lang: Lang) -> str:

@@ -13,11 +13,11 @@ from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
+from planes.course.papers import given_of
 from planes.plans import sliced
 from planes.plans.measuring import lettering, title_of
 from planes.scene.files import keep
-from planes.solving import position, told
-from planes.solving.given import GivenTable
+from planes.solving import position
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of, parted
@@ -60,23 +60,20 @@ def _given(bench: PreparedPlan, lang: Lang) -> list[str]:
     cut = sliced(plans, [step.makes for step in plans.program.marks[asked.plan]])
     value = plans.mechanism.drive.position if asked.value is None else asked.value
     at = position(asked.scene, cut, [], value, None, lang)
-    table = GivenTable(at, replace(bench.naming, lang=lang), asked.scene.used)
-    rows = [f"{name} = {number} {unit}".removesuffix(" —").replace(" °", "°") for name, number, unit in table.rows()]
+    told = given_of(asked.scene, at, lang).rows()
+    rows = [f"{name} = {number} {unit}".removesuffix(" —").replace(" °", "°") for name, number, unit in told]
     return [f"{row};" for row in rows[:-1]] + [f"{row}." for row in rows[-1:]]
 
 
 def _whose(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:
-    """The line beneath the title: the student, the variant, the value of the drive, as far as they are told."""
-    said, drive = [], asked.scene.mechanism.drive if asked.scene.mechanism else None
+    """The line beneath the title: the student and the variant, as far as they are told."""
+    said = []
     if mark.student:
         group = str(asked.scene.sheet.get("group", ""))
         more = Phrase("task_group", group=group).told(lang) if group else ""
         said.append(Phrase("task_student", name=mark.student).told(lang) + more)
     if mark.variant:
         said.append(Phrase("task_variant", variant=mark.variant).told(lang))
-    if asked.value is not None and drive:
-        value = decimal(told(asked.value, drive.kind, lang), lang)
-        said.append(f"{Naming(lang).vector(f'{drive.kind}_{drive.link}')} = {value}")
     return [f"{'. '.join(said)}."] if said else []
 
 

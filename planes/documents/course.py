@@ -3,7 +3,7 @@
 import json
 import threading
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from pypdfium2 import PdfDocument
@@ -37,7 +37,12 @@ from render.report import rendered
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 
-FIGURE_MM = (75.0, 60.0, 45.0)  # of the scheme on a task, the largest first that leaves room for the rest of the page
+FIGURE_MM = (
+    75.0,
+    60.0,
+    45.0,
+    36.0,
+)  # of the scheme on a task, the largest first that leaves room for the rest of the page
 _ONE = threading.Lock()  # a worker may have several threads; the libraries that draw like one better
 
 
@@ -131,7 +136,7 @@ class Desk:
         """The sheet of the task, its scheme drawn in another position; one page, if that is to be had."""
         made = list[bytes]()
         for size in FIGURE_MM:
-            shown = self.shown({**FIT_MM, "position": size})
+            shown = self.shown({**FIT_MM, "position": size}, size < FIGURE_MM[0])
             made.append(self.set(task(self.scene, self.drawn, shown, self.order.heads, self.order.lang)))
             if not self.drawn.plans.moves or len(PdfDocument(made[-1])) == 1:
                 return made[-1]
@@ -142,9 +147,10 @@ class Desk:
         """The value of the drive at which the scheme is shown, told by all that can be drawn of it."""
         return clearest(scene_plans(self.scene), self.drawn.at)
 
-    def shown(self, fits: Mapping[str, float] | None = None) -> Position:
-        """The scheme in that position."""
-        return position(self.scene, self.drawn.plans, [], self.other, None, self.order.lang, fits)
+    def shown(self, fits: Mapping[str, float] | None = None, smaller: bool = False) -> Position:
+        """The scheme in that position, at the scene's own μ unless it must be ``smaller``."""
+        scene = replace(self.scene, mu={**self.scene.mu, "position": None}) if smaller else self.scene
+        return position(scene, self.drawn.plans, [], self.other, None, self.order.lang, fits)
 
     def key(self) -> bytes:
         """The answers to be read."""

@@ -16,7 +16,7 @@ from functools import cached_property
 
 from planes.plans.force.loads import load_names
 from planes.scene import Scene
-from planes.scene.mechanism import FRAME, Drive, Guide, Journal, Link, Load, Mechanism
+from planes.scene.mechanism import Drive, Guide, Journal, Link, Load, Mechanism, RoundGuide
 from planes.words.naming import Naming
 
 _VALUE = r"(?: ?= ?[^\W\d][^=]{0,12}?)*?(?: ?= ?| )([-−]?\d[\d ]*(?:[.,]\d+)?(?:(?:·10|[eE])[-−]?\d+)?)(?![\w·^])"
@@ -79,7 +79,7 @@ class Rebuilt:
         guides = {name: self.frame_guide(guide, points) for name, guide in frame.guides.items()}
         return replace(frame, points=points, guides=guides, round_guides=self.round_guides(frame))
 
-    def round_guides(self, link: Link) -> Mapping[str, object]:
+    def round_guides(self, link: Link) -> dict[str, RoundGuide]:
         riders = [x for x in self.shape.links.values() if x.slides_round]
         found = {}
         for name, guide in link.round_guides.items():
@@ -154,6 +154,3 @@ def rebuilt(scene: Scene, text: str, naming: Naming) -> tuple[Scene, list[str]]:
     """The scene of a paper, and the names of the numbers that are not told there."""
     of = Rebuilt(scene, Paper(text, naming))
     return replace(scene, mechanism=of.mechanism, reading=replace(scene.reading, parameters={})), of.paper.missed
-
-
-__all__ = ["FRAME", "Paper", "Rebuilt", "rebuilt"]
