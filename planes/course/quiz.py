@@ -72,8 +72,8 @@ class Quiz:
     place: str
     given: tuple[QuizGiven, ...]
     said: str
-    questions: tuple[QuizItem, ...]
-    picture: bytes
+    questions: tuple[QuizItem, ...] = ()
+    picture: bytes = b""
 
     def json(self) -> Json:
         """As it is kept."""

@@ -15,11 +15,12 @@ from planes.course import PLATFORMS, Course
 from planes.course.ledger import fingerprint
 from planes.course.numbers import why
 from planes.course.papers import answers, clearest, given_of, said_of, task
-from planes.course.quiz import Quiz, QuizGiven, questions
+from planes.course.quiz import Pool, Quiz, QuizGiven, questions
 from planes.documents import picture, view_of
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed
 from planes.documents.packages import scorm
+from planes.documents.platforms import stem
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
 from planes.plans.scales import FIT_MM
@@ -176,26 +177,29 @@ class Desk:
     def scorm(self) -> bytes:
         """The lesson as a package of a learning platform."""
         assignment, _, student = self.order.whose
-        scored = page(lesson_data(self.scene), self.order.lang, scored=True).encode()
+        given = stem(Pool([self.told], self.order.lang), "", "")
+        scored = page(lesson_data(self.scene), self.order.lang, given).encode()
         return scorm(scored, f"{assignment} {student}", self.order.heads[0])
+
+    @cached_property
+    def told(self) -> Quiz:
+        """What platforms tell of the student's scene, without questions."""
+        table = given_of(self.scene, self.drawn, self.order.lang, steady=True)
+        said = said_of(self.scene, self.drawn, self.order.lang)
+        return Quiz(
+            student=str(self.scene.sheet.get("student", "")),
+            group=str(self.scene.sheet.get("group", "")),
+            assignment=self.order.whose[0],
+            title=self.order.heads[0],
+            place=self.order.whose[2],
+            given=tuple(QuizGiven(r.name, float(f"{r.value:.{DIGITS}g}"), r.unit) for r in table.listed()),
+            said=NAME.sub(lambda m: table.naming.named(m[1]), said),
+        )
 
     def quiz(self) -> bytes:
         """What platforms ask, with the scheme in another position as a picture."""
-        assignment, _, student = self.order.whose
-        lang = self.order.lang
-        table = given_of(self.scene, self.drawn, lang, steady=True)
-        said = said_of(self.scene, self.drawn, lang)
-        held = Quiz(
-            student=str(self.scene.sheet.get("student", "")),
-            group=str(self.scene.sheet.get("group", "")),
-            assignment=assignment,
-            title=self.order.heads[0],
-            place=student,
-            given=tuple(QuizGiven(r.name, float(f"{r.value:.{DIGITS}g}"), r.unit) for r in table.listed()),
-            said=NAME.sub(lambda m: table.naming.named(m[1]), said),
-            questions=questions(self.scene, lang),
-            picture=self.asked_of().rendered(".png"),
-        )
+        asked = questions(self.scene, self.order.lang)
+        held = replace(self.told, questions=asked, picture=self.asked_of().rendered(".png"))
         return (json.dumps(held.json(), ensure_ascii=False, indent=1) + "\n").encode()
 
     def asked_of(self) -> Page:

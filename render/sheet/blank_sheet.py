@@ -13,11 +13,7 @@ from render.sheet.frame import framed
 RULER_MM, RULER_X = 100, 11.0  # how far it stands from the left edge
 PLAN_MM, LETTER_MM, LEAST_MM = 5.0, 3.5, 2.5  # letters: of the plan's name, of the other lines, and the smallest ones
 TEXT_X, FIRST_Y, LINE_MM = 38.0, 14.0, 7.5  # where the lines begin; the first from the upper edge; one from the next
-BENEATH_MM, NEXT_MM, BESIDE_MM = (
-    6.8,
-    3.5,
-    24.0,
-)  # from the lower edge to the last line of what is given; one from the next; its right edge
+BENEATH_MM, NEXT_MM, BESIDE_MM = 7.2, 4.2, 24.0  # what is given: its last line, the step, the edge at the right
 ROOM_MM, FIELDS_MM = 200.0, (162.0, 236.0)  # of a line beside the code; from where to where a name is written
 Square = tuple[complex, Sequence[Sequence[bool]], float]  # its centre, black cells from the top row, its side in mm
 

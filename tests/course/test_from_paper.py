@@ -4,8 +4,10 @@ of the key, for every template, sample and assignment; from a platform's questio
 from __future__ import annotations
 
 import html
+import io
 import json
 import re
+import zipfile
 from functools import cache
 from pathlib import Path
 from xml.etree.ElementTree import Element, fromstring
@@ -164,6 +166,13 @@ def test_stack_and_prairielearn_tell_everything_too(name: str) -> None:
         same(scene, re.sub(r"\{@(\w+)@\}", lambda m, k=k: lists[m[1]].split(", ")[k], text), "en")  # type: ignore[misc]
         text = plain(files["question.html"].decode())
         same(scene, re.sub(r"\{\{params\.(\w+)\}\}", lambda m, k=k: str(sets[k]["given"].get(m[1], "")), text), "en")  # type: ignore[misc]
+
+
+def test_a_lesson_of_a_platform_says_what_is_given() -> None:
+    one = desk((ROOT / "planes/templates/four-bar.yaml").read_text("utf-8"))
+    with zipfile.ZipFile(io.BytesIO(one.scorm())) as archive:
+        page = archive.read("index.html").decode()
+    same(one.scene, plain(page[page.index('<section id="given">') : page.index('<div class="panels">')]), "en")
 
 
 def test_numbers_of_a_law_are_everybodys_own() -> None:
