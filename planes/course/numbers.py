@@ -5,19 +5,19 @@ import json
 import math
 import traceback
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from planes.course import Course, ParameterChoice
 from planes.course.ledger import fingerprint
+from planes.course.papers import given_of
 from planes.course.random_numbers import choices_of, dice, draw_numbers
 from planes.course.students import Share
 from planes.plans.force.derived import unit_of_value
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
-from planes.scene.parameters import names_of, reached
-from planes.scene.reader import entries_of, texts
+from planes.scene.reader import entries_of
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.scene.source import parse as parse_text
 from planes.scene.vectors import Statement
@@ -42,17 +42,6 @@ def own_scene(text: str, file: str, variant: str | None, numbers: Mapping[str, s
         entries["sheet"] = SourceTable({**entries_of(entries.get("sheet")), **sheet}, 0)
     return written(entries)
 
-
-def used_names(text: str, file: str) -> tuple[str, ...]:
-    """The parameters a scene's mechanism is made of, directly or through one another."""
-    table = parse_text(text, file)
-    own = entries_of(table.entries.get("parameters"))
-    shape = (node for key, part in table.entries.items() if key not in _WORDS for _, node in texts(part))
-    found = reached((n for node in shape for n in names_of(node)), {n: names_of(node) for n, node in own.items()})
-    return tuple(n for n in own if n in found)
-
-
-_WORDS = ("parameters", "variants", "title", "note", "text", "missing", "sheet")
 
 FILE = "scene.yaml"
 
@@ -113,9 +102,13 @@ def settle(q: Question) -> Settled:
 def _settled(q: Question) -> Settled:
     numbers = {} if q.variant else drawn(q)
     text = own_scene(q.text, q.file, q.variant, numbers, q.sheet)
-    solved = solve(loads(text, FILE), lang=q.lang)
+    solved = solve(scene := loads(text, FILE), lang=q.lang)
     if not solved.positions:
         return Settled(fault=solved.failed[0]["error"])
+    where = loads(q.text, q.file, q.variant).where
+    given_of(
+        replace(scene, file=q.file, where=where), solved.positions[0], q.lang
+    )  # which a paper must be able to tell
     return Settled(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
 
 

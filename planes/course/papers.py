@@ -11,7 +11,7 @@ from planes.lesson.conditions import conditions
 from planes.lesson.formulas import unit
 from planes.lesson.stated_note import note_of
 from planes.plans import Plans
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.plans.scales import drawn_in_si
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
@@ -19,56 +19,80 @@ from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vectors import AlongVector, Statement
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
-from planes.words import Lang, decimal, say
-from planes.words.errors import PlanFailure
-from planes.words.names import kind_of, mu_of, parts_of
+from planes.solving.given import GivenTable
+from planes.words import Lang, Phrase, decimal, say
+from planes.words.errors import PlanFailure, SceneError
+from planes.words.lettering import flat, greek
+from planes.words.names import kind_of, mu_of
+from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text, number, unit_of_parameter
 
-_ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 _NAME = re.compile(r"[^\W\d]\w*(?:\^(?!\d)\w+)?(?!\w*\()")
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
-ACROSS = 3  # numbers to a line
+ACROSS, NARROW = 4, 26  # numbers to a line, where no name has more signs
 _WORK = ("structure", "position", "velocity", "acceleration", "force", "lever")
 
 
-def task(
-    scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], used: Sequence[str], lang: Lang
-) -> Iterator[Block]:
+def task(scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], lang: Lang) -> Iterator[Block]:
     """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do."""
     yield Heading(heads[0], 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
     if drawn.plans.moves:
         yield Figure(DrawnViews(scene, shown, (("scheme",),)), say("task_scheme", lang))
-    yield given(scene, drawn, used, lang)
+    yield given(scene, drawn, lang)
     if not drawn.plans.moves:
         yield from stated(scene, drawn, lang)
         return
-    if lines := list(conditions(drawn.plans.mechanism, lang)):
+    if said := said_of(scene, drawn, lang):
         yield Heading(say("task_conditions", lang))
-        yield from map(Paragraph, lines)
+        yield Paragraph(said)
     yield Heading(say("task_todo", lang))
     yield from (Paragraph(line, number=k) for k, line in enumerate(work(scene, drawn, lang), 1))
 
 
-def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Block:
-    """The numbers of the assignment's table, three to a line."""
+def given(scene: Scene, drawn: Position, lang: Lang) -> Block:
+    """What is given, as the sheet has it, so many to a line as there is room for."""
+    cells: list[tuple[str, ...]] = list(given_of(scene, drawn, lang).rows())
+    across = ACROSS if max(len(cell) for row in cells for cell in row) <= NARROW else 2
+    high = -(-len(cells) // across)
+    cells += [("", "", "")] * (across * high - len(cells))
+    rows = (tuple(c for k in range(across) for c in cells[row + k * high]) for row in range(high))
     head = tuple(say(k, lang) for k in ("task_quantity", "task_value", "task_unit"))
-    names = [n for n in scene.parameters if n in used]
-    if not names or not drawn.plans.moves:  # all numbers stand in the scene itself
-        return next(b for b in note_of(scene, drawn, lang).opening() if isinstance(b, DocumentTable))
-    cells = [(parameter_sign(n), number(scene.parameters[n], lang, 6), unit_of(n, lang)) for n in names]
-    high = -(-len(cells) // ACROSS)
-    cells += [("", "", "")] * (ACROSS * high - len(cells))
-    rows = (tuple(c for k in range(ACROSS) for c in cells[row + k * high]) for row in range(high))
-    return DocumentTable(say("task_given", lang), (head * ACROSS, *rows))
+    return DocumentTable(say("task_given", lang), (head * across, *rows))
+
+
+def given_of(scene: Scene, drawn: Position, lang: Lang, steady: bool = False) -> GivenTable:
+    """What a scene gives for what is asked. :class:`SceneError` where two numbers would have one name."""
+    table = GivenTable(drawn, Naming(lang, **lettering(scene, drawn.plans)), scene.used, steady)
+    seen: dict[str, float] = {}
+    for row in table.listed():
+        for name in row.name.split(" = "):
+            if (other := seen.setdefault(name, row.value)) != row.value:
+                raise twice(scene, name, number(other, lang, 6), number(row.value, lang, 6))
+    return table
+
+
+def twice(scene: Scene, name: str, one: str, other: str) -> SceneError:
+    """That a name is a parameter's, and a person's for another number too."""
+    own = next((p for p in scene.used if greek(p) == name), flat(name))
+    why = Phrase("given_twice", name=own, one=one, other=other)
+    return SceneError(why, scene.file, scene.where.get(("parameters", own)))
+
+
+def said_of(scene: Scene, drawn: Position, lang: Lang) -> str:
+    """What is given in words: conditions; of stated vectors how lengths and directions go by others."""
+    if scene.statement is None:
+        return " ".join(conditions(drawn.plans, lang))
+    amounts = "; ".join(amounts_of(scene.statement))
+    return say("task_amounts", lang, amounts=amounts) if amounts else ""
 
 
 def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
     """The equations of stated vectors, and what is to be found by them."""
     for name in dict.fromkeys(e.plan for e in drawn.plans.equations):
         yield Figure(DrawnViews(scene, drawn, ((f"asked {name}",),)), "")
-    if scene.statement and (amounts := list(amounts_of(scene.statement))):
-        yield Paragraph(say("task_amounts", lang, amounts="; ".join(amounts)))
+    if amounts := said_of(scene, drawn, lang):
+        yield Paragraph(amounts)
     yield Heading(say("task_todo", lang))
     names = tuple(f"⟨{name}⟩" for name in note_of(scene, drawn, lang).sought())
     said = [say("task_stated", lang), say("task_find", lang, names=names)]
@@ -94,12 +118,6 @@ def amount_said(amount: VectorAmount) -> str:
     return _NAME.sub(lambda m: f"⟨{m[0]}⟩", amount.text).replace("*", "·")
 
 
-def parameter_sign(name: str) -> str:
-    """A parameter as it is written: l_AB lettered, angle_AOH as ∠AOH."""
-    letter, index, _ = parts_of(name)
-    return f"∠{index}" if index and letter == "angle" else _ANGLES.get(name) or f"⟨{name}⟩"
-
-
 def unit_of(name: str, lang: Lang) -> str:
     """The unit of a parameter, as far as its name tells."""
     key = unit_of_parameter(name)
@@ -120,11 +138,11 @@ def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
         yield say("task_find", lang, names=tuple(f"⟨{name}⟩" for name in found_of(scene)))
 
 
-def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[str], lang: Lang) -> Iterator[Block]:
+def answers(scene: Scene, drawn: Position, heads: Sequence[str], lang: Lang) -> Iterator[Block]:
     """The key: the numbers, what every plan measures, the results."""
     yield Heading(say("key_title", lang, title=heads[0]), 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
-    yield given(scene, drawn, used, lang)
+    yield given(scene, drawn, lang)
     note = note_of(scene, drawn, lang)
     yield from note.answers()
     if drawn.plans.zhukovsky in drawn.drawing:

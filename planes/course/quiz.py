@@ -3,8 +3,11 @@
 import base64
 import json
 import math
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import zip_longest
 from typing import Any
 
 from planes.accuracy.errors import add_errors
@@ -13,8 +16,9 @@ from planes.drafting import skill
 from planes.drafting.instruments import Pencil
 from planes.scene import Scene
 from planes.solving import solve
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError
+from planes.words.lettering import GREEK, flat
 from planes.words.names import parts_of
 from planes.words.records import Json
 
@@ -22,6 +26,7 @@ PUPIL = Pencil(skill.HAND.point_mm, skill.HAND.ray_deg, skill.RULER_MM)
 """A pupil's pencil: by it answers are allowed to be off."""
 SIGMAS, LEAST = 2.0, 0.03
 """What is let pass: two standard deviations of that pencil, or this part of the value."""
+_SPELT = {letter: name for name, letter in GREEK.items()}
 
 
 @dataclass(frozen=True)
@@ -40,29 +45,48 @@ class QuizItem:
 
 
 @dataclass(frozen=True)
+class QuizGiven:
+    """A number that is given, as it is told: its name as it is lettered, its value, the key of its unit."""
+
+    name: str
+    value: float
+    unit: str
+
+    @property
+    def key(self) -> str:
+        """Its name in letters any platform takes."""
+        first = self.name.partition(" = ")[0].replace("∠", "angle_").replace("–", "_")
+        spelt = "".join(_SPELT.get(letter, letter) for letter in first if letter not in "{}^")
+        return re.sub(r"[^A-Za-z0-9_]", lambda m: f"u{ord(m[0]):x}", spelt)
+
+
+@dataclass(frozen=True)
 class Quiz:
-    """All questions of one student: whose, of which assignment, the numbers given, the questions, the scheme."""
+    """All questions of one student: whose, of which assignment, the numbers given, what is ``said`` besides (with
+    indices in braces), the questions, the scheme."""
 
     student: str
     group: str
     assignment: str
     title: str
     place: str
-    given: dict[str, float]
-    questions: tuple[QuizItem, ...]
-    picture: bytes
+    given: tuple[QuizGiven, ...]
+    said: str
+    questions: tuple[QuizItem, ...] = ()
+    picture: bytes = b""
 
     def json(self) -> Json:
         """As it is kept."""
-        own = {**vars(self), "questions": [vars(q) for q in self.questions]}
+        own = {**vars(self), **{k: [*map(vars, getattr(self, k))] for k in ("given", "questions")}}
         return {**own, "picture": base64.b64encode(self.picture).decode()}
 
     @classmethod
     def read(cls, text: str) -> "Quiz":
         """What was kept."""
         held: dict[str, Any] = json.loads(text)
-        questions = tuple(QuizItem(**q) for q in held.pop("questions"))
-        return cls(**{**held, "picture": base64.b64decode(held["picture"]), "questions": questions})
+        kinds = {"given": QuizGiven, "questions": QuizItem}
+        lists = {key: tuple(kind(**one) for one in held[key]) for key, kind in kinds.items()}
+        return cls(**{**held, **lists, "picture": base64.b64decode(held["picture"])})
 
 
 def questions(scene: Scene, lang: Lang) -> tuple[QuizItem, ...]:
@@ -96,12 +120,6 @@ def error_of(name: str, errors: Json) -> float:
     return float(errors.get("balancing_moment") or errors.get("balancing_force") or 0.0)
 
 
-def varied(quizzes: Sequence[Quiz]) -> list[str]:
-    """The given numbers that are not the same for everybody."""
-    names = dict.fromkeys(name for quiz in quizzes for name in quiz.given)
-    return [name for name in names if len({quiz.given.get(name) for quiz in quizzes}) > 1]
-
-
 def by_assignment(quizzes: Iterable[Quiz]) -> dict[str, list[Quiz]]:
     """The quizzes of each assignment."""
     found: dict[str, list[Quiz]] = {}
@@ -110,7 +128,59 @@ def by_assignment(quizzes: Iterable[Quiz]) -> dict[str, list[Quiz]]:
     return found
 
 
-def task_text(given: Iterable[tuple[str, str]], lang: Lang) -> str:
-    """What is to be done, with the numbers given, each as (name, value)."""
-    numbers = ", ".join(f"{name} = {value}" for name, value in given)
-    return say("quiz_task", lang, numbers=numbers)
+@dataclass(frozen=True)
+class Pool:
+    """One question for all students of an assignment (or for one): what is told to all, and the numbers of each."""
+
+    group: Sequence[Quiz]
+    lang: Lang
+
+    @cached_property
+    def numbers(self) -> dict[str, list[float]]:
+        """Everybody's given numbers by their keys; what is told to some alone is 0 for the others."""
+        found = dict.fromkeys(n.key for quiz in self.group for n in quiz.given)
+        tables = [{n.key: n.value for n in quiz.given} for quiz in self.group]
+        return {key: [table.get(key, 0.0) for table in tables] for key in found}
+
+    @cached_property
+    def varied(self) -> dict[str, list[float]]:
+        """Those that are not the same for everybody, those of laws among them."""
+        own = {key: values for key, values in self.numbers.items() if len({*values}) > 1}
+        return own | {f"law_{k}": [*map(_read, column)] for k, column in self.columns if len({*column}) > 1}
+
+    @cached_property
+    def columns(self) -> list[tuple[int, tuple[str, ...]]]:
+        """The numbers in what is said, each as everybody has it."""
+        return list(enumerate(zip(*(_NUMBER.findall(quiz.said) for quiz in self.group), strict=True)))
+
+    def text(self, mark: Callable[[str], str]) -> str:
+        """What is to be done and what is given, indices in braces; ``mark`` writes a number that is not everybody's."""
+        self.check()
+        named = {n.key: n for quiz in self.group for n in quiz.given}
+        told = []
+        for key, values in self.numbers.items():
+            value = mark(key) if key in self.varied else decimal(f"{values[0]:.6g}", self.lang)
+            unit = named[key].unit
+            told.append(f"{named[key].name} = {value}{' ' + say(unit, self.lang) if unit else ''}")
+        said = (mark(f"law_{k}") if f"law_{k}" in self.varied else column[0] for k, column in self.columns)
+        words = _NUMBER.split(self.group[0].said)
+        more = "".join(x for pair in zip_longest(words, said, fillvalue="") for x in pair)
+        return f"{say('quiz_task', self.lang, numbers=', '.join(told))} {more}".strip()
+
+    def check(self) -> None:
+        """:class:`PlanesError` where students are told different things, not only different numbers."""
+        first = self.group[0]
+        for other in self.group[1:]:
+            names = {n.key: n for n in (*first.given, *other.given)}
+            alone = {*(n.key for n in first.given)} ^ {*(n.key for n in other.given)}
+            apart = [names[key].name for key in alone if names[key].unit == "m" and not key.startswith("e_")]
+            if apart or _NUMBER.sub("", first.said) != _NUMBER.sub("", other.said):
+                which = ", ".join(map(flat, apart)) or Phrase("quiz_words")
+                raise PlanesError(Phrase("quiz_apart", name=first.assignment, which=which, place=other.place))
+
+
+_NUMBER = re.compile(r"(?<![\w{^.,])[-−]?\d+(?:[.,]\d+)?(?![\w}])")
+
+
+def _read(number: str) -> float:
+    return float(number.replace("−", "-").replace(",", "."))

@@ -5,11 +5,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from planes.course.numbers import main_answers
-from planes.course.papers import parameter_sign, unit_of
+from planes.course.papers import unit_of
 from planes.course.students import Share
 from planes.scene import loads
 from planes.solving.document import Block, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
+from planes.words.lettering import greek
 from planes.words.records import as_csv as csv_of
 from planes.words.units import number
 
@@ -81,7 +82,7 @@ def as_blocks(rows: Sequence[StudentRow], title: str, lang: Lang) -> Iterator[Bl
         own, names, answers = [row for row in lines if not row.fault], varied(lines), asked(lines)
         yield Heading(lines[0].title.get(lang) or name)
         heads = (say("sum_student", lang), say("sum_variant", lang))
-        units = (f"{parameter_sign(n)}, {unit}" if (unit := unit_of(n, lang)) else parameter_sign(n) for n in names)
+        units = (f"{greek(n)}, {unit}" if (unit := unit_of(n, lang)) else greek(n) for n in names)
         numbers = (tuple(number(row.numbers[n], lang, 6) for n in names) for row in own)
         whose = [(row.share.student.name, variant(row, lang)) for row in own]
         yield from _table("sum_numbers", (*heads, *units), whose, numbers, lang)

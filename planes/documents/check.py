@@ -8,14 +8,16 @@ from pathlib import Path
 from planes.check import Outcome, report
 from planes.check.blank import blank_pole, roomy
 from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
-from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare
 from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
+from planes.course.papers import given_of
+from planes.plans import sliced
 from planes.plans.measuring import lettering, title_of
 from planes.scene.files import keep
-from planes.solving import told
+from planes.solving import position
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of, parted
@@ -49,21 +51,29 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     texts = [f"{title_of(asked.plan, lang)}, μ = {mu}", title, *(more or _whose(asked, mark, lang))]
     fields = [] if mark.student else [say("check_blank_name", lang), say("check_blank_group", lang)]
     pole, size = (Naming(lang).mark(POLE, kind_of(asked.plan)), blank_pole(bench)), say("check_print_size", lang)
-    return blank_sheet.blank(SHEET_MM, squares, pole, texts, size, fields), title
+    return blank_sheet.blank(SHEET_MM, squares, pole, texts, size, fields, _given(bench, lang)), title
+
+
+def _given(bench: PreparedPlan, lang: Lang) -> list[str]:
+    """What the plan is drawn by, the numbers as they are not to be broken."""
+    asked, plans = bench.asked, bench.plans
+    cut = sliced(plans, [step.makes for step in plans.program.marks[asked.plan]])
+    value = plans.mechanism.drive.position if asked.value is None else asked.value
+    at = position(asked.scene, cut, [], value, None, lang)
+    told = given_of(asked.scene, at, lang).rows()
+    rows = [f"{name} = {number} {unit}".removesuffix(" —").replace(" °", "°") for name, number, unit in told]
+    return [f"{row};" for row in rows[:-1]] + [f"{row}." for row in rows[-1:]]
 
 
 def _whose(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:
-    """The line beneath the title: the student, the variant, the value of the drive, as far as they are told."""
-    said, drive = [], asked.scene.mechanism.drive if asked.scene.mechanism else None
+    """The line beneath the title: the student and the variant, as far as they are told."""
+    said = []
     if mark.student:
         group = str(asked.scene.sheet.get("group", ""))
         more = Phrase("task_group", group=group).told(lang) if group else ""
         said.append(Phrase("task_student", name=mark.student).told(lang) + more)
     if mark.variant:
         said.append(Phrase("task_variant", variant=mark.variant).told(lang))
-    if asked.value is not None and drive:
-        value = decimal(told(asked.value, drive.kind, lang), lang)
-        said.append(f"{Naming(lang).vector(f'{drive.kind}_{drive.link}')} = {value}")
     return [f"{'. '.join(said)}."] if said else []
 
 

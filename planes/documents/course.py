@@ -3,8 +3,10 @@
 import json
 import threading
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+
+from pypdfium2 import PdfDocument
 
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked
@@ -12,27 +14,36 @@ from planes.check.sheet_mark import SheetMark
 from planes.course import PLATFORMS, Course
 from planes.course.ledger import fingerprint
 from planes.course.numbers import why
-from planes.course.papers import answers, clearest, task
-from planes.course.quiz import Quiz, questions
+from planes.course.papers import answers, clearest, given_of, said_of, task
+from planes.course.quiz import Pool, Quiz, QuizGiven, questions
 from planes.documents import picture, view_of
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed
 from planes.documents.packages import scorm
+from planes.documents.platforms import stem
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
 from planes.plans.scales import FIT_MM
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, loads
 from planes.solving import Position, position
 from planes.solving.document import Block
+from planes.solving.given import DIGITS
 from planes.words import Lang, Phrase
 from planes.words.names import kind_of
 from render.files import Page, pdf
 from render.page.lesson_page import page
+from render.paper.letters import NAME
 from render.report import rendered
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 
-FIGURE_MM = 75.0  # of the scheme on a task: with the table it leaves room for the rest of the page
+FIGURE_MM = (
+    75.0,
+    60.0,
+    45.0,
+    36.0,
+)  # of the scheme on a task, the largest first that leaves room for the rest of the page
 _ONE = threading.Lock()  # a worker may have several threads; the libraries that draw like one better
 
 
@@ -43,7 +54,6 @@ class Order:
 
     scene: str
     heads: tuple[str, ...]
-    used: tuple[str, ...]
     files: tuple[str, ...]
     plans: tuple[str, ...]
     lang: Lang
@@ -124,15 +134,28 @@ class Desk:
         return self.sheets[number]
 
     def task(self) -> bytes:
-        """The sheet of the task, its scheme drawn in another position."""
-        plans, order = self.drawn.plans, self.order
-        other, fits = clearest(plans, self.drawn.at), {**FIT_MM, "position": FIGURE_MM}
-        shown = position(self.scene, plans, None, value=other, instrument=None, lang=order.lang, fit_mm=fits)
-        return self.set(task(self.scene, self.drawn, shown, order.heads, order.used, order.lang))
+        """The sheet of the task, its scheme drawn in another position; one page, if that is to be had."""
+        made = list[bytes]()
+        for size in FIGURE_MM:
+            shown = self.shown({**FIT_MM, "position": size}, size < FIGURE_MM[0])
+            made.append(self.set(task(self.scene, self.drawn, shown, self.order.heads, self.order.lang)))
+            if not self.drawn.plans.moves or len(PdfDocument(made[-1])) == 1:
+                return made[-1]
+        return made[0]
+
+    @cached_property
+    def other(self) -> float:
+        """The value of the drive at which the scheme is shown, told by all that can be drawn of it."""
+        return clearest(scene_plans(self.scene), self.drawn.at)
+
+    def shown(self, fits: Mapping[str, float] | None = None, smaller: bool = False) -> Position:
+        """The scheme in that position, at the scene's own μ unless it must be ``smaller``."""
+        scene = replace(self.scene, mu={**self.scene.mu, "position": None}) if smaller else self.scene
+        return position(scene, self.drawn.plans, [], self.other, None, self.order.lang, fits)
 
     def key(self) -> bytes:
         """The answers to be read."""
-        return self.set(answers(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang))
+        return self.set(answers(self.scene, self.drawn, self.order.heads, self.order.lang))
 
     def set(self, blocks: Iterable[Block]) -> bytes:
         """Blocks as a PDF."""
@@ -154,32 +177,36 @@ class Desk:
     def scorm(self) -> bytes:
         """The lesson as a package of a learning platform."""
         assignment, _, student = self.order.whose
-        scored = page(lesson_data(self.scene), self.order.lang, scored=True).encode()
+        given = stem(Pool([self.told], self.order.lang), "", "")
+        scored = page(lesson_data(self.scene), self.order.lang, given).encode()
         return scorm(scored, f"{assignment} {student}", self.order.heads[0])
+
+    @cached_property
+    def told(self) -> Quiz:
+        """What platforms tell of the student's scene, without questions."""
+        table = given_of(self.scene, self.drawn, self.order.lang, steady=True)
+        said = said_of(self.scene, self.drawn, self.order.lang)
+        return Quiz(
+            student=str(self.scene.sheet.get("student", "")),
+            group=str(self.scene.sheet.get("group", "")),
+            assignment=self.order.whose[0],
+            title=self.order.heads[0],
+            place=self.order.whose[2],
+            given=tuple(QuizGiven(r.name, float(f"{r.value:.{DIGITS}g}"), r.unit) for r in table.listed()),
+            said=NAME.sub(lambda m: table.naming.named(m[1]), said),
+        )
 
     def quiz(self) -> bytes:
         """What platforms ask, with the scheme in another position as a picture."""
-        assignment, _, student = self.order.whose
-        lang = self.order.lang
-        given = {n: v for n, v in self.scene.parameters.items() if n in self.order.used}
-        held = Quiz(
-            student=str(self.scene.sheet.get("student", "")),
-            group=str(self.scene.sheet.get("group", "")),
-            assignment=assignment,
-            title=self.order.heads[0],
-            place=student,
-            given=given,
-            questions=questions(self.scene, lang),
-            picture=self.asked_of().rendered(".png"),
-        )
+        asked = questions(self.scene, self.order.lang)
+        held = replace(self.told, questions=asked, picture=self.asked_of().rendered(".png"))
         return (json.dumps(held.json(), ensure_ascii=False, indent=1) + "\n").encode()
 
     def asked_of(self) -> Page:
         """What a question shows: the scheme in another position; of stated vectors their equations."""
-        plans, lang = self.drawn.plans, self.order.lang
-        if not plans.moves:
-            return view_of(self.scene, "asked", None, lang)
-        return picture(position(self.scene, plans, None, clearest(plans, self.drawn.at), None, lang), None, lang)
+        if not self.drawn.plans.moves:
+            return view_of(self.scene, "asked", None, self.order.lang)
+        return picture(self.shown(), None, self.order.lang)
 
     def note(self) -> bytes:
         """The explanatory note."""

@@ -13,7 +13,7 @@ from pathlib import Path
 from planes.course import Course
 from planes.course.handed_out import SCENE
 from planes.course.ledger import Entry, Ledger, digest, fingerprint
-from planes.course.numbers import Question, Settled, question, settle, used_names
+from planes.course.numbers import Question, Settled, question, settle
 from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each
@@ -137,11 +137,11 @@ class Conductor:
 
     def order(self, share: Share, text: str) -> Order:
         """What is to be made for a student."""
-        heads, used = self.heads(share, text), used_names(text, SCENE)
+        heads = self.heads(share, text)
         whose = share.assignment.name, share.variant or "", share.folder
         files = due(self.names, loads(text, SCENE))
         self.total -= len(self.names) - len(files)
-        return Order(text, heads, used, files, self.course.plans, self.lang, whose)
+        return Order(text, heads, files, self.course.plans, self.lang, whose)
 
     def heads(self, share: Share, text: str) -> tuple[str, ...]:
         """What stands above a task: the scene's title, the course, the student, the variant."""

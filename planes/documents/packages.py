@@ -1,6 +1,5 @@
 """Packages of learning platforms: a lesson for SCORM 1.2, an assignment as a PrairieLearn question."""
 
-import html
 import io
 import json
 import uuid
@@ -8,8 +7,8 @@ import zipfile
 from collections.abc import Sequence
 from xml.etree.ElementTree import Element, SubElement
 
-from planes.course.quiz import Quiz, task_text, varied
-from planes.documents.platforms import PICTURE, asked, given_of, xml_file
+from planes.course.quiz import Pool, Quiz
+from planes.documents.platforms import PICTURE, asked, stem, xml_file
 from planes.words import Lang
 
 MOMENT = (2020, 1, 1, 0, 0, 0)  # of every file in an archive, so that the same lesson gives the same bytes
@@ -66,20 +65,22 @@ def generate(data):
 
 def prairielearn(name: str, group: Sequence[Quiz], lang: Lang) -> dict[str, bytes]:
     """The files of a question folder: info.json, question.html, server.py, numbers.json and the picture."""
-    first, own = group[0], varied(group)
-    shown = given_of(((n, f"{{{{params.{n}}}}}" if n in own else f"{v:.6g}") for n, v in first.given.items()), lang)
+    first, pool = group[0], Pool(group, lang)
     inputs = "".join(
         f'{asked(q, lang)}<pl-number-input answers-name="{q.key}" comparison="relabs" rtol="0" '
         f'atol="{{{{params.tolerance_{q.key}}}}}" suffix="{q.unit}"></pl-number-input>\n'
         for q in first.questions
     )
-    text = f"<pl-question-panel>\n<p>{html.escape(first.title)}</p>\n<p>{task_text(shown, lang)}</p>\n"
+    text = f"<pl-question-panel>\n{stem(pool, '{{params.', '}}')}\n"
     text += (
         f'<pl-figure file-name="{PICTURE}" directory="clientFilesQuestion"></pl-figure>\n</pl-question-panel>\n{inputs}'
     )
     sets = [
-        {"given": q.given, "answers": {i.key: {"value": i.value, "tolerance": i.tolerance} for i in q.questions}}
-        for q in group
+        {
+            "given": {key: values[k] for key, values in pool.varied.items()},
+            "answers": {i.key: {"value": i.value, "tolerance": i.tolerance} for i in q.questions},
+        }
+        for k, q in enumerate(group)
     ]
     info = {
         "uuid": str(uuid.uuid5(NAMES, f"prairielearn {name}")),

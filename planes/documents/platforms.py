@@ -8,16 +8,15 @@ import base64
 import html
 import itertools
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from numpy import uint32
 from numpy.random import RandomState
 
-from planes.course.quiz import Quiz, QuizItem, by_assignment, task_text, varied
-from planes.words import Lang, decimal, say
+from planes.course.quiz import Pool, Quiz, QuizItem, by_assignment
+from planes.words import Lang, say
 from planes.words.naming import Naming
-from planes.words.units import unit_of_parameter
 
 PICTURE = "scheme.png"
 STACK_VERSION = "2023121100"
@@ -25,16 +24,20 @@ GRADE = "1.0000000"
 UNITLESS = {"unitgradingtype": "0", "unitpenalty": "0.1", "showunits": "3", "unitsleft": "0"}
 
 
+def indexed(text: str) -> str:
+    """Text with indices in braces as a page has it."""
+    return re.sub(r"\^\{(.*?)\}", r"<sup>\1</sup>", re.sub(r"_\{(.*?)\}", r"<sub>\1</sub>", html.escape(text, False)))
+
+
 def signed(name: str, lang: Lang) -> str:
     """A name as a page letters it: v_C as v with a subscript."""
-    told = Naming(lang).vector(name)
-    return re.sub(r"\^\{(.*?)\}", r"<sup>\1</sup>", re.sub(r"_\{(.*?)\}", r"<sub>\1</sub>", told))
+    return indexed(Naming(lang).vector(name))
 
 
-def given_of(numbers: Iterable[tuple[str, str]], lang: Lang) -> list[tuple[str, str]]:
-    """Given numbers as a page shows them, each with its unit."""
-    units = ((name, value, unit_of_parameter(name)) for name, value in numbers)
-    return [(signed(name, lang), f"{value} {say(unit, lang)}" if unit else value) for name, value, unit in units]
+def stem(pool: Pool, opened: str, closed: str) -> str:
+    """Title, task and numbers; what stands for a number that is not everybody's is between two signs."""
+    text = indexed(pool.text(lambda key: f"⟦{key}⟧")).replace("⟦", opened).replace("⟧", closed)
+    return f"<p>{html.escape(pool.group[0].title)}</p><p>{text}</p>"
 
 
 def moodle(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
@@ -103,12 +106,8 @@ def asked(item: QuizItem, lang: Lang) -> str:
     return f"<p>{say('quiz_find', lang, name=signed(item.name, lang), unit=say(item.unit, lang))}</p>"
 
 
-def _numbers(quiz: Quiz, lang: Lang) -> list[tuple[str, str]]:
-    return given_of(((n, decimal(f"{v:.6g}", lang)) for n, v in quiz.given.items()), lang)
-
-
 def _numerical(quiz: Element, one: Quiz, item: QuizItem, lang: Lang) -> None:
-    text = f"<p>{html.escape(one.title)}</p><p>{task_text(_numbers(one, lang), lang)}</p>{asked(item, lang)}"
+    text = stem(Pool([one], lang), "", "") + asked(item, lang)
     question = _question(quiz, "numerical", f"{one.assignment}: {item.name}", text, one.picture)
     answer = _text(question, "answer", f"{item.value:.10g}", fraction="100", format="moodle_auto_format")
     SubElement(answer, "tolerance").text = f"{item.tolerance:.6g}"
@@ -119,9 +118,8 @@ def _numerical(quiz: Element, one: Quiz, item: QuizItem, lang: Lang) -> None:
 def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -> None:
     """One answer of an assignment, its numbers drawn from those of the students."""
     first, item = group[0], group[0].questions[number]
-    own = varied(group)
-    shown = ((n, f"{{{n}}}" if n in own else decimal(f"{v:.6g}", lang)) for n, v in first.given.items())
-    text = f"<p>{html.escape(first.title)}</p><p>{task_text(given_of(shown, lang), lang)}</p>{asked(item, lang)}"
+    pool = Pool(group, lang)
+    text = stem(pool, "{", "}") + asked(item, lang)
     question = _question(quiz, "calculated", f"{first.assignment}: {item.name}", text, first.picture)
     _fields(question, {"synchronize": "1", "single": "0", "answernumbering": "abc", "shuffleanswers": "0"})
     for tag in ("correctfeedback", "partiallycorrectfeedback", "incorrectfeedback"):
@@ -133,10 +131,10 @@ def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -
     _fields(answer, told)  # nominal; significant figures
     _text(answer, "feedback", "", format="html")
     _fields(question, UNITLESS)
-    rows = {n: [q.given[n] for q in group] for n in own} | {item.key: [q.questions[number].value for q in group]}
+    rows = pool.varied | {item.key: [q.questions[number].value for q in group]}
     definitions = SubElement(question, "dataset_definitions")
     for name, values in rows.items():
-        _dataset(definitions, f"{name}", values)
+        _dataset(definitions, name, values)
 
 
 def _dataset(definitions: Element, name: str, values: Sequence[float]) -> None:
@@ -160,15 +158,14 @@ def _dataset(definitions: Element, name: str, values: Sequence[float]) -> None:
 
 
 def _stack(quiz: Element, name: str, group: Sequence[Quiz], lang: Lang) -> None:
-    first, own = group[0], varied(group)
-    shown = ((n, f"{{@d_{k}@}}" if n in own else f"{v:.6g}") for k, (n, v) in enumerate(first.given.items()))
+    first, pool = group[0], Pool(group, lang)
     inputs = [
         f"{asked(item, lang)}<p>[[input:ans{k}]] [[validation:ans{k}]]</p>" for k, item in enumerate(first.questions, 1)
     ]
-    text = f"<p>{html.escape(first.title)}</p><p>{task_text(given_of(shown, lang), lang)}</p>{''.join(inputs)}"
+    text = stem(pool, "{@d_", "@}") + "".join(inputs)
     question = _question(quiz, "stack", name, text, first.picture)
     _text(question, "stackversion", STACK_VERSION)
-    _text(question, "questionvariables", _variables(group))
+    _text(question, "questionvariables", _variables(pool))
     feedback = "".join(f"[[feedback:prt{k}]]" for k in range(1, len(first.questions) + 1))
     _text(question, "specificfeedback", feedback, format="html")
     _text(question, "questionnote", "{@k@}")
@@ -195,11 +192,12 @@ def seeds(count: int) -> list[int]:
     raise AssertionError
 
 
-def _variables(group: Sequence[Quiz]) -> str:
+def _variables(pool: Pool) -> str:
     """Maxima: which student's numbers they are, those numbers, answers and tolerances."""
+    group = pool.group
     lines = [f"k: rand({len(group)}) + 1;"]
-    for k, name in enumerate(group[0].given):
-        lines += _one_of(f"d_{k}", [f"{q.given[name]:.6g}" for q in group])
+    for name, values in pool.varied.items():
+        lines += _one_of(f"d_{name}", [f"{value:.6g}" for value in values])
     for k in range(len(group[0].questions)):
         for letter, part in (("ta", "value"), ("tol", "tolerance")):
             lines += _one_of(f"{letter}{k + 1}", [f"{getattr(q.questions[k], part):.10g}" for q in group])

@@ -1,51 +1,144 @@
-"""Under which conditions a mechanism is calculated, in words: axes, loads, weight, friction."""
+"""Under which conditions a mechanism is calculated, in words alone: axes, what of the layout its dimensions leave open,
+loads, weight, friction. Numbers stand in the table of what is given, by their names."""
 
 from collections.abc import Iterator
 
+from planes.plans import Plans
+from planes.plans.assur.groups import Group
 from planes.plans.force.loads import load_names
-from planes.plans.law_words import law_said
-from planes.scene.mechanism import Drive, Load, LoadLaw, Mechanism
+from planes.plans.law_words import DIGITS, law_said
+from planes.scene.mechanism import FRAME, Assembly, Guide, Link, Load, Mechanism
 from planes.words import Lang, say
 from planes.words.units import number
 
 
-def conditions(mechanism: Mechanism, lang: Lang, forces: bool = True) -> Iterator[str]:
-    """Axes; if there are ``forces``, loads, weight and friction in words."""
-    if origin := next((name for name, place in mechanism.frame.points.items() if place == 0), None):
-        yield say("task_axes", lang, point=f"⟨{origin}⟩")
-    if not forces:
+def conditions(plans: Plans, lang: Lang) -> Iterator[str]:
+    """Axes and layout; if forces are drawn, loads, centres of mass, weight and friction."""
+    mechanism = plans.mechanism
+    origin = next((name for name, place in mechanism.frame.points.items() if place == 0), None)
+    yield say("task_axes" if origin else "task_axes_alone", lang, point=f"⟨{origin}⟩")
+    yield from Layout(plans, lang).sentences()
+    if not plans.forces:
         return
     for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
-        yield _load(load, name, mechanism.drive, lang)
-    masses = any(link.mass for link in mechanism.links.values())
-    if masses and mechanism.gravity:
-        yield say("task_weight", lang, g=number(mechanism.gravity, lang))
-    elif masses:
-        yield say("task_no_weight", lang)
-    for guide, f in mechanism.friction.items():
-        yield say("task_friction", lang, guide=guide, f=number(f, lang))
+        yield _load(load, name, mechanism, lang)
+    masses = {name: link.mass_centre for name, link in mechanism.links.items() if link.mass}
+    if centres := [f"{name} — ⟨{point}⟩" for name, point in masses.items() if not point.startswith("S")]:
+        yield say("task_centres", lang, centres=", ".join(centres))
+    if masses:
+        yield say("task_weight" if mechanism.gravity else "task_no_weight", lang)
+    for guide in mechanism.friction:
+        yield say("task_friction", lang, guide=guide, f=f"⟨f_{guide}⟩")
     for name, journal in mechanism.journals.items():
-        sizes = {"f": journal.coefficient, "radius": journal.radius, "circle": journal.circle}
-        said = {size: number(value, lang) for size, value in sizes.items()}
-        yield say(f"task_friction_{'round' if journal.round else 'pin'}", lang, name=name, rho=f"rho_{name}", **said)
+        names = {letter: f"⟨{letter}_{name}⟩" for letter in ("f", "r", "rho")}
+        yield say(f"task_friction_{'round' if journal.round else 'pin'}", lang, name=name, **names)
 
 
-def _load(load: Load, name: str, drive: Drive, lang: Lang) -> str:
-    """One force or moment: its size, and which way it acts; its law, if it is one, after that."""
-    size, angle = (law_said(x or 0.0, drive, "⟨{}⟩".format, lang) for x in (load.value, load.direction_deg))
-    if isinstance(load.direction_deg, LoadLaw):
-        angle = f"({angle})"
-    if isinstance(load.value, float | int):
-        return _acting(load, size, angle, lang)
-    return _acting(load, f"⟨{name}⟩", angle, lang) + " " + say("task_law", lang, name=name, law=size)
+def _load(load: Load, name: str, mechanism: Mechanism, lang: Lang) -> str:
+    """One force or moment, and which way it acts; what of it is a law, after that."""
+    what = {"link": load.link, "point": f"⟨{load.point}⟩", "name": name, "other": load.direction_link}
+    what["angle"] = f"∠⟨{name}^({load.direction_link})⟩"
+    way = load.sense or ("link" if load.direction_link else "")
+    acting = [say("_".join(filter(None, ("task", load.kind, way))), lang, **what)]
+    for sign, law in ((f"⟨{name}⟩", load.value), (f"∠⟨{name}⟩", load.direction_deg)):
+        if law is not None and not isinstance(law, float | int):
+            told = law_said(law, mechanism.drive, "⟨{}⟩".format, lang)
+            acting.append(say("task_law", lang, name=sign, law=told))
+    return " ".join(acting)
 
 
-def _acting(load: Load, size: str, angle: str, lang: Lang) -> str:
-    what = {"link": load.link, "point": f"⟨{load.point}⟩", "value": size}
-    if load.kind == "moment":
-        return say(f"task_moment_{load.sense}" if load.sense else "task_moment", lang, **what)
-    if load.sense:
-        return say(f"task_force_{load.sense}", lang, **what)
-    if load.direction_link:
-        return say("task_force_link", lang, **what, angle=angle, other=load.direction_link)
-    return say("task_force", lang, **what, angle=angle)
+class Layout:
+    """Tells what the dimensions of a mechanism leave open: which assembly is meant, where guides are directed, and the
+    axes of links, in which angles and coordinates are told, what the drive is counted from."""
+
+    def __init__(self, plans: Plans, lang: Lang) -> None:
+        self.plans, self.mechanism, self.lang = plans, plans.mechanism, lang
+
+    def sentences(self) -> Iterator[str]:
+        """All of it."""
+        m = self.mechanism
+        for name, assembly in m.assembly.items():
+            yield self.assembly(name, assembly)
+        for link in (m.frame, *m.links.values()):
+            for guide in link.guides.values():
+                if guide.through_point:
+                    yield self.say("through", guide=guide.name, point=guide.through_point)
+        for link in m.links.values():
+            if way := self.axis(link):
+                yield self.say("axis", link=link.name, way=way)
+            if link.slides and link.slides.offset:
+                yield self.say("offset", offset=f"⟨e_{link.name}⟩", point=link.first_point, guide=link.slides.guide)
+        yield from self.drive()
+
+    def say(self, key: str, **parts: object) -> str:
+        """A sentence, or a part of one."""
+        return say(f"task_{key}", self.lang, **parts)
+
+    def assembly(self, name: str, said: Assembly) -> str:
+        """Which of its places a group takes."""
+        if said.near is not None:
+            x, y = (number(v, self.lang, DIGITS) for v in (said.near.real, said.near.imag))
+            return self.say("near", name=f"⟨{name}⟩", x=x, y=y)
+        group = next((g for g in self.plans.structure.dyads if name in (g.inner.point, g.inner.guide)), None)
+        if group is None or said.order is None:
+            return self.say("assembled", name=f"⟨{name}⟩")
+        return self.dyad(group, said.order)
+
+    def dyad(self, group: Group, order: str) -> str:
+        """Which of its two places a group of class II takes."""
+        one, two, name = group.first_outer, group.last_outer, group.inner.point
+        if order in ("left", "right"):
+            return self.say(order, name=name, one=one.point, two=two.point)
+        if not name:
+            ends = (two.point, one.point) if order == "ahead" else (one.point, two.point)
+            return self.say("pointing", guide=group.inner.guide, one=ends[0], two=ends[1])
+        guide = self.mechanism.guide(one.guide or two.guide)
+        return self.say(order, name=name, guide=guide.name, way=self.way(guide))
+
+    def way(self, guide: Guide) -> str:
+        """Which way a guide is directed."""
+        owner = self.mechanism.owner(guide.name)
+        if owner != FRAME:
+            return self.say("way_link", guide=guide.name, link=owner)
+        upright = {0.0: "way_right", 90.0: "way_up"}.get(guide.angle_deg, "way_angle")
+        return self.say(upright, guide=guide.name)
+
+    def axis(self, link: Link) -> str:
+        """Where the x axis of a link is directed, if anything of it is told in its axes."""
+        drive, first, slide = self.mechanism.drive, link.points[link.first_point], link.slides
+        places = {name: z - first for name, z in link.points.items()}
+        aimed = [load.direction_link for load in self.mechanism.loads if self.plans.forces]
+        turned = drive.kind == "phi" and drive.on != FRAME and link.name in (drive.link, drive.on)
+        told = any(z.imag for z in places.values()) or link.guides or link.name in aimed or turned
+        if slide and (told or len(places) > 1 or slide.angle_deg):
+            key = "way_turned" if slide.angle_deg else "way_guide"
+            return self.say(key, link=link.name, guide=slide.guide)
+        if not told or slide:
+            return ""
+        ways = (("way_points", link.first_point, name) for name, z in places.items() if not z.imag and z.real > 0)
+        back = (("way_points", name, link.first_point) for name, z in places.items() if not z.imag and z.real < 0)
+        if found := next(ways, None) or next(back, None):
+            return self.say(found[0], one=found[1], two=found[2])
+        guide = next((g.name for g in link.guides.values() if not g.angle_deg), "")
+        return self.say("way_guide", guide=guide) if guide else ""
+
+    def drive(self) -> Iterator[str]:
+        """What the place of a drive is counted from, unless it is the angle of the driver to the x axis."""
+        m, drive = self.mechanism, self.mechanism.drive
+        name = f"⟨{drive.letters[0]}⟩"
+        if drive.kind == "phi":
+            if drive.on != FRAME:
+                yield self.say("turned_on", name=name, link=drive.link, on=drive.on)
+            return
+        link = m.links[drive.link]
+        assert link.slides
+        guide = m.guide(link.slides.guide)
+        yield self.say("stroke", name=name, guide=guide.name, start=self.start(guide), point=link.first_point)
+
+    def start(self, guide: Guide) -> str:
+        """The point that a guide is told to run through."""
+        if guide.through_point:
+            return f"⟨{guide.through_point}⟩"
+        if not guide.origin_given:
+            return f"{'y' if guide.angle_deg else 'x'} = 0"
+        return f"(⟨x_{guide.name}⟩; ⟨y_{guide.name}⟩)"

@@ -16,7 +16,6 @@ from planes.lesson.frame import Frame
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.apart import links_apart
 from planes.plans.assur.alignment import aligned
-from planes.plans.law_words import law_said
 from planes.plans.measuring import counted, lettering, say_plan
 from planes.plans.quantities import Measured
 from planes.plans.statements.of_scene import found_of
@@ -88,23 +87,15 @@ class Note:
         named = {"title": title or Path(self.scene.file).stem, "drive": where, "names": asked}
         yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", **named))
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
-        rows = GivenTable(self.position, self.naming, self.scene.parameters).rows()
-        yield from self.table(self.given_table, head, [*rows, *self.laws()])
-        yield from map(Paragraph, conditions(plans.mechanism, self.lang, plans.forces))
+        given = GivenTable(self.position, self.naming, self.scene.used)
+        yield from self.table(self.given_table, head, [*given.rows(), *given.laws()])
+        yield from map(Paragraph, conditions(plans, self.lang))
         if remark := self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
 
     def sought(self) -> Sequence[str]:
         """What the task names."""
         return found_of(self.scene)
-
-    def laws(self) -> Iterator[tuple[str, str, str]]:
-        """Loads that are laws, each with what it is in this position."""
-        plans, drawing = self.position.plans, self.position.drawing
-        for name, law in plans.acting.laws.items() if plans.forces else ():
-            told = law_said(law, plans.mechanism.drive, "⟨{}⟩".format, self.lang)
-            now = number(float(drawing[name]), self.lang) if name in drawing else "—"
-            yield f"⟨{name}⟩ = {told}", now, unit(name, self.lang) or "°"
 
     def structure(self) -> Iterator[Block]:
         """Degree of freedom, groups, formula."""

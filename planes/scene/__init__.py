@@ -3,6 +3,7 @@
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -14,7 +15,7 @@ from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import FRAME, Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_loads
-from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
+from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, used_values, with_numbers
 from planes.scene.reader import Reader, entries_of, line_of
 from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import Statement, VectorGiven, read_statement
@@ -58,10 +59,9 @@ class ReadWith:
 class Scene(Pictured):
     """All that a scene file says. Either ``mechanism`` is there, or the ``statement`` of vectors and equations is.
 
-    ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and in a scene of
-    vectors "contour" and "vectors" too. ``crank_slider`` is kept as written;
-    the integrated calculation of a crank-slider reads it. ``missing`` says what the data of an assignment do not give,
-    so that it is not in the scene.
+    ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and in a scene of vectors
+    "contour" and "vectors" too. ``crank_slider`` is kept as written, for the integrated calculation. ``missing`` says
+    what the data of an assignment do not give.
     """
 
     file: str = ""
@@ -93,6 +93,11 @@ class Scene(Pictured):
     def parameters(self) -> Mapping[str, float]:
         """The parameters it was read with."""
         return self.reading.parameters
+
+    @cached_property
+    def used(self) -> Mapping[str, float]:
+        """The parameters it is made of, directly or through one another."""
+        return used_values(self.reading.source, self.file, self.parameters)
 
     @property
     def frame_number(self) -> str:
@@ -136,18 +141,16 @@ class Scene(Pictured):
         words: dict[str, object] = {
             key: settings.fewest(dict(getattr(self, key))) for key in ("title", "note", "missing")
         }
-        words["parameters"] = dict(self.parameters)
         plans = {plan: {"mu": mu_text(mu, plan)} for plan, mu in self.mu.items() if mu}
-        find = None if self.find is None else list(self.find)
-        asked = {"plans": plans, "find": find, "sheet": dict(self.sheet), "crank_slider": self.crank_slider}
-        return as_yaml(self.mechanism, {**words, "parameters": dict(self.parameters)}, asked)
+        asked = {"plans": plans, "find": None if self.find is None else list(self.find), "sheet": dict(self.sheet)}
+        words["parameters"] = dict(self.parameters)
+        return as_yaml(self.mechanism, words, {**asked, "crank_slider": self.crank_slider})
 
 
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
     """Read a scene file, with other numbers for the ``parameters`` named (SI, degrees).
 
-    Raises :class:`~planes.words.errors.SceneError` with file and line for whatever cannot be meant, an unknown
-    parameter among them.
+    :class:`~planes.words.errors.SceneError` with file and line for what cannot be meant, an unknown parameter too.
     """
     return loads(source.read(path), str(path), variant, **parameters)
 
@@ -157,8 +160,7 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     table = source.parse(text, file)
     reader = Reader(file)
     _check_outline(reader, table)
-    if variant is not None:
-        variant = unicodedata.normalize("NFC", variant[:1000])
+    variant = variant and unicodedata.normalize("NFC", variant[:1000])
     given, variants = reader.optional(table, "parameters"), reader.optional(table, "variants")
     tables = read_variants(reader, variants, given)
     variant, chosen = choose(reader, tables, variant, table.lines.get("variants", 1))

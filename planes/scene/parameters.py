@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from planes.scene.expressions import RESERVED, evaluate, is_name, names_in
 from planes.scene.mechanism import Law
 from planes.scene.reader import MAX_NAME, Keys, Reader, entries_of, part, texts
-from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
 from planes.words.names import latin
@@ -196,6 +196,19 @@ def users_of(names: Iterable[str], uses: Uses) -> set[str]:
         for one in used:
             users.setdefault(one, []).append(name)
     return reached(names, users)
+
+
+def used_values(text: str, file: str, values: Mapping[str, float]) -> Mapping[str, float]:
+    """Those of the ``values`` that the mechanism of a scene, or its vectors, are made of, directly or through one
+    another; all where it has no text."""
+    entries = parse(text, file).entries if text else {}
+    own = {n: names_of(node) for n, node in entries_of(entries.get("parameters")).items()}
+    shape = (node for key, part in entries.items() if key not in _WORDS for _, node in texts(part))
+    names = reached((n for node in shape for n in names_of(node)), own)
+    return {name: value for name, value in values.items() if name in names or not text}
+
+
+_WORDS = ("parameters", "variants", "title", "note", "text", "missing", "sheet")
 
 
 def reached(names: Iterable[str], ways: Uses) -> set[str]:

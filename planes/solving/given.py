@@ -5,6 +5,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from planes.plans.force.loads import load_names
 from planes.plans.law_words import law_said
@@ -20,23 +21,21 @@ RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N
 """Units in the order their rows stand in."""
 SAME = 1e-9
 LONGEST = 60  # signs of a law in a cell
+LOADING = ("kg", "kgm2", "N", "N·m")  # units of what only forces are drawn by
 DIGITS = 6  # a given number is written as it was given
 
 
 @dataclass(frozen=True)
 class GivenRow:
-    """A name as it is lettered, a value in the unit of the table (SI, degrees), the unit's key."""
+    """A name as it is lettered, a value in the unit of the table (SI, degrees), the unit's key; ``given`` is its name
+    in the program, "" of what the scheme is drawn by."""
 
     name: str
     value: float
     unit: str
+    given: str = ""
     of_drive: bool = False
     place: bool = False  # a coordinate, which is told even where it is 0
-
-    @property
-    def loading(self) -> bool:
-        """Whether only a force calculation needs it."""
-        return self.unit in ("kg", "kgm2", "N", "N·m") or letter_of(self.name) in ("g", "f", "ρ")
 
     @property
     def same(self) -> tuple[str, str]:
@@ -48,20 +47,29 @@ class GivenRow:
 
 @dataclass(frozen=True)
 class GivenTable:
-    """The given values of a position; ``parameters`` are those of its scene."""
+    """The given values of a position that what is drawn of it reads; ``parameters`` are those of its scene. ``steady``
+    ones have the same names whatever the numbers are."""
 
     position: Position
     naming: Naming
     parameters: Mapping[str, float]
+    steady: bool = False
 
     def rows(self) -> list[tuple[str, str, str]]:
-        """Name, value and unit of everything that is given, without what is for forces where none is drawn."""
-        plain = dict.fromkeys(r for r in self.unnamed() if (r.value or r.place) and not self.known(r))
-        found = sorted([*self.drive(), *self.named(), *plain], key=lambda r: (not r.of_drive, RANK.index(r.unit)))
+        """Name, value and unit of everything that is given and read."""
         lang = self.naming.lang
         unit = {key: say(key, lang) if key else "—" for key in RANK}
-        shown = [r for r in found if self.position.plans.forces or not r.loading]
-        return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in shown]
+        return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in self.listed()]
+
+    def listed(self) -> list[GivenRow]:
+        """Everything that is given and read, as it is listed."""
+        plain = dict.fromkeys(r for r in self.plain if self.read(r) and (r.value or r.place) and not self.known(r))
+        found = [*filter(self.read, self.drive()), *self.named(), *plain]
+        return sorted(found, key=lambda r: (not r.of_drive, RANK.index(r.unit)))
+
+    def read(self, row: GivenRow) -> bool:
+        """Whether what is drawn reads it."""
+        return not row.given or row.given in self.position.plans.program.givens
 
     def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""
@@ -69,26 +77,33 @@ class GivenTable:
         if not self.position.plans.moves:
             return []
         units = ("°", "rad/s", "rad/s²") if drive.kind == "phi" else ("m", "m/s", "m/s²")
-        names = map(self.naming.vector, drive.letters)
+        names, given = map(self.naming.vector, drive.letters), ("", *drive.rates)
         values = (self.position.at, drive.velocity, drive.acceleration)
-        return [GivenRow(name, v, unit, True) for name, v, unit in zip(names, values, units, strict=True)]
+        rows = zip(names, values, units, given, strict=True)
+        return [GivenRow(*row, of_drive=True) for row in rows]
 
     def named(self) -> Iterator[GivenRow]:
-        """The parameters; what a load is called on the sheet stands beside the name of its parameter."""
+        """The parameters; what a load, a guide's place or friction is called on the sheet stands beside it."""
         shown = {r.name for r in self.drive()}
         drive = self.position.plans.mechanism.drive
         for name, value in self.parameters.items():
             row = GivenRow(greek(name), value, unit_of_parameter(name))
             moved = letter_of(name) == drive.kind and value == drive.position
-            if row.name not in shown and not moved:
-                alike = (r for r in self.loads() if _equal(r.value, value))
-                other = [r.name for r in alike if r.same == row.same]
+            alike = [r for r in self.plain if r.same == row.same and _equal(r.value, value)]
+            read = any(map(self.read, alike)) if alike else self.position.plans.forces or row.unit not in LOADING
+            if row.name not in shown and not moved and read:
+                other = [r.name for r in alike if r.place or r.unit in ("", "N", "N·m")]
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
     def known(self, row: GivenRow) -> bool:
         """Whether a parameter says the same of the same thing: l_CD of l_DC, J_S2 of J_2."""
         named = (GivenRow(greek(name), v, unit_of_parameter(name)) for name, v in self.parameters.items())
         return any(r.same == row.same and _equal(r.value, row.value) for r in named)
+
+    @cached_property
+    def plain(self) -> list[GivenRow]:
+        """The same as :meth:`unnamed`, gone through once."""
+        return list(self.unnamed())
 
     def unnamed(self) -> Iterator[GivenRow]:
         """Every number of the mechanism, or of the vectors."""
@@ -101,16 +116,16 @@ class GivenTable:
         for link in m.links.values():
             yield from self.lengths(link)
             n = self.naming.link(link.name)
-            yield GivenRow(f"m_{{{n}}}", link.mass or 0.0, "kg")
-            yield GivenRow(f"J_{{{n}}}", link.inertia or 0.0, "kgm2")
+            yield GivenRow(f"m_{{{n}}}", link.mass or 0.0, "kg", f"m_{link.name}")
+            yield GivenRow(f"J_{{{n}}}", link.inertia or 0.0, "kgm2", f"J_{link.name}")
         yield from self.loads()
-        yield GivenRow("g", m.gravity or 0.0, "m/s²")
+        yield GivenRow("g", m.gravity or 0.0, "m/s²", "g")
         for name, f in m.friction.items():
-            yield GivenRow(f"f_{{{dashed(name)}}}", f, "")
+            yield GivenRow(f"f_{{{dashed(name)}}}", f, "", f"f_{name}")
         for name, journal in m.journals.items():
-            yield GivenRow(f"f_{{{dashed(name)}}}", journal.coefficient, "")
-            yield GivenRow(f"r_{{{dashed(name)}}}", journal.radius, "m")
-            yield GivenRow(f"ρ_{{{dashed(name)}}}", journal.circle, "m")
+            yield GivenRow(f"f_{{{dashed(name)}}}", journal.coefficient, "", f"rho_{name}")
+            yield GivenRow(f"r_{{{dashed(name)}}}", journal.radius, "m", f"rho_{name}")
+            yield GivenRow(f"ρ_{{{dashed(name)}}}", journal.circle, "m", f"rho_{name}")
 
     def vectors(self) -> Iterator[GivenRow]:
         """What is given of vectors that a scene states."""
@@ -122,7 +137,7 @@ class GivenTable:
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:
         """The coordinates of a place."""
-        if not z:
+        if not z and not self.steady:
             yield GivenRow(f"x_{{{name}}} = y_{{{name}}}", 0.0, "m", place=True)
             return
         yield GivenRow(f"x_{{{name}}}", z.real, "m", place=True)
@@ -146,8 +161,10 @@ class GivenTable:
         for point, z in link.points.items():
             way = z - link.points[first]
             polar = abs(way), round(math.degrees(cmath.phase(way)), 9)
-            told = self.parameters.get(f"l_{first}{point}", polar[0])  # which may be a coordinate
-            if way.imag and (not _equal(told, polar[0]) or _signs(way.real, way.imag) < _signs(*polar)):
+            name = f"l_{first}{point}"
+            told = self.parameters.get(name, polar[0])  # which may be a coordinate
+            plain = name in self.parameters if self.steady else _signs(*polar) <= _signs(way.real, way.imag)
+            if way.imag and not (plain and _equal(told, polar[0])):
                 yield from self.place(first + point, way)
                 continue
             yield GivenRow(f"l_{{{first}{point}}}", polar[0], "m")
@@ -166,12 +183,13 @@ class GivenTable:
         for name, m in plans.means.items():
             if name in plans.given and m.quantity in ("load", "couple"):
                 unit = "N" if m.quantity == "load" else "N·m"
-                yield GivenRow(self.naming.vector(m.of), float(plans.given[name]), unit)
+                yield GivenRow(self.naming.vector(m.of), float(plans.given[name]), unit, name)
         mechanism = plans.mechanism
         for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
-            if plans.forces and isinstance(load.direction_deg, float | int):
+            if isinstance(load.direction_deg, float | int):
                 of = f"^{{({self.naming.link(load.direction_link)})}}" if load.direction_link else ""
-                yield GivenRow(f"∠{self.naming.vector(name)}{of}", load.direction_deg, "°", place=True)
+                sign = f"∠{self.naming.vector(name)}{of}"
+                yield GivenRow(sign, load.direction_deg, "°", f"angle_∠{name}", place=True)
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
         """Loads that are laws, each with what it is in this position."""

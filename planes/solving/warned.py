@@ -57,7 +57,7 @@ def _doubts(
     """Results of an exact drawing with less than three digits, and reactions with none; the running bound is asked only
     where there is something in doubt."""
     drawn = reader.drawing
-    if drawn.tool.doubt_mm:
+    if drawn.tool.doubt_mm or (wanted is not None and not wanted):
         return [], []
     stated = reader.stated
     forces = {(r.start, r.end) for r in stated.reactions.values() if r.start in drawn and r.end in drawn}

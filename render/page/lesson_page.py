@@ -24,18 +24,19 @@ NOSCRIPT = (
 )
 
 
-def page(data: Json, lang: str, scored: bool = False) -> str:
-    """The whole page; one that is ``scored`` tells a platform its score.
+def page(data: Json, lang: str, given: str = "") -> str:
+    """The whole page; one of a platform says what is ``given`` (HTML), and tells it its score.
 
     ``data`` is what :func:`planes.lesson.data.lesson_data` exports.
     """
     parts = {
         "formula": html.escape(data["formula"]),
+        "given": given and f'<section id="given">{given}</section>\n',
         "frames": str(len(data["frames"])),
         **{key: str(data["drive"][key]) for key in ("from", "to", "at")},
         "by": str((data["drive"]["to"] - data["drive"]["from"]) / 360),
     }
-    return _whole(data, lang, "lesson", (*SCRIPTS, *OWN, *(("scorm",) if scored else ())), parts)
+    return _whole(data, lang, "lesson", (*SCRIPTS, *OWN, *(("scorm",) if given else ())), parts)
 
 
 def essay_page(data: Json, lang: str) -> str:

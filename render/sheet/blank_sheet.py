@@ -13,6 +13,7 @@ from render.sheet.frame import framed
 RULER_MM, RULER_X = 100, 11.0  # how far it stands from the left edge
 PLAN_MM, LETTER_MM, LEAST_MM = 5.0, 3.5, 2.5  # letters: of the plan's name, of the other lines, and the smallest ones
 TEXT_X, FIRST_Y, LINE_MM = 38.0, 14.0, 7.5  # where the lines begin; the first from the upper edge; one from the next
+BENEATH_MM, NEXT_MM, BESIDE_MM = 7.2, 4.2, 24.0  # what is given: its last line, the step, the edge at the right
 ROOM_MM, FIELDS_MM = 200.0, (162.0, 236.0)  # of a line beside the code; from where to where a name is written
 Square = tuple[complex, Sequence[Sequence[bool]], float]  # its centre, black cells from the top row, its side in mm
 
@@ -24,9 +25,10 @@ def blank(
     texts: Sequence[str],
     size: str,
     fields: Sequence[str] = (),
+    given: Sequence[str] = (),
 ) -> list[Mark]:
     """The marks of a blank: ``pole`` its letter and place, ``size`` what its ruler says, ``fields`` what is written by
-    hand."""
+    hand, ``given`` what stands beneath the plan, between the lower corner marks."""
     w, h = size_mm
     out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
     for centre, cells, side in squares:
@@ -39,6 +41,9 @@ def blank(
         out.append(Text(line, complex(TEXT_X, h - FIRST_Y - LINE_MM * k), height))
     for k, name in enumerate(fields):
         out += _field(name, h - FIRST_Y - LINE_MM * k)
+    lines = wrapped(given, w - TEXT_X - BESIDE_MM, LEAST_MM)
+    for k, line in enumerate(reversed(lines)):
+        out.append(Text(line, complex(TEXT_X, BENEATH_MM + NEXT_MM * k), LEAST_MM))
     return out + _ruler(complex(RULER_X, (h - RULER_MM) / 2), size)
 
 

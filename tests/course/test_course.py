@@ -16,7 +16,7 @@ import pytest
 from planes.course import ParameterChoice, ledger
 from planes.course import random_numbers as numbers
 from planes.course.ledger import Ledger, digest
-from planes.course.numbers import main_answers, own_scene, question, settle, used_names
+from planes.course.numbers import main_answers, own_scene, question, settle
 from planes.course.papers import clearest
 from planes.course.random_numbers import around, choices_of, dice, draw_numbers
 from planes.course.reading import read_course
@@ -276,8 +276,8 @@ def test_every_sample_written_anew_is_the_same(path: Path) -> None:
 
 def test_parameters_that_are_used() -> None:
     path = SAMPLES / "assignments" / "28.yaml"
-    names = used_names(path.read_text("utf-8"), str(path))
-    assert "m_5" not in names and {"l_AB", "x_D", "J_S3", "M_3", "phi_1"} <= set(names)
+    names = load(path).used
+    assert "m_5" not in names and {"l_AB", "x_D", "J_S3", "M_3", "phi_1"} <= {*names}
 
 
 def test_what_is_drawn_when_nothing_is_said() -> None:

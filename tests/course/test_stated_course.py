@@ -65,5 +65,5 @@ def test_every_document_of_stated_vectors_is_made(share: tuple) -> None:  # type
     names = names_of(course) | {"note.pdf": "teacher", "quiz.json": "teacher", "scorm.zip": "teacher"}
     files = due(names, loads(held.scene, "scene.yaml"))
     assert "sheet-1.pdf" in files and "sheet-2.pdf" not in files
-    desk = Desk(Order(held.scene, ("a", "", "b"), ("l_OA",), files, ("force",), "ru", ("friction", "", "Иванов")))
+    desk = Desk(Order(held.scene, ("a", "", "b"), files, ("force",), "ru", ("friction", "", "Иванов")))
     assert all(desk.file(name)[0] for name in files)

@@ -115,7 +115,7 @@ def test_each_number_is_that_of_the_results(path: Path) -> None:
     papers = [
         *of_text(told(Note(scene, drawn, "ru").blocks()), "note"),
         *of_text(lesson, "lesson"),
-        *of_answers(answers(scene, drawn, ("",), (), "ru")),
+        *of_answers(answers(scene, drawn, ("",), "ru")),
     ]
     assert len(papers) > 30
     said: dict[tuple[str, str], Printed] = {}

@@ -78,7 +78,7 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
     lesson = lesson_data(scene)
     sheets = {number: sheet_of(scene, None, "ru", number) for number in (None, 1, 2)}
     naming = Naming("ru", **lettering(scene, drawn.plans))
-    key = told(list(answers(scene, drawn, ("",), (), "ru")))
+    key = told(list(answers(scene, drawn, ("",), "ru")))
     for plan, mu in {p: drawn.scales[mu_of(p)] for p in drawn.plans.drawn if p not in ("lever", "motion")}.items():
         assert prepare(Asked(scene, plan)).said_mu == mu
         assert all(
@@ -114,7 +114,7 @@ def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: 
         written = [text for text in texts(sheet) if "μ" in text]
         assert written and all(bool(PER_UNIT.search(t)) is (convention == "mm_per_unit") for t in written), written
     if convention == "unit_per_mm":
-        papers = told(Note(scene, drawn, "ru").blocks()), told(list(answers(scene, drawn, ("",), (), "ru")))
+        papers = told(Note(scene, drawn, "ru").blocks()), told(list(answers(scene, drawn, ("",), "ru")))
         assert not any(found := [PER_UNIT.search(paper) for paper in papers]), found
 
 
@@ -123,7 +123,7 @@ def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: 
 def test_every_given_number_is_on_paper(name: str) -> None:
     scene = SCENES[name]
     drawn = placed(scene, None, "ru")
-    rows = GivenTable(drawn, Naming("ru", **lettering(scene, drawn.plans)), scene.parameters)
+    rows = GivenTable(drawn, Naming("ru", **lettering(scene, drawn.plans)), scene.used)
     note = told(Note(scene, drawn, "ru").blocks())
     assert all(" ".join(row) in note for row in rows.rows())
     for number in (None, 1, 2):

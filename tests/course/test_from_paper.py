@@ -1,0 +1,213 @@
+"""Every task can be solved from its paper: a scene rebuilt from the words and numbers a student has gives the answers
+of the key, for every template, sample and assignment; from a platform's question too."""
+
+from __future__ import annotations
+
+import html
+import io
+import json
+import re
+import zipfile
+from functools import cache
+from pathlib import Path
+from xml.etree.ElementTree import Element, fromstring
+
+import pypdfium2
+import pytest
+
+from planes.course.numbers import main_answers, own_scene, question, settle
+from planes.course.quiz import Pool, Quiz, QuizGiven
+from planes.course.reading import read_course
+from planes.course.students import shares
+from planes.documents.course import Desk, Order
+from planes.documents.packages import prairielearn
+from planes.documents.platforms import moodle, stack
+from planes.plans.measuring import lettering
+from planes.scene import Scene, loads
+from planes.solving import Position, solve
+from planes.words import langs
+from planes.words.errors import PlanesError
+from planes.words.naming import Naming
+from tests.helpers import ROOT
+from tests.helpers.from_paper import rebuilt
+
+TEMPLATES = [f for f in sorted((ROOT / "planes" / "templates").glob("*.yaml")) if f.stem not in ("course", "vectors")]
+SAMPLES = [f for f in sorted((ROOT / "samples").rglob("*.yaml")) if "links:" in f.read_text("utf-8")]
+FAST = [f for f in SAMPLES if f.stem in ("03", "12", "40", "carriage") or f.parts[-2:] == ("class-three", "guide.yaml")]
+PRINTED = 1e-4  # of a value: what a key prints of it
+
+
+def desk(text: str, lang: str = "en", plans: tuple[str, ...] = ()) -> Desk:
+    return Desk(Order(text, ("A task", "", "A student"), (), plans, lang, ("a", "", "s")))
+
+
+def words(data: bytes) -> str:
+    with pypdfium2.PdfDocument(data) as document:
+        return "\n".join(page.get_textpage().get_text_range() for page in document)
+
+
+def naming_of(scene: Scene, drawn: Position, lang: str) -> Naming:
+    return Naming(lang, **lettering(scene, drawn.plans))
+
+
+def same(scene: Scene, text: str, lang: str) -> None:
+    """A scene and that rebuilt from a text have the same answers."""
+    true = solve(scene).positions[0]
+    other, missed = rebuilt(scene, text, naming_of(scene, true, lang))
+    solved = solve(other)
+    assert solved.positions, (solved.failed, missed)
+    found = {f.quantity.name: f.numbers for f in solved.positions[0].found}
+    for f in true.found:
+        most = max((abs(x) for x in f.numbers if x is not None), default=0.0)
+        for x, y in zip(f.numbers, found[f.quantity.name], strict=True):
+            assert (x is None) == (y is None), f.quantity.name
+            assert x is None or y is None or abs(x - y) <= PRINTED * most + 1e-6, (f.quantity.name, x, y, missed)
+
+
+@pytest.mark.parametrize("path", TEMPLATES, ids=lambda f: f.stem)
+def test_a_template_is_solved_from_its_task(path: Path) -> None:
+    one = desk(path.read_text("utf-8"))
+    same(one.scene, words(one.task()), "en")
+
+
+@pytest.mark.parametrize("path", FAST, ids=lambda f: f.stem)
+def test_a_task_is_solved_from_its_paper(path: Path) -> None:
+    one = desk(path.read_text("utf-8"), "ru")
+    same(one.scene, words(one.task()), "ru")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", SAMPLES, ids=lambda f: f.stem)
+def test_every_task_is_solved_from_its_paper(path: Path) -> None:
+    for lang in langs("course"):
+        one = desk(path.read_text("utf-8"), lang)
+        same(one.scene, words(one.task()), lang)
+
+
+def test_a_task_says_nothing_that_is_not_asked_for() -> None:
+    text = (ROOT / "planes/templates/six-link.yaml").read_text("utf-8") + "find: [v_F, omega_3]\n"
+    one = desk(text)
+    told = re.sub(r"\s", "", words(one.task()))
+    assert (
+        "ω1" in told
+        and "lEF" in told
+        and not {"kg", "9.81", "1000", "ε1"} & {x for x in ("kg", "9.81", "1000", "ε1") if x in told}
+    )
+    same(one.scene, words(one.task()), "en")
+
+
+@pytest.mark.parametrize("plan", ["velocity", "force"])
+def test_a_blank_has_what_its_plan_is_drawn_by(plan: str) -> None:
+    one = desk((ROOT / "planes/templates/six-link.yaml").read_text("utf-8"), plans=(plan,))
+    told = re.sub(r"\s", "", words(one.blank()))
+    assert "ω1=12rad/s" in told and "lBC=0.35m" in told
+    assert ("P5=1000N" in told) == ("m2=3kg" in told) == (plan == "force")
+
+
+# platforms
+
+
+@cache
+def quizzes(name: str) -> tuple[tuple[Quiz, Scene], ...]:
+    """Two students' questions of an assignment, the second with other numbers."""
+    path = ROOT / name
+    text, found = path.read_text("utf-8"), []
+    for numbers in ({}, {"l_AB": "0.105", "phi_1": "70"}):
+        own = own_scene(text, path.name, None, numbers, {})
+        one = desk(own)
+        found.append((Quiz.read(one.quiz().decode()), one.scene))
+    return tuple(found)
+
+
+ASKED = ["planes/templates/six-link.yaml", "planes/templates/shaper.yaml", "samples/assignments/12.yaml"]
+
+
+def plain(text: str) -> str:
+    return html.unescape(re.sub(r"<p><img.*|<[^>]*>", " ", text.replace("<sub>", "").replace("</sub>", "")))
+
+
+def inner(node: Element, path: str) -> str:
+    found = node.find(path)
+    assert found is not None
+    return found.text or ""
+
+
+def items(node: Element) -> dict[str, list[str]]:
+    sets = node.findall("dataset_definitions/dataset_definition")
+    return {inner(d, "name/text"): [inner(i, "value") for i in d.findall("dataset_items/dataset_item")] for d in sets}
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_every_question_of_moodle_is_solved_from_its_text(name: str) -> None:
+    both = quizzes(name)
+    asked = fromstring(moodle([q for q, _ in both], "c", "en"))
+    own = [q for q in asked if q.get("type") == "numerical"]
+    each = len(both[0][0].questions)
+    for k, (_, scene) in enumerate(both):
+        same(scene, plain(inner(own[k * each], "questiontext/text")), "en")
+    pooled = next(q for q in asked if q.get("type") == "calculated")
+    for k, (_, scene) in enumerate(both):
+        text = plain(inner(pooled, "questiontext/text"))
+        for key, values in items(pooled).items():
+            text = text.replace(f"{{{key}}}", values[k])
+        same(scene, text, "en")
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_stack_and_prairielearn_tell_everything_too(name: str) -> None:
+    both = quizzes(name)
+    group = [q for q, _ in both]
+    (asked,) = (q for q in fromstring(stack(group, "c", "en")) if q.get("type") == "stack")
+    lists = dict(re.findall(r"^(\w+)_all: \[(.*)\];", inner(asked, "questionvariables/text"), re.M))
+    files = prairielearn("a", group, "en")
+    sets = json.loads(files["numbers.json"])
+    for k, (_, scene) in enumerate(both):
+        text = plain(inner(asked, "questiontext/text"))
+        same(scene, re.sub(r"\{@(\w+)@\}", lambda m, k=k: lists[m[1]].split(", ")[k], text), "en")  # type: ignore[misc]
+        text = plain(files["question.html"].decode())
+        same(scene, re.sub(r"\{\{params\.(\w+)\}\}", lambda m, k=k: str(sets[k]["given"].get(m[1], "")), text), "en")  # type: ignore[misc]
+
+
+def test_a_lesson_of_a_platform_says_what_is_given() -> None:
+    one = desk((ROOT / "planes/templates/four-bar.yaml").read_text("utf-8"))
+    with zipfile.ZipFile(io.BytesIO(one.scorm())) as archive:
+        page = archive.read("index.html").decode()
+    same(one.scene, plain(page[page.index('<section id="given">') : page.index('<div class="panels">')]), "en")
+
+
+def test_numbers_of_a_law_are_everybodys_own() -> None:
+    given = (QuizGiven("l_{AB}", 0.1, "m"),)
+    one, two = (
+        Quiz("", "", "a", "t", p, given, f"P_{{5}} = {n}·sin(φ_{{1}}).", (), b"")
+        for p, n in (("s", "300"), ("r", "2.5"))
+    )
+    pool = Pool([one, two], "en")
+    assert pool.varied == {"law_0": [300.0, 2.5]} and "P_{5} = [law_0]·sin(φ_{1})." in pool.text("[{}]".format)
+
+
+def test_students_who_are_told_different_things_have_no_common_question() -> None:
+    def of(place: str, name: str, said: str) -> Quiz:
+        return Quiz("", "", "a", "t", place, (QuizGiven(name, 0.1, "m"),), said, (), b"")
+
+    for other in (of("r", "x_{DE}", "no"), of("r", "l_{DE}", "yes")):
+        with pytest.raises(PlanesError) as refused:
+            Pool([of("s", "l_{DE}", "no"), other], "en").text(str)
+        assert "r is told other things" in refused.value.told("en")
+
+
+def test_a_name_of_two_numbers_is_refused(tmp_path: Path) -> None:
+    """A parameter called l_BC that is not the length BC, which is told under that name too."""
+    text = (ROOT / "planes/templates/six-link.yaml").read_text("utf-8").replace("C: l_BC,", "C: l_BC + 0.01,")
+    (tmp_path / "scene.yaml").write_text(text, "utf-8")
+    (tmp_path / "students.txt").write_text("Smith J.\n", "utf-8")
+    course = read_course(tmp_path)
+    (share,) = shares(course)
+    fault = settle(question(course, share, "en")).fault
+    line = next(k for k, row in enumerate(text.splitlines(), 1) if row.startswith("parameters"))
+    assert fault.startswith(f"{tmp_path / 'scene.yaml'}:{line}: l_BC is a parameter of ") and "another name" in fault
+
+
+def test_the_questions_of_a_student_are_those_of_the_scene() -> None:
+    quiz, scene = quizzes(ASKED[0])[0]
+    answers = main_answers(scene, solve(loads(scene.reading.source)).json())
+    assert [q.name for q in quiz.questions] == [name for name, _ in answers]

@@ -1,0 +1,156 @@
+"""A scene rebuilt from what a student is told of it in words and numbers, and nothing else.
+
+What a figure shows (links, which points and guides they have, what loads them) is taken of the scene with every number
+of it blanked; every number is looked up in the text by its name. One that the text does not state is 0, as in a figure
+without that size.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from functools import cached_property
+
+from planes.plans.force.loads import load_names
+from planes.scene import Scene
+from planes.scene.mechanism import Drive, Guide, Journal, Link, Load, Mechanism, RoundGuide
+from planes.words.naming import Naming
+
+_VALUE = r"(?: ?= ?[^\W\d][^=]{0,12}?)*?(?: ?= ?| )([-−]?\d[\d ]*(?:[.,]\d+)?(?:(?:·10|[eE])[-−]?\d+)?)(?![\w·^])"
+_SIGNS = str.maketrans({"−": "-", "–": "-", "‑": "-", "\u00a0": " ", "\u202f": " ", "\u2009": " ", ",": "."})
+
+
+class Paper:
+    """The text a student has, asked for numbers by their names; ``missed`` are names nothing was found under."""
+
+    def __init__(self, text: str, naming: Naming) -> None:
+        self.text = " ".join(text.replace("\ufffe", "-").translate(_SIGNS).split())
+        self.naming, self.missed = naming, list[str]()
+
+    def of(self, *names: str) -> float | None:
+        """The number under any of the names, however it is braced and lettered."""
+        for name in names:
+            plain = " ?".join(map(re.escape, re.sub(r"[\s_^{}]", "", name.translate(_SIGNS))))
+            if found := re.search(rf"(?<![\w∠]){plain}{_VALUE}", self.text):
+                return float(found[1].replace(" ", ""))
+        return None
+
+    def number(self, *names: str) -> float:
+        """The same, 0 where there is none."""
+        found = self.of(*names)
+        if found is None:
+            self.missed.append(" or ".join(names))
+        return found or 0.0
+
+    def place(self, name: str) -> complex:
+        """Coordinates."""
+        both = self.of(f"x{name} = y{name}")
+        return complex(both, both) if both is not None else complex(self.number(f"x{name}"), self.number(f"y{name}"))
+
+
+class Rebuilt:
+    """A mechanism with the numbers of a paper."""
+
+    def __init__(self, scene: Scene, paper: Paper) -> None:
+        assert scene.mechanism
+        self.paper, self.shape, self.naming = paper, scene.mechanism, paper.naming
+
+    @cached_property
+    def mechanism(self) -> Mechanism:
+        """All of it."""
+        m, paper = self.shape, self.paper
+        return replace(
+            m,
+            frame=self.frame(m.frame),
+            links={name: self.link(link) for name, link in m.links.items()},
+            drive=self.drive(m.drive),
+            loads=tuple(self.load(name, x) for name, x in zip(load_names(m), m.loads, strict=True)),
+            gravity=None if m.gravity is None else paper.number("g"),
+            friction={name: paper.number(f"f{name}") for name in m.friction},
+            journals={name: self.journal(name, x) for name, x in m.journals.items()},
+            laws={},
+        )
+
+    def frame(self, frame: Link) -> Link:
+        points = {name: self.paper.place(name) for name in frame.points}
+        guides = {name: self.frame_guide(guide, points) for name, guide in frame.guides.items()}
+        return replace(frame, points=points, guides=guides, round_guides=self.round_guides(frame))
+
+    def round_guides(self, link: Link) -> dict[str, RoundGuide]:
+        riders = [x for x in self.shape.links.values() if x.slides_round]
+        found = {}
+        for name, guide in link.round_guides.items():
+            (rider,) = (x for x in riders if x.slides_round and x.slides_round.guide == name)
+            found[name] = replace(guide, radius=self.length(rider.first_point, guide.centre))
+        return found
+
+    def frame_guide(self, guide: Guide, points: Mapping[str, complex]) -> Guide:
+        """Upright ones are told by a coordinate."""
+        name, paper = guide.name, self.paper
+        through = points.get(guide.through_point or "", 0j)
+        for axis, angle, unit in (("y", 0.0, 1j), ("x", 90.0, 1 + 0j)):
+            other = "x" if axis == "y" else "y"
+            alone = not guide.through_point and paper.of(f"∠{name}") is None and paper.of(f"{other}{name}") is None
+            if alone and (value := paper.of(f"{axis}{name}")) is not None:
+                return replace(guide, through=value * unit, angle_deg=angle)
+        through = through if guide.through_point else paper.place(name)
+        return replace(guide, through=through, angle_deg=paper.number(f"∠{name}"))
+
+    def length(self, one: str, two: str) -> float:
+        return self.paper.number(f"l{one}{two}", f"l{two}{one}")
+
+    def way(self, one: str, two: str) -> complex:
+        """From a link's first point to another, in its axes."""
+        if self.paper.of(f"x{one}{two}") is not None or self.paper.of(f"x{one}{two} = y{one}{two}") is not None:
+            return self.paper.place(one + two)
+        angle = math.radians(self.paper.of(f"∠{one}{two}") or 0.0)
+        return cmath.rect(self.length(one, two), angle)
+
+    def link(self, link: Link) -> Link:
+        paper, first, n = self.paper, link.first_point, self.naming.link(link.name)
+        points = {name: self.way(first, name) if name != first else 0j for name in link.points}
+        guides = {}
+        for name, guide in link.guides.items():
+            through = points[guide.through_point] if guide.through_point else paper.place(f"{first}{name}")
+            guides[name] = replace(guide, through=through, angle_deg=paper.of(f"∠{name}") or 0.0)
+        slides = link.slides and replace(
+            link.slides,
+            angle_deg=None if link.slides.angle_deg is None else paper.of(f"∠{n}") or 0.0,
+            offset=None if link.slides.offset is None else paper.of(f"e{n}") or 0.0,
+        )
+        mass, inertia = paper.of(f"m{n}", f"m{link.name}"), paper.of(*self.inertias(link))
+        return replace(
+            link, points=points, guides=guides, slides=slides, round_guides=self.round_guides(link),
+            mass=mass if link.mass is not None else None, inertia=inertia if link.inertia is not None else None,
+        )  # fmt: skip
+
+    def inertias(self, link: Link) -> Iterable[str]:
+        n = self.naming.link(link.name)
+        return f"J{n}", f"JS{n}", f"J{link.mass_centre}"
+
+    def drive(self, drive: Drive) -> Drive:
+        names = [self.naming.vector(name) for name in drive.letters]
+        position, velocity, acceleration = (self.paper.of(name) or 0.0 for name in names)
+        return replace(drive, position=position, velocity=velocity, acceleration=acceleration)
+
+    def load(self, name: str, load: Load) -> Load:
+        """A law is told as a sentence, and stays what it is."""
+        sign, value, angle = self.naming.vector(name), load.value, load.direction_deg
+        if isinstance(value, float | int):
+            value = self.paper.number(sign)
+        if isinstance(angle, float | int):
+            of = f"({self.naming.link(load.direction_link)})" if load.direction_link else ""
+            angle = self.paper.number(f"∠{sign}{of}")
+        return replace(load, value=value, direction_deg=angle)
+
+    def journal(self, name: str, journal: Journal) -> Journal:
+        return replace(journal, coefficient=self.paper.number(f"f{name}"), radius=self.paper.number(f"r{name}"))
+
+
+def rebuilt(scene: Scene, text: str, naming: Naming) -> tuple[Scene, list[str]]:
+    """The scene of a paper, and the names of the numbers that are not told there."""
+    of = Rebuilt(scene, Paper(text, naming))
+    return replace(scene, mechanism=of.mechanism, reading=replace(scene.reading, parameters={})), of.paper.missed
