@@ -81,9 +81,9 @@ def twice(scene: Scene, name: str, one: str, other: str) -> SceneError:
 
 def said_of(scene: Scene, drawn: Position, lang: Lang) -> str:
     """What is given in words: conditions; of stated vectors how lengths and directions go by others."""
-    if scene.statement is None:
+    amounts = "; ".join(amounts_of(scene.statement)) if scene.statement else ""
+    if drawn.plans.moves:
         return " ".join(conditions(drawn.plans, lang))
-    amounts = "; ".join(amounts_of(scene.statement))
     return say("task_amounts", lang, amounts=amounts) if amounts else ""
 
 

@@ -13,8 +13,10 @@ from planes.words.units import number
 
 
 def conditions(plans: Plans, lang: Lang) -> Iterator[str]:
-    """Axes and layout; if forces are drawn, loads, centres of mass, weight and friction."""
+    """Axes and layout; if forces are drawn, loads, centres of mass, weight and friction; nothing of stated vectors."""
     mechanism = plans.mechanism
+    if not plans.moves:
+        return
     origin = next((name for name, place in mechanism.frame.points.items() if place == 0), None)
     yield say("task_axes" if origin else "task_axes_alone", lang, point=f"⟨{origin}⟩")
     yield from Layout(plans, lang).sentences()

