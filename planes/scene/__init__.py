@@ -123,10 +123,7 @@ class Scene(Pictured):
         return loads(as_yaml(mechanism, {"title": title}, {}), file or "mechanism")
 
     def with_parameters(self, **values: float) -> "Scene":
-        """The same scene read again with other numbers for some parameters (SI, degrees).
-
-        Raises :class:`~planes.words.errors.SceneError` for a name that is no parameter of the scene.
-        """
+        """The same scene read again with other numbers for some of its parameters (SI, degrees)."""
         return loads(self.reading.source, self.file, self.variant, **{**self.reading.changed, **values})
 
     def to_yaml(self) -> str:
