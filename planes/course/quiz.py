@@ -19,7 +19,7 @@ from planes.solving import solve
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import GREEK, flat
-from planes.words.names import parts_of
+from planes.words.names import letter_of, parts_of
 from planes.words.records import Json
 
 PUPIL = Pencil(skill.HAND.point_mm, skill.HAND.ray_deg, skill.RULER_MM)
@@ -173,7 +173,7 @@ class Pool:
         for other in self.group[1:]:
             names = {n.key: n for n in (*first.given, *other.given)}
             alone = {*(n.key for n in first.given)} ^ {*(n.key for n in other.given)}
-            apart = [names[key].name for key in alone if names[key].unit == "m" and not key.startswith("e_")]
+            apart = [names[key].name for key in alone if names[key].unit == "m" and letter_of(key) != "e"]
             if apart or _NUMBER.sub("", first.said) != _NUMBER.sub("", other.said):
                 which = ", ".join(map(flat, apart)) or Phrase("quiz_words")
                 raise PlanesError(Phrase("quiz_apart", name=first.assignment, which=which, place=other.place))

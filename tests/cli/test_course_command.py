@@ -258,7 +258,7 @@ def test_doubts_of_a_scene_are_told_once_whoever_gets_it(tmp_path: Path, capsys:
     (at / "scene.yaml").write_text(text.replace("Б: {phi_1: 120}", "Б: {phi_1: 120, l_CD: 12}"), "utf-8")
     main(["course", str(at), "--jobs", "1", "--lang", "en"])
     said = [line for line in capsys.readouterr().err.splitlines() if "scene.yaml:" in line]
-    assert [line.split(": ")[1] for line in said] == ["link 5 is 20 m long", "link 3 is 12.1 m long"], said
+    assert [line.split(": ")[2] for line in said] == ["link 5 is 20 m long", "link 3 is 12.1 m long"], said
 
 
 @pytest.mark.parametrize("key", ["students: lost.csv", "assignments: lost.yaml", "assignments: [scene.yaml, lost]"])

@@ -74,11 +74,11 @@ def test_the_note_of_a_scene_stands_in_some_shape_or_is_told():
     first, second = (sheet("six-link", number) for number in (1, 2))
     (note,) = (v for v, _, _ in second.views if v.key.startswith("note"))
     lines = [m.text for m in note.marks if isinstance(m, Text)]
-    assert "Верное значение M1 = 287,2 Н·м" in " ".join(lines) and "v_{H}" in " ".join(lines)
+    assert "кривошип полного оборота не делает" in " ".join(lines)
     assert first.paper.name == "A2" and not any("Примечание" in said for said in first.warnings)
     assert {"self-aligning", "note"} <= {v.key.partition(" ")[0] for v, _, _ in first.views}
     six = load(SAMPLES / "six-link.yaml")  # a format that is asked for, and too much for it
-    told = sheet_of(replace(six, sheet={"format": "A2"}, note={"ru": 8 * six.note["ru"]}), None, "ru", 1)
+    told = sheet_of(replace(six, sheet={"format": "A2"}, note={"ru": 60 * six.note["ru"]}), None, "ru", 1)
     assert not any(v.key.startswith("note") for v, _, _ in told.views) and "Примечание" in str(told.warnings)
 
 
@@ -163,7 +163,7 @@ def test_moment_equations_are_never_left_out_silently(tmp_path, capsys):
     text = (SAMPLES / "kind-3-rpr.yaml").read_text(encoding="utf-8")
     path.write_text(text + "sheet: {format: A3}\n", encoding="utf-8")
     assert main(["sheet", str(path), "--lang", "ru", "-o", str(tmp_path / "sheet.svg")]) == 0
-    assert capsys.readouterr().err == "\n".join([said, *others, ""])
+    assert capsys.readouterr().err == "".join(f"предупреждение: {line}\n" for line in (said, *others))
 
 
 def test_the_smallest_plan_grows_first_and_none_beyond_the_limit():

@@ -22,6 +22,7 @@ def test_a_coincidence_has_a_right_number_or_a_sentence(family: int) -> None:
 @pytest.mark.parametrize("part", range(10))
 def test_so_has_every_document_of_it(part: int, tmp_path: Path) -> None:
     for seed in range(part, ALL, 10):
-        one = snapped(seed)
-        wrong = [*faults(one), *document_faults(one, DOCUMENTS[seed // len(FAMILIES) % len(DOCUMENTS)], tmp_path)]
+        one, folder = snapped(seed), tmp_path / str(seed)
+        folder.mkdir()
+        wrong = [*faults(one), *document_faults(one, DOCUMENTS[seed // len(FAMILIES) % len(DOCUMENTS)], folder)]
         assert not wrong, f"scene {seed} ({one.family}):\n{one.text}"

@@ -7,7 +7,7 @@ from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.sign_faults import SignFault
-from planes.words.names import POLE, kind_of
+from planes.words.names import POLE, kind_of, label_of
 
 APART_MM = 3.0  # marks nearer to each other may share their letters
 
@@ -20,7 +20,7 @@ def exchanged(bench: PreparedPlan, paper: ReadPaper, found: Grading) -> tuple[Gr
     if not judged.wrong or told or found.rebuilt or kind_of(bench.asked.plan) == "force":
         return None
     names = {s.name: n for s in paper.spots if (n := bench.names.find(s.name)) and n != POLE}
-    wrong = {m.rpartition(":")[2] for m in judged.wrong}
+    wrong = {label_of(m) for m in judged.wrong}
     for one, two in combinations(names, 2):
         if not wrong & {names[one], names[two]}:
             continue
