@@ -33,6 +33,7 @@ from tests.helpers.from_paper import rebuilt
 
 TEMPLATES = [f for f in sorted((ROOT / "planes" / "templates").glob("*.yaml")) if f.stem not in ("course", "vectors")]
 SAMPLES = [f for f in sorted((ROOT / "samples").rglob("*.yaml")) if "links:" in f.read_text("utf-8")]
+VECTORS = [ROOT / "planes/templates/vectors.yaml", *sorted((ROOT / "samples" / "vectors").glob("*.yaml"))]
 FAST = [f for f in SAMPLES if f.stem in ("03", "12", "40", "carriage") or f.parts[-2:] == ("class-three", "guide.yaml")]
 PRINTED = 1e-4  # of a value: what a key prints of it
 
@@ -72,6 +73,12 @@ def test_a_template_is_solved_from_its_task(path: Path) -> None:
 
 @pytest.mark.parametrize("path", FAST, ids=lambda f: f.stem)
 def test_a_task_is_solved_from_its_paper(path: Path) -> None:
+    one = desk(path.read_text("utf-8"), "ru")
+    same(one.scene, words(one.task()), "ru")
+
+
+@pytest.mark.parametrize("path", VECTORS, ids=lambda f: f.stem)
+def test_stated_vectors_are_found_from_their_task(path: Path) -> None:
     one = desk(path.read_text("utf-8"), "ru")
     same(one.scene, words(one.task()), "ru")
 
