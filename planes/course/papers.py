@@ -81,10 +81,12 @@ def twice(scene: Scene, name: str, one: str, other: str) -> SceneError:
 
 def said_of(scene: Scene, drawn: Position, lang: Lang) -> str:
     """What is given in words: conditions; of stated vectors how lengths and directions go by others."""
-    amounts = "; ".join(amounts_of(scene.statement)) if scene.statement else ""
-    if drawn.plans.moves:
+    if scene.statement is None:
         return " ".join(conditions(drawn.plans, lang))
-    return say("task_amounts", lang, amounts=amounts) if amounts else ""
+    near = ((name, v.near_deg) for name, v in scene.statement.vectors.items() if v.near_deg is not None)
+    said = [say("task_near_way", lang, name=name, angle=number(angle, lang, 6)) for name, angle in near]
+    amounts = "; ".join(amounts_of(scene.statement))
+    return " ".join([*([say("task_amounts", lang, amounts=amounts)] if amounts else []), *said])
 
 
 def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:

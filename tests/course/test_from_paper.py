@@ -33,8 +33,9 @@ from tests.helpers.from_paper import rebuilt
 
 TEMPLATES = [f for f in sorted((ROOT / "planes" / "templates").glob("*.yaml")) if f.stem not in ("course", "vectors")]
 SAMPLES = [f for f in sorted((ROOT / "samples").rglob("*.yaml")) if "links:" in f.read_text("utf-8")]
+VECTORS = [ROOT / "planes/templates/vectors.yaml", *sorted((ROOT / "samples" / "vectors").glob("*.yaml"))]
 FAST = [f for f in SAMPLES if f.stem in ("03", "12", "40", "carriage") or f.parts[-2:] == ("class-three", "guide.yaml")]
-PRINTED = 1e-4  # of a value: what a key prints of it
+PRINTED, DRAWN = 1e-4, 1e-5  # of a value: what a key prints of it; of the largest of its unit: nothing on a plan
 
 
 def desk(text: str, lang: str = "en", plans: tuple[str, ...] = ()) -> Desk:
@@ -57,11 +58,16 @@ def same(scene: Scene, text: str, lang: str) -> None:
     solved = solve(other)
     assert solved.positions, (solved.failed, missed)
     found = {f.quantity.name: f.numbers for f in solved.positions[0].found}
+    largest: dict[str, float] = {}
+    for f in true.found:
+        for column, x in zip(f.quantity.columns, f.numbers, strict=True):
+            largest[column.unit] = max(largest.get(column.unit, 0.0), abs(x or 0.0))
     for f in true.found:
         most = max((abs(x) for x in f.numbers if x is not None), default=0.0)
+        off = PRINTED * most + DRAWN * largest[f.quantity.columns[0].unit] + 1e-6
         for x, y in zip(f.numbers, found[f.quantity.name], strict=True):
             assert (x is None) == (y is None), f.quantity.name
-            assert x is None or y is None or abs(x - y) <= PRINTED * most + 1e-6, (f.quantity.name, x, y, missed)
+            assert x is None or y is None or abs(x - y) <= off, (f.quantity.name, x, y, missed)
 
 
 @pytest.mark.parametrize("path", TEMPLATES, ids=lambda f: f.stem)
@@ -72,6 +78,12 @@ def test_a_template_is_solved_from_its_task(path: Path) -> None:
 
 @pytest.mark.parametrize("path", FAST, ids=lambda f: f.stem)
 def test_a_task_is_solved_from_its_paper(path: Path) -> None:
+    one = desk(path.read_text("utf-8"), "ru")
+    same(one.scene, words(one.task()), "ru")
+
+
+@pytest.mark.parametrize("path", VECTORS, ids=lambda f: f.stem)
+def test_stated_vectors_are_found_from_their_task(path: Path) -> None:
     one = desk(path.read_text("utf-8"), "ru")
     same(one.scene, words(one.task()), "ru")
 

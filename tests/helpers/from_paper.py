@@ -17,6 +17,8 @@ from functools import cached_property
 from planes.plans.force.loads import load_names
 from planes.scene import Scene
 from planes.scene.mechanism import Drive, Guide, Journal, Link, Load, Mechanism, RoundGuide
+from planes.scene.vectors import Statement
+from planes.words.lettering import greek
 from planes.words.naming import Naming
 
 _VALUE = r"(?: ?= ?[^\W\d][^=]{0,12}?)*?(?: ?= ?| )([-−]?\d[\d ]*(?:[.,]\d+)?(?:(?:·10|[eE])[-−]?\d+)?)(?![\w·^])"
@@ -44,6 +46,12 @@ class Paper:
         if found is None:
             self.missed.append(" or ".join(names))
         return found or 0.0
+
+    def stated_near(self, name: str) -> float:
+        """The direction near which a vector has its own."""
+        plain = " ?".join(re.sub(r"[\s_^{}]", "", name))
+        found = re.search(rf"(?<!\w){plain} (?:has|имеет|має|мае) .{{0,40}}? (-?\d+(?:\.\d+)?)°", self.text)
+        return float(found[1]) if found else 0.0
 
     def place(self, name: str) -> complex:
         """Coordinates."""
@@ -150,7 +158,25 @@ class Rebuilt:
         return replace(journal, coefficient=self.paper.number(f"f{name}"), radius=self.paper.number(f"r{name}"))
 
 
+def restated(scene: Scene, paper: Paper) -> Statement:
+    """The vectors of a paper: sizes, directions and parameters that are numbers."""
+    stated = scene.statement
+    assert stated
+    vectors = {}
+    for name, v in stated.vectors.items():
+        sign = paper.naming.vector(name)
+        size = paper.number(sign) if isinstance(v.value, float | int) else v.value
+        way = paper.number(f"∠{sign}") if isinstance(v.direction, float | int) else v.direction
+        near = None if v.near_deg is None else paper.stated_near(sign)
+        vectors[name] = replace(v, value=size, direction=way, near_deg=near)
+    parameters = {name: paper.number(greek(name)) for name in stated.parameters if name in scene.used}
+    return replace(stated, vectors=vectors, parameters={**stated.parameters, **parameters})
+
+
 def rebuilt(scene: Scene, text: str, naming: Naming) -> tuple[Scene, list[str]]:
     """The scene of a paper, and the names of the numbers that are not told there."""
-    of = Rebuilt(scene, Paper(text, naming))
+    paper = Paper(text, naming)
+    if scene.statement:
+        return replace(scene, statement=restated(scene, paper)), paper.missed
+    of = Rebuilt(scene, paper)
     return replace(scene, mechanism=of.mechanism, reading=replace(scene.reading, parameters={})), of.paper.missed
