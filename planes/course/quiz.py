@@ -173,7 +173,7 @@ class Pool:
         for other in self.group[1:]:
             names = {n.key: n for n in (*first.given, *other.given)}
             alone = {*(n.key for n in first.given)} ^ {*(n.key for n in other.given)}
-            apart = [names[key].name for key in alone if names[key].unit == "m" and letter_of(key) != "e"]
+            apart = [names[one].name for one in alone if names[one].unit == "m" and letter_of(one) != "e"]
             if apart or _NUMBER.sub("", first.said) != _NUMBER.sub("", other.said):
                 which = ", ".join(map(flat, apart)) or Phrase("quiz_words")
                 raise PlanesError(Phrase("quiz_apart", name=first.assignment, which=which, place=other.place))
