@@ -45,13 +45,17 @@ class Table(Described, Mapping[str, Array | Complexes]):
             return self.columns[f"{name}_x"] + 1j * self.columns[f"{name}_y"]
         if name in self.columns:
             return self.columns[name]
-        vectors = [column.removesuffix("_x") for column in self.columns if column.endswith("_x")]
-        parts = {f"{vector}_{part}" for vector in vectors for part in "xy"}
-        known = [*vectors, *(column for column in self.columns if column not in parts)]
         try:
-            return self[self.naming.names(known, poles=False).one(str(name), "no_column")]
+            return self[self.naming.names(self.quantities, poles=False).one(str(name), "no_column")]
         except PlanesError as error:
             raise UnknownName(error.phrase) from None
+
+    @property
+    def quantities(self) -> list[str]:
+        """The vectors by their names, v_C of v_C_x and v_C_y, then the other columns."""
+        vectors = [column.removesuffix("_x") for column in self.columns if column.endswith("_x")]
+        parts = {f"{vector}_{part}" for vector in vectors for part in "xy"}
+        return [*vectors, *(column for column in self.columns if column not in parts)]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.columns)
@@ -83,10 +87,8 @@ class Table(Described, Mapping[str, Array | Complexes]):
         from matplotlib.figure import Figure
 
         over = over or next(iter(set(self.columns) & {"phi", "s"}), next(iter(self.columns)))
-        vectors = [name.removesuffix("_x") for name in self.columns if name.endswith("_x")]
-        parts = {f"{name}_{part}" for name in vectors for part in "xy"}
         swept = [name for name in self.columns if self.units[name] == SWEPT]
-        drawn = names or (*vectors, *(name for name in self.columns if name not in {over, *parts, *swept}))
+        drawn = names or [name for name in self.quantities if name not in {over, *swept}]
         changes = [np.diff(self.columns[name]) != 0 for name in swept]
         ends = (np.flatnonzero(np.any(changes, axis=0)) + 1).tolist() if swept else list[int]()
         panels: dict[str, list[str]] = {}

@@ -105,10 +105,8 @@ def _settled(q: Question) -> Settled:
     solved = solve(scene := loads(text, FILE), lang=q.lang)
     if not solved.positions:
         return Settled(fault=solved.failed[0]["error"])
-    where = loads(q.text, q.file, q.variant).where
-    given_of(
-        replace(scene, file=q.file, where=where), solved.positions[0], q.lang
-    )  # which a paper must be able to tell
+    told = replace(scene, file=q.file, where=loads(q.text, q.file, q.variant).where)
+    given_of(told, solved.positions[0], q.lang)  # a paper must be able to tell it
     return Settled(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
 
 

@@ -37,8 +37,6 @@ LINE = 1.6
 """From one line of a title to the next, in heights of its letters."""
 ASPECT = 16 / 9
 """Width to height that a slide has; figures are arranged to come near it."""
-FIGURES = 4
-"""The scheme and up to three plans: velocities, accelerations and the forces of the group solved last."""
 
 Frame = tuple[Mark, ...]
 
@@ -119,7 +117,7 @@ def cell(views: Sequence[View]) -> Bounds:
 def arrangement(cells: Mapping[str, Bounds], columns: int) -> tuple[dict[str, complex], tuple[float, float]]:
     """Where the origin of each figure lies, with so many in a row; and the size of the whole."""
     names, corners = list(cells), dict[str, complex]()
-    x, y, wide = 0.0, 0.0, 0.0
+    y, wide = 0.0, 0.0
     for row in (names[k : k + columns] for k in range(0, len(names), columns)):
         x = 0.0
         for name in row:
@@ -142,11 +140,10 @@ def placed(frame: Mapping[str, View], cells: Mapping[str, Bounds], places: Mappi
 
 
 def figures_of(drawn: Sequence[Position]) -> list[str]:
-    """The scheme and the plans that are shown: those drawn in every position."""
-    plans = [drawn_plans(of_position(one), one) for one in drawn]
-    common = [plan for plan in max(plans, key=len) if any(plan in some for some in plans)]
-    kinds = {kind_of(plan): plan for plan in reversed(common)}
-    return ["position", *(kinds[kind] for kind in ("velocity", "acceleration", "force") if kind in kinds)][:FIGURES]
+    """The scheme, and the first plan of each kind in the position that shows most of them."""
+    plans = max((drawn_plans(of_position(one), one) for one in drawn), key=len)
+    kinds = {kind_of(plan): plan for plan in reversed(plans)}
+    return ["position", *(kinds[kind] for kind in ("velocity", "acceleration", "force") if kind in kinds)]
 
 
 def figure(composer: Composer, drawn: Position, name: str) -> View:

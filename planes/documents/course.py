@@ -38,12 +38,8 @@ from render.report import rendered
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 
-FIGURE_MM = (
-    75.0,
-    60.0,
-    45.0,
-    36.0,
-)  # of the scheme on a task, the largest first that leaves room for the rest of the page
+FIGURE_MM = (75.0, 60.0, 45.0, 36.0)
+"""Sizes of the scheme on a task: the largest that leaves room for the rest of the page is taken."""
 _ONE = threading.Lock()  # a worker may have several threads; the libraries that draw like one better
 
 

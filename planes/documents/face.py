@@ -8,7 +8,7 @@ from typing import Any, overload
 import numpy as np
 
 from planes.batch import Cycle
-from planes.batch.table import Table
+from planes.batch.table import SWEPT, Table
 from planes.check import Outcome
 from planes.check import check as judge
 from planes.check.grading.paper import Known
@@ -124,7 +124,7 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     blocks = list(run.blocks(np.atleast_1d(np.asarray(values, float))))
     at, table, codes = (np.concatenate(part, axis=-1) for part in zip(*blocks, strict=True))
     columns = {name: np.full(len(at), number) for name, number in given.items()} | {drive.kind: at}
-    units = dict.fromkeys(given, "SI") | {drive.kind: "°" if drive.kind == "phi" else "m"}
+    units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.kind == "phi" else "m"}
     columns |= {c.name: row for c, row in zip(run.columns, table, strict=True)}
     units |= {c.name: c.unit for c in run.columns}
     for q in (q for q in asked_for(plans, names or ()) if q.reversed):

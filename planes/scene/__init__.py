@@ -9,13 +9,13 @@ from types import MappingProxyType
 from typing import Any
 
 from planes.scene import settings, source
-from planes.scene.doubts import TOLD, idle_parameters, read_doubts
+from planes.scene.doubts import idle_parameters, read_doubts
 from planes.scene.friction import read_friction
 from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import FRAME, Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_loads
-from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, used_values, with_numbers
+from planes.scene.parameters import TOLD, choose, read_laws, read_parameters, read_variants, used_values, with_numbers
 from planes.scene.reader import Reader, entries_of, line_of
 from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import Statement, VectorGiven, read_statement

@@ -36,9 +36,11 @@ class Linkage:
 
     def __init__(self, title: str = "", *, gravity: float = 0.0, **parameters: Number) -> None:
         """``gravity`` in m/s², downwards; ``parameters`` are numbers that expressions name, and that can be changed."""
-        frame: dict[str, Any] = {"points": {}, "guides": {}}
-        self.parts: dict[str, Any] = {"planes": 1, "title": title, "parameters": parameters, "frame": frame}
-        self.parts |= {
+        self.parts: dict[str, Any] = {
+            "planes": 1,
+            "title": title,
+            "parameters": parameters,
+            "frame": {"points": {}, "guides": {}},
             "links": {},
             "assembly": {},
             "drive": {},
@@ -50,7 +52,7 @@ class Linkage:
 
     def fix(self, **places: Place) -> Self:
         """Points of the frame by name, in m: ``fix(O=(0, 0), C=(0.3, -0.1))``."""
-        self.parts["frame"]["points"] |= {name: _place(z) for name, z in places.items()}
+        self.parts["frame"]["points"] |= _placed(places)
         return self
 
     def guide(
@@ -71,8 +73,8 @@ class Linkage:
         ``through`` a point or its name at an ``angle`` in degrees; ``centre`` and ``radius`` an arc.
         """
         owner = self.parts["frame"] if link is None else self.parts["links"][str(link)]
-        given = {"x": x, "y": y, "through": through, "angle": angle, "centre": centre, "radius": radius}
-        owner.setdefault("guides", {})[name] = {key: _place(value) for key, value in given.items() if value is not None}
+        line = _given(x=x, y=y, through=through, angle=angle, centre=centre, radius=radius)
+        owner.setdefault("guides", {})[name] = _placed(line)
         return self
 
     def link(
@@ -90,9 +92,8 @@ class Linkage:
         A point named in two links is a hinge. ``slides`` names the guide on which the link's first point runs, or
         ``{"guide": …, "angle": …, "offset": …}``. ``centre`` is the mass centre, else the first point.
         """
-        given = {"slides": slides, "centre": centre, "mass": mass, "inertia": inertia}
-        points = {point: _place(z) for point, z in places.items()}
-        self.parts["links"][str(name)] = {"points": points} | {k: v for k, v in given.items() if v is not None}
+        own = _given(slides=slides, centre=centre, mass=mass, inertia=inertia)
+        self.parts["links"][str(name)] = {"points": _placed(places), **own}
         return self
 
     def assemble(self, sides: Mapping[str, Any] | None = None, **more: Any) -> Self:
@@ -115,9 +116,9 @@ class Linkage:
     ) -> Self:
         """The driver: a crank at ``phi`` degrees, ``omega`` rad/s, ``epsilon`` rad/s², or a slider at ``s`` m,
         ``velocity`` m/s, ``acceleration`` m/s²; ``on`` a moving link, if it does not hang on the frame."""
-        given = {"phi": phi, "omega": omega, "epsilon": epsilon, "s": s, "velocity": velocity}
-        given |= {"acceleration": acceleration, "on": on}
-        self.parts["drive"] = {"link": str(link)} | {k: v for k, v in given.items() if v is not None}
+        turning = _given(phi=phi, omega=omega, epsilon=epsilon, on=on)
+        sliding = _given(s=s, velocity=velocity, acceleration=acceleration)
+        self.parts["drive"] = {"link": str(link), **turning, **sliding}
         return self
 
     def load(
@@ -137,9 +138,8 @@ class Linkage:
         ``{"link": 3, "angle": 90}`` to turn with a link.
         A size may be a law of the motion: ``"3000*sin(phi)"``, ``{"working": 6000, "idle": 200}``.
         """
-        given = {"point": point, "force": force, "moment": moment, "against": against, "along": along}
-        given["direction"] = direction
-        self.parts["loads"].append({"link": str(link)} | {k: v for k, v in given.items() if v is not None})
+        said = _given(point=point, force=force, moment=moment, against=against, along=along, direction=direction)
+        self.parts["loads"].append({"link": str(link), **said})
         return self
 
     def friction(self, coefficients: Mapping[str, Any] | None = None, **more: Any) -> Self:
@@ -164,6 +164,16 @@ class Linkage:
     def __repr__(self) -> str:
         links = ", ".join(self.parts["links"])
         return f"<Linkage {self.parts['title']!r}: {f'links {links}' if links else 'no links'}>"
+
+
+def _given(**parts: Any) -> dict[str, Any]:
+    """What is given of a part."""
+    return {key: value for key, value in parts.items() if value is not None}
+
+
+def _placed(parts: Mapping[str, Any]) -> dict[str, Any]:
+    """Places as a scene file has them."""
+    return {name: _place(value) for name, value in parts.items()}
 
 
 def _place(place: Any) -> Any:

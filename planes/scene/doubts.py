@@ -29,7 +29,6 @@ _WHOLE = re.compile(r"-?\d+(\.0*)?")
 _SIZES = ("force", "moment")  # of loads
 _WORD = re.compile(r"\w+")
 _STATED = ("parameters", "variants")
-TOLD = (*_STATED, "title", "note", "text", "missing", "sheet")  # what a scene says and is not made of
 _NAMED_FREELY = (*_STATED, "vectors")  # where an empty value means what it should
 
 

@@ -203,12 +203,13 @@ def used_values(text: str, file: str, values: Mapping[str, float]) -> Mapping[st
     another; all where it has no text."""
     entries = parse(text, file).entries if text else {}
     own = {n: names_of(node) for n, node in entries_of(entries.get("parameters")).items()}
-    shape = (node for key, part in entries.items() if key not in _WORDS for _, node in texts(part))
+    shape = (node for key, part in entries.items() if key not in TOLD for _, node in texts(part))
     names = reached((n for node in shape for n in names_of(node)), own)
     return {name: value for name, value in values.items() if name in names or not text}
 
 
-_WORDS = ("parameters", "variants", "title", "note", "text", "missing", "sheet")
+TOLD = ("parameters", "variants", "title", "note", "text", "missing", "sheet")
+"""Keys of what a scene says and is not made of."""
 
 
 def reached(names: Iterable[str], ways: Uses) -> set[str]:

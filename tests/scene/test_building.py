@@ -38,6 +38,12 @@ def test_what_cannot_be_meant_is_a_sentence_with_its_line() -> None:
     assert "y-y" in str(refused.value) and "Slider-crank:" in str(refused.value)
 
 
+def test_a_point_given_as_none_is_refused() -> None:
+    built = slider_crank().link(2, A=0, B=None, mass=2)
+    with pytest.raises(planes.PlanesError, match=r"B"):
+        built.scene()
+
+
 def test_a_room_is_reached_through_the_verb_of_its_name() -> None:
     import planes.check.reading as reading
     import planes.lesson.practice as practice

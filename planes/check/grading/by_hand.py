@@ -9,6 +9,8 @@ from planes.drafting.skill import HAND, too_near
 from planes.plans.quantities import MOTION
 from planes.solving import Position
 
+RATES = ("v", "a", "omega", "epsilon")
+
 
 def unsure(position: Position) -> Iterator[str]:
     """The names of rates that a hand's errors leave nothing sure of, as a check of them says too."""
@@ -19,6 +21,3 @@ def unsure(position: Position) -> Iterator[str]:
     for quantity in asked:
         if too_near(*drawn_by(figure(quantity.name, quantity, 0.0), hand)):
             yield quantity.name
-
-
-RATES = ("v", "a", "omega", "epsilon")
