@@ -59,6 +59,50 @@ def test_signs_of_the_projects_own_drawings(mistake: str | None, marks: set[str]
     told(checked(file), mistake, marks)
 
 
+def changed(mark: Arrow, way: str) -> list[Arrow]:
+    """A vector drawn otherwise than from its mark to its mark."""
+    v, u = mark.end - mark.start, (mark.end - mark.start) / abs(mark.end - mark.start)
+    off = min(10.0, abs(v) / 2) * u
+    ways = {"short": mark.end - off, "long": mark.end + off, "aside": mark.end + 0.8j * off}
+    if way in ways:
+        return [replace(mark, end=ways[way])]
+    return [replace(mark, start=mark.start + off)] if way == "late" else []
+
+
+@pytest.mark.parametrize("way", ["missing", "short", "long", "aside", "late"])
+@pytest.mark.parametrize(("plan", "suffix"), [("velocity", ".svg"), ("acceleration", ".dxf"), ("velocity", ".pdf")])
+def test_a_vector_that_misses_its_marks_or_is_not_drawn(plan: str, way: str, suffix: str, tmp_path: Path) -> None:
+    """Others meet at its marks, so that these are right: it is never right all the same, and is told of by name."""
+    scene, position = drawn(SAMPLE)
+    page, asked, file = view(SAMPLE, plan, position), Asked(scene, plan), tmp_path / f"plan{suffix}"
+    arrows = [m for m in page.marks if isinstance(m, Arrow) and abs(m.end - m.start) > 8]
+    assert len(arrows) > 6
+    for one in arrows:
+        marks = [x for m in page.marks for x in (changed(one, way) if m == one else [m])]
+        file.write_bytes(replace(page, marks=tuple(marks)).rendered(suffix))
+        found = check(asked, read_paper(str(file), asked, Known()))
+        assert found.verdict in (("right_as_seen",) if way == "missing" else ("wrong", "right_as_seen")), one
+        assert found.verdict == "right_as_seen" or found.first_wrong
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("way", ["missing", "short"])
+def test_a_vector_that_is_not_drawn_on_a_picture(way: str, tmp_path: Path) -> None:
+    from tests import picture_corpus as corpus
+    from tests.confusion import easel
+    from tests.helpers.photographs import SCAN
+
+    one, file = easel(SAMPLE, "velocity"), tmp_path / "p.jpg"
+    whole = corpus.drawn(one, None, random.Random(1))
+    assert whole is not None
+    for k, (a, b) in enumerate(whole.strokes):
+        rest = [(a, b - 10 * (b - a) / abs(b - a))] if way == "short" else []
+        strokes = [*whole.strokes[:k], *rest, *whole.strokes[k + 1 :]]
+        spoiled = replace(whole, strokes=strokes)
+        corpus.picture(spoiled, corpus.pole_of(one), SCAN, random.Random(1), file)
+        assert corpus.looked_at(one, file)[0].verdict in ("right_as_seen", "unreadable")
+
+
 def strokes_of(mistake: str | None, truth: Mapping[str, complex]) -> Pairs:
     """The vectors of the plan as another program draws them, one the wrong way."""
     bench = prepare(Asked(drawn(SAMPLE)[0], "velocity"))

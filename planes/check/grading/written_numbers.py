@@ -95,7 +95,7 @@ def account(
 def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:
     true, sigma = drawn_by(f, free, ruler_mm)
     off = _off(f, true)
-    if not ruler_mm and too_near(true, sigma) and off <= FAR * SIGMAS * sigma:
+    if not ruler_mm and too_near(true, sigma) and SHARE * abs(true) < off <= FAR * SIGMAS * sigma:
         return _by_own_marks(f, own, true, sigma)
     if off <= max(3 * sigma, SHARE * abs(true)) + 1e-9 * abs(true):
         return Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))

@@ -20,7 +20,7 @@ from planes.check.vision.search.ink_cover import InkCover
 from planes.check.vision.search.laid_plan import LaidPlan
 from planes.check.vision.search.named_marks import by_names, named, traceless
 from planes.check.vision.search.plan_search import CLOSE, Search
-from planes.check.vision.search.signs_seen import Found, signs_seen
+from planes.check.vision.search.signs_seen import Found, signs_seen, undrawn
 from planes.words import Phrase
 from planes.words.names import POLE, label_of
 
@@ -67,14 +67,14 @@ def _cost(found: tuple[Search, LaidPlan]) -> float:
 
 def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> Found:
     """The marks of a motion plan with its pole near a place, the share of the ink they explain, which others have
-    but their names where they should be, and which letters and arrows are wrong."""
+    but their names where they should be, which letters and arrows are wrong, and which vectors are not drawn."""
     pole, ends = pole_on(seen, near), [*bench.vectors]
     shares = shares_of(bench, seen, pole.z)
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
     searches = [replace(Search.of(bench, ink, pole, ends, k), drawn=drawn) for k, drawn in shares.items()]
     search, way = best_way(searches) or (None, None)
     if search is None or way is None or not way.found:
-        return [], 0.0, (), []
+        return [], 0.0, (), [], []
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
     shown, bare = (m for m in bench.marks if m in way.found and not search.blind(m, way)), traceless(search, way)
@@ -88,5 +88,5 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> Found:
         explained = 0.0  # at the scale of a vector far too short or long nearly all of a drawing is strange
     spots = measured_by(seen.ink.flat, near, spots, search.own)
     right = named(search, way, {label_of(m) for m in bench.marks} - found.keys()) if way.variant is None else ()
-    signs = signs_seen(search, way)
-    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, right, signs
+    spots = by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks)
+    return spots, explained, right, signs_seen(search, way), undrawn(search, way)

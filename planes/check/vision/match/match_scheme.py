@@ -192,12 +192,12 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> Found:
     found = ((search, way) for search in searches for way in search.ways())
     search, way = min(found, key=lambda one: one[1].cost, default=(None, None))
     if search is None or way is None or not way.found:
-        return [], 0.0, (), []
+        return [], 0.0, (), [], []
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items() if not search.lost(m, way)]
     explained = 1.0 if search.at_signs(way) else ink.explained(search.routes(way))
     spots = measured_by(seen.ink.flat, near, spots, search.own)
-    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, (), []
+    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained, (), [], []
 
 
 def origin_found(bench: PreparedPlan, seen: Seen) -> complex | None:

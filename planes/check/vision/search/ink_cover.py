@@ -128,6 +128,18 @@ class InkCover:
         local = (self.steps - a) * ((b - a).conjugate() / abs(b - a))
         return numpy.where(abs(local.imag) < ROUTE_MM, local.real, math.inf)
 
+    def gap(self, a: complex, b: complex) -> float:
+        """The longest piece of the way from a to b without ink, mm, but for what letters and the pole's print hide."""
+        at = numpy.arange(STEP_MM / 2, abs(b - a), STEP_MM)
+        z = (a + (b - a) / abs(b - a) * at).astype(complex)
+        inked = numpy.sort(self._along(a, b))
+        after = numpy.searchsorted(inked, at)
+        ends = numpy.concatenate([[-math.inf], inked, [math.inf]])
+        bare = numpy.minimum(at - ends[after], ends[after + 1] - at) > STEP_MM
+        bare &= ~self.on_sign(z) & ~self.seen.ink.lettered(z) & (abs(z - self.pole) > CROSS_MM)
+        ends = numpy.flatnonzero(~numpy.concatenate([[False], bare, [False]]))
+        return STEP_MM * float(numpy.diff(ends).max() - 1)
+
     def beyond(self, routes: Iterable[tuple[complex, complex]]) -> int:
         """The steps of construction lines that run on past the ends of ways."""
         found = 0
