@@ -1,10 +1,10 @@
 """Signs of a drawing that are wrong though its lines are right: exchanged letters, arrowheads."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from planes.words import Phrase
+from planes.words.frozen import frozen
 from planes.words.names import POLE
 
 Vector = tuple[str, str]  # the labels of its ends
@@ -12,7 +12,7 @@ Head = Literal["end", "start", "none"]  # where a vector has its arrowhead
 FEWEST, MOST = 2, 0.7  # so many vectors, and this share of all, must have their heads at their ends
 
 
-@dataclass(frozen=True)
+@frozen
 class SignFault:
     """A sign that is wrong: the letters of ``mark`` and ``other`` are exchanged, or the vector from ``other`` to
     ``mark`` has its head at the wrong end or none."""

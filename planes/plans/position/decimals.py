@@ -4,7 +4,6 @@ are reckoned of them, too, which are reckoned again in decimals.
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 from typing import Any
 
@@ -13,6 +12,7 @@ from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans.position.reckoned import SceneDimensions
 from planes.scene.mechanism import Link, Mechanism
+from planes.words.frozen import frozen
 
 UNSURE = Decimal(2) ** -52  # relative: how far off a number is that is reckoned of what is written
 LONG = Context(prec=40)
@@ -22,7 +22,7 @@ Lost = tuple[Thing, float]
 """What a double leaves out of a number, and how far off the number may be beside that."""
 
 
-@dataclass(frozen=True)
+@frozen
 class _Place:
     """A place or a vector in decimals."""
 
