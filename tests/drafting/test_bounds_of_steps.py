@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from planes.drafting.clearness import far_apart
 from planes.drafting.steps.reckoning import Calculate, Choose, Product, Sense, SenseBetween, Trial
 from planes.drafting.steps.settling import Fed, Settle
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.words.errors import PlanFailure
+from planes.words.names import Meaning
 
 TRIALS = (Trial("f:+", ("n+",), (1,)), Trial("f:-", ("n-",), (-1,)))
 CHOOSE = Choose("f:F", TRIALS, "f:P", "mu_f")
@@ -65,3 +67,11 @@ def test_plans_whose_slope_has_turned_over_are_of_another_assembly_of_forces(by:
     """By 2 from 1 there is a value that gives itself again, -1; friction never leads to it."""
     with pytest.raises((PlanFailure, ZeroDivisionError)):
         settled(1.0, by)
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_lengths_are_far_apart_by_how_many_times_the_shortest_goes_into_the_longest(unit: float) -> None:
+    means = {"l": Meaning("length"), "m": Meaning("length"), "e": Meaning("offset")}
+    assert not far_apart({"l": unit, "m": 0.9e6 * unit}, means) and far_apart({"l": unit, "m": 1.1e6 * unit}, means)
+    assert not far_apart({"l": unit, "e": 1e-9 * unit}, means)  # a guide may pass as near as it likes
+    assert far_apart({"l": unit, "e": 1.1e6 * unit}, means) and not far_apart({"e": unit}, means)

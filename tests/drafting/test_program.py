@@ -12,6 +12,7 @@ from hypothesis import given, settings
 
 import planes.drafting.steps
 import planes.drafting.steps.reckoning
+from planes.drafting.draft import Draft
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Carry, LayOff, Put, Step, Through, Turn
@@ -21,6 +22,7 @@ from planes.plans import Plans, plans_of, sliced
 from planes.plans.quantities import asked
 from planes.scene import loads
 from planes.words.errors import ProgramError
+from planes.words.names import Meaning
 from tests.helpers.mechanisms import KINDS, make, mechanisms, to_yaml
 from tests.solving.test_failures import FOUR_BAR, ROCKER, SLIDER
 
@@ -263,3 +265,17 @@ def _words(text: str) -> list[str]:
     import re
 
     return re.split(r"(\W+)", text)
+
+
+@pytest.mark.parametrize(
+    ("line", "back"),
+    [
+        (Meaning("with", "v_C"), Meaning("against", "v_C")),
+        (Meaning("towards", "C", "B"), Meaning("towards", "B", "C")),
+        (Meaning("across", "B", "C"), Meaning("across", "B", "C")),
+    ],
+)
+def test_a_direction_the_other_way_means_the_opposite(line: Meaning, back: Meaning) -> None:
+    draft = Draft()
+    turned = draft.reversed(draft.aim("u", 30.0, line))
+    assert draft.steps[turned].means == back and draft.steps[draft.reversed(turned)].means == line
