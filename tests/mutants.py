@@ -42,7 +42,7 @@ ROOMS = ("drafting", "plans")
 NEAR = ("plans", "drafting", "geometry", "solving", "batch")
 LIBRARIES = ("numpy", "shapely", "hypothesis", "yaml", "fontTools.ttLib", "flint", "mpmath", "matplotlib.font_manager")
 FIRST = 40  # tests that are tried before the files of all others are read
-LONGEST = 600  # s of the tests of one mutant: who never ends is found out
+LONGER, LEAST_S = 3.0, 30.0  # who takes so many times as long as the tests did, and this beside it, never ends
 MOST_SURVIVE = 0.05
 SIGNS: dict[type[ast.operator], type[ast.operator]] = {ast.Add: ast.Sub, ast.Sub: ast.Add}
 BOUNDS: dict[type[ast.cmpop], type[ast.cmpop]] = {
@@ -244,7 +244,8 @@ class Tests:
         try:
             for some in filter(None, (every[:FIRST], every[FIRST:])):
                 files = dict.fromkeys(test.partition("::")[0] for test in some)
-                if alone(copy, lambda some=some, files=files: tested(files, Chosen(some)), LONGEST):
+                longest = LEAST_S + LONGER * sum(self.seconds[test] for test in some)
+                if alone(copy, lambda some=some, files=files: tested(files, Chosen(some)), longest):
                     return False
             return True
         finally:

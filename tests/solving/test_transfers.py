@@ -133,7 +133,5 @@ def test_every_link_that_turns_has_one_but_a_driver_that_turns_about_the_frame(n
     found = position(scene)
     drive = scene.mechanism.drive  # type: ignore[union-attr]
     own = {drive.link} if drive.on == "0" else set()
-    told = {
-        key.removeprefix("omega_q")[:3].removeprefix("u_")[:1] for key in found.results["transfers"] if key[0] in "uo"
-    }
+    told = {match[1] for key in found.results["transfers"] if (match := re.match(r"(?:omega_q|u_)(\d)", key))}
     assert told == {link for link, rate in found.omega.items() if rate} - own and own == set("1" * (name == "shaper"))
