@@ -191,7 +191,7 @@ class Draft:
         mark = at(plan, chain[0].start) if chain else ""
         unknown = []
         for term in chain:
-            if term.drawn or term.known == 2:
+            if term.known == 2:
                 mark = self.lay(plan, term, mark)
             else:
                 unknown.append(term)
