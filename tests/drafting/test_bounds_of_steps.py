@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from planes.drafting.clearness import far_apart
+from planes.drafting.clearness import clear, far_apart
 from planes.drafting.steps.reckoning import Calculate, Choose, Product, Sense, SenseBetween, Trial
 from planes.drafting.steps.settling import Fed, Settle
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
+from planes.scene import load
+from planes.solving import solve
 from planes.words.errors import PlanFailure
 from planes.words.names import Meaning
+from tests.helpers import ROOT
 
 TRIALS = (Trial("f:+", ("n+",), (1,)), Trial("f:-", ("n-",), (-1,)))
 CHOOSE = Choose("f:F", TRIALS, "f:P", "mu_f")
@@ -75,3 +78,11 @@ def test_lengths_are_far_apart_by_how_many_times_the_shortest_goes_into_the_long
     assert not far_apart({"l": unit, "m": 0.9e6 * unit}, means) and far_apart({"l": unit, "m": 1.1e6 * unit}, means)
     assert not far_apart({"l": unit, "e": 1e-9 * unit}, means)  # a guide may pass as near as it likes
     assert far_apart({"l": unit, "e": 1.1e6 * unit}, means) and not far_apart({"e": unit}, means)
+
+
+def test_only_a_force_of_nothing_makes_an_ordinary_position_doubtful() -> None:
+    found = solve(load(ROOT / "samples" / "six-link.yaml")).positions[0]
+    drawn, sides = found.drawing, {(r.start, r.end) for r in found.plans.reactions.values()}
+    assert len(sides) == 6 and clear(drawn.program, drawn.things, drawn.tool, sides)
+    start, _ = sides.pop()
+    assert not clear(drawn.program, drawn.things, drawn.tool, {*sides, (start, start)})
