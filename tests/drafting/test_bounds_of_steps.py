@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from planes.drafting.clearness import clear, far_apart
+from planes.drafting.steps.crossings import CrossArc, CrossArcs, Touch
 from planes.drafting.steps.reckoning import Calculate, Choose, Product, Sense, SenseBetween, Trial
 from planes.drafting.steps.settling import Fed, Settle
 from planes.drafting.tools import Tool
@@ -86,3 +87,18 @@ def test_only_a_force_of_nothing_makes_an_ordinary_position_doubtful() -> None:
     assert len(sides) == 6 and clear(drawn.program, drawn.things, drawn.tool, sides)
     start, _ = sides.pop()
     assert not clear(drawn.program, drawn.things, drawn.tool, {*sides, (start, start)})
+
+
+@pytest.mark.parametrize("apart", [0.0, 2.0, 3.0, -3.0, 4.0])
+def test_how_open_a_line_and_an_arc_are_is_the_square_of_half_their_chord(apart: float) -> None:
+    """Of an arc of 3 mm; negative where the line passes it by."""
+    env = {"a": 7 + 1j, "x": 1 + 0j, "c": -2 + 1j + 1j * apart, "r": 0.03, "mu": 100.0, "s": 1.0}
+    assert CrossArc("p", "a", "x", "c", "r", "mu", "s").opening(env) == pytest.approx(9 - apart**2)
+
+
+def test_how_open_arcs_are_is_by_heron_and_a_tangent_by_pythagoras() -> None:
+    env = {"a": 1 + 1j, "b": 4 + 5j, "r": 0.03, "q": 0.04, "mu": 100.0, "s": 1.0}  # 5 mm apart
+    assert CrossArcs("p", "a", "r", "b", "q", "mu", "s").opening(env) == pytest.approx(16 * 6.0**2)
+    assert CrossArcs("p", "a", "r", "b", "r", "mu", "s").opening(env) == pytest.approx(16 * 25 * (9 - 6.25) / 4)
+    assert Touch("u", "a", "b", "r", "mu", "s").opening(env) == pytest.approx(4.0**2)
+    assert Touch("u", "a", "b", None, "mu", "s").opening(env) == pytest.approx(5.0**2)

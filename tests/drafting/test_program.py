@@ -279,3 +279,14 @@ def test_a_direction_the_other_way_means_the_opposite(line: Meaning, back: Meani
     draft = Draft()
     turned = draft.reversed(draft.aim("u", 30.0, line))
     assert draft.steps[turned].means == back and draft.steps[draft.reversed(turned)].means == line
+
+
+def test_what_is_found_by_its_name_has_no_namesake_and_other_values_are_marked() -> None:
+    draft = Draft()
+    for name in ("v_B", "omega_2", "l_B"):
+        draft.step(Calculate(name, (Product(1.0, ()),)))
+        assert draft.step(Calculate(name, (Product(1.0, ()),))) == name  # the same again
+    assert draft.step(Calculate("l_B", (Product(2.0, ()),))) == "l_B′"
+    for name in ("v_B", "omega_2"):
+        with pytest.raises(ProgramError):
+            draft.step(Calculate(name, (Product(2.0, ()),)))
