@@ -346,3 +346,11 @@ def test_a_normal_part_ends_at_a_mark_of_its_own() -> None:
     shown = solved("six-link").positions[0].results["plans"]["force:2-3"]["segments"]
     named = {one["name"]: ends for ends, one in shown.items()}
     assert (named["F_30^n"], named["F_21^n"], named["F_32"]) == ("F_30tF_30n", "F_30np", "F_30nF_24")
+
+
+@pytest.mark.parametrize("name", ["six-link", "class-three/two-basic-links", "class-three/three-basic-links"])
+def test_both_parts_of_a_reaction_have_its_name(name: str) -> None:
+    for plan, one in solved(name).positions[0].results["plans"].items():
+        named = [segment["name"] for segment in one["segments"].values() if plan.startswith("force:")]
+        across, along = ({n[:-2] for n in named if n.endswith(part)} for part in ("^t", "^n"))
+        assert across == along
