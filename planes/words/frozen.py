@@ -1,4 +1,4 @@
-"""A record whose values never change: what ``dataclass(frozen=True)`` makes, in a fifth of the time.
+"""A record whose values never change: what ``dataclass(frozen=True)`` makes, in a quarter of the time.
 
 Only the initialiser is written for a class; how records are compared, hashed and shown is the same text for all. With
 150 of them between the command line and its first answer, that is what a person waits for.
