@@ -214,8 +214,8 @@ def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
 def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a drawing of lines."""
     from planes.check.grading.sign_faults import arrow_faults
-    from planes.check.reading.arrow_signs import heads_between
     from planes.check.reading.construction_lines import doubt_of
+    from planes.check.reading.drawn_vectors import vectors_drawn
     from planes.check.reading.matching import scaled
     from planes.check.reading.whole_page import paper_on
 
@@ -226,7 +226,9 @@ def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     if paper.spots:
         pointed = bench.pointed(known.marks, sketch.mm) if pole is None else {}
         paper.spots = with_told(paper.spots, pointed, doubt_of(sketch))
-    paper.scale_mark, paper.signs = by, [*arrow_faults(heads_between(sketch, paper, bench))]
+    drawn = vectors_drawn(sketch, paper, bench)
+    paper.scale_mark, paper.signs = by, [*arrow_faults(drawn)]
+    paper.left = [bench.vectors[vector] for vector, one in drawn.items() if one.head == "missing"]
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
     paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []
     if by:

@@ -13,6 +13,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import Rebuilt, align, earlier
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.drafting.drawing import Drawing, run
+from planes.drafting.skill import SIGMAS
 from planes.drafting.steps import LayOff, Same, Step
 from planes.plans import Plans
 from planes.plans.scales import ZERO_MM, extent
@@ -149,8 +150,10 @@ class Grading:
         return {m: showing(self.truth, m, self.marks) for m in there if label_of(m) not in absent}
 
     def _upon_another(self, step: Step) -> bool:
-        """Whether a mark is another's, or so near to where it is laid off from that no pencil sets them apart."""
-        return isinstance(step, Same) or (isinstance(step, LayOff) and self.laid_mm(step.makes) < ZERO_MM)
+        """Whether a mark is another's, or so near to where it is laid off from that no such hand sets them apart."""
+        return isinstance(step, Same) or (
+            isinstance(step, LayOff) and self.laid_mm(step.makes) < SIGMAS * self.hand.tool.skill.point_mm
+        )
 
     @property
     def first_wrong(self) -> str | None:

@@ -89,7 +89,7 @@ class ReadPaper:
     look: str = ""  # what stands for all that it shows
     strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
     signs: list[SignFault] = field(default_factory=list)  # letters and arrowheads that are wrong
-    left: list[str] = field(default_factory=list)  # columns of a table that nobody reads
+    left: list[str] = field(default_factory=list)  # columns of a table that nobody reads, vectors that are not drawn
     untold: list[str] = field(default_factory=list)  # vectors that may as well be others, with a mistake
     named: list[str] = field(default_factory=list)  # marks not read, but whose names stand where they should be
     apart: bool = False  # whether a mistake explains its force polygon, and no right one nearly as well

@@ -91,10 +91,10 @@ class PreparedPlan:
         return {label_of(m): complex(truth[m]) for m in self.marks}
 
     @cached_property
-    def vectors(self) -> list[tuple[str, str]]:
-        """Vectors of a motion plan by the labels of their ends."""
+    def vectors(self) -> dict[tuple[str, str], str]:
+        """The names of a motion plan's vectors by the labels of their ends."""
         own = (s for s in self.plans.segments_of.get(self.asked.plan, ()) if s.start != s.end)
-        return list(dict.fromkeys((s.start, s.end) for s in own))
+        return {(s.start, s.end): s.name for s in own}
 
     @cached_property
     def _before_marks(self) -> Begun:

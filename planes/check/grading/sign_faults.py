@@ -1,26 +1,34 @@
 """Signs of a drawing that are wrong though its lines are right: exchanged letters, arrowheads."""
 
-from collections.abc import Iterable, Mapping
-from typing import Literal
+from collections.abc import Iterator, Mapping
+from typing import Literal, NamedTuple
 
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.frozen import frozen
 from planes.words.names import POLE
 
 Vector = tuple[str, str]  # the labels of its ends
-Head = Literal["end", "start", "none"]  # where a vector has its arrowhead
-FEWEST, MOST = 2, 0.7  # so many vectors, and this share of all, must have their heads at their ends
+FEWEST = 2  # so many heads at the ends of their vectors, and most of all heads, show that the person draws them there
+
+
+class DrawnVector(NamedTuple):
+    """How a vector is drawn: with its head at its end, at its start or with none; ``off`` mm astray from its marks;
+    or not at all."""
+
+    head: Literal["end", "start", "none", "astray", "missing"]
+    off: float = 0.0
 
 
 @frozen
 class SignFault:
     """A sign that is wrong: the letters of ``mark`` and ``other`` are exchanged, or the vector from ``other`` to
-    ``mark`` has its head at the wrong end or none."""
+    ``mark`` has its head at the wrong end or none, or is ``off`` mm astray."""
 
-    mistake: Literal["names_exchanged", "arrow_reversed", "arrow_missing"]
+    mistake: Literal["names_exchanged", "arrow_reversed", "arrow_missing", "vector_astray"]
     mark: str
     other: str
     chance_wrong: float = 1.0
+    off: float = 0.0
 
     runner_up = None
 
@@ -37,17 +45,20 @@ class SignFault:
     @property
     def fault(self) -> Phrase:
         """What it is, and how to mend it."""
-        return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other)
+        return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other, off=Written(f"{self.off:.1f}"))
 
 
-def arrow_faults(heads: Mapping[Vector, Head], sure: float = 1.0) -> Iterable[SignFault]:
-    """Vectors whose heads are at the wrong end, or not there, where nearly all others have theirs as they should."""
-    good = sum(head == "end" for head in heads.values())
-    if good < max(FEWEST, MOST * len(heads)):
-        return
-    for (start, end), head in heads.items():
+def arrow_faults(vectors: Mapping[Vector, DrawnVector], sure: float = 1.0) -> Iterator[SignFault]:
+    """Vectors that are astray, and those whose heads are at the wrong end, or not there, where those of most others are
+    as they should be."""
+    ends = [one.head for one in vectors.values() if one.head in ("end", "start", "none")]
+    good = ends.count("end")
+    usual = good >= FEWEST and 2 * good > len(ends)
+    for (start, end), one in vectors.items():
         at = start if end == POLE else end
-        if head == "start":
+        if one.head == "astray":
+            yield SignFault("vector_astray", at, start, sure, one.off)
+        elif one.head == "start" and usual:
             yield SignFault("arrow_reversed", at, start, sure)
-        elif head == "none" and good == len(heads) - 1:
+        elif one.head == "none" and usual and good == len(ends) - 1:
             yield SignFault("arrow_missing", at, start, sure)

@@ -68,7 +68,7 @@ def _cost(found: tuple[Search, LaidPlan]) -> float:
 def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> Found:
     """The marks of a motion plan with its pole near a place, the share of the ink they explain, which others have
     but their names where they should be, and which letters and arrows are wrong."""
-    pole, ends = pole_on(seen, near), bench.vectors
+    pole, ends = pole_on(seen, near), [*bench.vectors]
     shares = shares_of(bench, seen, pole.z)
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
     searches = [replace(Search.of(bench, ink, pole, ends, k), drawn=drawn) for k, drawn in shares.items()]

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.sign_faults import Head, SignFault, Vector, arrow_faults
+from planes.check.grading.sign_faults import DrawnVector, SignFault, Vector, arrow_faults
 from planes.check.vision.marks.handwritten import HandWord
 from planes.check.vision.search.laid_plan import LaidPlan
 from planes.check.vision.search.named_marks import BESIDE_MM, names_on
@@ -26,9 +26,8 @@ def signs_seen(search: Search, way: LaidPlan) -> list[SignFault]:
         return []
     ends = way.ends(search.pole.z)
     letters = next(_exchanged(search, ends), None)
-    heads = {v: head for v in search.vectors if v[0] == POLE and (head := _head(search, ends, v))}
-    reversed_ = (fault for fault in arrow_faults(heads, SURE) if fault.mistake == "arrow_reversed")
-    return [*([letters] if letters else ()), *reversed_]
+    heads = {v: one for v in search.vectors if v[0] == POLE and (one := _head(search, ends, v))}
+    return [*([letters] if letters else ()), *arrow_faults(heads, SURE)]
 
 
 def _exchanged(search: Search, ends: dict[str, complex]) -> Iterator[SignFault]:
@@ -46,7 +45,7 @@ def _by(words: Sequence[HandWord], name: str, z: complex) -> float:
     return max((w.likely.get(name, 0.0) for w in words if w.off(z, z) < BESIDE_MM), default=0.0)
 
 
-def _head(search: Search, ends: dict[str, complex], vector: Vector) -> Head | None:
+def _head(search: Search, ends: dict[str, complex], vector: Vector) -> DrawnVector | None:
     """The end a vector has its head at; None where none is seen."""
     a, b = (ends.get(n) for n in vector)
     if a is None or b is None or abs(b - a) < LEAST_MM:
@@ -55,5 +54,5 @@ def _head(search: Search, ends: dict[str, complex], vector: Vector) -> Head | No
     heads = [(h.z, way * abs(b - a) / (b - a)) for h, way in seen]
     along = [(z, lean.real) for z, lean in heads if abs(lean.imag) < ASIDE]
     if any(abs(z - b) < 2 * AT_MM and way > 0 for z, way in along):
-        return "end"
-    return "start" if any(abs(z - a) < AT_MM and way < 0 for z, way in along) else None
+        return DrawnVector("end")
+    return DrawnVector("start") if any(abs(z - a) < AT_MM and way < 0 for z, way in along) else None
