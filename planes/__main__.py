@@ -3,6 +3,7 @@
 A signal becomes an exit from wherever the program is, so that every draft goes away; the status is 128 and its number.
 """
 
+import gc
 import os
 import signal
 import sys
@@ -17,6 +18,7 @@ def run() -> int:
         if signal.getsignal(one) is not signal.SIG_IGN:  # as under nohup
             signal.signal(one, _ended)
     try:
+        gc.set_threshold(100_000)
         from planes.cli import main
 
         return main()

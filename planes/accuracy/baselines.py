@@ -7,7 +7,6 @@ places coincide, a slider that it stands on its guide and does not turn against 
 import cmath
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,11 +15,12 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.assur.groups import Pair
 from planes.scene.mechanism import FRAME
+from planes.words.frozen import frozen
 
 TOLERANCE, MOST = 1e-12, 50
 
 
-@dataclass(frozen=True)
+@frozen
 class Loops:
     """The constraints of a mechanism, and of its drive: an angle (rad) or a slider's way along its guide (m)."""
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -18,6 +17,7 @@ from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Floats
 from planes.plans import Plans
 from planes.words.errors import PlanFailure
+from planes.words.frozen import frozen
 
 FEW, STEP = 48, 1e-3
 Work = Callable[[Array], Array]
@@ -160,7 +160,7 @@ class Comparison:
         return row
 
 
-@dataclass(frozen=True)
+@frozen
 class OtherProgram:
     """A program by others, for contrast: what it is called, whether it has a mechanism's groups, its columns at values
     of the drive, and its quickest way over as many as ``most`` values, to be timed."""

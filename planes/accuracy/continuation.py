@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from planes.geometry.arrays import Array
+from planes.words.frozen import frozen
 
 Equations = Callable[[Array], Array]
 """Of many points, a column each: what is left of every equation, a row each; NaN where nothing can be said."""
@@ -19,7 +20,7 @@ LONGEST = 4000  # steps to one side
 ON = 0.12  # of the step: a place this near to a curve is on it
 
 
-@dataclass(frozen=True)
+@frozen
 class Room:
     """Where curves are followed: between ``low`` and ``high``, round about in what has a period (else 0)."""
 

@@ -1,6 +1,5 @@
 """The instrument of many digits: the same steps with mpmath's long numbers, one position at a time; the truth."""
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -8,6 +7,7 @@ from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.frozen import frozen
 
 
 class Long(Arithmetic):
@@ -68,7 +68,7 @@ class _LongTool(Tool):
         return ar.long(value)
 
 
-@dataclass(frozen=True)
+@frozen
 class Digits:
     """No error but that of the ``digits``-th digit."""
 

@@ -6,7 +6,6 @@ the drive stands where its crossings are bluntest. A limit is known to 50 digits
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -18,6 +17,7 @@ from planes.drafting.drawing import Drawing, run
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Booleans
 from planes.words.errors import PlanFailure
+from planes.words.frozen import frozen
 
 Kind = Literal["end", "change", "infinite"]
 FINE = Digits(50)
@@ -30,7 +30,7 @@ QUICK = 10.0  # times the drive's own speed at the mechanism's reach: half open
 WIDEST = 6.0  # how many times longer or shorter a length may be made
 
 
-@dataclass(frozen=True)
+@frozen
 class MovedGiven:
     """One given that moves (``name``), the drive standing at ``held`` unless it is the drive itself."""
 
@@ -107,7 +107,7 @@ class MovedGiven:
         return bool(self._largest(self.draw(value, FINE), "r") > FAR * self.bench.plans.reach)
 
 
-@dataclass(frozen=True)
+@frozen
 class Limit:
     """The ``value`` (50 digits) where a way ends; positions work on its ``side`` (+1: above)."""
 

@@ -6,7 +6,6 @@ import platform
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
@@ -24,6 +23,7 @@ from planes.plans.columns import Column
 from planes.plans.scales import FIT_MM, scales
 from planes.words import Lang, say, table
 from planes.words.errors import PlanFailure
+from planes.words.frozen import frozen
 from planes.words.names import plan_of
 
 MANY = 100_000
@@ -31,7 +31,7 @@ SHEETS = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
 RULERS = (0.5, 0.1)
 
 
-@dataclass(frozen=True)
+@frozen
 class Method:
     """One mark of the chart: a word of the table with its number, or a name; seconds per position, largest relative
     error."""

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -16,6 +15,7 @@ from planes.batch import compiled
 from planes.batch.error_bounds import Claims
 from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.words.frozen import frozen, replace
 
 DECADES, EACH, CROWD = 14, 2, 8  # points of a curve in a decade, and positions of which each is the worst
 BINS = range(1 * EACH, DECADES * EACH + 1)  # distances 0.1 … 1e-14
@@ -24,7 +24,7 @@ ASIDE, LONGER = 0.37, 0.007  # from one of a crowd to the next: the held drive (
 NEAR = 0.3  # how far apart the limits of a crowd may be
 
 
-@dataclass(frozen=True)
+@frozen
 class Approach:
     """A path to a limit: distances (rad, m or relative), sharpness, claim, and errors by method (NaN: refused).
 

@@ -1,16 +1,16 @@
 """Turning curves: where motion ends, or two assemblies meet, as one length varies; whole curves, not one path."""
 
 import math
-from dataclasses import dataclass
 
 from planes.accuracy.length_field import LengthField
 from planes.geometry.arrays import Array, Indices
 from planes.plans import Plans
+from planes.words.frozen import frozen
 
 TIMES, WIDEST = 2.0, 6.0  # how many times longer or shorter the length is made, and where that turns nothing
 
 
-@dataclass(frozen=True)
+@frozen
 class TurningCurve:
     """One curve: the drive's ``values`` (degrees or m) and the ``lengths`` (m) at which a mark turns."""
 
@@ -18,7 +18,7 @@ class TurningCurve:
     lengths: Array
 
 
-@dataclass(frozen=True)
+@frozen
 class Turning:
     """All of a length: the curves, and how many assemblies there are on a grid of ``lengths`` (rows) and ``values``.
 

@@ -17,6 +17,7 @@ from planes.plans.columns import Column
 from planes.plans.quantities import Quantity, once, results_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError, UnknownName
+from planes.words.frozen import frozen
 from planes.words.naming import Naming
 from planes.words.records import Described
 
@@ -128,7 +129,7 @@ class Block(NamedTuple):
         return np.asarray(self.codes != 0)
 
 
-@dataclass(frozen=True)
+@frozen
 class Reason:
     """Why positions fail: a key of the table of words, and what could not be made."""
 

@@ -13,6 +13,7 @@ from planes.drafting.proofs import Facts, Proof
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
+from planes.words.frozen import frozen
 
 UNCLEAR = "unclear"
 SUSPECTED = 1e-12  # relative to all that a plan shows: what is apart by more is drawn, and each proof is asked
@@ -88,7 +89,7 @@ def _tape(*numbers: Real) -> Tape | None:
     return next((x.tape for x in numbers if isinstance(x, Num)), None)
 
 
-@dataclass(frozen=True)
+@frozen
 class Source:
     """Where an instrument may err: the place on the tape of an error of standard deviation ``size``."""
 
@@ -137,7 +138,7 @@ class TracingTool(Tool):
             self.ar.turns.append(ok.at)
 
 
-@dataclass(frozen=True)
+@frozen
 class Trace:
     """A program on a tape: the places of the outputs and of each condition a drawing needs, with its reason."""
 

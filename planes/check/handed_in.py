@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +15,7 @@ from planes.check.reading.strokes import ReadDrawing
 from planes.check.saved_marks import corrected, of_another
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
+from planes.words.frozen import frozen, replace
 
 if TYPE_CHECKING:
     from planes.check.vision.image.decoding import DecodedPicture
@@ -40,7 +40,7 @@ OTHERS = {  # what cameras and telephones save that is not read: the suffixes, h
 ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  # how whole files begin and end
 
 
-@dataclass(frozen=True)
+@frozen
 class HandedSheet:
     """One sheet that was handed in: a file, or a page of one (from 1), and how it is called among the others."""
 

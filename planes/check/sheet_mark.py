@@ -11,12 +11,12 @@ import re
 import unicodedata
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from planes.check.fiducials import CODE_MM, code_centre
+from planes.words.frozen import frozen
 
 if TYPE_CHECKING:
     from planes.check.grading.prepared_plan import Asked
@@ -30,7 +30,7 @@ CUT = 5  # letters of what stands for the rest of a longer name
 _NUMBER = re.compile(r"(-?\d{1,9}(\.\d{1,9})?(e-?\d{1,2})?)?")
 
 
-@dataclass(frozen=True)
+@frozen
 class SheetMark:
     """What a sheet says of itself; a value of the drive and a scale (mm per SI unit) where they are not the scene's."""
 

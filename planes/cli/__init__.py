@@ -9,7 +9,7 @@ import math
 import os
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
 from gettext import NullTranslations
@@ -33,7 +33,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     argv = sys.argv[1:] if argv is None else argv
     lang = lang_of(argv)
     with speaking(lang):
-        args = reader_of(lang).parse_args(command_first(argv))
+        args = reader_of(lang, argv).parse_args(command_first(argv))
         try:
             return _run(args)
         except PlanesError as error:
@@ -74,8 +74,8 @@ def _tell_file(args: argparse.Namespace) -> None:
         print(say("file_written", args.lang or home_lang(), file=output, size=size), file=sys.stderr)
 
 
-def reader_of(lang: Lang) -> argparse.ArgumentParser:
-    """The reader of the command line."""
+def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.ArgumentParser:
+    """The reader of the command line; the commands that are not ``named`` on it are known without their options."""
 
     def help_of(key: str) -> str:
         return say(f"help_{key}", lang)
@@ -90,6 +90,7 @@ def reader_of(lang: Lang) -> argparse.ArgumentParser:
         asked: Option = ("--lang", "lang", {"choices": langs(), "default": None if name == "course" else lang})
         of_scene = (*OF_SCENE, asked, *(POSITIONS if name in POSITIONED else ()))
         options = (*own, asked) if name in WITHOUT_SCENE else (*of_scene, *own)
+        options = options if name in named else ()
         one_of = parser.add_mutually_exclusive_group() if name in EITHER else parser
         for flags, key, how in options:
             holder = one_of if flags in EITHER.get(name, ()) else parser

@@ -24,20 +24,20 @@ else's; only the given variants go by the order of the list. No two students hav
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 
 from planes.scene.source import Node
 from planes.words import Lang
 from planes.words.errors import Doubt
+from planes.words.frozen import field, frozen
 
 PLATFORMS = ("moodle", "stack", "prairielearn")
 DOCUMENTS = ("task", "blank", "key", "sheets", "lesson", "note", "book", "scorm", *PLATFORMS)
 FORMATS = ("pdf", "dxf", "svg", "png")
 
 
-@dataclass(frozen=True)
+@frozen
 class Student:
     """One of the list. ``assignment`` is the name of a scene's file without its suffix, None to be given one in turn;
     ``variant`` one of its variants; ``line`` where the student stands in the list."""
@@ -49,7 +49,7 @@ class Student:
     line: int = 0
 
 
-@dataclass(frozen=True)
+@frozen
 class ParameterChoice:
     """Which numbers a parameter may take: ``values`` as they are written, or ``percent`` around the scene's own."""
 
@@ -57,7 +57,7 @@ class ParameterChoice:
     percent: float | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Assignment:
     """A scene that is given out: its file, its text, its variants, and what in any of them is doubtful."""
 
@@ -72,7 +72,7 @@ class Assignment:
         return self.file.stem
 
 
-@dataclass(frozen=True)
+@frozen
 class Course:
     """All that a folder says of a course. ``draw`` is None where the program chooses what to draw."""
 

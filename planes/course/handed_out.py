@@ -7,7 +7,6 @@ into, where every student's scene lies. Nothing a mark or a name says leads to a
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
@@ -20,6 +19,7 @@ from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
 from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
+from planes.words.frozen import field, frozen
 
 OUT, TEACHER, SCENE = "out", "teacher", "scene.yaml"
 _KINDS = {
@@ -31,7 +31,7 @@ _KINDS = {
 _VARIANT = r"(?:variant|var|вариант|варіант|варыянт|вар|v|в)\W*"
 
 
-@dataclass(frozen=True)
+@frozen
 class Task:
     """One scene that was handed out: to whom (the name of the student's folder), of which assignment; "" is any."""
 
@@ -53,7 +53,7 @@ def of_several(tasks: Iterable[Task]) -> bool:
     return len({t.scene for t in tasks}) > 1
 
 
-@dataclass(frozen=True)
+@frozen
 class HandedOut:
     """All scenes a teacher has named."""
 

@@ -5,7 +5,6 @@ import json
 import math
 import traceback
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 from planes.course import Course, ParameterChoice
@@ -25,6 +24,7 @@ from planes.scene.writing import written
 from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
+from planes.words.frozen import frozen, replace
 from planes.words.records import Json
 from planes.words.units import RATE_UNITS
 
@@ -46,7 +46,7 @@ def own_scene(text: str, file: str, variant: str | None, numbers: Mapping[str, s
 FILE = "scene.yaml"
 
 
-@dataclass(frozen=True)
+@frozen
 class Question:
     """All that a student's numbers depend on; ``copy`` counts how often they fell together with somebody else's."""
 
@@ -63,7 +63,7 @@ class Question:
     program: str = ""  # whose it must be, where workers may have another
 
 
-@dataclass(frozen=True)
+@frozen
 class Settled:
     """A student's scene and its solution as JSON; or the sentence why there is none."""
 

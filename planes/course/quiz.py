@@ -5,7 +5,6 @@ import json
 import math
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import zip_longest
 from typing import Any
@@ -18,6 +17,7 @@ from planes.scene import Scene
 from planes.solving import solve
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError
+from planes.words.frozen import frozen
 from planes.words.lettering import GREEK, flat
 from planes.words.names import letter_of, parts_of
 from planes.words.records import Json
@@ -29,7 +29,7 @@ SIGMAS, LEAST = 2.0, 0.03
 _SPELT = {letter: name for name, letter in GREEK.items()}
 
 
-@dataclass(frozen=True)
+@frozen
 class QuizItem:
     """One number that is asked: the name of the result, its value in ``unit`` and how far off an answer may be."""
 
@@ -44,7 +44,7 @@ class QuizItem:
         return self.name.replace("^", "")
 
 
-@dataclass(frozen=True)
+@frozen
 class QuizGiven:
     """A number that is given, as it is told: its name as it is lettered, its value, the key of its unit."""
 
@@ -60,7 +60,7 @@ class QuizGiven:
         return re.sub(r"[^A-Za-z0-9_]", lambda m: f"u{ord(m[0]):x}", spelt)
 
 
-@dataclass(frozen=True)
+@frozen
 class Quiz:
     """All questions of one student: whose, of which assignment, the numbers given, what is ``said`` besides (with
     indices in braces), the questions, the scheme."""
@@ -128,7 +128,7 @@ def by_assignment(quizzes: Iterable[Quiz]) -> dict[str, list[Quiz]]:
     return found
 
 
-@dataclass(frozen=True)
+@frozen
 class Pool:
     """One question for all students of an assignment (or for one): what is told to all, and the numbers of each."""
 

@@ -4,13 +4,13 @@ assignments in turn, the variants of each in order, drawn numbers once they have
 import csv
 import re
 import unicodedata
-from dataclasses import dataclass
 from pathlib import Path
 
 from planes.course import Assignment, Course, Student
 from planes.scene import source
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices, shown
+from planes.words.frozen import frozen
 
 FILES = ("students.csv", "students.txt")
 MOST_NAME = 100
@@ -104,7 +104,7 @@ DEVICES = ("con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt")
 """What Windows takes for a device, whatever folder it is in."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Share:
     """One student's one assignment, in the folder ``place``; ``variant`` is None where numbers are drawn."""
 

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from planes.course.numbers import main_answers
 from planes.course.papers import unit_of
@@ -10,6 +9,7 @@ from planes.course.students import Share
 from planes.scene import loads
 from planes.solving.document import Block, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
+from planes.words.frozen import frozen
 from planes.words.lettering import greek
 from planes.words.records import as_csv as csv_of
 from planes.words.units import number
@@ -17,7 +17,7 @@ from planes.words.units import number
 NOISE = 1e-9
 
 
-@dataclass(frozen=True)
+@frozen
 class StudentRow:
     """One line: whose, the numbers, the answers by name and unit, or why there are none."""
 

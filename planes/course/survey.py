@@ -1,7 +1,6 @@
 """Every scene of a folder in every variant: what came out, how well the two balancing loads agree, and what did not."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 from planes.course.reading import scenes_in
@@ -14,12 +13,13 @@ from planes.solving.tables import difference
 from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError, guarded
+from planes.words.frozen import frozen, replace
 from planes.words.records import Json
 
 AGREE = 1e-9  # relative: how far the two balancing loads may be apart
 
 
-@dataclass(frozen=True)
+@frozen
 class SurveyRow:
     """One variant of one scene. ``balancing`` and ``lever`` are N·m (N for a sliding driver), None without forces;
     ``remarks`` are sentences: what the data lack, where it does not assemble, why it could not be solved."""

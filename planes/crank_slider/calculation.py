@@ -1,7 +1,6 @@
 """The whole calculation of a scene, in the order of the text."""
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -25,9 +24,10 @@ from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import SceneError
+from planes.words.frozen import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Agreement:
     """The largest differences of two ways over the cycle, in parts of ωr, ω²r, ω, ω², and of the largest force."""
 
@@ -41,7 +41,7 @@ class Agreement:
     work: float
 
 
-@dataclass(frozen=True)
+@frozen
 class Calculation:
     """Everything found. What a scene leaves out is None."""
 

@@ -5,16 +5,16 @@ the slider's push N follows from moments of rod and slider about A, then everyth
 """
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from planes.crank_slider.kinematics import EngineCycle, RodMotion, swing
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Complexes
+from planes.words.frozen import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class CycleForces:
     """All forces over the cycle, N; complex ones in frame axes.
 
@@ -73,7 +73,7 @@ def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, bet
     return push, -shape.f * sense * np.abs(push)
 
 
-@dataclass(frozen=True)
+@frozen
 class Replacement:
     """The rod as two points (A, B) and as three (A, C, B), kg; the error of the first in kg·m²."""
 
@@ -126,7 +126,7 @@ def classical(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleF
     )
 
 
-@dataclass(frozen=True)
+@frozen
 class Work:
     """Mean torque, unevenness of torque, works of a cycle (J), powers (W), the flywheel."""
 
@@ -174,7 +174,7 @@ def work(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces
     )
 
 
-@dataclass(frozen=True)
+@frozen
 class Printed:
     """R_B by (22), T by (25), K by (26), J_C by (20), as printed; N and kg·m². Signs of T, K as in ``CycleForces``."""
 

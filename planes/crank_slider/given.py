@@ -6,13 +6,13 @@ the table does not bound.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 
 import numpy as np
 
 from planes.crank_slider.parts import Material, Round, Shank, Web
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Indices
+from planes.words.frozen import field, frozen
 
 FOUR = ("intake", "compression", "expansion", "exhaust")
 TWO = ("compression", "expansion")
@@ -22,7 +22,7 @@ AWAY = ("intake", "expansion")  # the stages in which the piston goes away from 
 Points = tuple[tuple[float, float], ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class Indicator:
     """``over`` "path": [part of the stroke from top dead centre, p]; "angle": [degrees from the cycle's start, p]."""
 
@@ -103,7 +103,7 @@ def _end(h0: float, h1: float, d0: float, d1: float) -> float:
     return 3.0 * d0 if d0 * d1 <= 0.0 and abs(slope) > 3.0 * abs(d0) else slope
 
 
-@dataclass(frozen=True)
+@frozen
 class Speed:
     """ω(φ) = ω₁[1 + δ/2·sin(n(φ − φ₀))], n waves a turn; δ = 0: steady."""
 
@@ -112,7 +112,7 @@ class Speed:
     phase_deg: float = 0.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Shaft:
     """The crankshaft on bearings A and B: distances along it, sections, rotating masses (kg, m)."""
 
@@ -137,7 +137,7 @@ class Shaft:
         return self.pin_from_b - self.webs
 
 
-@dataclass(frozen=True)
+@frozen
 class Counterweights:
     """Radius of both counterweights, their masses if they are chosen, and the part of the translating mass balanced."""
 
@@ -146,7 +146,7 @@ class Counterweights:
     translating: float = 0.5
 
 
-@dataclass(frozen=True)
+@frozen
 class PistonPin:
     """The piston pin: its section, whole length, length of the rod's bush, gap between the bosses."""
 
@@ -156,7 +156,7 @@ class PistonPin:
     gap: float
 
 
-@dataclass(frozen=True)
+@frozen
 class Concentration:
     """k_σ, k_τ of a stress raiser and the size factors ε_σ, ε_τ."""
 
@@ -166,7 +166,7 @@ class Concentration:
     size_tau: float
 
 
-@dataclass(frozen=True)
+@frozen
 class Limits:
     """Factors a part must reach: against yield, against fatigue from–to, against buckling; pressure on the pin, MPa."""
 
@@ -177,7 +177,7 @@ class Limits:
     boss_mpa: float = 50.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Given:
     """All that the calculation starts from. A part that is None has not been given, its chapter is left out."""
 

@@ -5,8 +5,6 @@ The text's (3) holds for steady rotation only; here it has the terms with ε too
 crank stands across the guide (cos φ = 0); here ω_AB is taken from (5*), which has no such place.
 """
 
-from dataclasses import dataclass, replace
-
 import numpy as np
 
 from planes.crank_slider.shape import CrankSliderShape
@@ -18,10 +16,11 @@ from planes.scene import Scene
 from planes.scene.mechanism import Load, Mechanism
 from planes.words import Phrase
 from planes.words.errors import SceneError
+from planes.words.frozen import frozen, replace
 from planes.words.names import at
 
 
-@dataclass(frozen=True)
+@frozen
 class EngineCycle:
     """Angle, ω, ε of the crank and the gas force on the piston (N, + towards the crank) at every step of the cycle."""
 
@@ -36,7 +35,7 @@ class EngineCycle:
         return np.radians(self.phi_deg)
 
 
-@dataclass(frozen=True)
+@frozen
 class RodMotion:
     """Places, velocities, accelerations of A, B, C as complex numbers; ω_AB, ε_AB, counter-clockwise positive."""
 
@@ -47,7 +46,7 @@ class RodMotion:
     epsilon: Array
 
 
-@dataclass(frozen=True)
+@frozen
 class Found(RodMotion):
     """What the plans give, SI, places from the crank's pivot; a force is on the first-named link.
 

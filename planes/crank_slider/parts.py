@@ -8,14 +8,15 @@ estimates of machine design courses; ψ_σ = 0.02 + 2·10⁻⁴ σ_B, ψ_τ = 0.
 import bisect
 import json
 import math
-from dataclasses import dataclass
 from pathlib import Path
+
+from planes.words.frozen import frozen
 
 _SIDES = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 10.0, 1e9)
 _ALPHA = (0.208, 0.219, 0.231, 0.246, 0.258, 0.267, 0.282, 0.291, 0.312, 0.333)
 
 
-@dataclass(frozen=True)
+@frozen
 class Round:
     """A round section of diameter d with a bore in its middle."""
 
@@ -32,7 +33,7 @@ class Round:
         return math.pi * self.d**3 / 32 * (1 - (self.bore / self.d) ** 4)
 
 
-@dataclass(frozen=True)
+@frozen
 class Web:
     """A web of the crank: width across the crank's plane, thickness along the shaft."""
 
@@ -60,7 +61,7 @@ class Web:
         return torsion_factor(long / short) * long * short**2
 
 
-@dataclass(frozen=True)
+@frozen
 class Shank:
     """An I-section of the rod: height in the plane of motion, width across; ``web`` as wide as ``width``: a bar."""
 
@@ -105,7 +106,7 @@ STEELS: dict[str, tuple[float, float, bool]] = json.loads(Path(__file__).with_na
 """By the name of a steel its strength and yield (MPa), and whether it is alloyed."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Material:
     """A steel in MPa: strength, yield, fatigue limits in bending and torsion, ψ's, E."""
 

@@ -1,7 +1,6 @@
 """The rod (compression, bending by its own inertia, buckling) and the piston pin (bending, shear, pressure)."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,9 +11,10 @@ from planes.crank_slider.parts import Material, Shank
 from planes.crank_slider.shaft import MPA, factor
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array
+from planes.words.frozen import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Buckling:
     """One plane: the reduced length's factor μ, slenderness, critical stress (MPa), whether Euler's, factor."""
 
@@ -25,7 +25,7 @@ class Buckling:
     n: float
 
 
-@dataclass(frozen=True)
+@frozen
 class RodStrength:
     """Forces in N, moments in N·m, stresses in MPa."""
 
@@ -45,7 +45,7 @@ class RodStrength:
     planes: tuple[Buckling, Buckling]
 
 
-@dataclass(frozen=True)
+@frozen
 class PinStrength:
     """The largest force on the pin (N), moment (N·m), stresses and pressures (MPa), factors."""
 

@@ -8,7 +8,6 @@ the worst point of a round section's edge.
 """
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -18,11 +17,12 @@ from planes.crank_slider.kinematics import EngineCycle, Found
 from planes.crank_slider.parts import Material, Round
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Complexes
+from planes.words.frozen import frozen
 
 MPA = 1e-6
 
 
-@dataclass(frozen=True)
+@frozen
 class Shaking:
     """Inertia force of the whole machine on its frame with some counterweights, N.
 
@@ -39,7 +39,7 @@ class Shaking:
     expected: tuple[float, float, float]
 
 
-@dataclass(frozen=True)
+@frozen
 class Balance:
     """Masses in kg at the crank's radius, counterweights, what is left unbalanced."""
 
@@ -109,7 +109,7 @@ def _harmonic(curve: Complexes, phi: Array, order: int) -> tuple[float, float]:
     return tuple(float(abs(2 * np.mean(part * wave))) for part in (curve.real, curve.imag))  # type: ignore[return-value]
 
 
-@dataclass(frozen=True)
+@frozen
 class Supports:
     """Reactions (31), (32) and the inertia forces of a web and of each counterweight, N."""
 
@@ -124,7 +124,7 @@ class Supports:
     T: Array
 
 
-@dataclass(frozen=True)
+@frozen
 class Section:
     """One section: bending in the crank's plane, across it, torsion (N·m); σ from bending and force, τ, σ_eq (MPa)."""
 
@@ -203,7 +203,7 @@ def along(shape: CrankSliderShape, shaft: Shaft, s: Supports, k: int) -> tuple[A
     return x, z, y, np.array([0, 0, a2 * shape.r, a2 * shape.r, a2 * shape.r, t, t])
 
 
-@dataclass(frozen=True)
+@frozen
 class Fatigue:
     """Amplitudes and means in MPa, factors n_σ, n_τ, n; ``angle_deg`` from z to the worst point of the edge."""
 

@@ -1,7 +1,6 @@
 """Which mechanism it is: the crank, the rod and the slider of a scene, with their sizes and masses."""
 
 import math
-from dataclasses import dataclass
 
 from planes.plans.assur.analysis import analyse
 from planes.plans.assur.structure import Structure
@@ -9,9 +8,10 @@ from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words import Phrase
 from planes.words.errors import SceneError
+from planes.words.frozen import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class CrankSliderShape:
     """Names and numbers of a crank-slider: r = OA, l = AB, c = AC; s is OS of the crank; SI."""
 

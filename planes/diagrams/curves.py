@@ -7,7 +7,6 @@ Names: r_C_x, phi_3, s_5 (place) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · 
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
 from typing import Literal, Self, TypeVar
 
 import numpy as np
@@ -20,6 +19,7 @@ from planes.plans.force.loads import force_name
 from planes.plans.quantities import MOTION, results_of
 from planes.plans.transfers import analogue_units, ratio_name, turning
 from planes.scene.mechanism import FRAME
+from planes.words.frozen import frozen, replace
 from planes.words.names import as_indexed
 from planes.words.units import RATE_UNITS
 
@@ -32,7 +32,7 @@ T = TypeVar("T", bound="Curve | CycleVector")
 FULL = 360.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Curve:
     """One quantity over the cycle. ``slope`` has the sign of its derivative by the driver's place, where that is known
     exactly; ``angular`` values may be told only up to a full turn (degrees)."""
@@ -45,7 +45,7 @@ class Curve:
     angular: bool = False
 
 
-@dataclass(frozen=True)
+@frozen
 class CycleVector:
     """A vector over the cycle, as complex numbers: what a path or a hodograph is drawn from."""
 
@@ -215,7 +215,7 @@ def driven(plans: Plans) -> tuple[str, bool]:
     return (grounded or free or [*group.ends])[0], False
 
 
-@dataclass(frozen=True)
+@frozen
 class WorkingRange:
     """The driver's working range (degrees or metres) about its place; ``whole``: it goes round."""
 

@@ -12,6 +12,7 @@ import numpy as np
 from planes.diagrams.curves import FULL, Curve, Sample
 from planes.diagrams.turn import Grid, WholeTurn
 from planes.geometry.arrays import Array
+from planes.words.frozen import frozen
 
 CELLS = 64  # parts a bracket is cut into, each round
 ROUNDS = 7
@@ -20,7 +21,7 @@ STILL = 1e-11  # a curve that varies less than this, beside its size, is constan
 GROWS = 3.0  # how many times larger ten thousand times nearer to a limit: without bound
 
 
-@dataclass(frozen=True)
+@frozen
 class Extreme:
     """A least (``sense`` −1) or greatest (+1) value of a curve and where it is; ``at`` an "end" of the range or a
     "limit" of assembly, or inside (""). A value of ±inf grows without bound towards the limit."""

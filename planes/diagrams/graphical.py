@@ -21,6 +21,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Carry, LayOff, Put, Similar, Through, Turn
 from planes.drafting.steps.crossings import Cross
 from planes.geometry.arithmetic import Point, Real
+from planes.words.frozen import frozen
 from planes.words.names import at, mu_of
 from planes.words.units import standard_mu
 
@@ -31,7 +32,7 @@ RIGHT, UP = "→", "↑"
 TIME, PAPER = "mu_t", "mu_paper"
 
 
-@dataclass(frozen=True)
+@frozen
 class Stage:
     """One diagram of a construction: its ``rank`` (0 place, 1 velocity, 2 acceleration), μ (mm per SI unit), the
     distance of its pole (None: it has none), and its points: (half sections from the start, label)."""

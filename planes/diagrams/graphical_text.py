@@ -1,7 +1,6 @@
 """What a graphical construction gave, beside the exact values: a table for the terminal, with its scales and errors."""
 
 import math
-from dataclasses import dataclass
 
 from planes.diagrams.graphical import Construction, Stage, differentiated, integrated
 from planes.diagrams.motion import motion_of
@@ -12,6 +11,7 @@ from planes.scene import Scene
 from planes.solving.text_tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.frozen import frozen
 from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import RATES, quantity
@@ -20,7 +20,7 @@ PENCILS = 400
 LETTERS = {True: ("s", "v", "a"), False: ("φ", "ω", "ε")}
 
 
-@dataclass(frozen=True)
+@frozen
 class MeasuredDiagram:
     """One diagram as measured: at every point what was found, the exact value, and a pencil's standard deviation."""
 

@@ -1,7 +1,6 @@
 """The driven link's motion through a uniform turn, in equal sections: what graphical diagrams start from; and the
 driver's places from which curves are drawn: runs between dead points, where forces may jump, and stations."""
 
-from dataclasses import dataclass
 from math import isfinite
 
 import numpy as np
@@ -13,13 +12,14 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.frozen import frozen
 
 DENSE = 10  # places of the drawn curve within a section
 FEWEST, MOST = 6, 72
 INSET = 0.02  # of a range that ends at limits of assembly
 
 
-@dataclass(frozen=True)
+@frozen
 class Motion:
     """A uniform motion over one turn: ``time`` (s) at the ends of the sections, ``closed`` if it comes back; ``driver``
     is the name of the driver's angle.

@@ -1,7 +1,6 @@
 """A whole cycle in figures: the driven link's stroke and dead points, the time ratio, extremes of all curves, paths."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -12,12 +11,13 @@ from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
 from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans
 from planes.scene import Scene
+from planes.words.frozen import frozen, replace
 from planes.words.names import component_of, index_of, letter_of
 
 SAME = 1e-12
 
 
-@dataclass(frozen=True)
+@frozen
 class CurveSummary:
     """A curve (or several that are one: ``names``) with its least and greatest values, one number if it is constant."""
 
@@ -31,7 +31,7 @@ class CurveSummary:
     constant: bool
 
 
-@dataclass(frozen=True)
+@frozen
 class DrivenStroke:
     """The driven link between its two extreme positions (``dead``: the driver's places and the link's own there).
 
@@ -58,7 +58,7 @@ class DrivenStroke:
         return max(self.forth, self.back) / min(self.forth, self.back)
 
 
-@dataclass(frozen=True)
+@frozen
 class Path:
     """A point's path: its length, and the box it lies in."""
 
@@ -68,7 +68,7 @@ class Path:
     y: tuple[float, float]
 
 
-@dataclass(frozen=True)
+@frozen
 class Summary:
     """What is known of a cycle, all of it read off one :class:`Grid`; ``names``: the curves a person asked for."""
 

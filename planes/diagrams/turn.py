@@ -4,7 +4,6 @@ Sampled at evenly spaced places it shows how far the driver can go, where a link
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -15,6 +14,7 @@ from planes.diagrams.curves import FULL, UNIT, Curve, CycleVector, WorkingRange,
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
 from planes.scene.ranges import Span
+from planes.words.frozen import frozen
 from planes.words.names import letter_of
 from planes.words.units import RATES
 
@@ -102,7 +102,7 @@ def _assembled(sample: Mapping[str, Array], places: Array) -> Booleans:
     return found
 
 
-@dataclass(frozen=True)
+@frozen
 class Grid:
     """A turn sampled at evenly spaced places; ``closed``: the first and the last are one position."""
 

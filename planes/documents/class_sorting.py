@@ -11,12 +11,13 @@ from planes.course.handed_out import HandedOut, Task, of_several, plan_named, va
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanesError, shown
+from planes.words.frozen import frozen
 
 THUMB_PX = 300
 Asking = Callable[[Scene, str, float | None, float | None], Asked]
 
 
-@dataclass(frozen=True)
+@frozen
 class Glance:
     """A first look at a sheet: its mark if it has one, and a small picture of it (JPEG)."""
 

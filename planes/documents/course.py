@@ -30,6 +30,7 @@ from planes.solving import Position, position
 from planes.solving.document import Block
 from planes.solving.given import DIGITS
 from planes.words import Lang, Phrase
+from planes.words.frozen import frozen
 from planes.words.names import kind_of
 from render.files import Page, pdf
 from render.page.lesson_page import page
@@ -43,7 +44,7 @@ FIGURE_MM = (75.0, 60.0, 45.0, 36.0)
 _ONE = threading.Lock()  # a worker may have several threads; the libraries that draw like one better
 
 
-@dataclass(frozen=True)
+@frozen
 class Order:
     """What is to be made of a student's scene: the names of ``files``, what stands above them, plans of blanks; whose
     it is: assignment, variant, student, as blanks say it."""
@@ -57,7 +58,7 @@ class Order:
     program: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Made:
     """The contents of files by name; of those that could not be made, the sentence why; ``said``: what must be said of
     those that were."""

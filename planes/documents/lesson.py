@@ -1,7 +1,6 @@
 """The commands ``planes lesson``, ``essay`` and ``note``: pages, or prose with figures, written whole or not at all."""
 
 import html
-from dataclasses import dataclass
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
@@ -12,13 +11,14 @@ from planes.scene.files import keep
 from planes.solving import Position, failed, plans_of, position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.frozen import frozen
 from planes.words.waiting import bar
 from render.page.lesson_page import essay_page, page
 from render.report import SUFFIXES, rendered
 from render.sheet.composer import Composer
 
 
-@dataclass(frozen=True)
+@frozen
 class Lesson:
     """A lesson that a notebook shows in its own frame."""
 

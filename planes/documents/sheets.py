@@ -3,7 +3,6 @@ its range from an extreme position of the driven link, for sheet 1."""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
 
@@ -25,6 +24,7 @@ from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.frozen import frozen, replace
 from planes.words.names import kind_of, mu_of
 from render.paper.hues import coloured
 from render.paper.marks import lettered
@@ -82,7 +82,7 @@ def _numbered(drawn: "DrawnPosition", composer: Composer, number: int) -> Sheet:
     return compose(scene, held, composer.lang, number)
 
 
-@dataclass(frozen=True)
+@frozen
 class DrawnPosition:
     """One position of a scene, drawn at any sizes of its plans; each once."""
 

@@ -6,7 +6,6 @@ the name back; asking twice for the same direction makes one step.
 
 from collections.abc import Mapping
 from copy import copy
-from dataclasses import dataclass, replace
 
 from planes.drafting.dimensions import Dimension
 from planes.drafting.equations import Equation, Term
@@ -17,6 +16,7 @@ from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law
 from planes.words import Phrase
 from planes.words.errors import ProgramError
+from planes.words.frozen import frozen, replace
 from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.names import AGAIN, POLE, Meaning, Quantity, at, mu_of, plan_of
 
@@ -24,7 +24,7 @@ _REVERSED: Mapping[Quantity, Quantity] = {"with": "against", "against": "with"}
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
 
 
-@dataclass(frozen=True)
+@frozen
 class Segment:
     """A segment of a plan that measures a quantity: from label ``start`` to ``end``, "v_CB" being its name."""
 
@@ -34,7 +34,7 @@ class Segment:
     name: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Moments:
     """A moment equation about a point: signed terms (force, arm) or (couple, "") adding up to zero with the unknown.
 
@@ -191,7 +191,7 @@ class Draft:
         mark = at(plan, chain[0].start) if chain else ""
         unknown = []
         for term in chain:
-            if term.drawn or term.known == 2:
+            if term.known == 2:
                 mark = self.lay(plan, term, mark)
             else:
                 unknown.append(term)

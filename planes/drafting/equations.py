@@ -4,18 +4,18 @@ The state of a term is the textbook's underlining: two lines for a vector known 
 vector of which one of the two is known (Chace, 1963; Bauman conventions of the underlines).
 """
 
-from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal
 
 from planes.words import Phrase
 from planes.words.errors import EquationError
+from planes.words.frozen import field, frozen
 from planes.words.names import Meaning
 
 EquationKind = Literal["close", "cross", "arc", "arcs"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Term:
     """One vector of an equation, from mark ``start`` to mark ``end`` of its plan.
 
@@ -43,7 +43,7 @@ class Term:
 SignedTerm = tuple[int, Term]
 
 
-@dataclass(frozen=True)
+@frozen
 class Equation:
     """Two chains of vectors on one plan with one start and one end, and exactly two unknowns between them.
 

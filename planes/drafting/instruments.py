@@ -12,6 +12,7 @@ from typing import Any, Protocol
 from planes.drafting.skill import PENCIL, RULER_MM
 from planes.drafting.tools import Env, Step, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real
+from planes.words.frozen import frozen
 
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
 ROUNDINGS = 1000 * 2.0**-52
@@ -27,7 +28,7 @@ def _arithmetic(many: bool) -> Arithmetic:
     return Many() if many else Arithmetic()
 
 
-@dataclass(frozen=True)
+@frozen
 class Exact:
     """No error but rounding: Python's complex for one position, numpy for many."""
 
@@ -40,7 +41,7 @@ def is_exact(instrument: Instrument | None) -> bool:
     return instrument is None or isinstance(instrument, Exact)
 
 
-@dataclass(frozen=True)
+@frozen
 class Pencil:
     """A draughtsman: a mark off by ``point_mm`` (standard deviation), a carried direction by ``ray_deg``, a reading
     rounded to ``ruler_mm``. The same ``seed`` draws the same errors."""
@@ -57,7 +58,7 @@ class Pencil:
         )
 
 
-@dataclass(frozen=True)
+@frozen
 class Shaken:
     """A draughtsman whose every mark, direction and reading is off by a thousand roundings: what he cannot tell apart,
     doubles cannot be asked to."""

@@ -1,7 +1,6 @@
 """What must hold of the links of a drawing: rigid bodies, sliders on their guides, every link in equilibrium."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import reduce
 from operator import add
 from typing import ClassVar
@@ -10,11 +9,12 @@ from planes.drafting.proofs import Facts, Proof
 from planes.geometry import plane
 from planes.geometry.arithmetic import Point as Complex
 from planes.geometry.arithmetic import Real
+from planes.words.frozen import frozen
 
 ORDER = {"position": 0, "velocity": 1, "acceleration": 2}
 
 
-@dataclass(frozen=True)
+@frozen
 class Point:
     """A point of a link: its own coordinate and its marks on the scheme and on the plans of rates."""
 
@@ -31,7 +31,7 @@ class Point:
         return self.marks[ORDER[plan]]
 
 
-@dataclass(frozen=True)
+@frozen
 class LinkMotion:
     """How a link lies and turns: a point of it, and names of its x axis, ω and ε ("" where it never turns)."""
 
@@ -58,7 +58,7 @@ class LinkMotion:
         return 1j * (shown[self.epsilon] if self.epsilon else 0.0) - omega**2
 
 
-@dataclass(frozen=True)
+@frozen
 class Rigid(Proof):
     """The points of a link keep their distances, and their rates are those of one turning body."""
 
@@ -78,7 +78,7 @@ class Rigid(Proof):
         yield shown.ar.size(self.body.spin(self.plan, shown)) * reach  # one about its hinge is no less long
 
 
-@dataclass(frozen=True)
+@frozen
 class Slid(Proof):
     """A point of a slider stays on its guide: nothing of its motion against the guide's link is across the guide."""
 
@@ -106,7 +106,7 @@ class Slid(Proof):
         yield shown.ar.size(self.owner.spin(self.plan, shown)) * reach
 
 
-@dataclass(frozen=True)
+@frozen
 class Balanced(Proof):
     """All forces on a link add up to nothing, and so do their moments: ``forces`` (size, direction, point), sides of
     ``reactions`` (start, end, ±1, point, couple), ``couples`` (value, ±1)."""

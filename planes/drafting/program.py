@@ -1,7 +1,6 @@
 """A program: steps in the order they are drawn, checked by name and kind before any number exists, and sliced."""
 
 from collections.abc import Container, Iterable
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.drafting.proofs import Proof, Twofold
@@ -10,10 +9,11 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.words import Phrase
 from planes.words.errors import ProgramError, choices
+from planes.words.frozen import field, frozen
 from planes.words.names import plan_of
 
 
-@dataclass(frozen=True)
+@frozen
 class Program:
     """A straight line of steps. What no step makes must be given (a value or a place) when it is run."""
 

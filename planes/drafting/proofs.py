@@ -6,7 +6,6 @@ vectors are what was stated) or with another way to the same number (the force p
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar, TypeVar
 
@@ -14,6 +13,7 @@ from planes.drafting.steps.reckoning import Product
 from planes.drafting.tools import AskedFor, Thing
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real
+from planes.words.frozen import field, frozen
 from planes.words.names import mu_of, plan_of
 
 Made = TypeVar("Made")
@@ -54,7 +54,7 @@ class Facts:
         return self.once((length, direction, "along"), lambda: self.things[length] * self.things[direction])
 
 
-@dataclass(frozen=True)
+@frozen
 class Proof:
     """One thing that must hold, shown on ``plan``; ``about`` names what it is of."""
 
@@ -93,7 +93,7 @@ class Proof:
         return {"about": self.about, "gap": float(gap), "size": float(size)}
 
 
-@dataclass(frozen=True)
+@frozen
 class Twofold(Proof):
     """The balancing load by the force plans (``one``) and by the lever (``two``): also the balance of powers."""
 
@@ -113,7 +113,7 @@ class Twofold(Proof):
         return {"about": self.about, "found": float(things[self.one]), "check": float(things[self.two])}
 
 
-@dataclass(frozen=True)
+@frozen
 class VectorProof(Proof):
     """Every vector of an equation is as long as stated, and points where stated: rows of (start, end, direction,
     signed length's sign, length), either "" where it is not stated."""

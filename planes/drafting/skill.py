@@ -1,14 +1,15 @@
 """How far off people and computers draw: the one place that holds the errors of a hand, a pencil and CAD."""
 
 import math
-from dataclasses import dataclass
+
+from planes.words.frozen import frozen
 
 UNSURE = 1 / 6  # of a value: by so much nobody can tell a right number from a wrong one
 ZERO = 1e-6  # beside its own error a number so small is nothing, and is judged as that
 SIGMAS = 3.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Skill:
     """Standard deviations of a draughtsman: a mark (each way), a reading, a carried direction."""
 

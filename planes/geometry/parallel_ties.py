@@ -9,13 +9,13 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from planes.geometry import plane
 from planes.geometry.sextic import Counted, Laurent, axis_at, in_tangent, row, settled
 from planes.geometry.sturm import caught, common, each_once, isolated, sign_at, sturm
 from planes.geometry.tracks import Pose, Tie
+from planes.words.frozen import frozen, replace
 
 FLAT = 2e-15  # the sine of an angle between lines that a drawing takes to be parallel
 
@@ -30,7 +30,7 @@ def parallel(ties: Sequence[Tie]) -> Parallel | None:
     return None
 
 
-@dataclass(frozen=True)
+@frozen
 class Parallel:
     """Two ties that keep lines along one direction, and the one ``beside`` them."""
 

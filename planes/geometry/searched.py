@@ -6,11 +6,11 @@ in it and draw together, so that there is one root in it and no other.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced, hung_on
+from planes.words.frozen import frozen, replace
 
 STARTS, ROUNDS = 2048, 5  # places looked from, doubled while one was met but once or twice, and more of them each time
 STEPS = 60
@@ -59,7 +59,7 @@ Affine = list[Fraction]  # the factors of the unknowns, and what is added
 Product = tuple[Affine, Affine]
 
 
-@dataclass(frozen=True)
+@frozen
 class Quadratic:
     """An equation of the second degree: products of affine forms, and one such form besides, add up to nothing."""
 

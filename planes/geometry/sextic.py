@@ -7,17 +7,17 @@ Sturm's theorem counts its real roots exactly, and each is caught between two pl
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 
 from planes.geometry.sturm import Polynomial, caught, each_once, isolated, sturm, trimmed
 from planes.geometry.tracks import Pose, Tie, advanced
+from planes.words.frozen import frozen
 
 STEPS = 12
 
 
-@dataclass(frozen=True)
+@frozen
 class Laurent:
     """A polynomial in e^{iθ} and its conjugate, with complex rational coefficients by powers."""
 
@@ -59,7 +59,7 @@ class Laurent:
         return sum((complex(float(x), float(y)) * z**k for k, (x, y) in self.terms.items()), 0j)
 
 
-@dataclass(frozen=True)
+@frozen
 class Counted:
     """The poses found, how many roots are proved (each once), whether any is double, and whether these are all."""
 

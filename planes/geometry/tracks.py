@@ -5,16 +5,16 @@ Newton's steps on the three closures are written for any arithmetic; ``sextic`` 
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 from planes.geometry import plane
 from planes.geometry.arithmetic import Point, Real
+from planes.words.frozen import frozen
 
 TieKind = Literal["arc", "line", "guide", "hinge"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Tie:
     """``local`` is the point of the link (of "guide": a place of its guide), ``place`` what it is held from.
 

@@ -17,13 +17,14 @@ from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans import Plans
 from planes.plans.position.reckoned import Dimensions, OwnPlace, SceneDimensions
 from planes.scene.mechanism import FRAME
+from planes.words.frozen import frozen
 from planes.words.names import Meaning, given_of
 
 ANGLE = "angle_∠"
 APART = 1e-9  # relative to a link: points nearer than that are one
 
 
-@dataclass(frozen=True)
+@frozen
 class Reach:
     """A place of a link by its ``length`` from another and the ``angle`` from the link's first length: names of
     numbers; the second is "" of that length itself."""
@@ -151,7 +152,7 @@ def degrees(z: complex) -> float:
     return math.degrees(cmath.phase(z))
 
 
-@dataclass(frozen=True)
+@frozen
 class _Changed(Dimensions):
     """The dimensions as the free numbers make them."""
 

@@ -1,11 +1,11 @@
 """One frame of a lesson, told in every language of lessons."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import TypeVar
 
 from planes.lesson.formulas import slots
 from planes.words import Lang, langs
+from planes.words.frozen import frozen
 
 One = TypeVar("One")
 LANGS = langs("lesson")
@@ -16,7 +16,7 @@ def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
     return {lang: told(lang) for lang in LANGS}
 
 
-@dataclass(frozen=True)
+@frozen
 class Frame:
     """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
     is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by

@@ -6,7 +6,6 @@ import base64
 import json
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,6 +15,7 @@ from planes.lesson.live import Live
 from planes.lesson.practice import JUDGING, goal
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.frozen import frozen
 from planes.words.names import mu_of, plan_of
 from planes.words.records import Json
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 HEAD, LARGEST = "planes-practice", 200_000
 
 
-@dataclass(frozen=True)
+@frozen
 class HandedPractice:
     """What a code tells, judged again: whose it is, of which numbers, how many of how many were right at once."""
 

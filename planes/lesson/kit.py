@@ -4,7 +4,6 @@ A tool is told by marks alone: a page knows where they stand, whatever numbers a
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from planes.drafting import steps as s
 from planes.drafting.drawing import Drawing
@@ -13,13 +12,14 @@ from planes.drafting.steps.reckoning import Choose, Drop
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson.frame import Frame
 from planes.plans import Plans
+from planes.words.frozen import frozen
 from planes.words.names import at, plan_of
 from planes.words.records import Json
 
 Handled = Iterator[Json]
 
 
-@dataclass(frozen=True)
+@frozen
 class Kit:
     """The tools of each step of a program: ``from`` are the marks a tool is taken off, none of one that lies aside (of
     dividers, of a scale); ``guide`` is the guide it is laid to."""

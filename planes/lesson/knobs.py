@@ -1,7 +1,6 @@
 """Which given numbers of a lesson a reader may change, how far, and what a dragged mark changes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property, partial
 
 import numpy
@@ -17,6 +16,7 @@ from planes.lesson.formulas import unit
 from planes.lesson.frame import in_both
 from planes.plans import Plans
 from planes.words import say
+from planes.words.frozen import frozen
 from planes.words.names import aimed, label_of, mu_of, parts_of, plan_of
 from planes.words.records import Json
 
@@ -27,7 +27,7 @@ TURNED = 30.0  # degrees: how far from nothing an angle may go
 SHAKEN = 0.07  # of itself: how far a number is changed to see which terms are nothing whatever it is
 
 
-@dataclass(frozen=True)
+@frozen
 class Knobs:
     """Which given numbers a reader may change, and what dragging a mark changes."""
 

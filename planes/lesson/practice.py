@@ -5,7 +5,6 @@ The catalogue's variants are drawn on the lesson's own tape, so a page knows the
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property, partial
 from hashlib import sha256
 
@@ -25,6 +24,7 @@ from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms
 from planes.plans import Plans
 from planes.words import Phrase, say, table
+from planes.words.frozen import frozen
 from planes.words.names import at, letter_of, mu_of, plan_of
 from planes.words.records import Json
 
@@ -67,7 +67,7 @@ than a hand draws; a number; a ruler's reading; a scale. Then how far fresh numb
 CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
-@dataclass(frozen=True)
+@frozen
 class Practice:
     """The items of one lesson; ``value`` reads a number by the name its slot has."""
 

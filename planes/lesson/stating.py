@@ -2,7 +2,6 @@
 reckoned."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import permutations
 
@@ -14,13 +13,14 @@ from planes.lesson.steps import Names, whole
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
 from planes.words import Lang, say
+from planes.words.frozen import frozen, replace
 from planes.words.names import at, kind_of, links_of, parts_of
 
 LETTERS = {"velocity": "v", "acceleration": "a"}
 Make = Callable[..., Frame]  # a frame with its words in every language
 
 
-@dataclass(frozen=True)
+@frozen
 class Under:
     """The ``other`` point, of a link that carries a guide, under the ``point`` of a slider; "" of the frame."""
 
@@ -30,7 +30,7 @@ class Under:
     guide: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Stating:
     """Tells the equations of a mechanism, and its turning links."""
 

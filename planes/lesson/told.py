@@ -1,7 +1,6 @@
 """A scene drawn in its own position, and what is told of it."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy
@@ -20,13 +19,14 @@ from planes.scene import Scene
 from planes.solving import plans_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.frozen import frozen
 from planes.words.names import at
 from planes.words.records import Json
 
 TRIED = 360  # positions, by which it is told which terms are nothing
 
 
-@dataclass(frozen=True)
+@frozen
 class Told:
     """A scene drawn in its own position, and the frames of its lesson."""
 

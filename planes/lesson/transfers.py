@@ -2,7 +2,6 @@
 plan."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from planes.drafting.steps.reckoning import Measure
 from planes.lesson.reckoning import products
@@ -10,6 +9,7 @@ from planes.plans.quantities import Measured
 from planes.plans.transfers import PLAN, driver_vector
 from planes.solving import Position
 from planes.words import say
+from planes.words.frozen import frozen
 from planes.words.lettering import greek
 from planes.words.names import label_of
 from planes.words.naming import Naming
@@ -18,7 +18,7 @@ from planes.words.read_off import measured
 NOISE = 1e-9  # a vector that is less of the driver's is rounding noise
 
 
-@dataclass(frozen=True)
+@frozen
 class TransferFunctions:
     """What the velocities of a position are to the driver's, from its plan: v_qC = pc·l_AB/pb,
     u_21 = bc·l_AB/(pb·l_BC).

@@ -1,17 +1,17 @@
 """The links of a group one by one: the equilibrium of a link alone, which gives the reaction inside its group."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
 from planes.plans.force.reactions import Reaction
+from planes.words.frozen import frozen
 from planes.words.names import POLE, end_of, force_plan, links_of, mu_of
 
 
-@dataclass(frozen=True)
+@frozen
 class LinkApart:
     """A link alone: the forces known on it, in the order they are laid off, and the ``force`` that closes their plan;
     each with what is measured of it, and whether that is the opposite."""

@@ -1,16 +1,15 @@
 """How passive links move: they are held by points that are drawn without them, so that their turning is read off."""
 
-from dataclasses import dataclass
-
 from planes.drafting.steps.reckoning import Protractor
 from planes.plans.motion.kinematics import Rates
 from planes.plans.position.bodies import SCHEME, Bodies
 from planes.plans.position.reckoned import OwnPlace, angle_deg
 from planes.scene.mechanism import Link
+from planes.words.frozen import frozen
 from planes.words.names import Meaning
 
 
-@dataclass(frozen=True)
+@frozen
 class LinkValues:
     """Names of a link's angle, angular velocity and angular acceleration ("" where it never turns)."""
 

@@ -19,6 +19,7 @@ from planes.plans.passive_motion import LinkValues, values_of
 from planes.plans.position.decimals import AsWritten, Lost
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.errors import SceneError
+from planes.words.frozen import frozen
 from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of
 from planes.words.naming import Naming
 from planes.words.records import Json
@@ -27,7 +28,7 @@ STILL = "°still"
 """The given in the place of a drive, where nothing moves."""
 
 
-@dataclass(frozen=True)
+@frozen
 class PointMarks:
     """Where a point stands on the three plans (full names of marks)."""
 

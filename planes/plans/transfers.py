@@ -46,10 +46,10 @@ def transfers(plans: Plans) -> Iterator[Derived]:
         yield Derived((*names,), units["omega"], plans.links[link].omega, "transfers", per=vector)
     named = {label_of(marks.velocity): point for point, marks in plans.points.items()}
     parts = {t.end for e in plans.equations for t in e.terms if t.means and t.means.quantity == "relative"}
+    supposed = {mark for mark, meant in plans.means.items() if meant.quantity == "false"}
     for end in dict.fromkeys(s.end for s in plans.segments_of.get(PLAN, ()) if s.start == POLE != s.end not in parts):
         mark = at(PLAN, end)
-        supposed = mark in plans.means and plans.means[mark].quantity == "false"
-        if mark != vector.end and not supposed:
+        if mark != vector.end and mark not in supposed:
             name = f"vq_{named.get(end) or end.upper()}"
             yield Derived((as_indexed(name), name), units["v"], "", "transfers", (at(PLAN, POLE), mark), vector)
 

@@ -2,7 +2,6 @@
 
 import unicodedata
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -21,6 +20,7 @@ from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import Statement, VectorGiven, read_statement
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError, shown
+from planes.words.frozen import field, frozen
 from planes.words.names import latin
 from planes.words.records import Pictured
 from planes.words.units import Convention, mu_text
@@ -44,7 +44,7 @@ def _none() -> Mapping[Any, Any]:
     return MappingProxyType({})
 
 
-@dataclass(frozen=True)
+@frozen
 class ReadWith:
     """What a scene was read with: for other parameters, or another variant, its file is read anew."""
 
@@ -55,7 +55,7 @@ class ReadWith:
     changed: Mapping[str, float] = field(default_factory=_none, compare=False)
 
 
-@dataclass(frozen=True)
+@frozen
 class Scene(Pictured):
     """All that a scene file says. Either ``mechanism`` is there, or the ``statement`` of vectors and equations is.
 

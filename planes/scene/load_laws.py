@@ -2,7 +2,6 @@
 what is known of the motion. A parameter that is the drive's own place stands for it in every position."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
@@ -15,6 +14,7 @@ from planes.scene.reader import Reader, part
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
+from planes.words.frozen import frozen
 from planes.words.names import letter_of
 
 MOST_PAIRS = 400
@@ -25,7 +25,7 @@ FORCES = ("F", "R", "M", "MZ", "Fb", "FZ", "P", "G", "I", "N")
 Sort = Literal["drive", "link", "slider", "point"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Coordinate:
     """What a name of a law stands for: ``letter`` of a link, of a slider along its guide, or of a point."""
 

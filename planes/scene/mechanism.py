@@ -6,12 +6,12 @@ number (x to the right, y up) in the axes of the link that owns it; the frame is
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
 from typing import Literal
 
 from planes.scene.written_numbers import WrittenNumbers
+from planes.words.frozen import field, frozen
 
 FRAME = "0"
 RATES = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
@@ -23,7 +23,7 @@ Where = Mapping[tuple[str, ...], int]
 """Where each thing was written: a path of keys -> line of the scene file, for errors."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Guide:
     """A straight guide in the axes of its link: the line through ``through`` towards ``angle_deg``."""
 
@@ -35,7 +35,7 @@ class Guide:
     origin_given: bool = True  # False for {x: c} and {y: c}
 
 
-@dataclass(frozen=True)
+@frozen
 class RoundGuide:
     """A guide along a circle about a point of its link: what slides on it turns about that point."""
 
@@ -44,7 +44,7 @@ class RoundGuide:
     radius: float
 
 
-@dataclass(frozen=True)
+@frozen
 class Journal:
     """What rubs in a hinge: the coefficient of friction and the radius of its pin, m; or, ``round``, of a guide along a
     circle, where the coefficient is that of a plane contact."""
@@ -60,7 +60,7 @@ class Journal:
         return self.radius * (f / math.hypot(1.0, f) if self.round else f)
 
 
-@dataclass(frozen=True)
+@frozen
 class Slide:
     """Its x axis is turned by ``angle_deg`` from ``guide``, its first point ``offset`` m to its left; None: unsaid."""
 
@@ -69,7 +69,7 @@ class Slide:
     offset: float | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Link:
     """A rigid link: points and guides in its own axes. ``mass`` or ``inertia`` of ``None`` was not written."""
 
@@ -94,7 +94,7 @@ class Link:
         return self.centre or self.first_point
 
 
-@dataclass(frozen=True)
+@frozen
 class Drive:
     """The driver and its motion: ``kind`` "phi" (rad/s, rad/s², position in degrees) or "s" (m, m/s, m/s²); what turns
     does so ``on`` the frame or, with a motor between them, on another link."""
@@ -131,7 +131,7 @@ class Drive:
         return turning if self.kind == "phi" else ("v_drive", "a_drive")
 
 
-@dataclass(frozen=True)
+@frozen
 class LoadLaw:
     """A number of a load that holds in every position anew: ``text``, an expression of numbers and of what is known
     before forces are (``phi``, ``s_5``, ``v_H``; SI, degrees), or what a ``table`` of pairs, linear between them, has
@@ -149,7 +149,7 @@ class LoadLaw:
 Amount = float | LoadLaw
 
 
-@dataclass(frozen=True)
+@frozen
 class StrokeLoad:
     """What a load is in the working stroke of a ``slider``, in which it goes ``ahead`` or ``behind`` along its guide,
     and in the idle one."""
@@ -160,7 +160,7 @@ class StrokeLoad:
     stroke: Literal["ahead", "behind"] = "ahead"
 
 
-@dataclass(frozen=True)
+@frozen
 class Load:
     """One force (``kind`` "force", N, at ``point``) or couple (``kind`` "moment", N·m) on ``link``.
 
@@ -177,7 +177,7 @@ class Load:
     sense: Sense | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Assembly:
     """Which of two assemblies is meant: a word, or the nearer one to ``near`` at the drive's value."""
 
@@ -185,7 +185,7 @@ class Assembly:
     near: complex | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Law:
     """A number of the file, by its path, that shares ``parameter`` with the drive's place and so holds there alone."""
 
@@ -194,7 +194,7 @@ class Law:
     line: int
 
 
-@dataclass(frozen=True)
+@frozen
 class Mechanism:
     """A planar lever mechanism of one drive. ``links`` holds the moving links in the order of the file."""
 

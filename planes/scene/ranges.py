@@ -1,7 +1,6 @@
 """Ranges of the drive's value as a person writes them: "30", "0:360:30", "-90"."""
 
 import math
-from dataclasses import dataclass
 from typing import TypeVar
 
 from planes.geometry.arrays import Array
@@ -9,13 +8,14 @@ from planes.scene import Scene
 from planes.scene.reader import MOST_TURNS
 from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
+from planes.words.frozen import frozen
 
 T = TypeVar("T")
 MOST = 10_000_000  # positions that may be held at once
 MOST_ROWS = 1_000_000_000  # of a table, which is written piece by piece
 
 
-@dataclass(frozen=True)
+@frozen
 class Span:
     """Evenly spaced values, none of them kept: only asked for, a block at a time."""
 

@@ -12,7 +12,6 @@ import stat
 import sys
 import unicodedata
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import yaml
@@ -20,6 +19,7 @@ import yaml
 from planes.scene.yaml_faults import explained
 from planes.words import Phrase
 from planes.words.errors import SceneError, shown
+from planes.words.frozen import field, frozen
 
 MAX_BYTES = 1_000_000
 STANDARD = "-"
@@ -31,7 +31,7 @@ _NOTHING = ("", "~", "null", "Null", "NULL")
 _REASONS = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", None: "bad_file_name"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SourceScalar:
     """A scalar, as written; ``plain`` if it stood without quotes, ``glued`` if right after a comma."""
 
@@ -46,7 +46,7 @@ class SourceScalar:
         return self.plain and self.text in _NOTHING
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Items:
     """A list."""
 
@@ -54,7 +54,7 @@ class Items:
     line: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SourceTable:
     """Keys and values in the order of the file, with the line of each key."""
 

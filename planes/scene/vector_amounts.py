@@ -3,11 +3,11 @@
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 
 from planes.geometry.arithmetic import Real
 from planes.scene.expressions import ExpressionParser
 from planes.words import Phrase
+from planes.words.frozen import frozen
 
 Factors = tuple[tuple[str, int], ...]
 MOST_TERMS = 200
@@ -15,7 +15,7 @@ HAT = "ˆ"
 """Stands for ^ in the name of a vector while an expression is read, where ^ is a power."""
 
 
-@dataclass(frozen=True)
+@frozen
 class VectorAmount:
     """A sum of products: each a number, and names to whole powers; the names are of parameters, values and vectors,
     whose lengths are meant."""

@@ -2,12 +2,12 @@
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from itertools import pairwise
 
 from planes.scene.expressions import evaluate
 from planes.words import Phrase
 from planes.words.errors import EquationError
+from planes.words.frozen import field, frozen
 from planes.words.names import POLE
 
 VECTOR = r"[^\W\d][\w^'′″]*"
@@ -15,7 +15,7 @@ _RATE = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
 Number = Callable[[str], float]
 
 
-@dataclass(frozen=True)
+@frozen
 class SideTerm:
     """A vector of a side, so many times."""
 
@@ -31,7 +31,7 @@ class SideTerm:
 Side = tuple[SideTerm, ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class VectorEquation:
     """Sides that are all equal; () is nothing."""
 

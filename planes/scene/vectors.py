@@ -3,7 +3,6 @@ tie them."""
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 from planes.scene.expressions import evaluate, is_name
@@ -13,6 +12,7 @@ from planes.scene.vector_amounts import VectorAmount, read_amount
 from planes.scene.vector_equations import VECTOR, VectorEquation, read_equation
 from planes.words import Phrase, Told
 from planes.words.errors import EquationError, ExpressionError, SceneError, choices, shown
+from planes.words.frozen import field, frozen, replace
 from planes.words.names import turned_back
 
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
@@ -23,7 +23,7 @@ Amount = float | VectorAmount
 MOST_VECTORS = 300  # with the values
 
 
-@dataclass(frozen=True)
+@frozen
 class AlongVector:
     """The direction of another vector, turned by ``quarter`` right angles."""
 
@@ -31,7 +31,7 @@ class AlongVector:
     quarter: int = 0
 
 
-@dataclass(frozen=True)
+@frozen
 class Similarity:
     """A vector that is to the vector ``of`` as a complex ``ratio``, or as the first of ``shape`` to the second."""
 
@@ -40,7 +40,7 @@ class Similarity:
     shape: tuple[str, str] | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class VectorGiven:
     """What a scene says of a vector; ``near_deg`` tells which of two solutions is meant."""
 
@@ -50,7 +50,7 @@ class VectorGiven:
     like: Similarity | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Statement:
     """All that a scene of vectors states; ``values`` are numbers reckoned from its vectors and ``parameters``,
     ``quantity`` the plan whose unit its ``mu`` has."""

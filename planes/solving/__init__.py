@@ -19,13 +19,14 @@ from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
 from planes.words.errors import PlanFailure, SceneError
+from planes.words.frozen import frozen
 from planes.words.names import POLE, at, label_of, parts_of
 from planes.words.records import Json, Pictured, Tabulated
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
 
 
-@dataclass(frozen=True)
+@frozen
 class Position(Pictured, Tabulated):
     """One position drawn: where the drive is (``at``: degrees, or m), its plans, drawing and scales, what was found,
     and ``results``: the same as the JSON has it, with what was measured on the plans and what is warned of.

@@ -4,14 +4,14 @@ In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.solving import Position
+from planes.words.frozen import field, frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Heading:
     """A heading; level 0 is the document's own title."""
 
@@ -19,7 +19,7 @@ class Heading:
     level: int = 1
 
 
-@dataclass(frozen=True)
+@frozen
 class Paragraph:
     """``why`` is set apart as the reason of what it says; ``plan`` is where its marks stand.
 
@@ -33,7 +33,7 @@ class Paragraph:
     mistake: bool = False
 
 
-@dataclass(frozen=True)
+@frozen
 class Formula:
     """A line of mathematics (mathtext), its number in the source text."""
 
@@ -41,7 +41,7 @@ class Formula:
     number: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class DocumentTable:
     """A table with its caption; the first row is the head."""
 
@@ -49,7 +49,7 @@ class DocumentTable:
     rows: tuple[tuple[str, ...], ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class PlottedLine:
     """``style`` is the number of its look (colour and dashes); ``label`` "" keeps it out of the legend."""
 
@@ -59,7 +59,7 @@ class PlottedLine:
     style: int = 0
 
 
-@dataclass(frozen=True)
+@frozen
 class Chart:
     """Curves over x. ``equal``: both axes to one scale; ``ticks``: spacing of the marks on x, 0 for the usual.
 
@@ -75,7 +75,7 @@ class Chart:
     height_mm: float = 62.0
 
 
-@dataclass(frozen=True)
+@frozen
 class DrawnViews:
     """Views of one position, side by side where they fit, those of one tuple beneath each other.
 
@@ -90,7 +90,7 @@ class DrawnViews:
     scales: bool = False
 
 
-@dataclass(frozen=True)
+@frozen
 class ShaftSketch:
     """The crankshaft on its bearings; numbers in metres. ``masses`` are named by their places ("pin", "weight_0"),
     ``forces`` by their places and ways ("up", "down" in the plane of the crank, "across" square to it), the ``sizes``
@@ -106,7 +106,7 @@ class ShaftSketch:
     sizes: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
+@frozen
 class Figure:
     """A chart, drawn views or a sketch, with what stands beneath."""
 

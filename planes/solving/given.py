@@ -4,7 +4,6 @@ of them names. Whoever has these can draw it again."""
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from planes.plans.force.loads import load_names
@@ -12,6 +11,7 @@ from planes.plans.law_words import law_said
 from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
 from planes.solving import Position
 from planes.words import say
+from planes.words.frozen import frozen
 from planes.words.lettering import flat, greek
 from planes.words.names import kind_of, letter_of
 from planes.words.naming import Naming
@@ -25,7 +25,7 @@ LOADING = ("kg", "kgm2", "N", "N·m")  # units of what only forces are drawn by
 DIGITS = 6  # a given number is written as it was given
 
 
-@dataclass(frozen=True)
+@frozen
 class GivenRow:
     """A name as it is lettered, a value in the unit of the table (SI, degrees), the unit's key; ``given`` is its name
     in the program, "" of what the scheme is drawn by."""
@@ -45,7 +45,7 @@ class GivenRow:
         return self.name[0] if spatial else self.unit, "".join(x for x in index if spatial or x.isdigit())
 
 
-@dataclass(frozen=True)
+@frozen
 class GivenTable:
     """The given values of a position that what is drawn of it reads; ``parameters`` are those of its scene. ``steady``
     ones have the same names whatever the numbers are."""

@@ -34,17 +34,15 @@ class Sentences(dict[str, str]):
 
 
 @cache
-def _files(lang: Lang) -> dict[str, dict[str, str]]:
-    folder = Path(__file__).parent / lang
-    return {one.stem: json.loads(one.read_text("utf-8")) for one in sorted(folder.glob("*.json"))}
+def _words(lang: Lang, file: str) -> dict[str, str]:
+    files = sorted((Path(__file__).parent / lang).glob(f"{file}.json"))
+    return {key: text for one in files for key, text in json.loads(one.read_text("utf-8")).items()}
 
 
 @cache
 def table(lang: Lang, file: str = "*") -> Sentences:
     """Every sentence of a language by its key, or those of one file of its folder."""
-    files = _files(lang)
-    every = files.values() if file == "*" else [files.get(file, {})]
-    return Sentences({k: v for one in every for k, v in one.items()}, files["language"]["language_stand_in"])
+    return Sentences(_words(lang, file), _words(lang, "language")["language_stand_in"])
 
 
 def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
@@ -80,7 +78,7 @@ def home_lang() -> Lang:
     said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
     home = (said or locale.getlocale()[0] or "").lower()
     own = [one for one in langs() if home.startswith(one)]
-    read = [one for one in langs() if home.startswith(tuple(table(one)["language_homes"].split()))]
+    read = [one for one in langs() if home.startswith(tuple(table(one, "language")["language_homes"].split()))]
     return next(iter(own + read), "en")
 
 

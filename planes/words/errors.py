@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from difflib import get_close_matches
 from itertools import islice
 from pathlib import Path
 
 from planes.words import Lang, Phrase, Told
+from planes.words.frozen import frozen
 from planes.words.names import latin
 
 QUOTED, OFFERED = 60, 40  # letters of what is quoted of a file; letters of a name that is offered, and how many
@@ -56,7 +56,7 @@ class SceneError(PlanesError, ValueError):
         super().__init__(phrase)
 
 
-@dataclass(frozen=True)
+@frozen
 class Doubt:
     """Something a scene says that can be meant, but hardly is: a warning with its place."""
 

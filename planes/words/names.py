@@ -5,9 +5,10 @@ Names people write are brought to these by :mod:`planes.words.naming`.
 
 import re
 import unicodedata
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
+
+from planes.words.frozen import frozen
 
 POLE = "p"
 AGAIN = "~"
@@ -23,7 +24,7 @@ _PRIMES = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
 _ALIKE = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
 
 
-@dataclass(frozen=True)
+@frozen
 class Meaning:
     """What a name stands for: a quantity ``of`` a thing, ``about`` another, that belongs to a ``link``.
 

@@ -6,12 +6,12 @@ the second; I_2 is Φ_2, the pole of accelerations π. Everything that prints a 
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
 from planes.words import Lang, Phrase, decimal, langs, say
 from planes.words.errors import PlanesError, choices
+from planes.words.frozen import frozen, replace
 from planes.words.lettering import flat, lowered, rate_of
 from planes.words.names import POLE, parted, parts_of, tidy
 from planes.words.units import Convention, mu_text
@@ -21,7 +21,7 @@ _POLES = {"π", "p", "p'", "π'", "полюс", "pole", "P"}
 Ways = Mapping[str, Sequence[str]]
 
 
-@dataclass(frozen=True)
+@frozen
 class Naming:
     """How this sheet names things: language, number of the frame, the convention of reactions (``from_on``: R_12 from 1
     on 2, its tangential part R^τ, its arm H_12), the driver, vectors that end at a point of the frame under a slider,

@@ -18,13 +18,15 @@ from matplotlib.path import Path
 from matplotlib.textpath import TextPath, text_to_path
 from matplotlib.transforms import Affine2D, Transform
 
+from planes.words.frozen import frozen
+
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
 
 Piece = tuple[str, tuple[float, ...]]  # "M", "L", "C" with coordinates, "Z" with none
 
 
-@dataclass(frozen=True)
+@frozen
 class Stroke:
     """A path with its pen: ``line`` and ``fill`` are colours (#rrggbb, "" for none)."""
 

@@ -6,10 +6,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations, pairwise
 from typing import TYPE_CHECKING
 
+from planes.words.frozen import frozen
 from render.files.dxf_entities import Entities, formatted, stretched, xy
 from render.paper import symbols
 from render.paper.ink import is_circle
@@ -27,7 +27,7 @@ _SAID_MM = 3.0  # a dimension's text begins no farther from where its arrows par
 HINGE, SUPPORT, SLIDER, POINT = "HINGE", "SUPPORT", "SLIDER", "POINT"
 
 
-@dataclass(frozen=True)
+@frozen
 class Sign:
     """A block's place: its name, base point and turn, the length and width of a slider, and the marks it stands for."""
 

@@ -6,12 +6,12 @@ Boxes are rows x0, y0, x1, y1 in mm; wishes are costs without a unit, 0 for the 
 import cmath
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
+from planes.words.frozen import frozen
 from render.labels.footprints import crossed, gaps, meeting
 from render.paper.marks import Arc, Line, Text
 from render.paper.typeset import extent
@@ -37,7 +37,7 @@ LED_DOT_MM = 0.45  # radius of the dot a leader ends with on a line
 _LED, _LONGER = 25.0, 1.0  # cost of a leader line, and of each mm of it
 
 
-@dataclass(frozen=True)
+@frozen
 class Label:
     """A text and the point or segment it names.
 
@@ -77,7 +77,7 @@ class Placed(NamedTuple):
         return (*self.leaders, *self.signs, *self.texts)
 
 
-@dataclass(frozen=True)
+@frozen
 class Candidates:
     """Boxes (n, 4), their wishes (n,), leader lines (n, 2) as complex ends, NaN for none, and letters (n,) in mm."""
 

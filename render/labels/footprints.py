@@ -1,13 +1,13 @@
 """The ink of marks as shapely shapes, and where labels and strokes meet; all in mm of the sheet."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 import shapely
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
+from planes.words.frozen import frozen
 from render.labels.nearness import Edges, Shapes, edges_of
 from render.paper.boxes import box_around
 from render.paper.ink import Polyline, arrow_parts, coordinates, flattened, is_circle
@@ -22,7 +22,7 @@ TOUCH_MM = 0.01
 PIECE = 10  # chords of a curve in one shape
 
 
-@dataclass(frozen=True)
+@frozen
 class InkedShapes:
     """Shapes and half the pen width of each: a point is inked if it is nearer to the shape than that."""
 

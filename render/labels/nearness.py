@@ -5,7 +5,6 @@ others the distance is known by the axes that may part a box and an edge: across
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -13,6 +12,7 @@ import shapely
 from numpy.typing import NDArray
 
 from planes.geometry.arrays import Array, Booleans, Indices
+from planes.words.frozen import frozen
 
 RUN, CELL_MM = 24, 8.0  # boxes to a run; they are taken by strips so wide
 AT_ONCE = 4000  # boxes looked at together
@@ -21,7 +21,7 @@ Shapes = NDArray[np.object_]
 """Geometries of shapely."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Edges:
     """The edges of shapes, in their order, each with its two ends: (4, n); a polygon has one more, the corners of the
     box around it, for what is inside it. ``owners`` (n,) are the shapes, ``halves`` (n,) the widths of their pens,

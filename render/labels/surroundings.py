@@ -1,12 +1,12 @@
 """What stands on a board already, and what places among it cost; all in mm of the sheet."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
 from planes.geometry.arrays import Array, Complexes, Indices
+from planes.words.frozen import frozen
 from render.labels.candidates import CLEAR_MM, Candidates, union
 from render.labels.footprints import Bounds, InkedShapes
 from render.paper.ink import coordinates
@@ -22,7 +22,7 @@ TOGETHER = 160  # candidates of a label looked at together
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 
 
-@dataclass(frozen=True)
+@frozen
 class Surroundings:
     """The ink that no label may touch, thin lines that yield to one, the texts that stand already, and the field."""
 

@@ -8,11 +8,11 @@ an upright sheet above A4; the formats here lie, but for A4.)
 
 import json
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 from planes.words import Lang, table
+from planes.words.frozen import frozen, replace
 from planes.words.records import Json
 
 LEFT, EDGE = 20.0, 5.0  # margins of the frame: left, all others
@@ -23,7 +23,7 @@ Segment = tuple[complex, complex, Literal["thick", "thin"]]
 Size = tuple[float, float]
 
 
-@dataclass(frozen=True)
+@frozen
 class Cell:
     """A cell from its lower left corner (x, y), ``letter`` mm the height of letters it is meant for.
 
@@ -39,7 +39,7 @@ class Cell:
     turn_deg: float = 0.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Form:
     """A frame with a title block: what a scene calls it, and its block in a DXF; margins left and elsewhere, sizes of
     the title block and of the cell in the upper left corner; its lines, words and cells on a sheet of a size."""

@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from html import escape
 
 from planes import words
 from planes.words import Lang, langs, say
+from planes.words.frozen import frozen
 from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mm_per, number
@@ -18,7 +18,7 @@ _QUANTITY = r"(?:[A-Za-z]{1,2}|omega|epsilon)_[A-Z0-9][A-Za-z0-9]*(?:\^[a-z])?"
 _ARTICLE = r"(?=[,:;.)=–]| \(|$)"  # "a" is a mark only before one of these
 
 
-@dataclass(frozen=True)
+@frozen
 class Piece:
     """A run of text: ``shift`` "sub", "sup" or "" on the line; ``name`` where it is a letter of a quantity."""
 

@@ -8,8 +8,9 @@ never scaled by a plan's μ. Back-ends know these six records and nothing else.
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field, replace
 from typing import Literal, TypeVar
+
+from planes.words.frozen import field, frozen, replace
 
 Layer = Literal[
     "construction", "axis", "hatch", "table", "dimension", "frame", "scheme", "plan", "force", "result", "text"
@@ -18,7 +19,7 @@ Layer = Literal[
 Anchor = Literal["start", "middle", "end"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Face:
     """``font`` is the path of a font's file, "" for the engine's own lettering; ``family`` what the font is called."""
 
@@ -52,7 +53,7 @@ def within(asked: ContextVar[Asked], value: Asked) -> Iterator[None]:
         asked.reset(token)
 
 
-@dataclass(frozen=True)
+@frozen
 class Line:
     """A polyline through ``points`` (two or more), open or closed, in the line type of its ``style``.
 
@@ -66,7 +67,7 @@ class Line:
     name: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Arc:
     """A circular arc about ``centre`` from ``start_deg`` counter-clockwise to ``end_deg`` (360 apart: a circle).
 
@@ -82,7 +83,7 @@ class Arc:
     fill: Literal["none", "paper", "ink"] = "none"
 
 
-@dataclass(frozen=True)
+@frozen
 class Arrow:
     """A straight arrow; the head is a filled triangle at ``end``. ``name`` says what it shows ("v_CB")."""
 
@@ -93,7 +94,7 @@ class Arrow:
     name: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Shape:
     """A filled polygon."""
 
@@ -102,7 +103,7 @@ class Shape:
     fill: Literal["ink", "paper"] = "ink"
 
 
-@dataclass(frozen=True)
+@frozen
 class Text:
     """One line of text at its base line; ``text`` may hold _{…} and ^{…} for lower and upper indices.
 
@@ -121,7 +122,7 @@ class Text:
     narrow: float = 1.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Hatch:
     """A region filled with thin parallel strokes at ``angle_deg`` every ``gap`` mm."""
 

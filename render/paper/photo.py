@@ -5,9 +5,9 @@ from __future__ import annotations
 import io
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from planes.words.frozen import frozen
 from render.paper.marks import Mark, Shape
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ SHARPEST = 6.0  # pixels to a mm of paper
 QUALITY = 72
 
 
-@dataclass(frozen=True)
+@frozen
 class Photo:
     """A picture file and where it lies."""
 

@@ -5,11 +5,11 @@ Nothing here is ever scaled by a plan's μ.  A mark names its style; this table 
 
 from contextlib import AbstractContextManager
 from contextvars import ContextVar
-from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import get_args
 
 from planes.drafting.pens import MEDIUM, SHAPES, THICK, THIN
+from planes.words.frozen import frozen, replace
 from render.paper.marks import Layer, within
 
 LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
@@ -20,7 +20,7 @@ BLACK = "#000000"
 PAPER = "#ffffff"
 
 
-@dataclass(frozen=True)
+@frozen
 class Pen:
     """A line type: ``width`` in mm, ``pattern`` of dashes and gaps in mm (none: a solid line), colour."""
 

@@ -8,9 +8,9 @@ import cmath
 import math
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from functools import lru_cache
 
+from planes.words.frozen import frozen, replace
 from render.paper import lettering, outlines
 from render.paper.boxes import Box, box_around, box_of_letters
 from render.paper.letters import split
@@ -21,7 +21,7 @@ Polyline = tuple[complex, ...]
 _OPENED = re.compile(r"[_^]\{")
 
 
-@dataclass(frozen=True)
+@frozen
 class Run:
     """A piece of plain text of one height: ``at`` from the left end of the text's base line, unturned, mm."""
 
@@ -31,7 +31,7 @@ class Run:
     width: float
 
 
-@dataclass(frozen=True)
+@frozen
 class LaidText:
     """A laid-out text: ``strokes`` in sheet mm.
 
@@ -61,7 +61,7 @@ class LaidText:
         return list(groups.items())
 
 
-@dataclass(frozen=True)
+@frozen
 class Indexed:
     """A base with its lower and upper index."""
 

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 
 from reportlab.platypus import Flowable
 
+from planes.words.frozen import frozen
 
-@dataclass(frozen=True)
+
+@frozen
 class PagePiece:
     """What stands together: a figure with its caption, a heading with what follows it."""
 

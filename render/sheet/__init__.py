@@ -9,6 +9,7 @@ from itertools import product
 from planes.scene import Scene
 from planes.words import Lang, say
 from planes.words.errors import SceneError
+from planes.words.frozen import frozen
 from render.files import Page
 from render.paper.typeset import plain
 from render.sheet.fitting import LETTERS, NOTE, Contents, Held, Way, attempts, fitted, keeps_ranks, laid, shaped
@@ -54,7 +55,7 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     raise no_room(contents, Paper(papers[-1][-1]), lang)
 
 
-@dataclass(frozen=True)
+@frozen
 class FilledPaper:
     """A paper with views in their places, and those that wait for room and found none."""
 

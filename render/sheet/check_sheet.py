@@ -2,9 +2,9 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from planes.words import Lang
+from planes.words.frozen import frozen
 from render.labels import Label, place
 from render.paper.letters import decimal
 from render.paper.marks import Arc, Arrow, Line, Mark, Text, moved
@@ -25,7 +25,7 @@ PENS = ("own", "truth", "next")
 REDUCTIONS = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.5, 10.0, 15.0, 20.0, 50.0, 100.0)
 
 
-@dataclass(frozen=True)
+@frozen
 class Overlay:
     """What is drawn: places in mm from the pole, names as they are lettered, words in the sheet's language.
 
@@ -61,7 +61,7 @@ class Overlay:
         return complex(min(xs), min(ys)), complex(max(xs), max(ys))
 
 
-@dataclass(frozen=True)
+@frozen
 class Fit:
     """The part of the sheet the drawing has, how far it is reduced, and where its pole stands."""
 

@@ -15,6 +15,7 @@ from itertools import combinations, pairwise
 import numpy
 
 from planes.geometry.arrays import Array
+from planes.words.frozen import frozen
 from render.sheet.module import GAP_MM, UNITS
 from render.sheet.stacking import TOO_MUCH, Piece, Spot, Stacking
 
@@ -26,7 +27,7 @@ TURNED = 0.1  # what it costs that a table stands before one that is read earlie
 OVER, OVERFULL = 100.0, 0.3  # what it costs that a column holds too much; how much, of its height, is tried at all
 
 
-@dataclass(frozen=True)
+@frozen
 class Item:
     """A view to be placed: its size, the step of the calculation it belongs to, and whether it is a table, which may
     stand earlier or later than it would be read."""

@@ -1,11 +1,11 @@
 """How the views of a sheet fill a format: which letters, which blocks, how large the plans, in which order."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import accumulate, product, starmap
 from typing import NamedTuple
 
+from planes.words.frozen import field, frozen, replace
 from render.labels import rough, roughly
 from render.paper.style import LARGER, lettered_for
 from render.sheet.columns import OVER
@@ -39,7 +39,7 @@ UPRIGHT: tuple[Upright, ...] = (("motion", "rates"), ("motion",), ("rates",), ()
 """Blocks of views that are to stand beneath each other: as many as a format has room for."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Contents:
     """What a sheet shows.
 

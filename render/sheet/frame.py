@@ -8,10 +8,10 @@ from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from contextvars import ContextVar
-from dataclasses import dataclass, field, replace
 
 from planes.scene import Scene
 from planes.words import Lang, say
+from planes.words.frozen import field, frozen, replace
 from render.labels.footprints import Bounds
 from render.paper import form1
 from render.paper.form1 import BESIDE, Cell, Form
@@ -63,7 +63,7 @@ def form_of(scene: Scene) -> AbstractContextManager[None]:
     return within(_asked, FORMS[str(scene.sheet.get("frame", form1.FORM.name))])
 
 
-@dataclass(frozen=True)
+@frozen
 class Paper:
     """A sheet of a format; the field is inside its frame."""
 

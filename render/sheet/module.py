@@ -1,13 +1,13 @@
 """The module of a sheet: a field divided into units, at whose edges its views begin; all in mm."""
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy
 from numpy.typing import NDArray
 
 from planes.geometry.arrays import Array
+from planes.words.frozen import frozen
 from render.labels.footprints import Bounds
 
 Indices = NDArray[numpy.intp]
@@ -18,7 +18,7 @@ MODULE_MM = 185.0  # the width of the title block, over which a column of tables
 UNITS, WIDEST = 12, 2  # units to a module, modules to the widest column, unless a view is wider
 
 
-@dataclass(frozen=True)
+@frozen
 class Module:
     """The units of a field: the inside of a frame, what stands in it already, and the widest of the views to come."""
 

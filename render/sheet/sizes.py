@@ -2,8 +2,8 @@
 there is room."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 
+from planes.words.frozen import frozen
 from planes.words.names import kind_of
 from render.labels.footprints import bounds
 from render.paper.hues import PART
@@ -16,7 +16,7 @@ SAME = 1.01  # plans whose sizes differ by less have one μ
 LOADED, APART = "loaded", "apart"  # views: the scheme with loads; links each by itself, which are no figure together
 
 
-@dataclass(frozen=True)
+@frozen
 class Sizes:
     """How many times its usual size every plan may be: ``factor``, and ``more`` for some of them."""
 

@@ -12,6 +12,7 @@ from itertools import takewhile
 import numpy
 
 from planes.geometry.arrays import Array
+from planes.words.frozen import frozen
 from render.sheet.module import GAP_MM, Indices, Module
 
 Piece = tuple[int, ...]
@@ -20,7 +21,7 @@ Size = tuple[float, float]
 TOO_MUCH = 1e-9  # of the field's height: what a column may hold more than there is room for
 
 
-@dataclass(frozen=True)
+@frozen
 class Spot:
     """Where a view stands: its left and upper edges."""
 

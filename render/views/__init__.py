@@ -1,9 +1,9 @@
 """A view: one part of a sheet drawn about its own origin, in mm, with its title and the box of its ink."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
 
+from planes.words.frozen import frozen, replace
 from render.labels.footprints import Bounds, bounds, overprinted
 from render.paper.marks import Mark, Text, moved
 from render.paper.style import tall
@@ -17,7 +17,7 @@ TITLE_GAP = 4.0  # from a title to its view
 SET_IN_MM = 35.0  # no view begins farther to the right of its title
 
 
-@dataclass(frozen=True)
+@frozen
 class View:
     """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none), ``heading`` mm
     high; ``body`` and ``inked`` are what is beneath the title, and its box; ``unseen`` are sentences about what should

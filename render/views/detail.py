@@ -1,8 +1,8 @@
 """Details of a plan: what is too short to be read is circled, and drawn once more enlarged, with its own scale."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
 
+from planes.words.frozen import frozen, replace
 from render import labels
 from render.labels.footprints import bounds
 from render.paper.hues import PART
@@ -25,7 +25,7 @@ ASIDE_MM, TOUCH_MM = 2.0, 0.5  # between vectors of one line; how near those may
 SEEN_MM = 1.5  # what is shorter in its detail has another
 
 
-@dataclass(frozen=True)
+@frozen
 class Detail:
     """A circle on the plan, how many times it is enlarged, and its letter."""
 

@@ -2,12 +2,12 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from itertools import cycle
 
 from planes.diagrams.curves import driven
 from planes.plans import Plans
 from planes.words import say
+from planes.words.frozen import frozen, replace
 from planes.words.lettering import flat
 from planes.words.naming import Naming
 from planes.words.read_off import measured
@@ -37,7 +37,7 @@ HEADING = 14.0  # letters: no name of a curve with its μ is wider
 FULL = 360.0
 
 
-@dataclass(frozen=True)
+@frozen
 class DiagramCurve:
     """One quantity over the turn: its letter, its unit, and a value or None for every angle. ``name`` is its whole name
     as it is lettered, where it is not the driven link's own; ``places`` its angles, where they are finer than the
@@ -53,7 +53,7 @@ class DiagramCurve:
     place: bool = False
 
 
-@dataclass(frozen=True)
+@frozen
 class Axes:
     """Axes of curves on paper: μ, the height of the driver's axis and the value there, from where to where the curves
     go over it, and how much higher than usual their names stand, mm."""
@@ -75,7 +75,7 @@ def section_mm(size: float) -> float:
     return max(w for w in WIDTHS_MM if w <= max(1.0, size) * WIDTHS_MM[0] + 1e-9)
 
 
-@dataclass(frozen=True)
+@frozen
 class Diagrams:
     """Diagrams one beneath the other over the driver's range: three of the driven link, or those asked for, each with
     all the curves on its axes. Those ``to_read`` have round values on the ordinates, the least and the greatest, and

@@ -1,12 +1,12 @@
 """Sizes on a scheme: two arrows that part from the middle, lines that lead to what is measured, the size over them."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
 
 import shapely
 
 from planes.scene.mechanism import FRAME
 from planes.words import Lang
+from planes.words.frozen import frozen, replace
 from planes.words.naming import Naming
 from planes.words.units import number
 from render.labels import Label
@@ -28,7 +28,7 @@ PARTING = (0.5, 0.42, 0.58, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85)  # of a size's l
 SQUARE = 1e-6
 
 
-@dataclass(frozen=True)
+@frozen
 class Size:
     """A size between two ``places``, with the ends of its arrows, ``aside`` of them."""
 

@@ -3,12 +3,12 @@ sense in which its link turns; a relative velocity turned with its guide by a ri
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 
 from planes.drafting.steps import LayOff, Step, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.reckoning import products
 from planes.solving import Position
+from planes.words.frozen import frozen, replace
 from planes.words.names import label_of, parts_of
 from planes.words.naming import Naming
 from render.labels import Label
@@ -26,7 +26,7 @@ A_ROW = 5  # figures
 LETTER_MM = 3.5
 
 
-@dataclass(frozen=True)
+@frozen
 class Directions:
     """The figures of a position."""
 

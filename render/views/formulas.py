@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
 from planes.words import say
+from planes.words.frozen import frozen
 from planes.words.names import lines, parallel_to, written
 from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
@@ -22,7 +23,7 @@ _SIGN = re.compile("[+−=]")
 _LETTER = re.compile(r"^[^\W\d_]+")
 
 
-@dataclass(frozen=True)
+@frozen
 class Word:
     """A piece of an equation: with ``known`` underlines, a line of action and a number beneath; a sign has none."""
 
@@ -113,7 +114,7 @@ class Setter:
             self.marks.append(Line(ends, "thin", "text", name=f"{text} bar"))
 
 
-@dataclass(frozen=True)
+@frozen
 class Formulas:
     """The equations of some plans, set one beneath the other."""
 

@@ -2,12 +2,12 @@
 ordinates, the curve that was drawn and, in dashes, the exact one."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from planes.diagrams.graphical import Construction, Stage
 from planes.drafting.drawing import Drawing
 from planes.words import say
+from planes.words.frozen import frozen
 from planes.words.names import at
 from planes.words.naming import Naming
 from planes.words.units import RATES, number
@@ -27,7 +27,7 @@ FORMULAS = {
 """μ of a diagram by differentiation and by integration, in either convention."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Graphical:
     """A construction as it was drawn, with its scales."""
 

@@ -1,9 +1,9 @@
 """Hodographs, ends of a vector over the cycle laid off from a pole, and paths of points; positions are numbered."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from planes.words import Lang, say
+from planes.words.frozen import frozen
 from planes.words.names import letter_of
 from planes.words.naming import Naming
 from planes.words.units import number, standard_mu
@@ -22,7 +22,7 @@ APART_MM = 14.0
 ROUND_MM = 12.0  # from a line of the net to the next, at least
 
 
-@dataclass(frozen=True)
+@frozen
 class Hodograph:
     """A vector over the cycle, as complex numbers in ``unit`` (None where the mechanism does not assemble; a single one
     is a jump), and at the numbered positions; ``point`` is whose path it is."""

@@ -3,7 +3,6 @@
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import groupby, pairwise
 from statistics import median
@@ -13,6 +12,7 @@ import numpy as np
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
+from planes.words.frozen import frozen
 from render.labels import Label
 from render.paper.marks import Line, Mark
 from render.views.dimensions import Size, in_mm, stroke
@@ -26,7 +26,7 @@ FURTHER = 1.02  # than the positions looked at an extreme one may reach
 NEAR = 1.3  # and so many times where it grows beyond that: the positions farther off are not drawn
 
 
-@dataclass(frozen=True)
+@frozen
 class PlacedMechanism:
     """A mechanism in one position: where its points are, in m, and how its links are turned, in degrees."""
 
@@ -34,7 +34,7 @@ class PlacedMechanism:
     angles: Mapping[str, float]
 
 
-@dataclass(frozen=True)
+@frozen
 class Numbered:
     """One of many positions: its number, where it is (None where the mechanism does not work), whether an extreme."""
 
@@ -43,7 +43,7 @@ class Numbered:
     extreme: bool = False
 
 
-@dataclass(frozen=True)
+@frozen
 class ManyPositions:
     """Numbered positions and a finer turn for the paths; ``mu`` is that of the scheme, mm per m."""
 

@@ -13,6 +13,7 @@ from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.plans.scales import ZERO_MM
 from planes.solving import Position
 from planes.words import say
+from planes.words.frozen import frozen
 from planes.words.lettering import flat
 from planes.words.names import POLE, at, mu_of
 from planes.words.naming import Naming
@@ -30,7 +31,7 @@ from render.views.senses import labelled
 NOISE = 1e-9  # of the largest moment of the equation: nothing
 
 
-@dataclass(frozen=True)
+@frozen
 class MomentLines:
     """The moment equations of a position, set one beneath the other."""
 

@@ -3,7 +3,6 @@
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -16,12 +15,13 @@ from planes.plans.apart import LinkApart, links_apart
 from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
+from planes.words.frozen import frozen, replace
 from planes.words.names import at, kind_of, label_of, mu_of, plan_of
 
 Ends = tuple[complex, complex]
 
 
-@dataclass(frozen=True)
+@frozen
 class Plotted:
     """One drawing: ``scales`` are mm per SI unit, ``fixed`` the labels of points of the frame (they stand in poles)."""
 
@@ -87,7 +87,7 @@ NEAR_MM = 0.4  # places closer than this are one
 SLIGHT = 0.06  # lines whose slopes differ by less run upon each other where they cross
 
 
-@dataclass(frozen=True)
+@frozen
 class Places:
     """The places of one position."""
 

@@ -2,9 +2,9 @@
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import groupby
 
+from planes.words.frozen import frozen
 from render.paper import symbols
 from render.paper.ink import head as ink_head
 from render.paper.marks import Arc, Line, Mark, Shape, Text
@@ -17,7 +17,7 @@ _NUMBER = re.compile(r"([−-]?\d+)(?:[.,]\d*)?(?:·10.*)?[↺↻]?$")
 _SENSES = {"↺": 1.0, "↻": -1.0}
 
 
-@dataclass(frozen=True)
+@frozen
 class TableGrid:
     """A table in the making: letters of ``letter`` mm, the head's names in the first row; where it is ``spanned`` a
     cell reaches down over empty ones."""

@@ -3,7 +3,6 @@
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from itertools import zip_longest
 
 from planes.lesson.transfers import TransferFunctions
@@ -12,6 +11,7 @@ from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.tables import difference
 from planes.words import say
+from planes.words.frozen import field, frozen
 from planes.words.names import kind_of, parts_of, plan_of
 from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
@@ -22,7 +22,7 @@ from render.views.plotted import of_position
 from render.views.table_grid import Row, TableGrid, folded
 
 
-@dataclass(frozen=True)
+@frozen
 class Tables:
     """The tables of a position."""
 

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import pytest
 
+from planes.drafting.clearness import clear, far_apart
+from planes.drafting.steps.crossings import CrossArc, CrossArcs, Touch
 from planes.drafting.steps.reckoning import Calculate, Choose, Product, Sense, SenseBetween, Trial
 from planes.drafting.steps.settling import Fed, Settle
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
+from planes.scene import load
+from planes.solving import solve
 from planes.words.errors import PlanFailure
+from planes.words.names import Meaning
+from tests.helpers import ROOT
 
 TRIALS = (Trial("f:+", ("n+",), (1,)), Trial("f:-", ("n-",), (-1,)))
 CHOOSE = Choose("f:F", TRIALS, "f:P", "mu_f")
@@ -65,3 +71,34 @@ def test_plans_whose_slope_has_turned_over_are_of_another_assembly_of_forces(by:
     """By 2 from 1 there is a value that gives itself again, -1; friction never leads to it."""
     with pytest.raises((PlanFailure, ZeroDivisionError)):
         settled(1.0, by)
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_lengths_are_far_apart_by_how_many_times_the_shortest_goes_into_the_longest(unit: float) -> None:
+    means = {"l": Meaning("length"), "m": Meaning("length"), "e": Meaning("offset")}
+    assert not far_apart({"l": unit, "m": 0.9e6 * unit}, means) and far_apart({"l": unit, "m": 1.1e6 * unit}, means)
+    assert not far_apart({"l": unit, "e": 1e-9 * unit}, means)  # a guide may pass as near as it likes
+    assert far_apart({"l": unit, "e": 1.1e6 * unit}, means) and not far_apart({"e": unit}, means)
+
+
+def test_only_a_force_of_nothing_makes_an_ordinary_position_doubtful() -> None:
+    found = solve(load(ROOT / "samples" / "six-link.yaml")).positions[0]
+    drawn, sides = found.drawing, {(r.start, r.end) for r in found.plans.reactions.values()}
+    assert len(sides) == 6 and clear(drawn.program, drawn.things, drawn.tool, sides)
+    start, _ = sides.pop()
+    assert not clear(drawn.program, drawn.things, drawn.tool, {*sides, (start, start)})
+
+
+@pytest.mark.parametrize("apart", [0.0, 2.0, 3.0, -3.0, 4.0])
+def test_how_open_a_line_and_an_arc_are_is_the_square_of_half_their_chord(apart: float) -> None:
+    """Of an arc of 3 mm; negative where the line passes it by."""
+    env = {"a": 7 + 1j, "x": 1 + 0j, "c": -2 + 1j + 1j * apart, "r": 0.03, "mu": 100.0, "s": 1.0}
+    assert CrossArc("p", "a", "x", "c", "r", "mu", "s").opening(env) == pytest.approx(9 - apart**2)
+
+
+def test_how_open_arcs_are_is_by_heron_and_a_tangent_by_pythagoras() -> None:
+    env = {"a": 1 + 1j, "b": 4 + 5j, "r": 0.03, "q": 0.04, "mu": 100.0, "s": 1.0}  # 5 mm apart
+    assert CrossArcs("p", "a", "r", "b", "q", "mu", "s").opening(env) == pytest.approx(16 * 6.0**2)
+    assert CrossArcs("p", "a", "r", "b", "r", "mu", "s").opening(env) == pytest.approx(16 * 25 * (9 - 6.25) / 4)
+    assert Touch("u", "a", "b", "r", "mu", "s").opening(env) == pytest.approx(4.0**2)
+    assert Touch("u", "a", "b", None, "mu", "s").opening(env) == pytest.approx(5.0**2)

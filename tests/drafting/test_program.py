@@ -12,6 +12,7 @@ from hypothesis import given, settings
 
 import planes.drafting.steps
 import planes.drafting.steps.reckoning
+from planes.drafting.draft import Draft
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Carry, LayOff, Put, Step, Through, Turn
@@ -21,6 +22,7 @@ from planes.plans import Plans, plans_of, sliced
 from planes.plans.quantities import asked
 from planes.scene import loads
 from planes.words.errors import ProgramError
+from planes.words.names import Meaning
 from tests.helpers.mechanisms import KINDS, make, mechanisms, to_yaml
 from tests.solving.test_failures import FOUR_BAR, ROCKER, SLIDER
 
@@ -218,7 +220,9 @@ def all_steps() -> list[type[Step]]:
 
 @pytest.mark.parametrize("step", all_steps(), ids=lambda s: s.__name__)
 def test_steps_are_frozen_records_with_a_sentence_about_them(step: type[Step]) -> None:
-    assert dataclasses.is_dataclass(step) and step.__dataclass_params__.frozen  # type: ignore[attr-defined]
+    assert dataclasses.is_dataclass(step)
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        object.__new__(step).makes = "position:X"  # type: ignore[misc]
     assert step.__doc__ and not step.__doc__.startswith(f"{step.__name__}(")
 
 
@@ -261,3 +265,28 @@ def _words(text: str) -> list[str]:
     import re
 
     return re.split(r"(\W+)", text)
+
+
+@pytest.mark.parametrize(
+    ("line", "back"),
+    [
+        (Meaning("with", "v_C"), Meaning("against", "v_C")),
+        (Meaning("towards", "C", "B"), Meaning("towards", "B", "C")),
+        (Meaning("across", "B", "C"), Meaning("across", "B", "C")),
+    ],
+)
+def test_a_direction_the_other_way_means_the_opposite(line: Meaning, back: Meaning) -> None:
+    draft = Draft()
+    turned = draft.reversed(draft.aim("u", 30.0, line))
+    assert draft.steps[turned].means == back and draft.steps[draft.reversed(turned)].means == line
+
+
+def test_what_is_found_by_its_name_has_no_namesake_and_other_values_are_marked() -> None:
+    draft = Draft()
+    for name in ("v_B", "omega_2", "l_B"):
+        draft.step(Calculate(name, (Product(1.0, ()),)))
+        assert draft.step(Calculate(name, (Product(1.0, ()),))) == name  # the same again
+    assert draft.step(Calculate("l_B", (Product(2.0, ()),))) == "l_B′"
+    for name in ("v_B", "omega_2"):
+        with pytest.raises(ProgramError):
+            draft.step(Calculate(name, (Product(2.0, ()),)))

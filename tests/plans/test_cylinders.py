@@ -13,6 +13,7 @@ from planes import cycle, solve
 from planes.plans import plans_of, structure_of
 from planes.scene import loads
 from planes.words.errors import PlanesError, StructureError
+from tests.helpers import ROOT
 from tests.helpers.comparing import against, balanced, draw, standing, turned_about
 from tests.helpers.mechanisms import KINDS, make
 
@@ -273,3 +274,12 @@ def test_random_mechanisms_on_what_stands_still() -> None:
 def test_more_random_mechanisms_on_what_stands_still(half: int) -> None:
     found = [e for seed in range(1000 + 60 * half, 1060 + 60 * half) if (e := on_boom(seed)) is not None]
     assert len(found) > 40 and max(found) <= 1e-9
+
+
+@pytest.mark.parametrize("name", ["1", "4"])
+def test_the_rod_is_written_before_what_slides_whatever_their_links_are_called(name: str) -> None:
+    carriage = (ROOT / "samples" / "carriage.yaml").read_text(encoding="utf-8")
+    mechanism = loads(carriage.replace("\n  1: {", f"\n  {name}: {{").replace("on: 1", f"on: {name}")).mechanism
+    assert mechanism
+    (velocity,) = (e.text for e in plans_of(mechanism).equations if e.plan == "velocity")
+    assert velocity == f"v_B = v_C + v_BC = v_B0 + v_BB{name} + v_B{name}B0"

@@ -18,6 +18,7 @@ from planes.drafting.drawing import run
 from planes.drafting.instruments import Pencil
 from planes.lesson.note import Note
 from planes.plans import plans_of
+from planes.plans.law_words import law_said
 from planes.plans.scales import drawn_in_si
 from planes.scene import Scene, loads
 from planes.scene.mechanism import LoadLaw, StrokeLoad
@@ -205,3 +206,8 @@ def test_law_and_value_are_told(lang) -> None:
         f"P_{{3}} = (3000·sin(φ_{{1}})), {newton} ({say('stroke_working', lang)})",
         f"P_{{3}} = 200 {newton} ({say('stroke_idle', lang)})",
     ]
+
+
+def test_only_squares_and_cubes_have_small_figures() -> None:
+    drive = loads(ENGINE.replace("LAW", "5")).mechanism.drive
+    assert law_said(LoadLaw("phi^2 + 2*phi^3 - phi^4/phi^-1"), drive, str, "en") == "phi_1²+2·phi_1³−phi_1^4/phi_1^−1"

@@ -105,3 +105,9 @@ def test_the_arm_of_one_load_is_not_taken_for_that_of_another() -> None:
             touched = [a.factors for a, b in zip(own.terms, step.terms, strict=True) if a != b]
             assert [n for factors in touched for n, _ in factors if n in of] == ["h_P_2_C"]
     assert len(left_out) == 2
+
+
+def test_only_vectors_of_points_of_the_frame_have_its_number() -> None:
+    """The block of the press has a place on the frame's guide, and one on the guide of plate 2."""
+    press = (ROOT / "samples" / "class-four" / "press.yaml").read_text(encoding="utf-8")
+    assert plans_from(press).lettering["grounded"] == ["v_G0", "v_GG0", "a_G0", "a_GG0"]

@@ -14,8 +14,10 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.other_leads import fitting, met
 from planes.plans.scales import drawn_in_si, scales
-from planes.scene import loads
+from planes.plans.statements.of_scene import scene_plans
+from planes.scene import load, loads
 from planes.solving import plans_of, solve
+from tests.helpers import ROOT
 from tests.helpers.comparing import Drawn, balanced, differences, expected, pose
 from tests.helpers.mechanisms import make, to_yaml
 from tests.helpers.oracle import solve as oracle_solve
@@ -81,3 +83,16 @@ def test_parallel_leads_are_passed_by_another_pair(leads: str, seed: int) -> Non
             abs(told.v[p] - complex(here[f"v_{p}_x"], here[f"v_{p}_y"])) <= 1e-9 * abs(told.v[p]) for p in told.v
         )
         assert (claims <= 1e-6 * abs(block.table[: len(found)]).max(axis=1).max()).all()
+
+
+@pytest.mark.parametrize("name", ["guide", "rods", "three-basic-links"])
+def test_leads_that_cross_well_are_kept(name: str) -> None:
+    plans = scene_plans(load(ROOT / "samples" / "class-three" / f"{name}.yaml"))
+    assert met(plans.program) and fitting(plans, plans.mechanism.drive.position) is plans
+
+
+def test_leads_that_are_parallel_are_not() -> None:
+    plans, _ = plans_of(loads(to_yaml(make(random.Random("parallel RR-RR-RR 2"), ["RR-RR-RR"], sliding=False).scene)))
+    start = plans.mechanism.drive.position
+    where = parallel_at(plans, start - 60.0, start + 60.0)
+    assert where is not None and fitting(plans, where) is not plans

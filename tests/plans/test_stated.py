@@ -305,3 +305,19 @@ def test_what_cannot_be_drawn_is_one_sentence(
     told = caught.value.told("en")
     assert words in told and re.match(r"s\.yaml:\d+: ", told) and "\n" not in told
     assert re.search("[а-я]", caught.value.told("ru"))
+
+
+def test_a_vector_that_both_sides_hold_twice_is_not_what_they_add_up_to() -> None:
+    given = {"F_1": polar(1), "F_2": polar(1j), "F_3": "direction: 45", "F_4": "direction: -45", "R": ""}
+    once = solved(scene(given, ["R = F_1 + F_3", "R = F_2 + F_4"]))
+    assert vectors(once)["R"] == pytest.approx(1)  # F_3 is nothing, F_4 is 1 − j
+    with pytest.raises(SceneError, match="the unknowns are length of R, direction of R, length of F_3"):
+        solved(scene(given, ["2*R = F_1 + F_3", "2*R = F_2 + F_4"]))
+
+
+def test_a_length_that_closes_a_polygon_is_held_against_it() -> None:
+    """Of R its length alone is given, and all else is known: 3 and 4 across it are 5 together."""
+    given = {"F_1": polar(3), "F_2": polar(4j), "R": "value: 5"}
+    assert vectors(solved(scene(given, ["R = F_1 + F_2"])))["R"] == pytest.approx(3 + 4j)
+    with pytest.raises(SceneError, match=r"0\.5"):
+        solved(scene(given | {"R": "value: 5.5"}, ["R = F_1 + F_2"]))

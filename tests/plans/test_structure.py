@@ -17,10 +17,12 @@ from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import KIND_NAMES
 from planes.plans.assur.structure import Structure
 from planes.plans.assur.unsolvable import Joint, freedom, unsolvable
+from planes.plans.quantities import Quantity
 from planes.scene import loads
 from planes.solving import solve
 from planes.words.errors import SceneError, StructureError
 from tests.diagrams.test_degenerate import chain
+from tests.helpers import ROOT
 from tests.helpers.counting import at_most
 from tests.helpers.mechanisms import KINDS, Case, make, mechanisms, to_yaml
 from tests.solving.test_failures import CROSS_SLIDE, FOUR_BAR, ROCKER, SLIDER
@@ -391,3 +393,19 @@ def test_all_plans_of_a_chain_take_work_and_memory_as_its_links(kinds: list[str]
             assert solve(loads(to_yaml(case.scene))).positions
         calls.append(made[0])
     assert calls[1] < 3 * calls[0] and sizes[1] < 3 * sizes[0] and sizes[1] < 10e6
+
+
+def test_two_rods_in_one_hinge_of_the_base_are_no_contour() -> None:
+    """They are one body with the basic link then: the figure is a triangle that nothing turns in."""
+    tray = (ROOT / "samples" / "class-four" / "tray.yaml").read_text(encoding="utf-8")
+    mechanism = loads(tray, "s.yaml").mechanism
+    assert mechanism and [group.level for group in analyse(mechanism).groups] == ["IV"]
+    mechanism = loads(tray.replace("5: {points: {D: 0,", "5: {points: {B: 0,"), "s.yaml").mechanism
+    with pytest.raises(StructureError, match="links 2, 3, 4, 5 form an Assur group of a high class"):
+        assert mechanism and analyse(mechanism)
+
+
+@pytest.mark.parametrize(("one", "two"), [("F_12", "F_21"), ("F_21", "F_12")])
+def test_a_reaction_of_the_other_link_is_reversed_whichever_comes_first(one: str, two: str) -> None:
+    assert Quantity(one, (), "reactions", two).reversed and not Quantity(one, (), "reactions", one).reversed
+    assert not Quantity(one, (), "loads", two).reversed

@@ -19,6 +19,7 @@ from planes.geometry import plane
 from planes.geometry.sextic import assemblies
 from planes.geometry.tracks import Tie
 from planes.plans import plans_of
+from planes.plans.position.branch import Waypoint, _Way
 from planes.plans.scales import drawn_in_si
 from planes.scene import loads
 from planes.words.errors import SceneError
@@ -204,3 +205,18 @@ def test_a_place_between_two_assemblies_chooses_none() -> None:
     with pytest.raises(SceneError, match=r"0\.1935 m from the nearest of the 2 places .* 0\.2256 m from the next") as e:
         plans_of(loads(text.replace("near: [0.6, 0.03]", "near: [0.5, 0.2]")).mechanism)  # type: ignore[arg-type]
     assert "C: {near: [0.59944, 0.034041]} or C: {near: [0.40423, 0.40425]}" in str(e.value)
+
+
+TURNS = [(-50, 250), (-250, 50), (-1000, 1000), (-20, 1000), (-1000, 20), (-30, 40)]
+
+
+@pytest.mark.parametrize(("low", "high"), TURNS)
+def test_the_way_of_an_assembly_is_all_it_lasts_but_no_more_than_a_turn(low: float, high: float) -> None:
+    """Of an assembly that lasts from ``low`` to ``high`` about 0: half a turn to each side, or what one side leaves."""
+    way = _Way.__new__(_Way)
+    way.start, way.step, way.turning = Waypoint(0.0, [], (0j, 1 + 0j)), 1.0, True
+    way.found = lambda value, near: Waypoint(value, [], near) if low <= value <= high else None  # type: ignore[method-assign]
+    spots = [spot.value for spot in way.whole()]
+    ahead = min(high, max(180.0, 360.0 + max(low, -180.0)))
+    behind = max(low, ahead - 360.0)
+    assert spots == sorted(spots) and (spots[0], spots[-1]) == pytest.approx((behind, ahead), abs=1e-3)

@@ -82,3 +82,7 @@ def test_two_leads_that_slide_at_both_ends_are_one_sentence() -> None:
     }
     with pytest.raises(PlanesError, match=r"leads 4, 5 of a group of class III slide both on the basic link 3"):
         draw({"planes": 1, "frame": frame, "links": links, "drive": {"link": "1", "phi": 40, "omega": 1}})
+
+
+def test_one_after_another_have_each_its_own_assembly() -> None:
+    examine(make(random.Random("two triads"), ["RR-RR-RR", "RR-RR-PR"]))

@@ -328,3 +328,29 @@ def test_guides_of_samples_are_lettered_so_that_a_sheet_of_either_language_can_h
             assert mechanism
             names = {g for link in (mechanism.frame, *mechanism.links.values()) for g in link.guides}
             assert not [name for name in names if re.search("[a-z]{2}", name)], path
+
+
+@pytest.mark.parametrize("name", PUBLISHED)
+def test_a_segment_with_the_name_of_a_points_vector_is_as_long(name: str) -> None:
+    """By the rates of points, which are measured by themselves; a chain of three ends at its third vector."""
+    found = solved(name).positions[0]
+    for plan, vectors in (("velocity", found.v), ("acceleration", found.a)):
+        shown = found.results["plans"][plan]["segments"].values()
+        named = {one["name"]: one["value"] for one in shown}
+        sizes = {key: abs(vectors[key[2:]]) for key in named if key[2:] in vectors}
+        assert {key: named[key] for key in sizes} == pytest.approx(sizes, rel=1e-9) and len(sizes) > 1
+
+
+def test_a_normal_part_ends_at_a_mark_of_its_own() -> None:
+    """The reaction in the last hinge is F^τ + F^n; the plan of the published group letters the ends of both."""
+    shown = solved("six-link").positions[0].results["plans"]["force:2-3"]["segments"]
+    named = {one["name"]: ends for ends, one in shown.items()}
+    assert (named["F_30^n"], named["F_21^n"], named["F_32"]) == ("F_30tF_30n", "F_30np", "F_30nF_24")
+
+
+@pytest.mark.parametrize("name", ["six-link", "class-three/two-basic-links", "class-three/three-basic-links"])
+def test_both_parts_of_a_reaction_have_its_name(name: str) -> None:
+    for plan, one in solved(name).positions[0].results["plans"].items():
+        named = [segment["name"] for segment in one["segments"].values() if plan.startswith("force:")]
+        across, along = ({n[:-2] for n in named if n.endswith(part)} for part in ("^t", "^n"))
+        assert across == along

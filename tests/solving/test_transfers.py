@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from dataclasses import replace
 from math import radians, remainder
 
@@ -124,3 +125,13 @@ def test_they_have_the_units_of_derivatives_by_the_driver_s_place(sample: str, u
     slides = plans.mechanism.drive.kind == "s"
     assert analogue_units(not slides)["epsilon"] == ("1/m²" if slides else "1")
     assert analogue_units(not slides)["a"] == ("1/m" if slides else "m")
+
+
+@pytest.mark.parametrize("name", ["hinge-motor", "shaper"])
+def test_every_link_that_turns_has_one_but_a_driver_that_turns_about_the_frame(name: str) -> None:
+    scene = load(ROOT / "samples" / f"{name}.yaml")
+    found = position(scene)
+    drive = scene.mechanism.drive  # type: ignore[union-attr]
+    own = {drive.link} if drive.on == "0" else set()
+    told = {match[1] for key in found.results["transfers"] if (match := re.match(r"(?:omega_q|u_)(\d)", key))}
+    assert told == {link for link, rate in found.omega.items() if rate} - own and own == set("1" * (name == "shaper"))

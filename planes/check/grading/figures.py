@@ -1,12 +1,12 @@
 """Numbers a person wrote down, as they are read off a drawing: lengths of segments, results."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from itertools import permutations, product
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.geometry.arithmetic import Many, Real
 from planes.plans.quantities import Quantity
+from planes.words.frozen import frozen
 from planes.words.lettering import flat
 from planes.words.names import POLE, at, end_of, label_of, plan_of
 from planes.words.naming import Names
@@ -15,7 +15,7 @@ from planes.words.units import unit_factor
 Things = Mapping[str, Real]
 
 
-@dataclass(frozen=True)
+@frozen
 class WrittenNumber:
     """One number: as written (SI or mm), and how it is read off a drawing (an array over the errors' columns)."""
 

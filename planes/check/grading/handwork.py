@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Container, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 import numpy
@@ -23,12 +22,13 @@ from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point, Truth
 from planes.words import Phrase, Told, Written
+from planes.words.frozen import field, frozen, replace
 from planes.words.names import POLE, label_of, plan_of
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
 
 
-@dataclass(frozen=True)
+@frozen
 class Miss:
     """By how much a mark (complex, mm) or a value (real) is off what its step makes, with its covariance."""
 
@@ -73,7 +73,7 @@ class Miss:
         return -0.5 * self.sigmas**2 - math.log(2 * math.pi) - 0.5 * math.log(xx * yy - xy * xy)
 
 
-@dataclass(frozen=True)
+@frozen
 class Variant:
     """Some steps done another way: ``swaps`` puts steps in the place of the one that makes the name (the last of
     them makes it too); ``givens`` are values changed or added. ``blames`` is the mark the mistake is made at."""

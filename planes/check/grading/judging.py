@@ -18,6 +18,7 @@ from planes.check.grading.evidence import SLIP, all_drawn, breadth, chance_wrong
 from planes.check.grading.handwork import LEAST_MM, Hand, Miss, Variant
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
+from planes.words.frozen import frozen
 from planes.words.names import label_of
 
 FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
@@ -83,7 +84,7 @@ def judge(
     return found
 
 
-@dataclass(frozen=True)
+@frozen
 class ScoredHypothesis:
     """A hypothesis with its logarithmic score against "correct but for noise", and the misses under it."""
 

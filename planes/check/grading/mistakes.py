@@ -1,7 +1,6 @@
 """The catalogue of mistakes of velocity and acceleration plans, as variants of the program's own steps."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
@@ -11,6 +10,7 @@ from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point
 from planes.words import Phrase, Told
+from planes.words.frozen import frozen, replace
 from planes.words.names import POLE, at, guide_of, label_of, letter_of, mu_of, plan_of
 
 
@@ -140,7 +140,7 @@ def _mirrored(w: PlanSteps, step: Similar | Image) -> Iterator[Variant]:
     yield w.variant("similarity_mirrored", step, foot, replace(step, of=(step.of[0], foot.makes)))
 
 
-@dataclass(frozen=True)
+@frozen
 class Mirror(Step):
     """The second of the marks ``of`` mirrored in the line through the first along ``like``."""
 

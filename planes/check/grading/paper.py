@@ -11,6 +11,7 @@ from planes.check.grading.sign_faults import SignFault
 from planes.check.reading.opened import MB, contents, too_many
 from planes.words import Phrase
 from planes.words.errors import PlanesError, shown
+from planes.words.frozen import frozen
 from planes.words.names import POLE
 
 TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
@@ -36,7 +37,7 @@ TOLD_MM = 0.3  # how surely a person points to a mark
 Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the pole
 
 
-@dataclass(frozen=True)
+@frozen
 class ReadMark:
     """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way) and how likely
     it was read at a place that is not the person's mark at all. Part of the error it may share with all marks: what
@@ -60,7 +61,7 @@ def with_told(spots: Iterable[ReadMark], told: Mapping[str, complex], doubt: flo
     return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in told.items())]
 
 
-@dataclass(frozen=True)
+@frozen
 class Known:
     """What is told of a drawing: its pole, some marks (pixels, or its own units; y down), the format of its frame, its
     page, counted from 0."""

@@ -15,6 +15,7 @@ from planes.drafting.steps import LayOff
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.frozen import frozen
 from planes.words.names import POLE, at, end_of, kind_of, label_of, mu_of, plan_of
 from planes.words.naming import Naming
 
@@ -24,7 +25,7 @@ SEEN_MM = 3.0  # a shorter vector may not be seen at all
 NO_VECTOR = ReadMark("", 0j, 0.0)
 
 
-@dataclass(frozen=True)
+@frozen
 class Side:
     """A vector of a force plan: its name, and the labels of the program's marks it leads between."""
 

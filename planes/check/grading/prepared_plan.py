@@ -27,12 +27,13 @@ from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, choices
+from planes.words.frozen import frozen
 from planes.words.names import POLE, at, kind_of, label_of, mu_of, plan_of
 from planes.words.naming import Names, Naming
 from planes.words.units import mu_text
 
 
-@dataclass(frozen=True)
+@frozen
 class Asked:
     """What is checked: a plan of a scene at a value of the drive, and what is known of the drawing beforehand."""
 

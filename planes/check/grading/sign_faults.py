@@ -1,10 +1,10 @@
 """Signs of a drawing that are wrong though its lines are right: exchanged letters, arrowheads."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 from planes.words import Phrase, Written
+from planes.words.frozen import frozen
 from planes.words.names import POLE
 
 Vector = tuple[str, str]  # the labels of its ends
@@ -19,7 +19,7 @@ class DrawnVector(NamedTuple):
     off: float = 0.0
 
 
-@dataclass(frozen=True)
+@frozen
 class SignFault:
     """A sign that is wrong: the letters of ``mark`` and ``other`` are exchanged, or the vector from ``other`` to
     ``mark`` has its head at the wrong end or none, or is ``off`` mm astray."""

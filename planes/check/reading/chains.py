@@ -2,7 +2,6 @@
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 from planes.check.grading.paper import ReadMark, ReadPaper
@@ -11,6 +10,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.remedies import asking
 from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
+from planes.words.frozen import frozen
 from planes.words.names import POLE
 from planes.words.naming import Names, Naming
 
@@ -28,7 +28,7 @@ WHOLE = 0.5  # how much a polygon that leaves no line over is to be preferred
 MOST_TRAILS, MOST_SEEN = 400, 20000
 
 
-@dataclass(frozen=True)
+@frozen
 class Edge:
     """A line between two nodes, drawn on either way or, where an arrowhead says so, ``onward`` only; it is ``drawn``
     near its nodes: forces of one line stand side by side."""

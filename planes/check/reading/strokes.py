@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from planes.check.reading.opened import too_many
 from planes.geometry.plane import corners
+from planes.words.frozen import frozen
 
 Stroke = tuple[complex, complex]
 Round = tuple[complex, float]  # the middle of a small circle, a hinge or a point, and its radius
@@ -36,7 +37,7 @@ class Arrowhead(NamedTuple):
     even: bool = False
 
 
-@dataclass(frozen=True)
+@frozen
 class Words:
     """A piece of text: where its lower left corner is, its direction, height and width, mm."""
 
@@ -66,8 +67,7 @@ class Words:
 
     def beside(self, stroke: Stroke) -> float:
         """How far it is from the middle part of a vector."""
-        a, b = stroke
-        return min(self.distance(a + (b - a) * t / 8) for t in range(1, 8))
+        return min(self.distance(stroke[0] + (stroke[1] - stroke[0]) * t / 8) for t in range(1, 8))
 
 
 @dataclass

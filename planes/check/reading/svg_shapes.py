@@ -3,7 +3,6 @@
 import re
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from xml.etree import ElementTree
 from xml.parsers import expat
 
@@ -14,6 +13,7 @@ from planes.check.reading.opened import too_many
 from planes.check.reading.svg_css import number
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
+from planes.words.frozen import frozen
 
 MOST = 60_000  # elements
 DEEPEST = 200
@@ -53,7 +53,7 @@ def tree(data: bytes, file: str) -> ElementTree.Element:
         return builder.close()
 
 
-@dataclass(frozen=True)
+@frozen
 class Subpath:
     """A part of a path drawn without lifting the pen: where its pieces meet, and which of them are straight."""
 

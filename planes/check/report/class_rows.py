@@ -7,13 +7,14 @@ one, then a right one. Beside a wrong place stands the picture of it, and the ri
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import field, fields, replace
 
 from planes.check import STATUS
 from planes.check.report import Checked
 from planes.check.report.places import address, thumb, wrong_places
 from planes.plans.measuring import lettering, say_plan
 from planes.words import Lang, capital, say
+from planes.words.frozen import frozen
 from planes.words.names import kind_of
 from planes.words.naming import Naming
 from planes.words.records import Json
@@ -22,7 +23,7 @@ UNREADABLE, UNSURE, WRONG, RIGHT = range(4)
 HEADS = ("check_file", "check_verdict", "check_mark", "check_first")
 
 
-@dataclass(frozen=True)
+@frozen
 class ClassRow:
     """One drawing of a class: whose it is, what was found, the link to its report (or to itself), small pictures."""
 

@@ -2,7 +2,6 @@
 
 import shlex
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
 
 from planes.check import Outcome
@@ -12,6 +11,7 @@ from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.plans.measuring import lettering, title_of
 from planes.words import Lang
+from planes.words.frozen import frozen, replace
 from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.naming import Naming
 from planes.words.records import Json
@@ -62,7 +62,7 @@ def true_marks(found: Outcome) -> dict[str, complex]:
     return {label_of(m): complex(found.grading.truth[m]) for m in found.grading.marks}
 
 
-@dataclass(frozen=True)
+@frozen
 class Shown:
     """Both plans as they are shown, mm from the pole: vectors, the person's marks, names that stand along vectors."""
 

@@ -6,12 +6,12 @@ arithmetic, the errors of hand and ruler, and what a failure does; so the same s
 many.
 """
 
-from dataclasses import dataclass, field
 from functools import partial
 from typing import ClassVar, Literal, get_args
 
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
+from planes.words.frozen import field, frozen
 from planes.words.names import HELPERS, Meaning
 
 Kind = Literal["mark", "direction", "value", "place"]
@@ -19,7 +19,7 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 Read = tuple[str, Kind]
 
 
-@dataclass(frozen=True)
+@frozen
 class Step:
     """One step; ``makes`` is the name of what it draws or reckons, ``means`` what that name means, where it is said."""
 
@@ -60,7 +60,7 @@ def _of(kind: Kind, *names: str | None) -> tuple[Read, ...]:
 marks, directions, values = (partial(_of, kind) for kind in KINDS[:3])
 
 
-@dataclass(frozen=True)
+@frozen
 class Put(Step):
     """Put a mark at a given place of the plan (m, by the scale), or at its pole when ``at`` is None."""
 
@@ -72,7 +72,7 @@ class Put(Step):
         return tool.mark(env[self.at] * env[self.mu]) if self.at and self.mu else 0j
 
 
-@dataclass(frozen=True)
+@frozen
 class Aim(Step):
     """A direction at a given angle (degrees) from the x axis, by protractor."""
 
@@ -84,7 +84,7 @@ class Aim(Step):
         return tool.ar.cis_deg(env[self.angle])
 
 
-@dataclass(frozen=True)
+@frozen
 class Through(Step):
     """The direction from one mark to another; of two coinciding marks (a zero vector), any."""
 
@@ -97,7 +97,7 @@ class Through(Step):
         return plane.unit(env[self.end] - env[self.start], tool.ar)
 
 
-@dataclass(frozen=True)
+@frozen
 class Turn(Step):
     """A direction turned by ``quarter`` right angles (set square) and by a given angle (degrees)."""
 
@@ -112,7 +112,7 @@ class Turn(Step):
         return turned * tool.ar.cis_deg(env[self.angle]) if self.angle else turned
 
 
-@dataclass(frozen=True)
+@frozen
 class LayOff(Step):
     """Lay a signed length (SI, by the scale) off from a mark along a direction."""
 
@@ -126,7 +126,7 @@ class LayOff(Step):
         return tool.mark(env[self.start] + tool.ray(env[self.along]) * (env[self.length] * env[self.mu]))
 
 
-@dataclass(frozen=True)
+@frozen
 class Carry(Step):
     """Carry the segment ``first``–``second`` to ``start``, turned by ``quarter`` right angles."""
 
@@ -141,7 +141,7 @@ class Carry(Step):
         return tool.mark(env[self.start] + segment)
 
 
-@dataclass(frozen=True)
+@frozen
 class Same(Step):
     """Another name for a mark: the points of a link that does not turn share one end on the plan."""
 
@@ -152,7 +152,7 @@ class Same(Step):
         return env[self.of]
 
 
-@dataclass(frozen=True)
+@frozen
 class Similar(Step):
     """A mark that stands to ``start``–``end`` as a point of a link to two others: ``ratio`` is the complex ratio of
     the link's own sides (a real ratio divides the segment in proportion)."""
@@ -166,7 +166,7 @@ class Similar(Step):
         return tool.mark(env[self.start] + (env[self.end] - env[self.start]) * env[self.ratio])
 
 
-@dataclass(frozen=True)
+@frozen
 class Image(Step):
     """Similarity taken off the scheme: from ``start`` draw what ``image`` is to ``like`` for the segment ``of``."""
 

@@ -1,6 +1,5 @@
 """Steps by some leads of a basic link that others would serve better where those lean: crossings, arms and cosines."""
 
-from dataclasses import dataclass
 from functools import reduce
 from typing import ClassVar
 
@@ -10,6 +9,7 @@ from planes.drafting.steps.reckoning import Cosine, Drop
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Point, Real
+from planes.words.frozen import frozen
 
 LEAN = "leads_lean"
 """Why other plans are taken: two leads that meet in a special point are too nearly parallel."""
@@ -36,7 +36,7 @@ class ByLeads(Step):
         return super().draw(env, tool)
 
 
-@dataclass(frozen=True)
+@frozen
 class CrossLeads(ByLeads, Cross):
     """Cross the lines of two leads in the special point, while they cross no much worse than with the ``third``."""
 
@@ -56,7 +56,7 @@ class CrossLeads(ByLeads, Cross):
 Line = tuple[Point, Point]  # a point of it, and its direction
 
 
-@dataclass(frozen=True)
+@frozen
 class CrossInChain(ByLeads, Cross):
     """Cross the lines of two leads in the special point of one of some basic links hinged to each other, while all such
     lines cross no much worse than were another lead, or hinge, found last.
@@ -109,7 +109,7 @@ def _towards(pin: Point, one: Line, two: Line) -> Point:
     return line / (size + (size == 0))
 
 
-@dataclass(frozen=True)
+@frozen
 class CrossFalse(ByLeads, Cross):
     """The hinge of a rod on a false plan, while the other rod would not give it much more sharply (``instead``: the
     directions that would be crossed then)."""
@@ -122,7 +122,7 @@ class CrossFalse(ByLeads, Cross):
         return self.along, self.across, *self.instead
 
 
-@dataclass(frozen=True)
+@frozen
 class DropFalse(ByLeads, Drop):
     """The arm of a rod's line about the hinge of what it leads to, while the other rod's is not much better placed
     (``crossed``: the line of the rod, of the hinges it leads to, and both of the other rod)."""
@@ -135,7 +135,7 @@ class DropFalse(ByLeads, Drop):
         return self.lines
 
 
-@dataclass(frozen=True)
+@frozen
 class CosineFalse(ByLeads, Cosine):
     """How much of a lead's force is along the guide of what it leads to, while the other lead's is not much better
     placed (``crossed``: the line of the lead, that across the guide, and both of the other lead)."""

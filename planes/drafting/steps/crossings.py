@@ -1,15 +1,15 @@
 """Where two lines, a line and an arc, or two arcs meet, and the tangent to a circle: the steps that can fail."""
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Real
+from planes.words.frozen import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Cross(Step):
     """Cross two lines. A ``supposed`` crossing is a trial: lines that never meet give no mark instead of failing."""
 
@@ -42,7 +42,7 @@ class TwoPlaces(Step):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
+@frozen
 class CrossArc(TwoPlaces):
     """Cross a line with an arc of a given radius (SI) about a mark; ``side`` +1 is ahead along the line.
 
@@ -83,7 +83,7 @@ class CrossArc(TwoPlaces):
         return (radius - height) * (radius + height)
 
 
-@dataclass(frozen=True)
+@frozen
 class CrossArcs(TwoPlaces):
     """Cross two arcs (засечки); ``side`` +1 is to the left of the way from ``centre`` to ``other``."""
 
@@ -114,7 +114,7 @@ class CrossArcs(TwoPlaces):
         return ((r + s) ** 2 - square) * (square - (r - s) ** 2)
 
 
-@dataclass(frozen=True)
+@frozen
 class Touch(TwoPlaces):
     """The direction of the line through ``start`` that passes ``end`` at a given offset (SI) to its left: the
     tangent to a circle, or simply the line through both when ``offset`` is None."""

@@ -1,6 +1,5 @@
 """Steps for numbers that a scene states as laws: worked out in every position from what is known there."""
 
-from dataclasses import dataclass, field
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step, values
@@ -10,12 +9,13 @@ from planes.scene.law_expressions import LawParser, between, folded, within
 from planes.scene.mechanism import LoadLaw
 from planes.scene.reader import MOST
 from planes.words.errors import PlanFailure
+from planes.words.frozen import field, frozen
 from planes.words.lettering import name_in_words
 
 SLACK, SLACK_BY_HAND = 1e-9, 0.05  # of a table's length: dead points are its ends
 
 
-@dataclass(frozen=True)
+@frozen
 class Follow(Step):
     """A law at work: ``of`` are the names in its text, each with the value it stands for.
 
@@ -63,7 +63,7 @@ class Follow(Step):
         return {"over": self.law.text, "first": table[0][0], "last": table[-1][0]} if table else {}
 
 
-@dataclass(frozen=True)
+@frozen
 class ByStroke(Step):
     """One value while a slider goes one way, another while it comes back, nothing while it stands; ``sense`` is the
     sign of ``stroke`` in the first."""

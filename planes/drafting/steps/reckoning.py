@@ -1,7 +1,6 @@
 """Steps that read a drawing and reckon with what was read: measuring, arms, arithmetic, senses, choices."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import reduce
 from typing import ClassVar
 
@@ -9,9 +8,10 @@ from planes.drafting.steps import Kind, Read, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.words.frozen import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Measure(Step):
     """The length of a segment in SI: signed along a direction if one is named, else its size."""
 
@@ -28,7 +28,7 @@ class Measure(Step):
         return tool.read(length) / env[self.mu]
 
 
-@dataclass(frozen=True)
+@frozen
 class Drop(Step):
     """The arm, in SI, of a line of action through ``point`` about ``about``: positive when a force along the line
     turns counter-clockwise."""
@@ -45,7 +45,7 @@ class Drop(Step):
         return tool.read(arm) / env[self.mu]
 
 
-@dataclass(frozen=True)
+@frozen
 class Protractor(Step):
     """The angle of a direction from the x axis, degrees in (-180, 180]."""
 
@@ -57,7 +57,7 @@ class Protractor(Step):
         return tool.ar.angle_deg(env[self.of])
 
 
-@dataclass(frozen=True)
+@frozen
 class Cosine(Step):
     """The cosine of the angle between two directions: how much of a vector along one is along the other."""
 
@@ -70,7 +70,7 @@ class Cosine(Step):
         return plane.dot(env[self.of], env[self.along])
 
 
-@dataclass(frozen=True)
+@frozen
 class Product:
     """``coefficient`` times named values, each to a whole power."""
 
@@ -85,7 +85,7 @@ class Product:
         return product
 
 
-@dataclass(frozen=True)
+@frozen
 class Calculate(Step):
     """A sum of products of values: v²/l, or a moment equation solved for its one unknown."""
 
@@ -102,7 +102,7 @@ class Calculate(Step):
         return total
 
 
-@dataclass(frozen=True)
+@frozen
 class Sense(Step):
     """+1, -1 or 0: the sense of a segment along a direction (without one: 1 unless the segment vanishes).
 
@@ -131,7 +131,7 @@ class Sense(Step):
         return tool.ar.where(moving, tool.ar.sign(length), 0.0)
 
 
-@dataclass(frozen=True)
+@frozen
 class SenseOf(Step):
     """+1, -1 or 0: the sign of a value."""
 
@@ -143,7 +143,7 @@ class SenseOf(Step):
         return tool.ar.sign(env[self.value])
 
 
-@dataclass(frozen=True)
+@frozen
 class SizeOf(Step):
     """A value without its sign."""
 
@@ -155,7 +155,7 @@ class SizeOf(Step):
         return abs(env[self.value])
 
 
-@dataclass(frozen=True)
+@frozen
 class SenseBetween(Step):
     """+1, -1 or 0: which way one thing turns against another, or against what stands still (""); each at its ``rate``
     unless its ``sense`` says that it stands."""
@@ -181,7 +181,7 @@ class SenseBetween(Step):
         return (self.rate, self.sense), (self.other_rate, self.other_sense)
 
 
-@dataclass(frozen=True)
+@frozen
 class Lean(Step):
     """The line of a guide's reaction with Coulomb friction: the normal leans by arctan f against the sliding.
 
@@ -202,7 +202,7 @@ class Lean(Step):
         return plane.unit(env[self.normal] - env[self.along] * friction, tool.ar)
 
 
-@dataclass(frozen=True)
+@frozen
 class Trial:
     """A place drawn on the supposition that the reactions ``pushes`` have the signs of ``signs``."""
 
@@ -211,7 +211,7 @@ class Trial:
     signs: tuple[int, ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class Choose(Step):
     """Keep the one trial whose supposition came true; none, or two different ones, is self-locking."""
 

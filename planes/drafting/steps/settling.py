@@ -1,15 +1,15 @@
 """Successive plans: a plan that needs its own result is drawn with a guess, then with a better one, and so on."""
 
-from dataclasses import dataclass
 from functools import cached_property, reduce
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real
+from planes.words.frozen import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Fed(Step):
     """A value that a plan is drawn with and that it gives: ``factor`` times the ``size`` measured on it."""
 
@@ -22,7 +22,7 @@ class Fed(Step):
         return env[self.factor] * env[self.size]
 
 
-@dataclass(frozen=True)
+@frozen
 class Settle(Step):
     """The value ``makes`` of those ``fed``, with which the steps of a plan give it again: they are drawn first with
     nothing, then with what the plans before lead to, until nothing changes. Where plans do not settle it fails. They

@@ -8,19 +8,19 @@ changes at the ends of the range alone.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar
 
 from planes.drafting.steps import Kind, Read, Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, advanced, origins
+from planes.words.frozen import frozen
 
 BEFORE = 5  # steps from the guess, a tenth off where lengths were changed, until it is no worse than rounding makes it
 SETTLED = 1e-9  # of the link's size: the last step moves it by less
 
 
-@dataclass(frozen=True)
+@frozen
 class Hold:
     """A lead of the link, by names: ``local`` the point held (its place on the link), ``place`` the mark it is held
     from, ``reach`` a length, ``turn`` the direction of a line, or the angle of a guide in the link's own axes. Of two
@@ -57,7 +57,7 @@ class Hold:
         return Tie(self.kind, local * mu, place, reach * mu, turn, self.link)
 
 
-@dataclass(frozen=True)
+@frozen
 class SeriesGuess:
     """Where about an assembly is: series in the drive's value, of places (over ``size``) and of turns in radians, for
     each link that is cut by one track.
@@ -103,7 +103,7 @@ def series(terms: list[Thing], y: Real) -> Thing:
     return terms[0] + y * one - two
 
 
-@dataclass(frozen=True)
+@frozen
 class CutTrack(Step):
     """Cut the track of a link's point: the mark of the point ``local`` where all ``holds`` are kept: three, or two each
     of two links hinged to each other, of which ``link`` has the point; the ``hinge`` is its place on that."""
@@ -144,7 +144,7 @@ class CutTrack(Step):
         return places[self.link], pose[1 + self.link]
 
 
-@dataclass(frozen=True)
+@frozen
 class CutTurn(CutTrack):
     """The direction of the link's x axis, where its track is cut."""
 

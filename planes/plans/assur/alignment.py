@@ -11,7 +11,6 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from typing import Literal
@@ -24,6 +23,7 @@ from planes.plans.scales import drawn_in_si
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, StructureError
+from planes.words.frozen import frozen
 from planes.words.records import Json
 
 Sign = Literal["R", "P", "C", "S"]
@@ -34,7 +34,7 @@ FIRM = 1e-6  # a smaller determinant holds some link loosely
 POSITIONS = 24  # of the cycle that are looked at
 
 
-@dataclass(frozen=True)
+@frozen
 class Aligned:
     """A variant with q = 0: every pair of the mechanism with what it becomes, and the numbers of Somov and Malyshev."""
 
@@ -124,7 +124,7 @@ def _variants(group: AnyGroup) -> Iterator[tuple[Sign, ...]]:
 Line = tuple[complex, complex]  # a point of it, and its direction
 
 
-@dataclass(frozen=True)
+@frozen
 class PairPlaces:
     """Where every pair is in one position of the mechanism."""
 

@@ -6,16 +6,16 @@ assembles. Two leads of a basic link at an end of the chain make it a lead of th
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.groups import Between, Pair
 from planes.words import Phrase
+from planes.words.frozen import frozen
 from planes.words.records import Json
 
 
-@dataclass(frozen=True)
+@frozen
 class BasicChain:
     """Its ``basics``, each but the first hinged to one before it (``hinges``), and the leads of each."""
 

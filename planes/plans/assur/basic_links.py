@@ -5,15 +5,15 @@ link on three drivers (поводки), each of which hangs on a link that is so
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import ClassVar
 
 from planes.plans.assur.groups import Group, Pair
 from planes.words import Phrase
+from planes.words.frozen import frozen
 from planes.words.records import Json
 
 
-@dataclass(frozen=True)
+@frozen
 class Lead:
     """A driver (поводок) of a basic link: its ``inner`` pair with that, its ``outer`` one with a solved link; with a
     ``drive`` inside it is of two links, ``link`` that with the outer pair."""
@@ -73,7 +73,7 @@ class OnLeads:
         return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
 
 
-@dataclass(frozen=True)
+@frozen
 class Triad(OnLeads):
     """An Assur group of class III and order 3: the ``basic`` link and its three leads, all in the order of the file."""
 

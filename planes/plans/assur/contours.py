@@ -6,17 +6,17 @@ order that of the group's outer pairs. Of the two links of the contour that hang
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by
 from planes.plans.assur.groups import Between, Group, Pair
 from planes.words import Phrase
+from planes.words.frozen import frozen
 from planes.words.records import Json
 
 
-@dataclass(frozen=True)
+@frozen
 class Contour(OnLeads):
     """An Assur group of class IV and order 2: ``base`` and ``basic`` on their outer pairs, the base on a hinge, and the
     two links between them, as leads from the base to the basic link."""

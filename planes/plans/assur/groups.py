@@ -1,10 +1,10 @@
 """Kinematic pairs, and the groups of Assur of class II that they make, of five kinds."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from planes.words import Phrase
+from planes.words.frozen import frozen
 from planes.words.records import Json
 
 Between = Callable[[str, str], Sequence["Pair"]]
@@ -12,7 +12,7 @@ Between = Callable[[str, str], Sequence["Pair"]]
 KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
 
-@dataclass(frozen=True)
+@frozen
 class Pair:
     """A kinematic pair of ``link`` with the earlier solved ``other``: a hinge ("R") at ``point``, or the link slides
     ("P") along ``guide`` of the other."""
@@ -32,7 +32,7 @@ class Pair:
         return self.other if link == self.link else self.link
 
 
-@dataclass(frozen=True)
+@frozen
 class Brace:
     """A cylinder across the hinge of two links: its own ``slide``, its hinge with the ``near`` link, that hangs on the
     frame, and with the ``far`` one. While it is stopped the two links are one, as if a motor held their hinge."""
@@ -47,7 +47,7 @@ class Brace:
         return self.near.link, self.far.link
 
 
-@dataclass(frozen=True)
+@frozen
 class Group:
     """An Assur group of class II: two links, their inner pair and one outer pair each.
 

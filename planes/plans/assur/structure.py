@@ -1,17 +1,16 @@
 """What the structure of a mechanism is: freedom, redundant constraints, pairs, groups of Assur in order."""
 
-from dataclasses import dataclass
-
 from planes.plans.assur.contours import AnyGroup
 from planes.plans.assur.groups import Group, Pair
 from planes.scene.mechanism import FRAME
+from planes.words.frozen import frozen
 from planes.words.records import Json
 
 LEVELS = ("II", "III", "IV")
 """The classes of groups that are drawn, from the lightest."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Structure:
     """What the structure of a mechanism is: freedom, redundant constraints, pairs, groups in order."""
 

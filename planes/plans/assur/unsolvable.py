@@ -7,12 +7,13 @@ pairs take. The work grows as the square of the links.
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+
+from planes.words.frozen import frozen
 
 Freedoms = tuple[str, ...]  # a link, or a joint by its number: whose freedoms they are
 
 
-@dataclass(frozen=True)
+@frozen
 class Joint:
     """The links not solved yet that a hinge or a guide holds, and whether a solved one is there too."""
 

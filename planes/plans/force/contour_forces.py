@@ -7,8 +7,6 @@ gives what the second lead really bears, its arm being what its force and that w
 have together. Then the first is found again.
 """
 
-from dataclasses import dataclass, replace
-
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.by_leads import CosineFalse, DropFalse
@@ -21,10 +19,11 @@ from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
 from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import FRAME
+from planes.words.frozen import frozen, replace
 from planes.words.names import POLE, Meaning, at, label_of, mu_of, parts_of
 
 
-@dataclass(frozen=True)
+@frozen
 class _Equilibrium:
     """What is in equilibrium on an outer pair: its links, and what acts on them but for the forces along the leads."""
 

@@ -1,6 +1,5 @@
 """What the laws of loads are worked out from: values of the motion, drawn before any force is."""
 
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.drafting.steps.laws import ByStroke, Follow
@@ -12,10 +11,11 @@ from planes.scene.load_laws import Coordinate, check_law, coordinates
 from planes.scene.mechanism import FRAME, Amount, Load, LoadLaw, StrokeLoad
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, SceneError, choices
+from planes.words.frozen import field, frozen
 from planes.words.names import POLE, Meaning, at
 
 
-@dataclass(frozen=True)
+@frozen
 class LawValues:
     """Makes values of loads; ``said`` are the laws by name."""
 

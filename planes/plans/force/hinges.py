@@ -6,8 +6,6 @@ the reaction is known once the plan is drawn with the couple: plans are drawn on
 is, in groups of class III, the force of friction on a guide, by the normal force.
 """
 
-from dataclasses import dataclass
-
 from planes.drafting.draft import Draft
 from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Product, Sense, SenseBetween
@@ -15,10 +13,11 @@ from planes.drafting.steps.settling import Fed, Settle
 from planes.plans.assur.groups import Pair
 from planes.plans.force.loads import Acting, Couple, force_name
 from planes.scene.mechanism import FRAME
+from planes.words.frozen import frozen
 from planes.words.names import Meaning
 
 
-@dataclass(frozen=True)
+@frozen
 class Grip:
     """What rubs in a hinge: the names of its couple on the link of the pair, and of what that is to the reaction."""
 
@@ -50,7 +49,7 @@ def grip_of(acting: Acting, pair: Pair) -> Grip | None:
     return Grip(pair, f"MT_{key}", factor)
 
 
-@dataclass(frozen=True)
+@frozen
 class Slip:
     """What rubs on a guide: the names of the force along it, on the link that slides, and of what that is to the normal
     force."""

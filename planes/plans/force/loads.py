@@ -10,10 +10,11 @@ from planes.plans.force.following import LawValues
 from planes.plans.motion.kinematics import Rates
 from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
 from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism, StrokeLoad
+from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, Quantity, at
 
 
-@dataclass(frozen=True)
+@frozen
 class Force:
     """A force on ``link`` at a mark of the scheme: names of its size (N) and direction. ``spot`` is its point."""
 
@@ -31,7 +32,7 @@ class Force:
         return Meaning(self.quantity, self.name, link=self.link)
 
 
-@dataclass(frozen=True)
+@frozen
 class Couple:
     """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``; ``handed`` over by
     a sliding pair, or of ``inertia``, or from outside."""
@@ -65,7 +66,7 @@ def pair_index(on: str, by: str) -> str:
     return on + by if len(on) == len(by) == 1 else f"{on}_{by}"
 
 
-@dataclass(frozen=True)
+@frozen
 class Loads:
     """All forces and couples by link, by name the loads that are laws, and the ``motion`` they were sensed by."""
 

@@ -16,10 +16,11 @@ from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Grip, sliding
 from planes.plans.force.loads import Acting, Couple, Force, force_name
 from planes.plans.position.bodies import SCHEME, Bodies
+from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
 
 
-@dataclass(frozen=True)
+@frozen
 class Reaction:
     """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot;
     where it rubs the names of the friction force along the guide and of its power. In a hinge that rubs the couple is

@@ -1,7 +1,6 @@
 """Plans of forces that feel what rubs in their pairs: drawn aside, with nothing first, until they give it again."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from typing import Protocol
 
 from planes.drafting.steps.reckoning import SizeOf
@@ -10,9 +9,10 @@ from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Grip, Slip, grip_of, settle, slip_of
 from planes.plans.force.loads import Couple, force_name
 from planes.plans.force.reactions import Statics
+from planes.words.frozen import field, frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Rubs:
     """What rubs in the pairs of a plan: in hinges, and on guides as a force that it is drawn with."""
 

@@ -4,18 +4,17 @@
 guide and Y is the point of the mate that coincides with X. All five kinds of class II are two such legs.
 """
 
-from dataclasses import dataclass, replace
-
 from planes.drafting.steps import Turn
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
 from planes.plans.position.positions import moving_name
 from planes.scene.mechanism import FRAME
+from planes.words.frozen import frozen, replace
 from planes.words.names import POLE, Meaning
 
 
-@dataclass(frozen=True)
+@frozen
 class Leg:
     """One way to the new point. ``link`` carries ``known``; ``along`` is the direction of the relative velocity.
 
@@ -49,7 +48,7 @@ class Leg:
         return self.spot or self.new
 
 
-@dataclass(frozen=True)
+@frozen
 class SlideReading:
     """What a slider's rate against its guide is read from: ``value`` is the segment ``ends`` ``along`` the guide;
     ``coriolis`` are two marks of the acceleration plan, where the guide turns; ``under`` is the mark of the guide's

@@ -5,18 +5,17 @@ A link that hangs by a hinge is drawn about that, its axis level; one that slide
 to run through.
 """
 
-from dataclasses import dataclass
-
 from planes.drafting.steps import Turn
 from planes.drafting.steps.reckoning import Product
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.position.bodies import SCHEME, Bodies
 from planes.plans.position.reckoned import OwnPlace, along, angle_deg, difference, guided, leaning
 from planes.scene.mechanism import Link
+from planes.words.frozen import frozen
 from planes.words.names import Meaning, at
 
 
-@dataclass(frozen=True)
+@frozen
 class Aside:
     """A ``link`` drawn aside: its point ``base`` at the mark ``start``, its x axis along ``axis``; ``tag`` tells its
     marks from those of the scheme."""

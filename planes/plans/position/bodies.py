@@ -25,12 +25,13 @@ from planes.plans.position.reckoned import (
     ratio,
 )
 from planes.scene.mechanism import FRAME, Link, Mechanism
+from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, at
 
 SCHEME = "position"
 
 
-@dataclass(frozen=True)
+@frozen
 class BodyPoint:
     """A point of a link: its mark's label on the scheme, and its name on the moving plans ("A" there, "A3" here)."""
 
@@ -57,7 +58,7 @@ class Body:
         return self.moving or self.base
 
 
-@dataclass(frozen=True)
+@frozen
 class AssemblyChoice:
     """A ±1 the scene has to choose: the name of the given, the key of ``assembly:`` and the group."""
 
@@ -67,7 +68,7 @@ class AssemblyChoice:
     placed: bool = True  # its places can be told before other choices are made
 
 
-@dataclass(frozen=True)
+@frozen
 class BraceReach:
     """How long a cylinder is that braces a hinge, by names of values: the sense it points in, its reach along its guide
     and its length between its hinges, which are not the same where one lies off the guide."""
@@ -78,7 +79,7 @@ class BraceReach:
     offset: bool
 
 
-@dataclass(frozen=True)
+@frozen
 class TrackChoice:
     """Which crossing of a track is meant: the series of an assembly, the sign of it, and what holds the link."""
 

@@ -9,12 +9,12 @@ import cmath
 import math
 from bisect import bisect
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from planes.drafting.steps.tracks import SETTLED, series, settle
 from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.tracks import Pose, Tie
 from planes.words.errors import PlanFailure
+from planes.words.frozen import frozen
 
 STEP, TURN = 1.0, 360.0  # of the drive, degrees
 STEPS = 360  # of a sliding drive to either side, each a ninetieth of the link's size
@@ -28,7 +28,7 @@ EDGE = 1e-7  # of the range, at its ends, where a series is not tried: assemblie
 Ties = Callable[[float], list[Tie]]  # the leads at a value of the drive
 
 
-@dataclass(frozen=True)
+@frozen
 class Waypoint:
     """A place of the way: the drive's value, the leads there and the link on them."""
 
@@ -37,7 +37,7 @@ class Waypoint:
     pose: Pose
 
 
-@dataclass(frozen=True)
+@frozen
 class Branch:
     """The range of the drive where an assembly lasts, and its series there (places over the link's size, radians)."""
 

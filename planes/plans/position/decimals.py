@@ -3,8 +3,6 @@ are reckoned of them, too, which are reckoned again in decimals.
 """
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 from typing import Any
 
@@ -12,7 +10,7 @@ from planes.drafting.dimensions import Dimension
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans.position.reckoned import SceneDimensions
-from planes.scene.mechanism import Link, Mechanism
+from planes.words.frozen import frozen
 
 UNSURE = Decimal(2) ** -52  # relative: how far off a number is that is reckoned of what is written
 LONG = Context(prec=40)
@@ -22,7 +20,7 @@ Lost = tuple[Thing, float]
 """What a double leaves out of a number, and how far off the number may be beside that."""
 
 
-@dataclass(frozen=True)
+@frozen
 class _Place:
     """A place or a vector in decimals."""
 
@@ -65,15 +63,11 @@ class _Decimals(Arithmetic):
 class AsWritten(SceneDimensions):
     """The dimensions as they are written, in decimals; numbers that are not written as they stand, as their doubles."""
 
-    def __init__(self, mechanism: Mechanism, passive: Iterable[Link]) -> None:
-        super().__init__(mechanism, passive)
-        self.unknown: dict[float, None] = {}  # the sizes of such numbers
-        self.moved = -1.0  # the one of them that is taken to be off
-
     def lost(self, value: Thing, by: Dimension | None) -> Lost | None:
         """What the double of a given leaves out, which is reckoned ``by`` others or written itself; None where it is
         but a number that is not known."""
-        self.unknown, self.moved = {}, -1.0
+        self.unknown: dict[float, None] = {}  # the sizes of such numbers
+        self.moved = -1.0  # the one of them that is taken to be off
         with localcontext(LONG):
             lost = self._less(value, by)
             if self.unknown and by is None and not isinstance(value, complex):

@@ -3,7 +3,6 @@ the length, between the hinge they hang by and the one they move, that the drive
 along a line that the drive shifts."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from planes.drafting.equations import Equation
 from planes.drafting.steps import Carry, Image
@@ -13,10 +12,11 @@ from planes.plans.assur.groups import Group, Pair
 from planes.plans.position.asides import Aside, aside_of, reach_of, slid, turned
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.position.positions import chain_to, moving_name, on_line, place_slider, rigid_body, side_of
+from planes.words.frozen import frozen
 from planes.words.names import Meaning, at, label_of
 
 
-@dataclass(frozen=True)
+@frozen
 class Way:
     """How the hinge of what is driven is held: by a ``length`` from the mark ``start``, or on a line ``along``."""
 
@@ -91,7 +91,7 @@ def place_sliding(aside: Aside, g: Group, end: str, motor: str) -> None:
         place_slider(b, pair, mate, hinge, b.direction_from(pair, g.held, aside.axis))
 
 
-@dataclass(frozen=True)
+@frozen
 class Elbow:
     """Two links with a motor in the hinge between them, drawn ``aside``: how far the ``hinge`` is from the pivot, and
     the marks of the motor and of the hinge there."""

@@ -1,16 +1,17 @@
 """Which assembly of a higher group is meant: all are found and counted at the drive's value, one chosen, followed."""
 
+from __future__ import annotations
+
 import cmath
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
-from planes.geometry.assemblies import all_assemblies
-from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
@@ -20,6 +21,9 @@ from planes.scene.mechanism import Assembly
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.names import at, mu_of
+
+if TYPE_CHECKING:
+    from planes.geometry.sextic import Counted
 
 ORDERS = ((0, 1), (1, 2), (2, 0))
 AnyChoice = AssemblyChoice | TrackChoice
@@ -54,7 +58,9 @@ class Tracks:
         return self.bodies.mechanism.drive.position
 
     def all(self) -> Counted:
-        """Every assembly there."""
+        """Every assembly there; few scenes ask, so it is learnt here how."""
+        from planes.geometry.assemblies import all_assemblies
+
         ties = self.ties(self.start)
         return all_assemblies(ties, self.size)
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import io
 import math
-from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -20,6 +19,7 @@ from planes.check.vision.image.picture import blanks_on, cv, sheet_alone
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
+from planes.words.frozen import frozen, replace
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -41,7 +41,7 @@ LOOK_PX, PARTS = 1000, 8
 EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture in which a grid is, and in which a drawing may be
 
 
-@dataclass(frozen=True)
+@frozen
 class DecodedPicture:
     """A picture in one shade; where the file tells them, its pixels to a mm, and how long the lens was in its longer
     sides."""

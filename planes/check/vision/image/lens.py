@@ -1,19 +1,19 @@
 """What a telephone's camera makes of a sheet's plane when it is tilted, and nothing tells by how much."""
 
 import math
-from dataclasses import dataclass
 
 import numpy
 
 from planes.check.vision.image.bend import Place, through
 from planes.geometry.arrays import Array
+from planes.words.frozen import frozen
 
 FOCAL = 0.73  # of a telephone's lens, in lengths of its picture's longer side
 MOST_TILT_DEG = 40.0
 HELD = math.tan(math.radians(6.0))  # σ of how telephones are held
 
 
-@dataclass(frozen=True)
+@frozen
 class CameraTilt:
     """How a camera was tilted (slopes to the sheet's right and up, or down where pixels are meant), one σ of that along
     two axes, and how the sheet's lines are turned in the picture (radians)."""
@@ -40,7 +40,7 @@ class CameraTilt:
 UNTOLD = CameraTilt()
 
 
-@dataclass(frozen=True)
+@frozen
 class Lens:
     """A camera over a flat picture, mm from the pole (y up): the place it looks at, how far it is, and the mark that
     the picture's scale (``turned``: direction, too) was taken from; and what tilt was taken out of it."""

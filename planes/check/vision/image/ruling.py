@@ -7,12 +7,12 @@ is darker than a ruling, so darkness is cut off: it tells no more.
 
 import heapq
 import math
-from dataclasses import dataclass
 
 import numpy
 
 from planes.check.vision.image.picture import cv
 from planes.geometry.arrays import Array, Complexes, Greys
+from planes.words.frozen import frozen
 
 PERIOD_PX = 16.0  # of a ruling, in the picture that is looked at
 WINDOW_PX, STEP_PX = 96, 64
@@ -25,7 +25,7 @@ CLEAR = 5.0  # how much stronger than the usual one of its window a wave is that
 LEAST, EVERYWHERE = 16, 0.35  # clear windows, and their share of all: tables and hatchings are somewhere only
 
 
-@dataclass(frozen=True)
+@frozen
 class Wave:
     """A family of lines as windows see it: where (pixels of the picture), at what count, which of them clearly."""
 

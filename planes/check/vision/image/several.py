@@ -1,12 +1,12 @@
 """Several blanks on one picture: which of its corner marks are of one sheet."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy
 
 from planes.check.fiducials import SHEET_MM, SIDE_MM, centres
 from planes.geometry.arrays import Array
+from planes.words.frozen import frozen
 
 NEAR_MM = 90.0  # from where one mark of a sheet puts another, seen from aside; those of another sheet are 200 mm off
 FEWEST = 3  # marks that tell where a sheet lies
@@ -15,7 +15,7 @@ ROOM = 1.0  # of what lies between a sheet's marks: another, smaller as it is fa
 Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, from its upper left one clockwise
 
 
-@dataclass(frozen=True)
+@frozen
 class SheetsSeen:
     """The marks of each sheet by their numbers, sheets as they are read; of one sheet all, however few."""
 

@@ -8,7 +8,6 @@ Text gives the tilt, but no millimetres.
 
 import cmath
 import math
-from dataclasses import dataclass, replace
 
 import numpy
 
@@ -20,6 +19,7 @@ from planes.check.vision.image.ruling import CLEAR, LEAST, Wave, waves_of
 from planes.check.vision.image.sheet_edges import edges_of
 from planes.check.vision.image.text_view import tilt_by_text
 from planes.geometry.arrays import Array, Complexes, Greys
+from planes.words.frozen import frozen, replace
 
 SQUARE_MM, LINES_MM = 5.0, 8.0
 AGREEING, OFF = 0.6, 0.12  # the share of clear windows that agree, within that share of a line's distance
@@ -29,7 +29,7 @@ SHARP = math.tan(math.radians(3.0))  # σ of a tilt that text says is little
 A_SHAPE, NEAR_SHAPE, A4_MM = math.sqrt(2), 0.03, (297.0, 210.0)
 
 
-@dataclass(frozen=True)
+@frozen
 class SheetView:
     """How pixels of a picture lie on its sheet, mm (y down, any origin), and by what that is told."""
 

@@ -5,12 +5,12 @@ told along rows (s) and across them (t, downwards).
 """
 
 import math
-from dataclasses import dataclass
 
 import numpy
 
 from planes.check.vision.image.picture import cv, smaller
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
+from planes.words.frozen import frozen
 
 LOOK_PX, LIGHT_PX = 2000, 41  # the longer side of what is looked at; how far off its paper's light is taken
 DARKER, PRINT = 14, 0.3  # greys that ink is darker than paper, and the share of how dark the darkest is
@@ -23,7 +23,7 @@ OFF = 0.12  # of a letter's height: farther from the line is no foot on it
 STEEP = math.radians(40)  # a stroke that slants more from upright tells nothing
 
 
-@dataclass(frozen=True)
+@frozen
 class TextRow:
     """The line that letters stand on: a place of it and its direction (radians), how far feet are off it (a share of
     a letter's height), how sure its direction is, and its letters' numbers."""
@@ -35,7 +35,7 @@ class TextRow:
     letters: Indices
 
 
-@dataclass(frozen=True)
+@frozen
 class LetterRows:
     """Letters in rows: where they are (pixels of the picture), how high, edges of their strokes (which letter's, which
     way it runs in radians, how sharp), and the rows."""

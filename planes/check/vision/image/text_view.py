@@ -9,7 +9,6 @@ What nothing tells remains as an error.
 import cmath
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy
 
@@ -17,6 +16,7 @@ from planes.check.vision.image.bend import through
 from planes.check.vision.image.lens import HELD, CameraTilt, level
 from planes.check.vision.image.text_rows import LetterRows, text_on
 from planes.geometry.arrays import Array, Complexes, Greys, Indices
+from planes.words.frozen import frozen
 
 LEAST_LETTERS, ROUNDS = 24, 10
 KERNEL, SIZES = math.radians(7), 0.07  # how far strokes' slants, and the logarithms of letters' heights, are one kind
@@ -31,7 +31,7 @@ MOST_TURN = math.radians(30)  # of a sheet that is meant to be upright
 BLOCK = 4.5  # rows of a block are no farther apart, in letters
 
 
-@dataclass(frozen=True)
+@frozen
 class _Cue:
     """What would be alike in each group were the tilt right: values without their groups' means, their weights, and
     how they change with the tilt."""

@@ -16,6 +16,7 @@ from planes.check.vision.marks.letter_net import SHAPES, features, odds
 from planes.check.vision.marks.places import Seen
 from planes.check.vision.strokes.hanging import tabled
 from planes.geometry.arrays import Array, Greys
+from planes.words.frozen import frozen
 
 SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
 SAME |= {"s": "5", "c": "G", "'": "|_*"}
@@ -36,7 +37,7 @@ WARMTH = 1.2  # by which logarithms are divided: what is told with 90 % is right
 NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # how far off its vector a name is, how surely; how likely it is elsewhere
 
 
-@dataclass(frozen=True)
+@frozen
 class HandWord:
     """Letters in a row: where they lie, mm, and how likely they are each name."""
 
@@ -93,7 +94,7 @@ class HandWords:
         return self.known[key]
 
 
-@dataclass(frozen=True)
+@frozen
 class LetterPiece:
     """A piece of ink that may be a letter, or part of one: its box in pixels, and a mask of its ink there."""
 

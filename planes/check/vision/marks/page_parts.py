@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy
 
@@ -11,6 +10,7 @@ from planes.check.reading.parts import TOGETHER_MM
 from planes.check.vision.image.picture import Flat, cv
 from planes.check.vision.strokes.ink import ink_of, light_of
 from planes.geometry.arrays import Greys, Indices
+from planes.words.frozen import frozen
 from planes.words.names import kind_of
 from planes.words.units import standard_mu, standard_scale
 
@@ -24,7 +24,7 @@ SOFT_MM = 6.0  # what counts little in a size
 SIZES = (0.7, 0.8, 0.9, 1.0, 1.05)  # of a part, that its plan may have: lines run on, a scheme has its supports
 
 
-@dataclass(frozen=True)
+@frozen
 class PageParts:
     """The parts of a page: their numbers on a small picture of it, and their boxes there (left, top, wide, high)."""
 

@@ -18,6 +18,7 @@ from planes.check.vision.marks.places import HEADED_MM, Seen
 from planes.check.vision.strokes.hanging import hanging
 from planes.check.vision.strokes.rubbed_out import GHOST
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
+from planes.words.frozen import frozen
 
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
@@ -32,7 +33,7 @@ FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
 COVERED, STRANGE_MM = 0.75, 10.0  # the share of a vector that must be drawn; of its end, what tells a strange one
 
 
-@dataclass(frozen=True)
+@frozen
 class InkPart:
     """Lines that hang together: their steps and heads as bits, how many of them are long, and how long all are, mm."""
 

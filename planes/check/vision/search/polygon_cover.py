@@ -19,6 +19,7 @@ from planes.check.vision.search.costs import slip
 from planes.check.vision.search.ink_cover import COVERED
 from planes.drafting.steps import Step
 from planes.drafting.steps.crossings import Cross
+from planes.words.frozen import frozen
 from planes.words.names import POLE, at, label_of, links_of, plan_of
 
 HAND_MM, SURELY = 1.8, 3.0  # how far astray a hand leads, and of how many σ
@@ -51,7 +52,7 @@ class PolygonCorner(NamedTuple):
         return PolygonCorner(z, rounded(share * (goal - z)), round(math.sqrt(share) * drawn, 1))
 
 
-@dataclass(frozen=True)
+@frozen
 class Guess:
     """One way the polygon may have been drawn: its known vectors, the closing ones, what believing it costs."""
 
@@ -121,7 +122,7 @@ class LaidChain:
         return true > 1 and drawn < min(0.4 * true, 0.8)
 
 
-@dataclass(frozen=True)
+@frozen
 class ReadPolygon:
     """Rows of a polygon, none where it cannot surely be told what was drawn; whether nothing can have been overlooked;
     the share of ink explained; ends not seen; vectors that a mistake puts elsewhere and explains the ink as well;

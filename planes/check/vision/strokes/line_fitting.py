@@ -13,6 +13,7 @@ import numpy
 
 from planes.check.vision.strokes.ink import DARK, Ink
 from planes.geometry.arrays import Array, Booleans, Complexes
+from planes.words.frozen import frozen
 
 STEP_MM, CELL_MM = 0.2, 0.1  # along a line, and of a row across it
 UPON_MM = 0.15  # lines nearer than this are in the same place
@@ -30,7 +31,7 @@ UNSTEADY_MM = 0.05  # σ of what a hand does beside bending
 Number = TypeVar("Number", float, Array)
 
 
-@dataclass(frozen=True)
+@frozen
 class Tip:
     """An arrowhead's tip: how far along its line, +1 if it points to its high end, the place, its σ along; how long
     the head is, and what share of the ink that no line explains it does."""

@@ -1,0 +1,64 @@
+"""A record whose values never change: what ``dataclass(frozen=True)`` makes, in a quarter of the time.
+
+Only the initialiser is written for a class; how records are compared, hashed and shown is the same text for all. With
+150 of them between the command line and its first answer, that is what a person waits for.
+"""
+
+from collections.abc import Callable
+from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields, replace
+from operator import attrgetter
+from typing import Any, NoReturn, TypeVar, dataclass_transform
+
+__all__ = ["field", "frozen", "replace"]
+
+T = TypeVar("T")
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def frozen(cls: type[T]) -> type[T]:
+    """The class as a record of its fields; what it says itself of the methods below stays as it is."""
+    dataclass(init=False, repr=False, eq=False)(cls)
+    values = attrgetter("__class__", *(f.name for f in fields(cls) if f.compare))  # type: ignore[arg-type]
+
+    def same(self: T, other: object) -> bool:
+        return bool(values(self) == values(other)) if other.__class__ is self.__class__ else NotImplemented
+
+    ours = {"__init__": _initialiser(cls), "__eq__": same, "__hash__": lambda self: hash(values(self))}
+    ours |= {"__repr__": _shown, "__setattr__": _refused, "__delattr__": _refused}
+    own = {name: vars(cls)[name] for name in ours if vars(cls).get(name) is not None}
+    for name, method in (ours | own).items():
+        setattr(cls, name, method)
+    return cls
+
+
+def _initialiser(cls: type) -> Callable[..., None]:
+    heads: list[str] = []
+    lines = []
+    known: dict[str, Any] = {"_put": object.__setattr__, "_missing": MISSING}
+    for one in sorted(fields(cls), key=lambda f: bool(f.kw_only)):
+        heads += ["*"] if one.kw_only and "*" not in heads else []
+        name, value = one.name, one.name
+        if one.default_factory is not MISSING:
+            known[f"_{name}"] = one.default_factory
+            value = f"_{name}() if {name} is _missing else {name}"
+            heads.append(f"{name}=_missing")
+        elif one.default is not MISSING:
+            known[f"_{name}"] = one.default
+            heads.append(f"{name}=_{name}")
+        else:
+            heads.append(name)
+        lines.append(f" _put(self, {name!r}, {value})")
+    lines += [" self.__post_init__()"] if hasattr(cls, "__post_init__") else []
+    exec(f"def __init__(self, {', '.join(heads)}):\n" + "\n".join(lines or [" pass"]), known)
+    made: Callable[..., None] = known["__init__"]
+    made.__qualname__ = f"{cls.__qualname__}.__init__"
+    return made
+
+
+def _shown(self: Any) -> str:
+    values = (f"{f.name}={getattr(self, f.name)!r}" for f in fields(self) if f.repr)
+    return f"{type(self).__qualname__}({', '.join(values)})"
+
+
+def _refused(self: object, name: str, *value: object) -> NoReturn:
+    raise FrozenInstanceError(f"cannot change field {name!r}")
