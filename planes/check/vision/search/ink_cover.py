@@ -121,25 +121,13 @@ class InkCover:
     def _steps(self, a: complex, b: complex) -> int:
         if a == b or not len(self.steps):
             return 0
-        s = self._along(a, b)
+        s = self.far_along(a, b)
         return _bits((s > -1) & (s < abs(b - a) + 1))
 
-    def _along(self, a: complex, b: complex) -> Array:
+    def far_along(self, a: complex, b: complex) -> Array:
         """How far along the way from a to b every step is; infinitely far what is not near it."""
         local = (self.steps - a) * ((b - a).conjugate() / abs(b - a))
         return numpy.where(abs(local.imag) < ROUTE_MM, local.real, math.inf)
-
-    def gap(self, a: complex, b: complex) -> float:
-        """The longest piece of the way from a to b without ink, mm, but for what letters and the pole's print hide."""
-        at = numpy.arange(STEP_MM / 2, abs(b - a), STEP_MM)
-        z = (a + (b - a) / abs(b - a) * at).astype(complex)
-        inked = numpy.sort(self._along(a, b))
-        after = numpy.searchsorted(inked, at)
-        ends = numpy.concatenate([[-math.inf], inked, [math.inf]])
-        bare = numpy.minimum(at - ends[after], ends[after + 1] - at) > STEP_MM
-        bare &= ~self.on_sign(z) & ~self.seen.ink.lettered(z) & (abs(z - self.pole) > CROSS_MM)
-        ends = numpy.flatnonzero(~numpy.concatenate([[False], bare, [False]]))
-        return STEP_MM * float(numpy.diff(ends).max() - 1)
 
     def beyond(self, routes: Iterable[tuple[complex, complex]]) -> int:
         """The steps of construction lines that run on past the ends of ways."""
@@ -155,7 +143,7 @@ class InkCover:
         length, a = abs(b - a), self._straightened(a, b)
         if a == b or not len(self.steps):
             return 0
-        s = self._along(a, b)
+        s = self.far_along(a, b)
         own, further = (s > 0) & (s < length), numpy.flatnonzero((s > length) & (s < length + OVER_MM))
         further = further[numpy.argsort(s[further])]
         run = further[~numpy.logical_or.accumulate(numpy.diff(s[further], prepend=length) > TORN_OFF_MM)]
@@ -208,7 +196,7 @@ class InkCover:
         length = abs(b - a)
         if not self.headed or length < 2 * HEADED_MM or self.pointed(a, b):
             return False
-        s = self._along(a, b)
+        s = self.far_along(a, b)
         own, last = ((s > low) & (s < length) for low in (0, length - HEADED_MM))
         return bool(last.any()) and float(numpy.median(self.dark[last])) < FAINT * float(numpy.median(self.dark[own]))
 

@@ -1,11 +1,15 @@
 """Letters, arrowheads and vectors of a picture that are wrong, or not drawn, though its marks are the right plan's."""
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
+
+import numpy
 
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.sign_faults import DrawnVector, SignFault, Vector, arrow_faults
 from planes.check.vision.marks.handwritten import HandWord
+from planes.check.vision.search.ink_cover import CROSS_MM, STEP_MM, InkCover
 from planes.check.vision.search.laid_plan import LaidPlan
 from planes.check.vision.search.named_marks import BESIDE_MM, names_on
 from planes.check.vision.search.plan_search import Search
@@ -35,8 +39,20 @@ def undrawn(search: Search, way: LaidPlan) -> list[str]:
     """Longer vectors between marks that are found, of which a piece is not drawn."""
     ends = way.ends(search.pole.z)
     pairs = ((v, ends[v[0]], ends[v[1]]) for v in search.vectors if {*v} <= ends.keys())
-    torn = (v for v, a, b in pairs if abs(b - a) > LEAST_MM and search.ink.gap(a, b) > TORN_MM)
+    torn = (v for v, a, b in pairs if abs(b - a) > LEAST_MM and _gap(search.ink, a, b) > TORN_MM)
     return [search.bench.vectors[v] for v in torn]
+
+
+def _gap(ink: InkCover, a: complex, b: complex) -> float:
+    """The longest piece of the way from a to b without ink, mm, but for what letters and the pole's print hide."""
+    at = numpy.arange(STEP_MM / 2, abs(b - a), STEP_MM)
+    z = (a + (b - a) / abs(b - a) * at).astype(complex)
+    inked = numpy.concatenate([[-math.inf], numpy.sort(ink.far_along(a, b)), [math.inf]])
+    after = numpy.searchsorted(inked, at)
+    bare = numpy.minimum(at - inked[after - 1], inked[after] - at) > STEP_MM
+    bare &= ~ink.on_sign(z) & ~ink.seen.ink.lettered(z) & (abs(z - ink.pole) > CROSS_MM)
+    ends = numpy.flatnonzero(~numpy.concatenate([[False], bare, [False]]))
+    return STEP_MM * float(numpy.diff(ends).max() - 1)
 
 
 def _exchanged(search: Search, ends: dict[str, complex]) -> Iterator[SignFault]:
