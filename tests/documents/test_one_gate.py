@@ -14,6 +14,7 @@ from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.diagrams.curves import curves_of, named
 from planes.documents.lesson import note
+from planes.documents.sheets import sheet_of
 from planes.plans.quantities import Quantity, asked, catalogue
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
@@ -22,6 +23,7 @@ from planes.solving.tables import report
 from planes.words import Lang, langs
 from planes.words.errors import PlanesError
 from planes.words.naming import Names
+from render.paper.marks import Text
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 FEW = ["six-link", "assignments/27"]
@@ -32,6 +34,7 @@ OTHERS = [
 ]
 SHEETS = [(None, False), ("7", True), ("0", True), ("12", False)]
 CELL = re.compile(r"  (\S*[A-Za-zωεφΦ]\S*)  ")
+ON_SHEET = re.compile(r"(?<![\w}])([FRMGΦωε](?=_\{\d)|[va](?=_\{[A-Z]))_\{([^{}]*)\}(?:\^\{?([^{}\s]*)\}?)?")
 LETTERED = re.compile(r"([A-Za-zωεΦ])<sub>([^<]*)</sub>(?:<sup>([^<]*)</sup>)?")
 
 
@@ -94,6 +97,12 @@ def accepted(sample: str, sheet: int, lang: Lang) -> None:
             assert named(written, curves, plans, "") is curves[quantity.name]
     if sheet != list(langs()).index(lang) % len(SHEETS):  # a note in each language, and of each kind of sheets
         return
+    for number in (1, 2) if plans.moves else ():
+        marks = sheet_of(scene_of(sample, sheet), None, lang=lang, number=number).marks
+        texts = (m.text for m in marks if isinstance(m, Text))
+        for letter, index, part in {found for text in texts for found in ON_SHEET.findall(text)}:
+            written = f"{letter}_{index}" + (f"^{part}" if part else "")
+            assert written in scene_of(sample, sheet).parameters or len(meant(sample, sheet, written)) == 1, written
     text = note(scene_of(sample, sheet), None, ".html", lang).decode()
     for letter, index, part in set(LETTERED.findall(text)):
         if letter == ("R" if SHEETS[sheet][1] else "F") and re.fullmatch(r"\d+(,\d+)?", index) and len(index) > 1:
