@@ -62,3 +62,18 @@ def test_the_newest_version_is_told_alike() -> None:
     cited = (ROOT / "CITATION.cff").read_text("utf-8")
     assert newest and newest[1] == planes.__version__
     assert f"version: {newest[1]}\n" in cited and f"date-released: {newest[2]}\n" in cited
+
+
+LONGEST = 40  # words of a sentence
+
+
+def sentences(text: str) -> list[str]:
+    """The sentences of a page, without its code, tables and headings; an item of a list begins one."""
+    text = re.sub(r"```.*?```|^[|#].*?$", "", text, flags=re.S | re.M)
+    parts = (" ".join(part.split()) for part in re.split(r"\n\s*\n|\n\s*[-*\d.]+\s", text))
+    return [one for part in parts for one in re.split(r"(?<=[.!?:;])\s+(?=[A-ZА-ЯІЎЄ`*(])", part)]
+
+
+def test_no_sentence_of_the_site_is_too_long() -> None:
+    long = [(p.name, s) for p in (ROOT / "docs").rglob("*.md") for s in sentences(p.read_text("utf-8"))]
+    assert not [(name, s) for name, s in long if len(s.split()) > LONGEST]
