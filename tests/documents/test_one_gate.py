@@ -12,9 +12,11 @@ import planes
 from planes.check import check
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, known_plans
+from planes.course.numbers import main_answers
 from planes.diagrams.curves import curves_of, named
 from planes.documents.lesson import note
 from planes.documents.sheets import sheet_of
+from planes.lesson.told import Told
 from planes.plans.quantities import Quantity, asked, catalogue
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
@@ -97,6 +99,11 @@ def accepted(sample: str, sheet: int, lang: Lang) -> None:
             assert named(written, curves, plans, "") is curves[quantity.name]
     if sheet != list(langs()).index(lang) % len(SHEETS):  # a note in each language, and of each kind of sheets
         return
+    for answer, _ in main_answers(scene_of(sample, sheet), solved(sample, sheet).json()):
+        assert len(meant(sample, sheet, answer)) == 1, answer
+    for name in taught(sample, sheet) & known_of(sample, sheet)[0].keys():
+        written = re.sub(r"[{}]", "", plans.naming.vector(name))
+        assert [q.path for q in meant(sample, sheet, written)] == [known_of(sample, sheet)[0][name].path], written
     for number in (1, 2) if plans.moves else ():
         marks = sheet_of(scene_of(sample, sheet), None, lang=lang, number=number).marks
         texts = (m.text for m in marks if isinstance(m, Text))
@@ -107,6 +114,12 @@ def accepted(sample: str, sheet: int, lang: Lang) -> None:
     for letter, index, part in set(LETTERED.findall(text)):
         if letter == ("R" if SHEETS[sheet][1] else "F") and re.fullmatch(r"\d+(,\d+)?", index) and len(index) > 1:
             assert len(meant(sample, sheet, f"{letter}_{index}" + (f"^{part}" if part else ""))) == 1, (index, part)
+
+
+def taught(sample: str, sheet: int) -> set[str]:
+    """The names in the sentences of a lesson, as the program has them."""
+    frames = Told.of(scene_of(sample, sheet)).frames if solved(sample, sheet).plans.moves else ()
+    return {name for f in frames for said in f.said.values() for name in re.findall("⟨([^⟩]*)⟩", said)}
 
 
 def blamed(sample: str, sheet: int, lang: Lang) -> int:
