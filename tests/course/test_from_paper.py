@@ -22,6 +22,7 @@ from planes.course.students import shares
 from planes.documents.course import Desk, Order
 from planes.documents.packages import prairielearn
 from planes.documents.platforms import moodle, stack
+from planes.lesson.conditions import conditions
 from planes.plans.measuring import lettering
 from planes.scene import Scene, loads
 from planes.solving import Position, solve
@@ -223,3 +224,16 @@ def test_the_questions_of_a_student_are_those_of_the_scene() -> None:
     quiz, scene = quizzes(ASKED[0])[0]
     answers = main_answers(scene, solve(loads(scene.reading.source)).json())
     assert [q.name for q in quiz.questions] == [name for name, _ in answers]
+
+
+SIDE = re.compile(r"⟨(\w+)⟩ is to the (left|right) of the line from ⟨(\w+)⟩ to ⟨(\w+)⟩")
+
+
+@pytest.mark.few(12)
+@pytest.mark.parametrize("file", SAMPLES, ids=lambda f: f.stem)
+def test_what_is_said_to_be_left_is_left(file: Path) -> None:
+    """The side a task tells of a point is that of the solved one: by the turn from the line to the point."""
+    solved = solve(loads(file.read_text("utf-8"), str(file)))
+    for name, side, one, two in SIDE.findall(" ".join(conditions(solved.plans, "en"))):
+        point, start, end = (complex(solved.positions[0].r[n]) for n in (name, one, two))
+        assert (((end - start).conjugate() * (point - start)).imag > 0) == (side == "left"), (name, one, two)
