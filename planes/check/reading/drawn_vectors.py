@@ -14,6 +14,7 @@ from planes.drafting.skill import SIGMAS
 from planes.words.names import kind_of
 
 ALONG = 0.7  # the share of a vector without a head that must be drawn
+HALF = 0.51  # of its length: what is farther off is no attempt at a vector
 LEAST_MM = 8.0  # a shorter vector may have no head, or be all head
 
 
@@ -28,17 +29,20 @@ def vectors_drawn(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedPlan) ->
     if not heads:
         drawn = {v: covered(sketch.strokes, a, b) >= ALONG for v, (a, b) in ends.items()}
         return {v: DrawnVector("none" if there else "missing") for v, there in drawn.items()}
-    near = max(SIGMAS * math.sqrt(2) * bench.asked.skill.point_mm, reach_of(sketch.strokes, heads))
+    near = SIGMAS * math.sqrt(2) * bench.asked.skill.point_mm + reach_of(sketch.strokes, heads)
     arrows = [sketch.strokes[k] if sketch.ways[k] > 0 else sketch.strokes[k][::-1] for k in heads]
     at_marks = {arrow: [any(abs(z - w) < near for w in marks.values()) for z in arrow] for arrow in arrows}
     tied = [arrow for arrow in arrows if all(at_marks[arrow])]
     found = {v: one for v, way in ends.items() if (one := _from_end_to_end(sketch, tied, way, near))}
-    for arrow in arrows:
+    for arrow in (one for one in arrows if one not in tied):
         off = {v: max(abs(arrow[0] - a), abs(arrow[1] - b)) for v, (a, b) in ends.items()}
         off = off if any(at_marks[arrow]) else {v: mm for v, mm in off.items() if v not in found}
         nearest = min(off, key=lambda v: off[v], default=None)
-        if arrow not in tied and nearest and off[nearest] < abs(ends[nearest][1] - ends[nearest][0]):
-            found[nearest] = DrawnVector("astray", off[nearest])
+        others = [z for one in arrows if one != arrow for z in one]
+        loose = (z for z, there in zip(arrow, at_marks[arrow], strict=True) if not there)
+        alone = all(abs(z - w) > near for z in loose for w in others)  # where others end too, a mark was misread
+        if nearest and off[nearest] <= HALF * abs(ends[nearest][1] - ends[nearest][0]):
+            found[nearest] = DrawnVector("astray", off[nearest]) if alone else DrawnVector("missing")
     return {v: found.get(v, DrawnVector("missing")) for v in ends}
 
 
