@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from functools import update_wrapper
+from functools import cache, update_wrapper
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -82,8 +82,17 @@ class _Verb:
     def __call__(self, *given: Any, **named: Any) -> Any:
         return self._act(*given, **named)
 
+    def __get__(self, _: object, __: type | None = None) -> _Verb:
+        return self  # so ``help`` takes it for a function, and tells its signature
+
     def __getattr__(self, name: str) -> Any:
         return getattr(import_module(self._room), name)
+
+
+@cache
+def _public(name: str) -> Any:
+    act = getattr(import_module(_HOME[name]), name)
+    return _Verb(act, f"{__name__}.{name}") if name in _ROOMS else act
 
 
 class _Face(ModuleType):
@@ -91,8 +100,7 @@ class _Face(ModuleType):
 
     def __getattribute__(self, name: str) -> Any:
         if name in _HOME:
-            act = getattr(import_module(_HOME[name]), name)
-            return _Verb(act, f"{__name__}.{name}") if name in _ROOMS else act
+            return _public(name)
         return super().__getattribute__(name)
 
     def __dir__(self) -> list[str]:

@@ -112,9 +112,11 @@ class Outcome(Described):
         return self.bench.naming.retold(text, {*map(label_of, self.bench.marks), *scored})
 
     def right(self, unseen: str) -> Phrase:
-        """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""
-        plan = plan_phrase(self.bench.asked.plan)
-        return Phrase("check_right_as_seen", plan=plan, names=unseen) if unseen else Phrase("check_right", plan=plan)
+        """What is said of a right drawing of the plan, or of right results alone; marks ``unseen`` nobody looked at."""
+        drawn = self.grading or self.segments
+        plan = plan_phrase(self.bench.asked.plan) if drawn else Phrase("check_results")
+        key = "check_right_as_seen" if unseen else "check_right" if drawn else "check_right_results"
+        return Phrase(key, plan=plan, names=unseen)
 
 
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
@@ -153,8 +155,7 @@ def _look(out: Outcome) -> None:
     if paper.spots:
         out.grading = grade(bench, paper)
     if out.grading and (mended := exchanged(bench, paper, out.grading)):
-        out.grading, fault = mended
-        paper.signs = [fault]
+        out.grading, paper.signs = mended[0], [mended[1]]
     if out.grading:
         out.unreadable = readable(out.grading, paper.named)
         out.notes += out.grading.notes + _scale_notes(out)
@@ -172,8 +173,7 @@ def _look(out: Outcome) -> None:
 
 def _nothing(out: Outcome) -> Phrase:
     """Why no mark could be read; marks can be put right on a report only where it has a picture."""
-    names = ", ".join(label_of(m) for m in out.bench.marks)
-    said = out.paper.reason or asking("check_nothing_read", names=names)
+    said = out.paper.reason or asking("check_nothing_read", names=", ".join(map(label_of, out.bench.marks)))
     return said if out.paper.picture else told_to("table", said)
 
 

@@ -82,6 +82,7 @@ def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.Argument
 
     reader = Parser(prog="planes", description=help_of("planes"), lang=lang)
     reader.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
+    reader.add_argument("--lang", choices=langs(), metavar="LANG", help=help_of("lang"))  # `lang_of` has read it
     commands = reader.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
     for name, own in OPTIONS.items():
         text = help_of(name.replace("-", "_"))

@@ -5,8 +5,8 @@ from pathlib import Path
 
 from planes.check import check as judge
 from planes.check.grading.prepared_plan import Asked, known_plans
-from planes.check.handed_in import LINES, PICTURES, PRACTICE, HandedSheet, read_paper, sheets_in
-from planes.cli.asking import ask, known_of, mu_asked, said
+from planes.check.handed_in import LINES, PICTURES, PRACTICE, TABLES, HandedSheet, read_paper, sheets_in
+from planes.cli.asking import ask, judge_results, known_of, mu_asked, said
 from planes.cli.class_check import check_class
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
@@ -22,11 +22,16 @@ def check(args: Namespace) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable, 3 right as far as seen."""
     if is_course(Path(args.scene)) and not args.trace:
         return check_class(args, handed_out(Path(args.scene)), _sheets(args))
-    if args.plan is None and (args.trace or not _told_by_itself(args.drawing)):
+    table = args.plan is None and not args.trace and (args.drawing or "").lower().endswith(TABLES)
+    if args.plan is None and not table and (args.trace or not _told_by_itself(args.drawing)):
         args.refuse(say("usage_missing", args.lang) % "--plan")
     scene = scene_of(args)
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
+    if table:
+        if found := judge_results(args, scene, value):
+            return said(args, found)
+        args.refuse(say("usage_missing", args.lang) % "--plan")
     if args.drawing and not args.trace:
         sheets = _sheets(args)
         if args.plan is None or Path(args.drawing).is_dir() or sheets[0].practised:

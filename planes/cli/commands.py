@@ -206,6 +206,7 @@ def course(args: Namespace) -> int:
     found = read_course(args.folder)
     lang = said or found.lang or args.lang
     warn((doubt.told(lang) for assignment in found.assignments for doubt in assignment.doubts), lang)
+    warn([say("course_two_lists", lang, file=found.file, other=found.unread)] * bool(found.unread), lang)
     folder = Path(args.output) if args.output else Path(found.file).parent / OUT
     with crowd(args.jobs, args.scheduler, READY) as each, bar() as step:
         report = conduct(found, folder, each, lang, step, bool(args.scheduler))

@@ -1,11 +1,12 @@
 """The commands one begins with: ``planes new``, ``planes schema``, ``planes completion``."""
 
 import json
+import os
 import sys
 from argparse import Namespace
 from pathlib import Path
 
-from planes.scene.files import is_output, keep
+from planes.scene.files import is_output, keep, sayable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, choices
 
@@ -28,8 +29,13 @@ def new(args: Namespace) -> int:
     if name not in templates():
         raise PlanesError(Phrase("new_unknown", name=args.kind[:60], valid=choices(args.kind, templates())))
     text = (TEMPLATES / f"{name}.yaml").read_text("utf-8")
+    if args.output and (args.output.endswith(("/", os.sep)) or Path(args.output).is_dir()):
+        args.output = str(Path(args.output) / ("course.yaml" if name == "course" else "scene.yaml"))
     if args.output and Path(args.output).exists() and not is_output(Path(args.output)):
         raise PlanesError(Phrase("new_there", file=args.output))
+    if args.output:
+        with sayable(args.output):
+            Path(args.output).parent.mkdir(parents=True, exist_ok=True)
     beside = args.output and not is_output(Path(args.output)) and _schema_beside(Path(args.output), name, args.lang)
     _out(f"# yaml-language-server: $schema={beside}\n{text}" if beside else text, args.output)
     return 0

@@ -90,3 +90,4 @@ class Course:
     plans: tuple[str, ...] = ("velocity", "acceleration", "force")
     seed: int = 1
     lang: Lang | None = None
+    unread: str = ""  # a list of students that lies there, but another is taken

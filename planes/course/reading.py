@@ -68,6 +68,7 @@ def _course(reader: Reader, table: SourceTable, folder: Path) -> Course:
         plans=_words(reader, get["plans"], "plans", PLANS, PLANS[1:]),
         seed=_whole(reader, get["seed"], "seed", 10**9),
         lang=lang,
+        unread="" if get["students"] is None or students[0] != reader.file else _list_in(folder),
     )
 
 
@@ -78,10 +79,14 @@ def _students(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tup
         return str(path), read_file(path)
     if node is not None:
         return reader.file, tuple(_student(reader, n, item) for n, item in enumerate(reader.items(node, "students"), 1))
-    found = next((folder / name for name in FILES if (folder / name).is_file()), None)
-    if found is None:
+    if not (found := _list_in(folder)):
         raise SceneError(Phrase("course_no_students", folder=str(folder), files=FILES), reader.file)
-    return str(found), read_file(found)
+    return found, read_file(Path(found))
+
+
+def _list_in(folder: Path) -> str:
+    """The list of students that lies in a folder, "" where there is none."""
+    return next((str(folder / name) for name in FILES if (folder / name).is_file()), "")
 
 
 def _student(reader: Reader, number: int, node: Node) -> Student:

@@ -91,17 +91,17 @@ def formula(step: Calculate, lang: Lang, called: str = "", key: str = "") -> str
 
 
 def by_sense(
-    step: Calculate, force: Callable[[str], str], without: str, arm: str, drop: frozenset[int]
+    step: Calculate, size: Callable[[str], str], without: str, arm: str, drop: frozenset[int]
 ) -> tuple[str, str]:
-    """Both sides of an equation of moments: each term with the sign it has, its arm and sizes without; what is sought
-    has an ``arm`` too."""
+    """Both sides of an equation of moments: each term with the sign it has, its arm and sizes without, the
+    sizes written as ``size`` says; what is sought has an ``arm`` too."""
     letters = numbers = ""
     for i, term in enumerate(step.terms):
         if i not in drop:
             product = _clear(term, without)
             names = [n for n, power in product.factors if power % 2] + [arm] * bool(arm and arm == without)
             sense = slot(("−" if term.coefficient < 0 else "") + "*".join(names), "join" if letters else "lead")
-            letters += sense + _product(product, lambda n: f"⟨{force(n)}⟩")[1]
+            letters += sense + _product(product, size)[1]
             numbers += sense + _product(product, lambda n: slot(n, "a"))[1]
     return letters, numbers
 

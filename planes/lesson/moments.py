@@ -9,9 +9,10 @@ from planes.geometry.arrays import Floats
 from planes.lesson.formulas import by_sense, slot, unit
 from planes.lesson.steps import Names
 from planes.words import Lang, say
-from planes.words.names import lettered
+from planes.words.names import lettered, parts_of
 
 NOISE = 1e-9  # of the largest term: nothing
+ARMS = ("h", "H")  # told without a sign wherever they are; other sizes stand in bars where a value has one
 
 
 def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
@@ -27,7 +28,12 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     # every term is divided by the arm of what is sought; a size that stands for a force has its name on this link
     over = next((name for name, power in step.terms[0].factors if power == -1), "")
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
-    letters, numbers = by_sense(step, lambda name: forces.get(name, name), over, m.arm, dropped)
+
+    def size(name: str) -> str:
+        told = f"⟨{forces.get(name, name)}⟩"
+        return f"∣{told}∣" if parts_of(name)[0] not in ARMS and numpy.any(cycle[name] < 0) else told
+
+    letters, numbers = by_sense(step, size, over, m.arm, dropped)
     found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
     found_here = over if over in {s.makes for s in cycle.program.steps} else ""  # an arm that each position has
     more: Names = {

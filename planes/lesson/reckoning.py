@@ -62,7 +62,7 @@ class Reckoning:
 
     def reduced(self, step: Calculate, lang: Lang) -> str:
         """The arm that a force has together with another that it calls forth, by sense: it has no sign."""
-        letters, numbers = by_sense(step, str, step.makes, step.makes, frozenset())
+        letters, numbers = by_sense(step, "⟨{}⟩".format, step.makes, step.makes, frozenset())
         names = {"name": step.makes, "letters": letters, "numbers": numbers, "value": slot(step.makes, "a")}
         return say("lesson_reduced", lang, **names, unit=unit(step.makes, lang))
 

@@ -10,6 +10,7 @@ import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 
 from planes.geometry.arithmetic import Real, acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
+from planes.scene.unit_words import FACTORS, in_si
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
 
@@ -88,7 +89,7 @@ def tokens_of(text: str) -> list[tuple[str, str]]:
 
 def _stray(char: str, before: list[tuple[str, str]]) -> Phrase:
     if char == "·" and [kind for kind, _ in before[-2:]] == ["number", "name"]:
-        return Phrase("unit_written", word=shown(before[-1][1]))
+        return Phrase("unit_written", word=shown(before[-1][1]), hint="")
     if char == "°":
         return Phrase("degree_sign")
     if char in "×·":
@@ -131,7 +132,7 @@ class ExpressionParser:
         if kind == "end":
             return Phrase("end_absent")
         if kinds in ("number-name-end", "number-name-sign") and word not in (*self.valid, *RESERVED):
-            return Phrase("unit_written", word=shown(word))
+            return Phrase("unit_written", word=shown(word), hint=in_si([w for _, w in self.tokens[self.at :]]))
         return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))
 
     def sign(self, *signs: str) -> str:
@@ -212,6 +213,8 @@ class ExpressionParser:
             return math.pi
         if self.tokens[self.at] == ("sign", "("):
             raise self.fail(Phrase("no_function", name=shown(name), valid=choices(name, _FUNCTIONS)))
+        if factor := FACTORS.get(name.lower()):
+            raise self.fail(Phrase("unit_not_defined", name=name, factor=factor))
         valid = choices(name, [*self.valid, *RESERVED])
         raise self.fail(Phrase("not_defined", name=shown(name), valid=valid))
 

@@ -8,7 +8,9 @@ from functools import cached_property
 
 from planes.plans.force.loads import load_names
 from planes.plans.law_words import law_said
+from planes.scene.expressions import evaluate
 from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
+from planes.scene.unit_words import FACTORS
 from planes.solving import Position
 from planes.words import say
 from planes.words.frozen import frozen
@@ -91,7 +93,7 @@ class GivenTable:
             moved = letter_of(name) == drive.kind and value == drive.position
             alike = [r for r in self.plain if r.same == row.same and _equal(r.value, value)]
             read = any(map(self.read, alike)) if alike else self.position.plans.forces or row.unit not in LOADING
-            if row.name not in shown and not moved and read:
+            if row.name not in shown and not moved and read and not _unit(name, value):
                 other = [r.name for r in alike if r.place or r.unit in ("", "N", "N·m")]
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
@@ -234,6 +236,11 @@ def dashed(name: str) -> str:
 def _signs(*values: float) -> int:
     """How long numbers are on paper."""
     return sum(len(number(v, "en", DIGITS)) for v in values)
+
+
+def _unit(name: str, value: float) -> bool:
+    """Whether a parameter is a unit that others are written in: it is called as one, and as large."""
+    return name in FACTORS and math.isclose(value, evaluate(FACTORS[name], {}), rel_tol=1e-3)
 
 
 def _equal(a: float, b: float) -> bool:

@@ -137,6 +137,24 @@ def test_results(rows: list[tuple[str, float, str]], plan: str, first: str | Non
 
 
 @pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ("v_C,2.4\nomega_2,8.12\n", "The results are right. "),
+        ("v_C,2.4\nv_X,1\n", "Right as far as seen: results; not seen for sure: v_X, "),
+        ("v_C,2.4\nomega_3,16\n", "omega_3: the size is right, the sign "),
+    ],
+)
+def test_results_alone_need_no_plan(rows: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "results.csv"
+    file.write_text(f"result,value\n{rows}", "utf-8")
+    main(["check", SIX, str(file), "--lang", "en"])
+    assert capsys.readouterr().out.startswith(said)
+    file.write_text("mark,x_mm,y_mm\np,0,0\n", "utf-8")
+    with pytest.raises(SystemExit):
+        main(["check", SIX, str(file)])
+
+
+@pytest.mark.parametrize(
     ("sample", "link", "ends"), [("bntu-5", "2", "BA"), ("sliding-driver", "2", "CB"), ("sliding-driver", "3", "CD")]
 )
 def test_epsilon_from_the_total(sample: str, link: str, ends: str) -> None:

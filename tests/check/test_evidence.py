@@ -143,7 +143,7 @@ def test_marks_that_were_not_seen_are_named() -> None:
         check(asked, ReadPaper("t", spots)),
         check(asked, ReadPaper("t", [s for s in spots if s.name != "s2"])),
     )
-    assert not whole.unseen and whole.sentence.told("en") == "The drawing is right: velocity plan."
+    assert not whole.unseen and whole.sentence.told("en") == "The drawing is right: velocity polygon."
     found = as_json(part)
     assert part.unseen == ["s2"] and "not seen for sure: s2" in found["sentence"]["en"]
     assert "не увидено наверняка: s2" in found["sentence"]["ru"]

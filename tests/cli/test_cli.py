@@ -84,7 +84,7 @@ def test_tables_in_both_languages(cli: Run) -> None:
     )
     assert all(word in out for word in ("287.2", "Точки", "план скоростей", "Н·м", "По рычагу Жуковского"))
     status, out, err = cli("solve", SIX, "--lang", "en")
-    assert (status, err) == (0, "") and "Six-link" in out and "velocity plan" in out and "N·m" in out
+    assert (status, err) == (0, "") and "Six-link" in out and "velocity polygon" in out and "N·m" in out
     assert not any("а" <= c.lower() <= "я" for c in out)
 
 

@@ -261,6 +261,19 @@ def test_doubts_of_a_scene_are_told_once_whoever_gets_it(tmp_path: Path, capsys:
     assert [line.split(": ")[2] for line in said] == ["link 5 is 20 m long", "link 3 is 12.1 m long"], said
 
 
+def test_of_two_lists_of_students_the_one_that_is_taken_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    seen: list[tuple[str, ...]] = []
+    report = course_run.Report()
+    monkeypatch.setattr(course_run, "conduct", lambda c, *_: seen.append(tuple(s.name for s in c.students)) or report)
+    for students in ("", "students: [Anna]\n"):
+        at = folder(tmp_path, f"course: 1\n{students}", 1)
+        assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 0
+    told = f"warning: {at / 'course.yaml'} names the students itself, so {at / 'students.txt'} is not read; "
+    assert seen == [("Студент 1",), ("Anna",)] and capsys.readouterr().err.count(told) == 1
+
+
 @pytest.mark.parametrize("key", ["students: lost.csv", "assignments: lost.yaml", "assignments: [scene.yaml, lost]"])
 def test_a_file_the_course_names_must_be_there(key: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     at = folder(tmp_path / "course", f"course: 1\n{key}\n", 1)

@@ -93,7 +93,7 @@ def write(tmp_path: Path, text: str, suffix: str, lang: str = "ru") -> bytes:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "lang, words", [("ru", ("Кинетостатика", "Планы сил", "МПа")), ("en", ("Kinetostatics", "Force plans", "MPa"))]
+    "lang, words", [("ru", ("Кинетостатика", "Планы сил", "МПа")), ("en", ("Kinetostatics", "Force polygons", "MPa"))]
 )
 def test_the_page_stands_alone(tmp_path, lang, words):
     page = write(tmp_path, SAMPLE, ".html", lang).decode()

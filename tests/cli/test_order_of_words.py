@@ -71,6 +71,13 @@ def test_what_is_over_or_missing_is_named(
     assert stop.value.code == 2 and said in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("line", ["--lang ru --help", "--help --lang=ru", "--lang ru solve --help"])
+def test_help_is_in_the_language_that_stands_before_it(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stop:
+        main(line.split())
+    assert stop.value.code == 0 and capsys.readouterr().out.startswith("порядок: planes")
+
+
 def test_a_file_whose_name_looks_like_an_option(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     shutil.copy(ROOT / "samples" / "kind-2-rrp.yaml", "-s.yaml")

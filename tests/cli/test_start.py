@@ -61,6 +61,16 @@ def test_new_writes_and_leaves_what_is_there(tmp_path: Path, capsys: pytest.Capt
     assert all(name in listed for name in templates()) and "Синусный механизм" in listed
 
 
+def test_new_makes_the_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A folder takes the scene, and the course, under the names the course asks for."""
+    for name, output in (("four-bar", "made/here/my.yaml"), ("four-bar", "hw/"), ("course", "hw")):
+        assert main(["new", name, "-o", str(tmp_path) + "/" + output]) == 0
+    made = {file.relative_to(tmp_path).as_posix() for file in tmp_path.rglob("*.yaml")}
+    assert made == {"made/here/my.yaml", "hw/scene.yaml", "hw/course.yaml"}
+    assert main(["new", "four-bar", "-o", f"{tmp_path}/hw/scene.yaml/my.yaml", "--lang", "en"]) == 2
+    assert "cannot be written" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(("name", "kind"), [("four-bar", "scene"), ("course", "course")])
 def test_what_is_begun_names_the_schema_beside_it(name: str, kind: str, tmp_path: Path) -> None:
     """An editor finds it, whatever folder the file is moved to with it; one that is there is left alone."""

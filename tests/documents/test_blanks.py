@@ -95,7 +95,7 @@ def test_a_scene_of_forces_has_a_blank_without_being_asked_which(tmp_path: Path)
     file = tmp_path / "b.svg"
     assert main(["blank", str(ROOT / "samples/vectors/group.yaml"), "-o", str(file), "--lang", "en"]) == 0
     assert main(["blank", str(ROOT / "samples/six-link.yaml"), "-o", str(file), "--lang", "en"]) == 0
-    assert "Velocity plan" in file.read_text("utf-8")
+    assert "Velocity polygon" in file.read_text("utf-8")
 
 
 @pytest.mark.slow
@@ -135,5 +135,5 @@ def test_a_sheet_whose_code_tells_another_plan_says_so(tmp_path: Path) -> None:
         plan: [n.told("en") for n in read_paper(str(tmp_path / "b.png"), Asked(SIX, plan), Known()).notes]
         for plan in ("velocity", "acceleration")
     }
-    assert notes["acceleration"][0].startswith("The code on the sheet: it is the velocity plan")
+    assert notes["acceleration"][0].startswith("The code on the sheet: it is the velocity polygon")
     assert not any("code" in note for note in notes["velocity"])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -14,12 +15,14 @@ import pytest
 from planes.check import check
 from planes.check.grading.paper import Known, ReadPaper
 from planes.check.handed_in import HandedSheet, opened, read_paper
+from planes.check.report.class_rows import ClassRow
 from planes.check.saved_marks import corrected
 from planes.check.sheet_mark import SheetMark
 from planes.cli import class_check as command
 from planes.cli import main
 from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
 from planes.documents.class_sorting import Sorter
+from planes.documents.class_work import ClassWork
 from planes.lesson.handed_practice import checksum
 from planes.lesson.told import Told
 from planes.scene import load
@@ -109,6 +112,14 @@ def test_sheets_say_whose_they_are(course: Path, folder: Path, capsys: pytest.Ca
     assert told["петрова скорости.jpg"] == ("Петрова Анна", "velocity", "right")
     assert told["IMG_3.png"] == ("", None, "unreadable") and "whose is it?" in found["IMG_3.png"]["sentence"]["en"]
     assert found["IMG_2.jpg"]["mistake"] == "omega1_reversed"
+
+
+def test_counts_that_add_up_to_the_files_come_before_what_is_counted_twice() -> None:
+    work = ClassWork("photos", "en")
+    work.rows = [ClassRow(f"{k}.jpg", *row) for k, row in enumerate([("right", 3), ("wrong", 1), ("unreadable", 0)])]
+    counts = re.findall(r"<span>([^<]+) <b>(\d)</b></span>", work.page())
+    assert sum(int(count) for _, count in counts[:-1]) == 3
+    assert counts[-1] == ("of these, to look at by eye", "1")
 
 
 @pytest.mark.slow

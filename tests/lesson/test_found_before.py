@@ -106,15 +106,19 @@ MOMENTS += [*(ROOT / "samples" / "class-three").glob("*.yaml"), ROOT / "samples"
 @pytest.mark.few(6)
 @pytest.mark.parametrize("path", sorted(MOMENTS), ids=lambda p: p.stem)
 def test_terms_of_moments_have_the_signs_they_are_told_with(path):
-    """Signs and sizes as the sentence has them add up to what is found."""
+    """Signs and sizes as the sentence has them add up to what is found; a letter told with a minus stands in bars."""
     here = solve(load(path)).positions[0]
     value = lambda name: float(here.drawing[name])  # noqa: E731
     told = [f for f in Teller(here.plans, here.drawing).frames() if f.key == "moments"]
     assert told
     for frame in told:
-        head, _, numbers = (part.strip() for part in frame.said["en"].partition(": ")[2].split(";")[0].split(" = ")[:3])
+        equation = frame.said["en"].partition(": ")[2].split(";")[0]
+        head, letters, numbers = (part.strip() for part in equation.split(" = ")[:3])
         unknown, *over = re.findall("⟨([^⟩]+)⟩", head)
         assert " / " not in numbers
+        sizes = [name for how, name, _ in SLOT.findall(numbers) if how == "a"]
+        for (bar, letter), name in zip(re.findall("(∣?)⟨([^⟩]+)⟩", letters), sizes, strict=True):
+            assert bool(bar) == (value(name) < 0 and name[0] not in "hH"), letter
         total = 0.0
         terms = re.findall(r"⟦(?:join|lead)¦[^⟧]+⟧|(?:(?!⟦(?:join|lead)).)+", numbers)
         for join, term in zip(terms[::2], terms[1::2], strict=True):

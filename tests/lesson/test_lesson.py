@@ -366,6 +366,14 @@ def test_a_lesson_whose_own_position_fails_is_refused() -> None:
         lesson_data(loads(text, "s.yaml"))
 
 
+def test_a_note_says_whose_it_is_as_the_sheet_does() -> None:
+    text = (HERE / "kind-1-rrr.yaml").read_text("utf-8")
+    for sheet, said in (("", 0), ("sheet: {student: Smith J., group: M-31}\n", 1)):
+        scene = loads(text + sheet, "s.yaml")
+        blocks = [*Note(scene, placed(scene, None, "en"), "en").opening()]
+        assert blocks.count(Paragraph("Student: Smith J., group M-31.")) == said
+
+
 @pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 @pytest.mark.parametrize("lang", LANGS)

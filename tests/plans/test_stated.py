@@ -279,7 +279,7 @@ BAD: list[tuple[dict[str, str], list[str], str, str]] = [
     ({"v_B": "value: v_C^2, direction: 3"}, ["v_C = v_B + v_CB"], "", "v_B is found from v_C, which no equation"),
     ({"v_CB": ""}, ["v_C = v_B + v_CB"], "", "length of v_C, length of v_CB, direction of v_CB"),
     ({"v_CB": "direction: 80"}, ["v_C = v_B + v_CB"], "", "s.yaml:7: v_C = v_B + v_CB: "),
-    ({}, ["v_C = v_B + v_CB"], "mu: 1 mm/N\n", "s.yaml:8: mu does not fit v_C: a velocity plan"),
+    ({}, ["v_C = v_B + v_CB"], "mu: 1 mm/N\n", "s.yaml:8: mu does not fit v_C: a velocity polygon"),
     ({}, ["v_C = v_B + v_CB"], "mu: 1 mm/m\nplans: {position: {mu: 2 mm/m}}\n", "both mu and plans.position"),
     ({}, ["v_C = v_B + v_CB"], "values: {k: v_C/(v_B + v_CB)}\n", 's.yaml:8: k of values: "v_C/(v_B + v_CB)": what'),
     ({}, ["v_C = v_B + v_CB"], "values: {k: sqrt(v_C)}\n", "sqrt takes numbers and parameters"),

@@ -120,7 +120,7 @@ def test_titles_name_the_plan_and_its_scale():
     assert "План скоростей, μv = 30 мм·с/м" in said
     assert "План ускорений, μa = 2 мм·с²/м" in said
     assert "Схема механизма, μl = 250 мм/м" in said
-    assert "Velocity plan, μv = 30 mm/(m/s)" in words(sheet("six-link", "en"))
+    assert "Velocity polygon, μv = 30 mm/(m/s)" in words(sheet("six-link", "en"))
 
 
 def test_marks_stand_where_they_were_drawn():

@@ -56,6 +56,13 @@ def test_given_values_are_those_of_the_scene_each_once():
     assert not {"J_{1}", "m_{1} = m_{1}", "P_{3}", "x_{C–C}", "y_{E–E}"} & set(found)
 
 
+def test_units_that_others_are_written_in_are_not_listed():
+    text = (SAMPLES / "assignments" / "05.yaml").read_text("utf-8")
+    named = text.replace("l_AB: 0.15", "mm: 0.001, rpm: pi/30, cm: 2, l_AB: 150*mm*rpm/rpm*cm/cm", 1)
+    before, after = (given(loads(one, "s.yaml")) for one in (text, named))
+    assert after == before | {"cm": ("2", "—")}
+
+
 def test_numbers_without_a_name_are_listed_too_and_the_drive_is_where_it_stands():
     found = given(RPR, 45.0)
     assert found["φ_{1}"][0] == "45" and found["l_{AC}"][0] == "0,28" and found["l_{CS3}"][0] == "0,25"

@@ -102,7 +102,7 @@ def test_a_drawing_shows_itself_with_every_plan(name):
     drawing = solve(load(SAMPLES[name])).positions[0].drawing
     page = traced(drawing, "en")
     written = {m.text for m in page.marks if isinstance(m, Text)}
-    assert {"position plan", "velocity plan", "acceleration plan"} <= written
+    assert {"position plan", "velocity polygon", "acceleration polygon"} <= written
     ends = [z for m in page.marks if isinstance(m, Line) for z in m.points]
     lengths = {round(abs(a - b), 6) for a in ends for b in ends}
     assert round(abs(drawing["velocity:b"]), 6) in lengths  # in mm, as it was drawn

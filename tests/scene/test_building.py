@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pydoc
+
 import pytest
 
 import planes
@@ -51,4 +53,5 @@ def test_a_room_is_reached_through_the_verb_of_its_name() -> None:
     assert reading.__name__ == "planes.check.reading" and practice.__name__ == "planes.lesson.practice"
     scene = planes.load(ROOT / "samples" / "kind-1-rrr.yaml")
     assert callable(planes.check) and planes.lesson(scene)
+    assert planes.check is planes.check and "check(scene: " in pydoc.render_doc(planes.check, renderer=pydoc.plaintext)
     assert planes.check.__doc__ and "drawing" in planes.check.__doc__

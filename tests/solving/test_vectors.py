@@ -165,7 +165,7 @@ def test_the_unit_is_told_by_the_names(names, plan, unit):
     [
         (
             scene_of("v_B: {value: 2, direction: 60}, v_C: {}, F_1: {value: 4, direction: 10}", "v_C = v_B + F_1"),
-            ("s.yaml:3: v_C belongs on the velocity plan and F_1 on the force plan",),
+            ("s.yaml:3: v_C belongs on the velocity polygon and F_1 on the force polygon",),
         ),
         (FORCES + "mu: 30 mm/(m/s)\n", ("s.yaml:10: mu does not fit F_21^t", "mm/N or N/mm")),
         (CHAIN.replace("v_L: {}", "v_L: {}, v_X: {value: 1, direction: 3}"), ("v_X stands in no equation",)),

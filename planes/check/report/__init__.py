@@ -78,14 +78,13 @@ def result_rows(out: Outcome) -> list[Json]:
 def as_json(out: Outcome, lang: Lang = "en") -> Json:
     """The object ``planes check --json`` prints."""
     asked, plans = out.bench.asked, out.bench.plans
-    value = float(out.bench.given[plans.drive_given])
     unreadable = out.verdict == "unreadable"
     unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.verdict == "right_as_seen" else []
     return {
         "planes": 1,
         "scene": asked.scene.file,
         "variant": asked.scene.variant,
-        "phi_deg" if plans.mechanism.drive.kind == "phi" else "s": value,
+        "phi_deg" if plans.mechanism.drive.kind == "phi" else "s": float(out.bench.given[plans.drive_given]),
         "plan": asked.plan,
         "verdict": out.verdict,
         "probability": None if out.chance is None else round(out.chance, 4),
@@ -164,9 +163,10 @@ def redo_told(found: Outcome, lang: Lang) -> str:
 
 
 def title(found: Outcome, lang: Lang) -> str:
-    """The plan and the scene."""
-    scene = found.bench.asked.scene
-    return f"{title_of(found.bench.asked.plan, lang)}: {scene.title.get(lang, '') or scene.file}"
+    """The plan (or that these are results) and the scene."""
+    scene, of_plan = found.bench.asked.scene, found.grading or found.segments or not found.results
+    head = title_of(found.bench.asked.plan, lang) if of_plan else say("check_numbers", lang)
+    return f"{head}: {scene.title.get(lang, '') or scene.file}"
 
 
 def mm(value: float | None, lang: Lang) -> str:
