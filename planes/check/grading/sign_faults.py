@@ -48,7 +48,7 @@ class SignFault:
         return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other, off=Written(f"{self.off:.1f}"))
 
 
-def arrow_faults(vectors: Mapping[Vector, DrawnVector], sure: float = 1.0) -> Iterator[SignFault]:
+def arrow_faults(vectors: Mapping[Vector, DrawnVector]) -> Iterator[SignFault]:
     """Vectors that are astray, and those whose heads are at the wrong end, or not there, where those of most others are
     as they should be."""
     ends = [one.head for one in vectors.values() if one.head in ("end", "start", "none")]
@@ -57,8 +57,8 @@ def arrow_faults(vectors: Mapping[Vector, DrawnVector], sure: float = 1.0) -> It
     for (start, end), one in vectors.items():
         at = start if end == POLE else end
         if one.head == "astray":
-            yield SignFault("vector_astray", at, start, sure, one.off)
+            yield SignFault("vector_astray", at, start, off=one.off)
         elif one.head == "start" and usual:
-            yield SignFault("arrow_reversed", at, start, sure)
+            yield SignFault("arrow_reversed", at, start)
         elif one.head == "none" and usual and good == len(ends) - 1:
-            yield SignFault("arrow_missing", at, start, sure)
+            yield SignFault("arrow_missing", at, start)

@@ -36,7 +36,7 @@ class Look:
     untold: tuple[str, ...] = ()  # vectors that may as well be others, with a mistake
     named: tuple[str, ...] = ()  # marks that but their names tell, which stand where they should
     signs: list[SignFault] = field(default_factory=list)  # letters and arrows that are wrong
-    undrawn: list[str] = field(default_factory=list)  # vectors of which a piece is not drawn
+    in_doubt: list[str] = field(default_factory=list)  # vectors torn, or with their heads at the wrong end
     apart: bool = False  # whether a mistake explains it, and no right plan nearly as well
     bare: bool = False  # whether there are no lines at all
     crowd: bool = False  # whether there are too many to look at
@@ -106,11 +106,11 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
         starts += likely_poles(seen)
     find, best = points_on if kind == "position" else marks_on, Look(flat, 0j, explained=0.0)
     for start in starts:
-        spots, explained, named, signs, undrawn = find(bench, seen, start)
+        spots, explained, named, signs, in_doubt = find(bench, seen, start)
         known = not guessed or explained >= EXPLAINED  # a guess that explains nothing tells no pole
         if start != near:
             explained = min(explained, EXPLAINED)  # on a sheet of another size a plan may tell its pole
-        look = Look(flat, start if known else 0j, spots, False, explained, named=named, signs=signs, undrawn=undrawn)
+        look = Look(flat, start if known else 0j, spots, False, explained, named=named, signs=signs, in_doubt=in_doubt)
         best = max(best, look, key=lambda look: look.explained)
         if known:
             break

@@ -69,7 +69,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if not best.spots:
             paper.reason = asking("check_force_unsure")
         paper.untold, paper.apart = [n for n in best.untold if n not in pointed], best.apart
-        paper.named, paper.signs, paper.left = [*best.named], best.signs, best.undrawn
+        paper.named, paper.signs, paper.left = [*best.named], best.signs, best.in_doubt
         if best.named:
             paper.notes.append(Phrase("check_by_name", names=", ".join(best.named)))
         if best.hidden:

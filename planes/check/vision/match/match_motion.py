@@ -20,7 +20,7 @@ from planes.check.vision.search.ink_cover import InkCover
 from planes.check.vision.search.laid_plan import LaidPlan
 from planes.check.vision.search.named_marks import by_names, named, traceless
 from planes.check.vision.search.plan_search import CLOSE, Search
-from planes.check.vision.search.signs_seen import Found, signs_seen, undrawn
+from planes.check.vision.search.signs_seen import Found, in_doubt, signs_seen
 from planes.words import Phrase
 from planes.words.names import POLE, label_of
 
@@ -67,7 +67,7 @@ def _cost(found: tuple[Search, LaidPlan]) -> float:
 
 def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> Found:
     """The marks of a motion plan with its pole near a place, the share of the ink they explain, which others have
-    but their names where they should be, which letters and arrows are wrong, and which vectors are not drawn."""
+    but their names where they should be, which letters are exchanged, and which vectors are in doubt."""
     pole, ends = pole_on(seen, near), [*bench.vectors]
     shares = shares_of(bench, seen, pole.z)
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
@@ -89,4 +89,4 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> Found:
     spots = measured_by(seen.ink.flat, near, spots, search.own)
     right = named(search, way, {label_of(m) for m in bench.marks} - found.keys()) if way.variant is None else ()
     spots = by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks)
-    return spots, explained, right, signs_seen(search, way), undrawn(search, way)
+    return spots, explained, right, signs_seen(search, way), in_doubt(search, way)

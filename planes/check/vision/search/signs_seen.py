@@ -1,13 +1,13 @@
-"""Letters, arrowheads and vectors of a picture that are wrong, or not drawn, though its marks are the right plan's."""
+"""Letters of a picture that are exchanged though its marks are the right plan's, and vectors in doubt."""
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, islice
 
 import numpy
 
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.sign_faults import DrawnVector, SignFault, Vector, arrow_faults
+from planes.check.grading.sign_faults import SignFault
 from planes.check.vision.marks.handwritten import HandWord
 from planes.check.vision.search.ink_cover import CROSS_MM, STEP_MM, InkCover
 from planes.check.vision.search.laid_plan import LaidPlan
@@ -16,7 +16,7 @@ from planes.check.vision.search.plan_search import Search
 from planes.words.names import POLE
 
 Found = tuple[list[ReadMark], float, tuple[str, ...], list[SignFault], list[str]]
-"""Marks, the share of the ink they explain, those that but their names tell, wrong signs, and vectors not drawn."""
+"""Marks, the share of the ink they explain, those that but their names tell, wrong signs, and vectors in doubt."""
 SURE = 0.95  # how surely such a sign was read rightly
 CROSSED = 0.08  # how likely two names together are by each other's marks, at the least
 RATHER = 25.0  # and how much rather than by their own
@@ -26,21 +26,23 @@ AT_MM, GAIN, ASIDE = 1.0, 0.5, 0.1  # how near an end a head is, how well its in
 
 
 def signs_seen(search: Search, way: LaidPlan) -> list[SignFault]:
-    """Two letters each by the other's mark alone, else vectors from the pole with their heads there."""
+    """Two letters each by the other's mark alone."""
     if way.variant is not None or len(way.found) < len(search.bench.marks):
         return []
-    ends = way.ends(search.pole.z)
-    letters = next(_exchanged(search, ends), None)
-    heads = {v: one for v in search.vectors if v[0] == POLE and (one := _head(search, ends, v))}
-    return [*([letters] if letters else ()), *arrow_faults(heads, SURE)]
+    return [*islice(_exchanged(search, way.ends(search.pole.z)), 1)]
 
 
-def undrawn(search: Search, way: LaidPlan) -> list[str]:
-    """Longer vectors between marks that are found, of which a piece is not drawn."""
+def in_doubt(search: Search, way: LaidPlan) -> list[str]:
+    """Longer vectors of which a piece is not drawn, and those from the pole whose heads seem to be there.
+
+    Of right drawings that much else spoils, such a head was seen on one in seventy: too many to call it wrong.
+    """
     ends = way.ends(search.pole.z)
     pairs = ((v, ends[v[0]], ends[v[1]]) for v in search.vectors if {*v} <= ends.keys())
-    torn = (v for v, a, b in pairs if abs(b - a) > LEAST_MM and _gap(search.ink, a, b) > TORN_MM)
-    return [search.bench.vectors[v] for v in torn]
+    long = [(v, a, b) for v, a, b in pairs if abs(b - a) > LEAST_MM]
+    turned = (v for v, a, b in long if v[0] == POLE and _turned(search, a, b))
+    torn = (v for v, a, b in long if _gap(search.ink, a, b) > TORN_MM)
+    return [search.bench.vectors[v] for v in dict.fromkeys([*turned, *torn])]
 
 
 def _gap(ink: InkCover, a: complex, b: complex) -> float:
@@ -70,14 +72,10 @@ def _by(words: Sequence[HandWord], name: str, z: complex) -> float:
     return max((w.likely.get(name, 0.0) for w in words if w.off(z, z) < BESIDE_MM), default=0.0)
 
 
-def _head(search: Search, ends: dict[str, complex], vector: Vector) -> DrawnVector | None:
-    """The end a vector has its head at; None where none is seen."""
-    a, b = (ends.get(n) for n in vector)
-    if a is None or b is None or abs(b - a) < LEAST_MM:
-        return None
+def _turned(search: Search, a: complex, b: complex) -> bool:
+    """Whether a vector seems to have its head at its start."""
     seen = ((h, x.direction(h.s) * h.sign) for x in search.seen.lines for h in x.heads if h.gain > GAIN)
     heads = [(h.z, way * abs(b - a) / (b - a)) for h, way in seen]
     along = [(z, lean.real) for z, lean in heads if abs(lean.imag) < ASIDE]
-    if any(abs(z - b) < 2 * AT_MM and way > 0 for z, way in along):
-        return DrawnVector("end")
-    return DrawnVector("start") if any(abs(z - a) < AT_MM and way < 0 for z, way in along) else None
+    at_end = any(abs(z - b) < 2 * AT_MM and way > 0 for z, way in along)
+    return not at_end and any(abs(z - a) < AT_MM and way < 0 for z, way in along)
