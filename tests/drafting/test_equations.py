@@ -70,6 +70,20 @@ def test_both_unknowns_in_one_chain() -> None:
     assert e.kind == "cross" and e.unknowns == (("v_CB", "length"), ("w", "length"))
 
 
+@pytest.mark.parametrize(
+    ("other", "text"),
+    [
+        (1, "v_B + v_CB = v_C"),  # two ways from one place to another
+        (-1, "v_B + v_CB + v_C = 0"),  # what the other side takes away adds up to nothing with the first
+    ],
+)
+def test_without_a_total_only_what_is_taken_away_closes_a_polygon(other: int, text: str) -> None:
+    e = Equation("velocity", ((V_B, V_CB), (replace(V_C, sign=other),)))
+    assert e.text == text and e.closed == (other < 0)
+    assert [len(side) for side in e.written] == ([3] if other < 0 else [2, 1])
+    assert not replace(e, total="v_C").closed
+
+
 def test_a_broken_chain_is_told_by_its_names() -> None:
     with pytest.raises(EquationError) as caught:
         Equation("velocity", ((V_B, replace(V_CB, start="c")), (V_C,)), "v_C")

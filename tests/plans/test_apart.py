@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -44,3 +45,17 @@ def test_they_are_on_sheet_2_and_in_the_note() -> None:
     figures = [b for b in Note(scene, drawn, "ru").blocks() if isinstance(b, Figure)]
     shown = [f for f in figures if isinstance(f.of, DrawnViews) and f.of.views == (("force:3",),)]
     assert len(shown) == 1 and "0,01" in shown[0].caption
+
+
+@pytest.mark.parametrize(("asked", "shown"), [("F_30^t", False), ("F_30", True), ("F_32", True)])
+def test_a_link_alone_is_in_the_note_where_its_reactions_are_drawn(asked: str, shown: bool) -> None:
+    """The part of F_30 across its link comes from moments: where it alone is sought, the plan of the group stops at
+    its end, and F_30 itself has a start and no end."""
+    scene = replace(SCENES["six-link"], find=(asked,))
+    drawn = placed(scene, None, "en")
+    r = drawn.plans.reactions["F_30"]
+    assert r.start in drawn.drawing and (r.end in drawn.drawing) == shown
+    views = [
+        f.of.views for f in Note(scene, drawn, "en").blocks() if isinstance(f, Figure) and isinstance(f.of, DrawnViews)
+    ]
+    assert ((("force:3",),) in views) == shown and (("force:2-3",),) in views

@@ -111,6 +111,19 @@ def test_the_drives_own_parameter_follows_the_drive() -> None:
     assert again.mechanism == engine("F").mechanism and load_at(again, 30) == pytest.approx([1500])
 
 
+def test_a_number_that_holds_in_one_position_is_refused_on_either_side_of_it() -> None:
+    """The speed is taken from the drive's own parameter, so it is not known one degree back, nor one ahead."""
+    scene = loads(ENGINE.replace("LAW", "5").replace("omega: 10", "omega: phi_1/4"), "e.yaml")
+    assert scene.mechanism and planes_solve(scene, [40]).positions[0].omega["1"] == pytest.approx(10)
+    plans = plans_of(scene.mechanism)
+    for value in (39.0, 41.0, np.array([40.0, 39.0]), np.array([41.0, 40.0])):
+        with pytest.raises(SceneError, match="holds at phi = 40 alone"):
+            plans.at(value)
+    assert plans.at(40.0) == {plans.drive_given: 40.0}
+    assert (plans.at(np.full(2, 40.0))[plans.drive_given] == 40).all()
+    assert plans.at(39.0, known={"omega_1"}) == {plans.drive_given: 39.0}  # another speed is said
+
+
 def test_a_table_over_a_turn_repeats_itself() -> None:
     scene = engine("{over: phi_1, table: [[-90, 10], [0, 40], [180, 100], [270, 10]]}")
     assert load_at(scene, 90, 450, -270, 225, -135, 0, 270) == pytest.approx([70, 70, 70, 55, 55, 40, 10])

@@ -79,6 +79,18 @@ def test_what_is_held_too_often_by_a_little_is_refused(scene: str) -> None:
         scene_plans(loads(scene))
 
 
+@pytest.mark.parametrize("aside", [0.03, -0.05])
+def test_a_passive_slider_beside_its_guide_holds_on_its_own_side(aside: float) -> None:
+    """B goes along x = 0 by itself; that is as far to the left of a guide that points up as the guide is to the right
+    of it. A slider as far to its right holds B where it does not go."""
+    beside = trammel().replace("y-y: {x: 0}", f"y-y: {{x: {aside}}}")
+    text = beside.replace("slides: y-y", f"slides: {{guide: y-y, offset: {aside}}}")
+    assert scene_plans(loads(text)).structure.passive == ("4",)
+    assert solve(loads(text)).r["B"] == pytest.approx(0.2j * math.sin(math.radians(40)), abs=1e-12)
+    with pytest.raises(StructureError, match="W = 3·4 - 2·6 = 0"):
+        scene_plans(loads(beside.replace("slides: y-y", f"slides: {{guide: y-y, offset: {-aside}}}")))
+
+
 def test_a_link_that_carries_something_is_not_the_one_left_out() -> None:
     assert scene_plans(loads(parallelogram(mass=", mass: 3"))).structure.passive == ("3",)
 
