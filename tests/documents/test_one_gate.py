@@ -36,7 +36,9 @@ OTHERS = [
 ]
 SHEETS = [(None, False), ("7", True), ("0", True), ("12", False)]
 CELL = re.compile(r"  (\S*[A-Za-zωεφΦ]\S*)  ")
-ON_SHEET = re.compile(r"(?<![\w}])([FRMGΦωε](?=_\{\d)|[va](?=_\{[A-Z]))_\{([^{}]*)\}(?:\^\{?([^{}\s]*)\}?)?")
+ON_SHEET = re.compile(
+    r"(?<![\w}])([FR](?=_\{\d+,?\d)|[MGΦωε](?=_\{\d)|[va](?=_\{[A-Z]))_\{([^{}]*)\}(?:\^\{?([^{}\s]*)\}?)?"
+)
 LETTERED = re.compile(r"([A-Za-zωεΦ])<sub>([^<]*)</sub>(?:<sup>([^<]*)</sup>)?")
 
 
