@@ -228,7 +228,7 @@ def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
         paper.spots = with_told(paper.spots, pointed, doubt_of(sketch))
     drawn = vectors_drawn(sketch, paper, bench)
     paper.scale_mark, paper.signs = by, [*arrow_faults(drawn)]
-    paper.left = [bench.vectors[vector] for vector, one in drawn.items() if one.head == "missing"]
+    paper.left = [bench.vectors[vector] for vector, one in drawn.items() if one.how == "missing"]
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
     paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []
     if by:

@@ -4,13 +4,13 @@ import json
 import re
 from argparse import Namespace
 from dataclasses import replace
-from pathlib import Path
+from itertools import chain
 
 from planes.check import STATUS, Outcome
 from planes.check import check as judge
 from planes.check.grading.paper import Known, read_table
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare
-from planes.check.handed_in import TABLES, read_paper
+from planes.check.handed_in import read_paper
 from planes.check.report import as_json, chance_told, heads, numbers_of, rows_of
 from planes.drafting.skill import HAND, cad
 from planes.plans.statements.of_scene import scene_plans
@@ -56,14 +56,15 @@ def known_of(args: Namespace) -> Known:
 
 
 def judge_results(args: Namespace, scene: Scene, value: float | None) -> Outcome | None:
-    """A table of results alone, which needs no plan: if they are wrong, by the plan whose mistake explains them."""
-    file = Path(args.drawing or "")
-    if file.suffix.lower() not in TABLES or not (paper := read_table(file)).results or paper.spots or paper.segments:
+    """What is said of a table of results alone, which needs no plan: if they are wrong, by the plan whose mistake
+    explains them; None of any other table."""
+    paper = read_table(args.drawing)
+    if not paper.results or paper.spots or paper.segments:
         return None
     plans = known_plans(scene_plans(scene))
     found = (judge(ask(args, scene, plan, value, mu_asked(args, plan)), paper) for plan in plans)
     first = next(found)
-    return first if first.verdict != "wrong" else next((one for one in (first, *found) if one.mistake), first)
+    return first if first.verdict != "wrong" else next((one for one in chain([first], found) if one.mistake), first)
 
 
 def place(text: str, option: str) -> tuple[str, complex]:

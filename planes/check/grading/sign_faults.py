@@ -15,7 +15,7 @@ class DrawnVector(NamedTuple):
     """How a vector is drawn: with its head at its end, at its start or with none; ``off`` mm astray from its marks;
     or not at all."""
 
-    head: Literal["end", "start", "none", "astray", "missing"]
+    how: Literal["end", "start", "none", "astray", "missing"]
     off: float = 0.0
 
 
@@ -51,14 +51,14 @@ class SignFault:
 def arrow_faults(vectors: Mapping[Vector, DrawnVector]) -> Iterator[SignFault]:
     """Vectors that are astray, and those whose heads are at the wrong end, or not there, where those of most others are
     as they should be."""
-    ends = [one.head for one in vectors.values() if one.head in ("end", "start", "none")]
+    ends = [one.how for one in vectors.values() if one.how in ("end", "start", "none")]
     good = ends.count("end")
     usual = good >= FEWEST and 2 * good > len(ends)
     for (start, end), one in vectors.items():
         at = start if end == POLE else end
-        if one.head == "astray":
+        if one.how == "astray":
             yield SignFault("vector_astray", at, start, off=one.off)
-        elif one.head == "start" and usual:
+        elif one.how == "start" and usual:
             yield SignFault("arrow_reversed", at, start)
-        elif one.head == "none" and usual and good == len(ends) - 1:
+        elif one.how == "none" and usual and good == len(ends) - 1:
             yield SignFault("arrow_missing", at, start)
