@@ -11,6 +11,7 @@ import planes
 from planes.scene import COMMON_KEYS, MECHANISM_KEYS, VECTORS_KEYS
 from planes.words import table
 from tests.helpers import ROOT
+from tests.helpers.prose import sentences, words_of
 
 SCENE, JSON, CHECKING = ((ROOT / "docs" / f"{name}.md").read_text("utf-8") for name in ("scene", "json", "checking"))
 SCENES = re.findall(r"```yaml\n(.*?)```", SCENE, re.S)
@@ -67,13 +68,6 @@ def test_the_newest_version_is_told_alike() -> None:
 LONGEST = 40  # words of a sentence
 
 
-def sentences(text: str) -> list[str]:
-    """The sentences of a page, without its code, tables and headings; an item of a list begins one."""
-    text = re.sub(r"```.*?```|^[|#].*?$", "", text, flags=re.S | re.M)
-    parts = (" ".join(part.split()) for part in re.split(r"\n\s*\n|\n\s*[-*\d.]+\s", text))
-    return [one for part in parts for one in re.split(r"(?<=[.!?:;])\s+(?=[A-ZА-ЯІЎЄ`*(])", part)]
-
-
 def test_no_sentence_of_the_site_is_too_long() -> None:
-    long = [(p.name, s) for p in (ROOT / "docs").rglob("*.md") for s in sentences(p.read_text("utf-8"))]
-    assert not [(name, s) for name, s in long if len(s.split()) > LONGEST]
+    said = [(p.name, s) for p in (ROOT / "docs").rglob("*.md") for s in sentences(p.read_text("utf-8"))]
+    assert not [(name, s) for name, s in said if words_of(s) > LONGEST]

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.helpers import ROOT
+from tests.helpers.prose import sentences, words_of
 
 READMES = {lang: (ROOT / name).read_text("utf-8") for lang, name in {"en": "README.md", "ru": "README.ru.md"}.items()}
 MARKS = ["draw", "tests", "python", "output"]
@@ -77,19 +78,6 @@ def test_both_say_the_same() -> None:
 @both
 def test_its_sentences_are_short(lang: str) -> None:
     assert not [s for s in sentences(READMES[lang]) if words_of(s) > LONGEST]
-
-
-def sentences(text: str) -> list[str]:
-    """The sentences of a page, and the cells of its tables; code is a word."""
-    text = re.sub(r"```.*?```|<!--.*?-->", "", text, flags=re.S)
-    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"`[^`]*`", "Code", text))
-    blocks = [block for block in re.split(r"\n\s*\n|\n(?=[-*|#\d])", text) if block.strip()]
-    parts = [cell for b in blocks for cell in (b.split("|") if b.lstrip().startswith("|") else [b])]
-    return [s for part in parts for s in re.split(r"(?<=[.!?:])\s+(?=[A-ZА-Я*«])", part.replace("\n", " ").strip())]
-
-
-def words_of(sentence: str) -> int:
-    return len(re.findall(r"[\w'’-]+", sentence))
 
 
 def test_each_is_whole_in_its_own_language() -> None:
