@@ -113,9 +113,9 @@ class Outcome(Described):
 
     def right(self, unseen: str) -> Phrase:
         """What is said of a right drawing of the plan, or of right results alone; marks ``unseen`` nobody looked at."""
-        drawn = self.grading or self.segments
-        plan = plan_phrase(self.bench.asked.plan) if drawn else Phrase("check_results")
-        key = "check_right_as_seen" if unseen else "check_right" if drawn else "check_right_results"
+        alone = self.results and not (self.grading or self.segments)
+        plan = Phrase("check_results") if alone else plan_phrase(self.bench.asked.plan)
+        key = "check_right_as_seen" if unseen else "check_right_results" if alone else "check_right"
         return Phrase(key, plan=plan, names=unseen)
 
 

@@ -11,7 +11,7 @@ from planes.plans.force.reactions import Reaction
 from planes.plans.transfers import transfers
 from planes.scene.mechanism import FRAME
 from planes.words.errors import PlanesError, SceneError
-from planes.words.names import POLE, at, kind_of, plan_of
+from planes.words.names import POLE, at, kind_of, parts_of, plan_of
 from planes.words.records import Json
 from planes.words.units import UNIT
 
@@ -103,7 +103,8 @@ def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
 
 def catalogue(plans: Plans) -> dict[str, Quantity]:
     """Every quantity of a mechanism by the name a student writes: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
-    known = [*_told(plans), *_segments(plans)]
+    known = [*_told(plans), *_segments(plans), *_lettered(plans)]
+    known += [q._replace(name=turned) for q in known if (turned := _of_the_other_link(q.name))]
     first = {q.name: q for q in reversed(known)}
     return {q.name: first[q.name] for q in known}
 
@@ -214,3 +215,24 @@ def _segments(plans: Plans) -> Iterator[Quantity]:
         if s.plan != "motion" and s.start != s.end and not {"°", "⊥"} & set(s.name):
             size = Column(s.name, UNIT[kind_of(s.plan)], "", at(s.plan, s.start), at(s.plan, s.end), "size")
             yield Quantity(s.name, (size,), "plans", s.plan, s.name)
+
+
+def _lettered(plans: Plans) -> Iterator[Quantity]:
+    """What sheets letter beside their results: given couples, the rates of a drive between moving links, and parts
+    of reactions that are values alone."""
+    for couple in (c for couples in plans.acting.couples.values() for c in couples if not (c.inertia or c.handed)):
+        yield Quantity(couple.name, (Column(couple.name, "N·m", couple.value),), "loads", couple.name)
+    for rate, unit in zip(plans.mechanism.drive.rates, ("rad/s", "rad/s²"), strict=True):
+        if plans.mechanism.drive.on != FRAME and rate in plans.given:
+            yield Quantity(rate, (Column(rate, unit, rate),), "drive", rate)
+    for part in (n for n in plans.program.made if n.startswith("F_") and parts_of(n)[2]):
+        yield Quantity(part, (Column(part, "N", part),), "reactions", part)
+
+
+def _of_the_other_link(name: str) -> str:
+    """A part of a reaction named from the other link of its pair, F_12^t of F_21^t; "" of other names."""
+    letter, index, part = parts_of(name)
+    if letter != "F" or not part:
+        return ""
+    on, by = index.split("_") if "_" in index else (index[:-1], index[-1])
+    return f"{force_name(by, on)}^{part}"

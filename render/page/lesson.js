@@ -49,6 +49,7 @@ function draw() {
   if (practising) practice.paint();
   kit.show(practising || state.spin ? null : f, false);
   heard();
+  light(lit, true);
 }
 function facing(f) { // on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
   const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;
@@ -91,7 +92,9 @@ function play() {
   else state.timer = setInterval(() => state.frame + 1 < data.frames.length ? go(state.frame + 1) : play(), 3500);
   $("play").textContent = state.timer ? "❚❚" : "▶▶";
 }
+let lit = []; // the names under the pointer
 function light(names, on) { // a name, its term, its segment, its link, wherever they are
+  lit = on ? names : [];
   const all = new Set(names);
   for (const n of names) {
     for (const r of data.related[n] || []) all.add(r);

@@ -207,10 +207,12 @@ def test_the_language_switches_everything(page: Any) -> None:
 def test_a_name_lights_its_term_its_segment_and_its_link(page: Any) -> None:
     page.evaluate("go(24)")
     page.hover('#equations [data-name="a_CB^n"]')
+    until(page, "document.querySelectorAll('#plan .arrow.hover').length === 1")
+    page.evaluate("draw()")  # as a change of size does
     assert page.locator("#plan .arrow.hover").count() == 1
     assert page.locator('#scheme [data-name="link:2"].hover').count() >= 2
     page.mouse.move(2, 2)
-    assert page.locator(".hover").count() == 0
+    until(page, "!document.querySelector('.hover')")
 
 
 def test_labels_keep_clear_of_each_other(page: Any) -> None:
