@@ -12,10 +12,12 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import UNITS, formula, mu_said, slot, unit
+from planes.lesson.bodies import Bodies
+from planes.lesson.formulas import SLOT, UNITS, mu_said, slot
 from planes.lesson.frame import Frame, in_both
 from planes.lesson.moments import moment_words
 from planes.lesson.reckoning import Reckoning
+from planes.lesson.rows import Row, reckoned
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
 from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole
@@ -52,7 +54,7 @@ class Teller:
         self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
         self.rates |= {value for value in plans.values.values() if value in self.made}
         self.solved = {} if plans.moves else last_marks(plans)
-        self.stating = Stating(plans)
+        self.stating, self.bodies = Stating(plans), Bodies(plans)
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
@@ -71,19 +73,20 @@ class Teller:
             solved = ((e.plan, sought(e)) for e in self.solved.get(step.makes, ()))
             found += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
             found += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
-        return self.in_order(self.stating.stated(found + self.readings(readings, found), self.frame))
+        told = self.stating.stated(found + self.readings(readings, found), self.frame)
+        return self.in_order(self.bodies.opened(told, self.frame))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
         """The frames, each after one that finds whatever number it needs and none before it told."""
         reckoning, found = self.reckoning, list[Frame]()
         for f in frames:
-            if steps := reckoning.missing(f.said["en"]):
+            if steps := reckoning.missing(f):
                 arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
                 terms = tuple(force for force, arm in arms if arm in {step.makes for step in steps})
-                names: Names = {"readings": partial(reckoning.readings, steps)}
+                names: Names = {"readings": tuple(map(reckoning.reading, steps))}
                 reason = "found_arms" if terms else "found_values"
                 found.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
-            reckoning.tell(f.said["en"])
+            reckoning.tell(f)
             found.append(f)
         return found
 
@@ -114,13 +117,18 @@ class Teller:
     ) -> Frame:
         """A frame with its words in both languages; what is callable is asked per language."""
         index, found = self.equation_of(plan, makes)
+        rows = tuple(row for said in names.values() if isinstance(said, tuple) for row in said)
+        own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT.finditer(said))
+        scale = [("k", mu_of(plan))] if key in ("pole", "fixed") else []
+        numbers = (*scale, *own, *(n for row in rows for n in row.slots()))
         names = {**names, "mu": partial(mu_said, plan, convention=self.convention)}
 
         def told(lang: Lang) -> str:
-            return say(f"lesson_{key}", lang, **{k: v(lang) if callable(v) else v for k, v in names.items()})
+            return say(f"lesson_{key}", lang, **{k: _said(v, lang) for k, v in names.items()})
 
         why = in_both(reason if callable(reason) else partial(say, f"why_{reason or key}"))
-        return Frame(key, plan, makes, uses, index, found if terms is None else terms, in_both(told), why, moments)
+        in_hand = found if terms is None else terms
+        return Frame(key, plan, makes, uses, index, in_hand, in_both(told), why, moments, rows=rows, numbers=numbers)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""
@@ -167,53 +175,54 @@ class Teller:
 
     def read_off(self, key: str, plan: str, names: list[str], rates: list[Calculate]) -> Frame:
         """Segments of a plan measured, and rates with their formula and sense."""
-
-        def told(lang: Lang) -> str:
-            parts = [self.reading(n, plan, lang) for n in names]
-            return "; ".join(parts + [self.reckoned(r, lang) for r in rates])
-
+        rows = (*(self.reading(n, plan) for n in names), *map(self.reckoned, rates))
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return self.frame(key, plan, uses=uses, terms=tuple(names), names={"readings": told})
+        return self.frame(key, plan, uses=uses, terms=tuple(names), names={"readings": rows})
 
-    def reckoned(self, rate: Calculate, lang: Lang) -> str:
+    def reckoned(self, rate: Calculate) -> Row:
         """A value with its formula; of one that turns its sense."""
         turns = UNITS.get(letter_of(rate.makes)) in ("rad/s", "rad/s²")
-        key = "" if self.plans.moves else unit_of_value(rate.makes)
-        return formula(rate, lang, key=key) + (f" ({slot(rate.makes, 's')})" if turns else "")
+        return reckoned(rate, unit_key="" if self.plans.moves else unit_of_value(rate.makes), turns=turns)
 
     def span(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
         """The ends of the segment of that name."""
         found = next((x for x in self.plans.segments if x.name == name and x.plan == plan and x.start != x.end), None)
         return (at(plan, found.start), at(plan, found.end)) if found else ()
 
-    def reading(self, name: str, plan: str, lang: Lang) -> str:
+    def reading(self, name: str, plan: str) -> Row:
         """A segment measured: its millimetres and its value."""
         span = self.span(name, plan)
         if not span:
-            return f"⟨{name}⟩ = 0"
+            return Row(name, "", "", "")
         read, mu = f"‖{name}‖", mu_of(plan)
         self.spans[read] = (*span, mu)
-        names = {"mm": slot(read, "mm", mu), "by": self.divided(mu), "value": slot(read)}
-        return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
+        return self.reckoning.measured(name, read, mu, slot(read))
 
     def divided(self, scale: str) -> str:
         """How a length on paper becomes a value at a scale, by its name."""
         return f"/ {slot(scale, 'k')}" if self.convention == "mm_per_unit" else f"· {slot(scale, 'i')}"
 
     def closing(self, plan: str) -> list[Frame]:
-        """The reactions read off a force plan that has closed."""
-        names = [r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan)]
+        """The reactions read off a force plan that has closed, those inside the group each with the link it closes."""
+        links = [*links_apart(self.plans, plan)]
+        inside = {name: r.key for one in links for name, (r, _) in one.reactions.items() if name == one.force}
+        own = (r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan))
+        names = [name for name in own if name not in inside.values()]
         drive = self.plans.mechanism.drive
         names += [self.plans.balancing] * (drive.kind == "s" and plan == force_plan(drive.link))
         found = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
-        found += [self.frame("apart", plan, names=apart_words(x), terms=x.drawn) for x in links_apart(self.plans, plan)]
+        for one in links:
+            key = inside[one.force]
+            force = f"⟨{one.force}⟩" + ("" if key == one.force else f" = −⟨{key}⟩")
+            closes: Names = {**apart_words(one), "force": force, "readings": (self.reading(key, plan),)}
+            found.append(self.frame("apart", plan, names=closes, terms=one.drawn))
         reactions = self.plans.reactions.values()
         return found + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
         """Both parts of a reaction with friction, or its circle, and the power of friction."""
         key, found = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
-        readings = partial(self.reckoning.readings, [self.made[n] for n in (*found, r.power)])
+        readings = tuple(self.reckoning.reading(self.made[n]) for n in (*found, r.power))
         names: Names = {"force": r.key, "point": r.pair.point, "readings": readings}
         return self.frame(key, plan, names=names, terms=(r.key,))
 
@@ -221,11 +230,7 @@ class Teller:
         """The arm at which a slider's reaction acts, from its couple."""
         arm = self.made[r.arm]
         assert isinstance(arm, Calculate)
-        names: Names = {
-            "force": r.key,
-            "formula": lambda lang: formula(arm, lang),
-            "mm": slot(r.arm, "mm", mu_of("position")),
-        }
+        names: Names = {"force": r.key, "formula": (reckoned(arm),), "mm": slot(r.arm, "mm", mu_of("position"))}
         return self.frame("seated", r.plan, names=names, terms=(r.key,))
 
     def moment(self, step: s.Step) -> list[Frame]:
@@ -239,6 +244,12 @@ class Teller:
         found = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
         return found + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
+
+
+def _said(said: Said | tuple[Row, ...], lang: Lang) -> str:
+    if isinstance(said, tuple):
+        return "; ".join(row.text(lang) for row in said)
+    return said(lang) if callable(said) else said
 
 
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:

@@ -81,13 +81,10 @@ def own(name: str) -> list[str]:
     return name.removeprefix("−").split("*")
 
 
-def formula(step: Calculate, lang: Lang, called: str = "", key: str = "") -> str:
-    """``name = symbols = numbers = value unit``; by the name of the step, or the one it is ``called`` by; ``key`` is
-    that of its unit, if its name does not tell."""
-    symbols = _sum([_product(t, lambda n: f"⟨{n}⟩") for t in step.terms])
-    numbers = _sum([_product(t, lambda n: slot(n, "b")) for t in step.terms])
-    name = called or step.makes
-    return f"⟨{name}⟩ = {symbols} = {numbers} = {slot(step.makes)} {say(key, lang) if key else unit(name, lang)}"
+def formula(step: Calculate) -> tuple[str, str]:
+    """A sum of products in letters, and with its numbers."""
+    letters = _sum([_product(t, lambda n: f"⟨{n}⟩") for t in step.terms])
+    return letters, _sum([_product(t, lambda n: slot(n, "b")) for t in step.terms])
 
 
 def by_sense(

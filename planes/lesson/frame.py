@@ -1,9 +1,10 @@
 """One frame of a lesson, told in every language of lessons."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TypeVar
 
-from planes.lesson.formulas import slots
+from planes.lesson.formulas import SIGNS, own
+from planes.lesson.rows import Row
 from planes.words import Lang, langs
 from planes.words.frozen import frozen
 
@@ -21,7 +22,8 @@ class Frame:
     """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
     is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by
     language; ``moments`` the index of the moment equation it states, or leads to; ``turns`` the vector carried to a
-    point of the scheme to see which way it turns about another, and the rate found so."""
+    point of the scheme to see which way it turns about another, and the rate found so. ``rows`` are its lines of
+    reckoning, ``numbers`` all that it tells: how (see :mod:`planes.lesson.formulas`) and of which value."""
 
     key: str
     plan: str
@@ -33,8 +35,23 @@ class Frame:
     why: Mapping[Lang, str]
     moments: int | None = None
     turns: Mapping[str, str] | None = None
+    rows: tuple[Row, ...] = ()
+    numbers: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def used(self) -> list[str]:
+        """The values it gives as numbers, not by their sense alone."""
+        return [name for how, name in self.numbers if how not in SIGNS]
+
+    @property
+    def values(self) -> list[str]:
+        """The values its numbers are read off."""
+        return [part for how, name in self.numbers if how != "n" for part in own(name)]
 
 
-def needed(frames: list[Frame]) -> list[str]:
-    """Names of all values the sentences need, in order."""
-    return list(dict.fromkeys(name for f in frames for text in f.said.values() for name in slots(text)))
+Make = Callable[..., Frame]  # a frame with its words in every language
+
+
+def needed(frames: Iterable[Frame]) -> list[str]:
+    """Names of all values the frames need, in order."""
+    return list(dict.fromkeys(name for f in frames for name in f.values))

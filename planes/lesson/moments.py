@@ -6,7 +6,8 @@ from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import by_sense, slot, unit
+from planes.lesson.formulas import by_sense, slot
+from planes.lesson.rows import Row
 from planes.lesson.steps import Names
 from planes.words import Lang, say
 from planes.words.names import lettered, parts_of
@@ -34,19 +35,10 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
         return f"∣{told}∣" if parts_of(name)[0] not in ARMS and numpy.any(cycle[name] < 0) else told
 
     letters, numbers = by_sense(step, size, over, m.arm, dropped)
-    found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
+    head = f"⟨{m.unknown}⟩ · ⟨{over}⟩" if over else ""
     found_here = over if over in {s.makes for s in cycle.program.steps} else ""  # an arm that each position has
-    more: Names = {
-        "head": f"{found} · ⟨{over}⟩" if over else found,
-        "letters": letters,
-        "numbers": numbers,
-        "result": lambda lang: f"{_arm(found_here, lang)}{lead} = {slot(m.unknown)} {unit(m.unknown, lang)}",
-    }
-    return "moments", {**names, **more}, (*terms, m.unknown) if m.arm else terms
-
-
-def _arm(name: str, lang: Lang) -> str:
-    return f" (⟨{name}⟩ = {slot(name, 'a')} {unit(name, lang)})" if name else ""
+    row = Row(m.unknown, letters, numbers, slot(m.unknown), "moments", head, found_here)
+    return "moments", {**names, "row": (row,)}, (*terms, m.unknown) if m.arm else terms
 
 
 def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:

@@ -17,7 +17,6 @@ from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.tools import Thing
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import SLOT, slots
 from planes.lesson.frame import Frame, in_both
 from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
@@ -101,7 +100,7 @@ class Practice:
             yield "mu", f.plan
         if f.turns:
             yield "sense", f.turns["rate"]
-        for how, name, _ in SLOT.findall(f.said["en"]):
+        for how, name in f.numbers:
             given = {name, f"{name}_given"} & {*self.plans.given}
             if how in ("v", "a") and not given and abs(self.values.get(name, 0.0)) > NOTHING:
                 yield "number", name
@@ -223,5 +222,5 @@ def goal(equation: Json) -> str:
 
 def told_values(frame: Frame) -> list[str]:
     """The values a question about a number tells: those of its sentence but its own, unless that is all."""
-    values = sorted({*slots(frame.said["en"])})
+    values = sorted({*frame.values})
     return values if len(values) == 1 else [n for n in values if n not in frame.terms[:1]]

@@ -1,18 +1,16 @@
 """No number is used before it is found: what a sentence needs and none before it told, and how that is found."""
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure
 from planes.drafting.steps.settling import Fed, Settle
-from planes.lesson.formulas import SIGNS, SLOT, by_sense, formula, slot, unit
+from planes.lesson.formulas import by_sense, slot
+from planes.lesson.frame import Frame
+from planes.lesson.rows import Row, reckoned
 from planes.plans import Plans
 from planes.plans.force.loads import load_names
-from planes.words import Lang, say
-
-_FOUND = re.compile(r"(?:^|[:;.] )⟨([^⟩]+)⟩ =")  # a sentence, or a part of one, that says what a value is
 
 
 class Reckoning:
@@ -22,14 +20,14 @@ class Reckoning:
         self.plans, self.made, self.divided = plans, made, divided
         self.told = {*plans.given, *load_names(plans.mechanism), *(m.unknown for m in plans.moments)}
 
-    def tell(self, text: str) -> None:
-        """A sentence has been said."""
-        self.told |= {*map(plain, used(text)), *_FOUND.findall(text)}
+    def tell(self, frame: Frame) -> None:
+        """A frame has been told."""
+        self.told |= {*map(plain, frame.used), *(row.name for row in frame.rows)}
 
-    def missing(self, text: str) -> list[Step]:
-        """The steps that find what the sentence needs, in the order they can be told; they are told now."""
-        own, found = set(_FOUND.findall(text)), dict[str, Step]()
-        for name in used(text):
+    def missing(self, frame: Frame) -> list[Step]:
+        """The steps that find what a frame needs, in the order they can be told; they are told now."""
+        own, found = {row.name for row in frame.rows}, dict[str, Step]()
+        for name in frame.used:
             if plain(name) not in own:
                 self._find(name, found)
         return list(found.values())
@@ -44,42 +42,34 @@ class Reckoning:
                 self._find(factor, found)
         found[name] = step
 
-    def readings(self, steps: list[Step], lang: Lang) -> str:
-        """How each is found: its formula, or its length on paper."""
-        return "; ".join(self.reading(step, lang) for step in steps)
-
-    def reading(self, step: Step, lang: Lang) -> str:
-        """One of them."""
+    def reading(self, step: Step) -> Row:
+        """How a value is found: by its formula, or its length on paper."""
         if isinstance(step, Calculate):
-            return self.reduced(step, lang) if step.quantity == "arm" else formula(step, lang)
+            return self.reduced(step) if step.quantity == "arm" else reckoned(step)
         if isinstance(step, Fed | Settle):
-            return self.rubbing(step, lang)
+            return self.rubbing(step)
         assert isinstance(step, Drop | Measure)
-        name = plain(step.makes)
-        names = {"mm": slot(step.makes, "mm", step.mu), "by": self.divided(step.mu)}
-        names["value"] = slot(step.makes, "a" if isinstance(step, Drop) else "v")  # an arm has no sign
-        return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
+        value = slot(step.makes, "a" if isinstance(step, Drop) else "v")  # an arm has no sign
+        return self.measured(plain(step.makes), step.makes, step.mu, value)
 
-    def reduced(self, step: Calculate, lang: Lang) -> str:
+    def measured(self, name: str, read: str, mu: str, value: str) -> Row:
+        """A length on paper and what it stands for."""
+        return Row(name, slot(read, "mm", mu), self.divided(mu), value, "measured")
+
+    def reduced(self, step: Calculate) -> Row:
         """The arm that a force has together with another that it calls forth, by sense: it has no sign."""
-        letters, numbers = by_sense(step, "⟨{}⟩".format, step.makes, step.makes, frozenset())
-        names = {"name": step.makes, "letters": letters, "numbers": numbers, "value": slot(step.makes, "a")}
-        return say("lesson_reduced", lang, **names, unit=unit(step.makes, lang))
+        sums = by_sense(step, "⟨{}⟩".format, step.makes, step.makes, frozenset())
+        return Row(step.makes, *sums, slot(step.makes, "a"), "reduced")
 
-    def rubbing(self, step: Fed | Settle, lang: Lang) -> str:
+    def rubbing(self, step: Fed | Settle) -> Row:
         """The couple of friction in a hinge: the reaction times the radius of the friction circle."""
         fed = step if isinstance(step, Fed) else next(f for f in step.fed if f.makes == step.makes)
         factor = self.made[fed.factor]
         assert isinstance(factor, Calculate)
         circle, force = factor.terms[0].factors[0][0], plain(fed.size)
-        names = {"couple": step.makes, "circle": circle, "force": force, "long": slot(circle), "size": slot(fed.size)}
-        key = "lesson_couple" if isinstance(step, Fed) else "lesson_couple_settled"
-        return say(key, lang, **names, value=slot(step.makes))
-
-
-def used(text: str) -> list[str]:
-    """The values a sentence gives as numbers, not by their sense alone."""
-    return [name for how, name, _ in SLOT.findall(text) if how not in SIGNS]
+        kind, size = ("couple", slot(fed.size)) if isinstance(step, Fed) else ("couple_settled", f"⟨{force}⟩")
+        letters, numbers = f"⟨{circle}⟩ · ⟨{force}⟩", f"{slot(circle)} · {size}"
+        return Row(step.makes, letters, numbers, slot(step.makes), kind, f"∣⟨{step.makes}⟩∣")
 
 
 def factors(step: Calculate) -> Iterator[str]:

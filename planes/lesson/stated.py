@@ -7,7 +7,7 @@ from planes.drafting import steps as s
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate, Measure
-from planes.lesson.formulas import formula
+from planes.lesson.rows import reckoned
 from planes.lesson.steps import Names, Said, StepWords, Words
 from planes.plans import Plans
 from planes.words import Lang, say, table
@@ -64,7 +64,7 @@ class StatedWords(StepWords):
         if isinstance(source, Measure):
             return "carried_stated", "reckoned", names
         if isinstance(source, Calculate):
-            told = {**names, "formula": lambda lang: formula(source, lang, self.vector(step))}
+            told = {**names, "formula": (reckoned(source, self.vector(step)),)}
             return "lay_off", reason if step.quantity in ("normal", "coriolis") else "reckoned", told
         return key, "stated" if key == "given" else reason, names
 

@@ -1,14 +1,14 @@
 """How a vector equation comes about, and which way a link turns: told before the equation is drawn, before a rate is
 reckoned."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cached_property, partial
 from itertools import permutations
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import slot
-from planes.lesson.frame import Frame
+from planes.lesson.frame import Frame, Make
 from planes.lesson.steps import Names, whole
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
@@ -17,7 +17,6 @@ from planes.words.frozen import frozen, replace
 from planes.words.names import at, kind_of, links_of, parts_of
 
 LETTERS = {"velocity": "v", "acceleration": "a"}
-Make = Callable[..., Frame]  # a frame with its words in every language
 
 
 @frozen

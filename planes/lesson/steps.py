@@ -11,7 +11,8 @@ from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson.false_plans import false_words
-from planes.lesson.formulas import formula, slot, unit
+from planes.lesson.formulas import slot, unit
+from planes.lesson.rows import Row, reckoned
 from planes.plans import Plans
 from planes.plans.apart import LinkApart
 from planes.plans.law_words import law_said
@@ -21,7 +22,7 @@ from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
 from planes.words.units import number
 
 Said = str | Callable[[Lang], str]  # a text, or what is told in each language
-Names = Mapping[str, Said]  # what a sentence says
+Names = Mapping[str, Said | tuple[Row, ...]]  # what a sentence says; all its numbers are in its texts and rows
 Words = tuple[str, Said, Names]  # the key of the sentence, of the reason (or the reason), names
 
 
@@ -86,7 +87,7 @@ class StepWords:
             kept = {**kept, "mm": slot(hold.reach, "mm", step.mu)}
         elif hold.kind == "line":
             kept = {**kept, "action": self.action(hold.turn)}
-        return key, key, {"kept": lambda lang: say(f"lesson_kept_{hold.kind}", lang, **kept)}
+        return key, key, {**kept, "kept": lambda lang: say(f"lesson_kept_{hold.kind}", lang, **kept)}
 
     def action(self, direction: str) -> Said:
         """A line of action as it is written."""
@@ -163,7 +164,7 @@ class StepWords:
         if step.quantity == "load":
             return "load", self.why_load(step.length), shown
         if isinstance(source, Calculate):
-            told: Names = {**named, "formula": lambda lang: formula(source, lang)}
+            told: Names = {**named, "formula": (reckoned(source),)}
             return "lay_off", _kind_of_vector(step, kind, source), told
         if isinstance(source, Measure):
             return "carried", "carried", shown

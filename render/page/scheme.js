@@ -10,7 +10,8 @@ class Scheme extends Figure {
   }
   draw(seen, frame) {
     const { scheme } = this.data, common = live.usual, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
-    const told = frame && frame.moments !== null && frame.plan === "position" ? this.data.moments[frame.moments] : null;
+    const body = frame && ["free_body", "split"].includes(frame.key) ? this.data.bodies[frame.plan] : null;
+    const told = frame && frame.moments !== null && frame.plan === "position" ? this.data.moments[frame.moments] : body;
     const feet = told ? told.forces.filter(f => f.foot && frame.terms.includes(f.name)).map(f => f.foot) : [];
     const now = this.box([...this.names.filter(n => seen.has(n)), ...feet]);
     this.start(now ? union(common, now) : common);
@@ -144,7 +145,7 @@ class Scheme extends Figure {
     for (const f of m.forces) {
       const p = this.at(f.mark) && this.px(this.at(f.mark)), angle = live.angle(f.along);
       if (!p || angle == null || !terms.includes(f.name)) continue;
-      const size = live.value(f.size), back = size < 0 ? -1 : 1;
+      const size = f.size ? live.value(f.size) : 1, back = size < 0 ? -1 : 1;
       const c = back * Math.cos(angle * Math.PI / 180), s = -back * Math.sin(angle * Math.PI / 180), long = this.size ? 34 : 52;
       const foot = f.foot && this.at(f.foot) && this.px(this.at(f.foot));
       const key = `${p.map(Math.round)}${Math.round(angle * back)}`;

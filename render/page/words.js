@@ -66,7 +66,7 @@ function described(figure, seen, key) { // what is on a figure, for those who he
 }
 function found(name) { // the frame in which a value is first told
   found.at ||= {};
-  return found.at[name] ??= data.frames.findIndex(f => ["v", "a"].some(how => f.said.en.includes(`⟦${how}¦${name}⟧`)));
+  return found.at[name] ??= data.frames.findIndex(f => f.tells.includes(name));
 }
 function born(name, key) { // the frame of its plan in which a vector is first in hand
   if (!born.of) {
@@ -80,10 +80,11 @@ function born(name, key) { // the frame of its plan in which a vector is first i
   return born.of[key + " " + name] ?? -1;
 }
 function written(f, key, frame, plainly) { // the equations of a plan: those begun, the one in hand framed
-  const begun = e => key.startsWith("force") || terms(e).some(t => t.action !== "=0" && born(t.name, key) <= frame);
+  const stated = k => data.frames.findIndex(g => g.key === "equation" && g.equation === k);
+  const begun = (e, k) => key.startsWith("force") ? stated(k) <= frame : terms(e).some(t => t.action !== "=0" && born(t.name, key) <= frame);
   const own = e => f.terms.length && terms(e).some(t => f.terms.includes(t.name));
   const index = f.equation !== null ? f.equation : data.equations.findIndex(e => e.plan === key && own(e));
-  return data.equations.map((e, k) => e.plan === key && key !== "position" && (begun(e) || k === f.equation) ? lines(e, !plainly && k === index, f, frame, plainly) : "").join("");
+  return data.equations.map((e, k) => e.plan === key && key !== "position" && (begun(e, k) || k === f.equation) ? lines(e, !plainly && k === index, f, frame, plainly) : "").join("");
 }
 function terms(e) { return e.sides.flat(); }
 function lines(e, current, f, frame, plainly) {

@@ -33,13 +33,14 @@ def test_every_number_is_found_before_it_is_used(path):
     zero = {m.unknown for m in plans.moments if m.arm}  # told by its equation, a number or nothing
     told = {*plans.given, *load_names(plans.mechanism)}
     for frame in teller.frames():
-        text = frame.said["en"]
-        own = set(re.findall(r"(?:^|[:;.] )⟨([^⟩]+)⟩ =", text))
-        for how, name, _ in SLOT.findall(text):
+        own = {row.name for row in frame.rows}
+        for how, name in frame.numbers:
             value, step = name.strip("|‖"), teller.made.get(name)
             used = how != "s" and isinstance(step, Calculate | Drop | Measure)
-            assert not used or value in told | own or (frame.key == "found" and value in zero), (value, text)
-        told |= {name.strip("|‖") for _, name, _ in SLOT.findall(text)} | own
+            assert not used or value in told | own or (frame.key == "found" and value in zero), (value, frame.said)
+        told |= {name.strip("|‖") for _, name in frame.numbers} | own
+        for text in frame.said.values():  # each language tells all of them and no other
+            assert {(how, name) for how, name, _ in SLOT.findall(text)} == {*frame.numbers}, (frame.key, text)
 
 
 def sentences(name: str) -> str:
@@ -71,8 +72,8 @@ def test_inertia_arms_and_single_links_are_told():
     told = sentences("six-link")
     assert "⟨MI_2⟩ = −⟨J_2⟩ · ⟨epsilon_2⟩ = −2 · 125.1 = −250.3 N·m" in told
     assert "⟨h_G_2_C⟩ = 20.5 mm / 250 = 0.08218 m" in told
-    assert "Link 3 apart: ⟨F_30⟩ + ⟨G_3⟩ + ⟨F_32⟩ = 0" in told
-    assert "Link 4 apart: ⟨F_42⟩ + ⟨F_45⟩ = 0" in told
+    assert "Link 3 by itself: ⟨F_30⟩ + ⟨G_3⟩ + ⟨F_32⟩ = 0" in told
+    assert "Link 4 by itself: ⟨F_42⟩ + ⟨F_45⟩ = 0" in told
     assert "its arm is zero and it gives no moment" in told
 
 

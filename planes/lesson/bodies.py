@@ -1,0 +1,146 @@
+"""A group taken by itself before its forces are sought: what acts on it, how much is unknown, what is split in two."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import partial
+
+from planes.drafting.equations import Term
+from planes.lesson.frame import Frame, Make
+from planes.lesson.steps import Names
+from planes.plans import Plans
+from planes.plans.force.loads import force_name
+from planes.plans.force.reactions import Reaction
+from planes.words import Lang, say
+from planes.words.frozen import frozen
+from planes.words.names import force_plan, kind_of, label_of, links_of
+from planes.words.records import Json
+
+
+@frozen
+class Split:
+    """A reaction whose direction is unknown, by its part along a line and that across it, which moments find ``about``
+    a point; ``mark`` is where it acts."""
+
+    force: str
+    normal: Term
+    tangential: Term
+    line: str
+    about: str
+
+
+@dataclass
+class Bodies:
+    """The links of each force polygon by themselves."""
+
+    plans: Plans
+
+    def opened(self, frames: list[Frame], make: Make) -> list[Frame]:
+        """The frames, each force polygon's after the links it is of are taken apart, its pole after its equation."""
+        found, waiting = list[Frame](), dict[str, Frame]()
+        for f in frames:
+            if f.key == "pole" and kind_of(f.plan) == "force" and self.plans.moves:
+                waiting[f.plan] = f
+                found += self.apart(f.plan, make)
+                continue
+            if f.plan in waiting and f.key != "equation":
+                found.append(waiting.pop(f.plan))
+            found.append(f)
+            if f.key == "equation" and f.plan in waiting:
+                found.append(waiting.pop(f.plan))
+        return found
+
+    def apart(self, plan: str, make: Make) -> Iterator[Frame]:
+        """What acts on the links and what of it is unknown; then the reactions that are split."""
+        known, sought, balancing = [name for name, _ in self.known(plan)], self.outer(plan), self.balancing(plan)
+        names: Names = {
+            "links": partial(_links, plan),
+            "known": ", ".join(f"⟨{n}⟩" for n in known) or "—",
+            "unknown": lambda lang: ", ".join(_unknown(n, r, lang) for n, r in sought.items()) + _also(balancing, lang),
+            "count": str(2 * len(sought) + bool(balancing)),
+        }
+        carried = [n for n in known if n in self.carried]
+        key = "driver" if balancing else "next" if carried else "first"
+        forces = ", ".join(f"⟨{n}⟩" for n in carried)
+        why = partial(say, f"why_free_body_{key}", forces=forces)
+        yield make("free_body", plan, (), (), why, tuple(known), names=names)
+        for one in self.splits(plan):
+            parts = {"force": one.force, "normal": one.normal.name, "tangential": one.tangential.name, "line": one.line}
+            terms = one.normal.name, one.tangential.name
+            yield make("split", plan, (), (), partial(say, "why_split", **parts, about=one.about), terms, names=parts)
+
+    def known(self, plan: str) -> Iterator[tuple[str, Json]]:
+        """The forces and couples on the links of a polygon that are given or found before, and how each is drawn."""
+        links, own = links_of(plan), self.outer(plan) | self.inner(plan)
+        for link in links:
+            for f in self.plans.acting.forces.get(link, ()):
+                if f.quantity in ("weight", "inertia", "load") or (f.quantity == "reaction" and f.name not in own):
+                    yield f.name, {"mark": f.point, "along": f.along, "size": f.size}
+            for c in self.plans.acting.couples.get(link, ()):
+                if not c.handed:
+                    yield c.name, {"link": link, "size": c.value, "sign": c.sign}
+
+    @property
+    def carried(self) -> set[str]:
+        """Every reaction by the name it has on the other link."""
+        pairs = [r.pair for r in self.plans.reactions.values()]
+        return {force_name(*ends) for p in pairs for ends in ((p.link, p.other), (p.other, p.link))}
+
+    def outer(self, plan: str) -> dict[str, Reaction]:
+        """The reactions found by a polygon that act on its links from others, by their names on these links."""
+        links, found = links_of(plan), dict[str, Reaction]()
+        for r in (r for r in self.plans.reactions.values() if r.plan == plan):
+            if (r.pair.link in links) != (r.pair.other in links):
+                ends = (r.pair.link, r.pair.other) if r.pair.link in links else (r.pair.other, r.pair.link)
+                found[force_name(*ends)] = r
+        return found
+
+    def inner(self, plan: str) -> dict[str, Reaction]:
+        """Those between its links, by both their names."""
+        links, reactions = links_of(plan), self.plans.reactions.values()
+        both = [r for r in reactions if r.plan == plan and r.pair.link in links and r.pair.other in links]
+        ends = [(r, e) for r in both for e in ((r.pair.link, r.pair.other), (r.pair.other, r.pair.link))]
+        return {force_name(*e): r for r, e in ends}
+
+    def balancing(self, plan: str) -> str:
+        """What balances the driver, if it is the link of the polygon."""
+        drive = self.plans.mechanism.drive
+        return self.plans.balancing if plan == force_plan(drive.link) and self.plans.balancing else ""
+
+    def splits(self, plan: str) -> Iterator[Split]:
+        """The reactions of a polygon that have both parts in its equation."""
+        terms = {t.name: t for e in self.plans.equations if e.plan == plan for t in e.terms}
+        about = {m.unknown: label_of(m.about) for m in self.plans.moments}
+        for name, tangential in terms.items():
+            force, _, part = name.partition("^")
+            normal = terms.get(f"{force}^n")
+            if part == "t" and normal and normal.direction and name in about:
+                line = self.plans.means[normal.direction].line
+                yield Split(force, normal, tangential, line, about[name])
+
+    def drawn(self) -> Json:
+        """For a page: by polygon what acts on its links, and both parts of the reactions that are split."""
+        found: Json = {}
+        for plan in (p for p in self.plans.drawn if kind_of(p) == "force"):
+            forces = [{"name": n, **how, "foot": None} for n, how in self.known(plan) if "mark" in how]
+            couples = [{"name": n, **how} for n, how in self.known(plan) if "link" in how]
+            for one in self.splits(plan):
+                reaction = self.plans.reactions.get(one.force)
+                if reaction:
+                    mark = f"position:{reaction.pair.point}"
+                    for t in (one.normal, one.tangential):
+                        forces.append({"name": t.name, "mark": mark, "along": t.direction, "size": "", "foot": None})
+            found[plan] = {"about": "", "forces": forces, "couples": couples}
+        return found
+
+
+def _links(plan: str, lang: Lang) -> str:
+    links = links_of(plan)
+    return say("lesson_link" if len(links) == 1 else "lesson_links", lang, links="–".join(links))
+
+
+def _unknown(name: str, reaction: Reaction, lang: Lang) -> str:
+    return say(f"lesson_free_{reaction.pair.kind}", lang, name=name)
+
+
+def _also(balancing: str, lang: Lang) -> str:
+    return f", {say('lesson_free_size', lang, name=balancing)}" if balancing else ""
