@@ -53,7 +53,10 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
         how, name, mu = match.groups()
         if how == "n":
             return decimal(name, lang)
-        size = math.prod(map(read, own(name)), start=-1.0 if name.startswith("−") else 1.0)
+        first, values = -1.0 if name.startswith("−") else 1.0, [*map(read, own(name))]
+        if how in ("join", "lead"):  # the sign of a product: what is nothing has none
+            values = [math.copysign(1.0, v) for v in values if not abs(v) < NOISE]
+        size = math.prod(values, start=first)
         size = 0.0 if abs(size) < NOISE else size
         if how == "mm":
             return decimal(f"{abs(size * read(mu)):.1f}".removesuffix(".0"), lang)
@@ -88,15 +91,16 @@ def formula(step: Calculate) -> tuple[str, str]:
 
 
 def by_sense(
-    step: Calculate, size: Callable[[str], str], without: str, arm: str, drop: frozenset[int]
+    step: Calculate, size: Callable[[str], str], without: str, arm: str, drop: frozenset[int], sought: str = ""
 ) -> tuple[str, str]:
     """Both sides of an equation of moments: each term with the sign it has, its arm and sizes without, the
-    sizes written as ``size`` says; what is sought has an ``arm`` too."""
+    sizes written as ``size`` says; what is ``sought`` has an ``arm`` too, and is positive the way it acts."""
     letters = numbers = ""
     for i, term in enumerate(step.terms):
         if i not in drop:
             product = _clear(term, without)
-            names = [n for n, power in product.factors if power % 2] + [arm] * bool(arm and arm == without)
+            names = [n for n, power in product.factors if power % 2]
+            names += [arm, sought] if sought else [arm] * bool(arm and arm == without)
             sense = slot(("−" if term.coefficient < 0 else "") + "*".join(names), "join" if letters else "lead")
             letters += sense + _product(product, size)[1]
             numbers += sense + _product(product, lambda n: slot(n, "a"))[1]

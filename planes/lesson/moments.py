@@ -34,10 +34,11 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
         told = f"⟨{forces.get(name, name)}⟩"
         return f"∣{told}∣" if parts_of(name)[0] not in ARMS and numpy.any(cycle[name] < 0) else told
 
-    letters, numbers = by_sense(step, size, over, m.arm, dropped)
+    reaction = m.unknown if over and over == m.arm else ""  # a force is positive as it acts, a couple to the left
+    letters, numbers = by_sense(step, size, over, m.arm, dropped, reaction)
     head = f"⟨{m.unknown}⟩ · ⟨{over}⟩" if over else ""
     found_here = over if over in {s.makes for s in cycle.program.steps} else ""  # an arm that each position has
-    row = Row(m.unknown, letters, numbers, slot(m.unknown), "moments", head, found_here)
+    row = Row(m.unknown, letters, numbers, slot(m.unknown, "a" if reaction else "v"), "moments", head, found_here)
     return "moments", {**names, "row": (row,)}, (*terms, m.unknown) if m.arm else terms
 
 

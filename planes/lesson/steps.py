@@ -160,7 +160,7 @@ class StepWords:
             reason = "moved" if step.quantity == "moved" else "driver" if driven or step.length == "s" else "along"
             return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
         if any(m.unknown == step.length for m in self.plans.moments):
-            return "found", "found", shown
+            return "found", "found", {**shown, "value": slot(step.length, "a")}
         if step.quantity == "load":
             return "load", self.why_load(step.length), shown
         if isinstance(source, Calculate):

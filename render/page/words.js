@@ -33,15 +33,16 @@ function scaled(mu, inverse) { // a scale as the engine writes it: exact, its in
   const four = +(1 / mu).toPrecision(4);
   return local(String(Math.abs(four * mu - 1) < 1e-12 ? four : +(1 / mu).toPrecision(3)));
 }
-function product(name) { // of a slot: a value, or values by *, after a minus of their own; null where one fails
+function product(name, sign) { // of a slot: a value, or values by *, after a minus of their own; null where one fails
   const values = name.replace(/^−/, "").split("*").map(n => live.value(n));
-  return values.includes(null) ? null : values.reduce((z, v) => z * v, name[0] === "−" ? -1 : 1);
+  const signs = sign ? values.map(v => v !== null && Math.abs(v) < 1e-12 ? 1 : v && Math.sign(v)) : values;
+  return values.includes(null) ? null : signs.reduce((z, v) => z * v, name[0] === "−" ? -1 : 1);
 }
 function filled(text) { // the numbers of a sentence, for what is shown
   return text.replace(/⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧/g, (_, how, name, mu) => {
     if (how === "n") return local(name); // a number that is its own name
     if (how === "d") return number(Math.asin(live.zone ? live.zone.least : live.sharpness(name)) * 180 / Math.PI);
-    const found = product(name), v = Math.abs(found) < 1e-12 ? 0 : found; // noise is nothing
+    const found = product(name, how === "join" || how === "lead"), v = Math.abs(found) < 1e-12 ? 0 : found; // noise is nothing
     if (found === null) return "—";
     if (how === "mm") return local(fixed(Math.abs(v * live.given[mu]), 1).replace(/\.0$/, ""));
     if (how === "s") return say(v > 0 ? "ccw" : v < 0 ? "cw" : "still");

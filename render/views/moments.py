@@ -54,7 +54,9 @@ class MomentLines:
         made = next((s for s in self.position.drawing.program.steps if s.makes == equation.unknown), None)
         if not isinstance(made, Calculate) or not made.terms:
             return []
-        values = list(map(self.value, made.terms))
+        found = float(self.position.drawing[equation.unknown])
+        acting = -1.0 if equation.arm and found < 0 else 1.0  # a force is positive as it is drawn, a couple to the left
+        values = [acting * self.value(term) for term in made.terms]
         biggest = max(map(abs, values))
         shown = [(n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > NOISE * biggest]
         if not shown:
@@ -65,8 +67,9 @@ class MomentLines:
         factor = next((name for name, power in made.terms[0].factors if power < 0), "")
         by = float(self.position.drawing[factor]) if factor else 1.0
         by = abs(by) if factor == equation.arm else by  # an arm has no sign, a rate has
-        found = float(self.position.drawing[equation.unknown])
-        head = self.unknown(equation) + self.by(equation.unknown, factor)
+        found *= acting
+        over = self.naming.arm(equation.unknown, factor) if factor in self.arms else self.naming.vector(factor)
+        head = self.unknown(equation) + (over if factor else "")
         lang = self.naming.lang
         unit = say(self.unit(factor != equation.arm), lang)
         armed = {lever: self.length(lever) for _, lever, _ in shown if lever in self.arms}
@@ -111,11 +114,16 @@ class MomentLines:
 
     def product(self, name: str, lever: str) -> str:
         """A force times its arm, a couple, either times its rate."""
-        return self.naming.vector(name) + self.by(name, lever)
+        return self.sized(name) + self.by(name, lever)
+
+    def sized(self, name: str) -> str:
+        """The letter of a value, in bars where that is negative: its sign stands before the product."""
+        letter = self.naming.vector(name)
+        return f"|{letter}|" if name in self.position.drawing and float(self.position.drawing[name]) < 0 else letter
 
     def by(self, name: str, lever: str) -> str:
         """What a force is multiplied by: its arm, a length or a rate; nothing, if there is no lever."""
-        return self.naming.arm(name, lever) if lever in self.arms else self.naming.vector(lever) if lever else ""
+        return self.naming.arm(name, lever) if lever in self.arms else self.sized(lever) if lever else ""
 
     @cached_property
     def arms(self) -> Mapping[str, Drop]:

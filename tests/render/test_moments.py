@@ -31,5 +31,5 @@ def test_what_is_told_beneath_adds_up(path):
         signs = [-1 if a.text == "−" or b.text.startswith("−") else 1 for a, b in pairwise(words[1:]) if b.value]
         terms = [sign * number(w) for sign, w in zip(signs, [w for w in words[2:] if w.value], strict=True)]
         assert number(words[1]) == pytest.approx(sum(terms), abs=0.01 * max(map(abs, terms)))
-        if equation.arm:  # which has no sign: the moment has that of what is found
-            assert number(words[1]) * float(here.drawing[equation.unknown]) >= 0
+        if equation.arm:  # a reaction is drawn as it acts: its moment, too, is a size
+            assert number(words[1]) >= 0 and "−" not in words[-1].text
