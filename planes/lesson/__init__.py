@@ -12,15 +12,15 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
-from planes.lesson.bodies import Bodies
 from planes.lesson.formulas import SLOT, UNITS, mu_said, slot
 from planes.lesson.frame import Frame, in_both
+from planes.lesson.free_bodies import FreeBodies
 from planes.lesson.moments import moment_words
 from planes.lesson.reckoning import Reckoning
 from planes.lesson.rows import Row, reckoned
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
-from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole
+from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole, worded
 from planes.plans import Plans
 from planes.plans.apart import links_apart
 from planes.plans.force.derived import unit_of_value
@@ -54,7 +54,7 @@ class Teller:
         self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
         self.rates |= {value for value in plans.values.values() if value in self.made}
         self.solved = {} if plans.moves else last_marks(plans)
-        self.stating, self.bodies = Stating(plans), Bodies(plans)
+        self.stating, self.bodies = Stating(plans), FreeBodies(plans)
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
@@ -124,7 +124,7 @@ class Teller:
         names = {**names, "mu": partial(mu_said, plan, convention=self.convention)}
 
         def told(lang: Lang) -> str:
-            return say(f"lesson_{key}", lang, **{k: _said(v, lang) for k, v in names.items()})
+            return say(f"lesson_{key}", lang, **{k: worded(v, lang) for k, v in names.items()})
 
         why = in_both(reason if callable(reason) else partial(say, f"why_{reason or key}"))
         in_hand = found if terms is None else terms
@@ -208,13 +208,11 @@ class Teller:
         inside = {name: r.key for one in links for name, (r, _) in one.reactions.items() if name == one.force}
         own = (r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan))
         names = [name for name in own if name not in inside.values()]
-        drive = self.plans.mechanism.drive
-        names += [self.plans.balancing] * (drive.kind == "s" and plan == force_plan(drive.link))
+        names += [n for n in (self.bodies.balancing(plan),) if n and self.plans.mechanism.drive.kind == "s"]
         found = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
         for one in links:
             key = inside[one.force]
-            force = f"⟨{one.force}⟩" + ("" if key == one.force else f" = −⟨{key}⟩")
-            closes: Names = {**apart_words(one), "force": force, "readings": (self.reading(key, plan),)}
+            closes: Names = {**apart_words(one, key), "readings": (self.reading(key, plan),)}
             found.append(self.frame("apart", plan, names=closes, terms=one.drawn))
         reactions = self.plans.reactions.values()
         return found + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
@@ -244,12 +242,6 @@ class Teller:
         found = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
         return found + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
-
-
-def _said(said: Said | tuple[Row, ...], lang: Lang) -> str:
-    if isinstance(said, tuple):
-        return "; ".join(row.text(lang) for row in said)
-    return said(lang) if callable(said) else said
 
 
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:

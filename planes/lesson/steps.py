@@ -186,9 +186,17 @@ class StepWords:
         return (terms or segments or [label])[0]
 
 
-def apart_words(one: LinkApart) -> Names:
-    """What is said of a link alone."""
-    return {"link": one.link, "force": one.force, "sum": " + ".join(f"⟨{name}⟩" for name in (*one.known, one.force))}
+def apart_words(one: LinkApart, key: str) -> Names:
+    """What is said of a link alone; ``key`` is the reaction that closes its forces as the tables have it."""
+    force = f"⟨{one.force}⟩" + ("" if key == one.force else f" = −⟨{key}⟩")
+    return {"link": one.link, "force": force, "sum": " + ".join(f"⟨{name}⟩" for name in (*one.known, one.force))}
+
+
+def worded(said: Said | tuple[Row, ...], lang: Lang) -> str:
+    """What a name of a sentence stands for, in words."""
+    if isinstance(said, tuple):
+        return "; ".join(row.text(lang) for row in said)
+    return said(lang) if callable(said) else said
 
 
 def shown_on(step: s.Step) -> str:

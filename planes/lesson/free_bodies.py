@@ -29,7 +29,7 @@ class Split:
 
 
 @dataclass
-class Bodies:
+class FreeBodies:
     """The links of each force polygon by themselves."""
 
     plans: Plans
