@@ -194,7 +194,7 @@ def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str
 def _known(out: Outcome, figures: tuple[list[WrittenNumber], list[str]]) -> list[WrittenNumber]:
     """The numbers of a table that mean something here; the others are noted."""
     known, unknown = figures
-    out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    out.notes += [Phrase("check_unknown_results", names=", ".join(unknown))] if unknown else []
     out.unknown += unknown
     return known
 

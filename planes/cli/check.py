@@ -23,15 +23,15 @@ def check(args: Namespace) -> int:
     if is_course(Path(args.scene)) and not args.trace:
         return check_class(args, handed_out(Path(args.scene)), _sheets(args))
     table = args.plan is None and not args.trace and (args.drawing or "").lower().endswith(TABLES)
-    if args.plan is None and not table and (args.trace or not _told_by_itself(args.drawing)):
-        args.refuse(say("usage_missing", args.lang) % "--plan")
     scene = scene_of(args)
+    if args.plan is None and not table and (args.trace or not _told_by_itself(args.drawing)):
+        raise _no_plan(args, scene)
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
     if table:
         if found := judge_results(args, scene, value):
             return said(args, found)
-        args.refuse(say("usage_missing", args.lang) % "--plan")
+        raise _no_plan(args, scene)
     if args.drawing and not args.trace:
         sheets = _sheets(args)
         if args.plan is None or Path(args.drawing).is_dir() or sheets[0].practised:
@@ -44,6 +44,12 @@ def check(args: Namespace) -> int:
     if len(sheets) > 1:
         return check_class(args, handed_out(Path(args.scene)), sheets, alone=True)
     return said(args, judge(asked, read_paper(args.drawing, asked, sheets[0].known(known_of(args)))))
+
+
+def _no_plan(args: Namespace, scene: Scene) -> PlanesError:
+    """Which plans there are to choose from."""
+    plans = tuple(known_plans(scene_plans(scene)))
+    return PlanesError(Phrase("check_say_plan", file=args.drawing or args.scene, plans=plans))
 
 
 def _sheets(args: Namespace) -> list[HandedSheet]:

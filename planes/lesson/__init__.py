@@ -26,7 +26,7 @@ from planes.plans.apart import links_apart
 from planes.plans.force.derived import unit_of_value
 from planes.plans.force.reactions import Reaction
 from planes.words import Lang, say
-from planes.words.names import POLE, at, force_plan, kind_of, label_of, letter_of, lettered, mu_of, plan_of
+from planes.words.names import POLE, at, kind_of, label_of, letter_of, lettered, mu_of, plan_of
 from planes.words.units import Convention
 
 NOTHING: Names = {}

@@ -58,7 +58,6 @@ def test_a_drawing_after_the_options_is_checked(tmp_path: Path, capsys: pytest.C
         ("check s.yaml --plan velocity a.svg b.svg", "unrecognized arguments: b.svg"),
         ("solve s.yaml --nothing", "unrecognized arguments: --nothing"),
         ("solve --json", "required: SCENE"),
-        ("check s.yaml v.svg", "required: --plan"),
         ("cycle --graphical", "required: SCENE"),
     ],
 )
@@ -69,6 +68,15 @@ def test_what_is_over_or_missing_is_named(
     with pytest.raises(SystemExit) as stop:
         main(line.split())
     assert stop.value.code == 2 and said in capsys.readouterr().err
+
+
+def test_a_table_of_marks_without_its_plan_is_answered_with_the_plans(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    marks = tmp_path / "marks.csv"
+    marks.write_text("mark,x,y\na,-57.8,48.5\n", encoding="utf-8")
+    assert main(["check", "--lang", "en", str(ROOT / "samples" / "kind-2-rrp.yaml"), str(marks)]) == 2
+    assert "marks.csv is of: --plan position, velocity, acceleration, force:2-3, force:1." in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("line", ["--lang ru --help", "--help --lang=ru", "--lang ru solve --help"])
