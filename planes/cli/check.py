@@ -14,7 +14,7 @@ from planes.course.handed_out import handed_out, is_course
 from planes.course.ledger import MANIFEST
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
-from planes.words import Phrase, say
+from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 

@@ -168,7 +168,8 @@ def _balance(p: Position, lang: Lang) -> list[str]:
         own, other = (error_of(p.results.get("errors"), f"{by}_{what}") for by in ("balancing", "zhukovsky"))
         if found is not None:
             number = " ± ".join([number_cell(found), *own])
-            lines.append(f"{say(f'balancing_{what}', lang)}: {number} {say(unit, lang)}")
+            sense = f" ({say('lesson_ccw' if found > 0 else 'lesson_cw', lang)})" if what == "moment" and found else ""
+            lines.append(f"{say(f'balancing_{what}', lang)}: {number} {say(unit, lang)}{sense}")
         if check is not None:
             lines.append(f"{say('by_lever', lang)}: {' ± '.join([number_cell(check), *other])} {say(unit, lang)}")
         if found is not None and check is not None:

@@ -121,11 +121,11 @@ function table() {
   document.querySelectorAll("#marks tbody tr").forEach(row => {
     const one = found.marks[row.dataset.mark], [own, limit, off, word] = row.querySelectorAll("td");
     row.className = one.verdict;
-    const miss = one.verdict === "right" && one.own?.size > one.own?.reach(found.limit) ? one.free : one.own; // see rows_of
-    own.textContent = mm(miss?.size);
-    limit.textContent = mm(miss?.reach(found.limit));
+    const aside = one.verdict === "right" && one.own?.size > one.own?.reach(found.limit), more = aside ? "true_place" : one.close && "close"; // see rows_of
+    own.textContent = mm(one.own?.size);
+    limit.textContent = mm(one.own?.reach(found.limit));
     off.textContent = mm(one.free?.size);
-    word.textContent = data.words[one.verdict] + (one.close ? ` (${data.words.close})` : "");
+    word.textContent = data.words[one.verdict] + (more ? ` (${data.words[more]})` : "");
   });
 }
 function move(name, x, y) {

@@ -223,7 +223,7 @@ def test_marks_nobody_read_are_put_in_place(browser: Any, tmp_path: Path) -> Non
 def test_a_printed_report_is_a_sheet_and_says_what_to_draw_anew(browser: Any, tmp_path: Path) -> None:
     pdfium = pytest.importorskip("pypdfium2")
     page, errors = opened(browser, handed_in("six-link", "velocity", Mistake("relative_from_pole", "c")), tmp_path)
-    assert "Draw this step anew" in page.inner_text("#chance")
+    assert "Redraw this step" in page.inner_text("#chance")
     sheets = pdfium.PdfDocument(page.pdf(prefer_css_page_size=True))
     assert [round(side) for side in sheets[0].get_size()] == [595, 842]
     assert len(sheets) == 1 and "Steps" in sheets[0].get_textpage().get_text_range()

@@ -359,7 +359,7 @@ REFUSED = {
     "empty.jpg": (b"", "the file is empty; send it again"),
     "cut.jpg": (b"\xff\xd8\xff\xe0" + bytes(99), "ends too early"),
     "cut.png": (b"\x89PNG\r\n\x1a\n" + bytes(99), "ends too early"),
-    "letters.jpg": (b"hello" * 99, "save it anew as JPEG or PNG"),
+    "letters.jpg": (b"hello" * 99, "save it again as JPEG or PNG"),
 }
 
 

@@ -175,15 +175,15 @@ def mm(value: float | None, lang: Lang) -> str:
 
 
 def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
-    """Rows of the step table: verdict, mark, off its own construction (of a right mark beside a wrong one, from which
-    it does not follow, off the right plan), tolerance, off the right plan, in words."""
+    """Rows of the step table: verdict, mark, off its own construction, tolerance, off the right plan, in words; of a
+    right mark that does not follow from a wrong one beside it, that it is in its true place."""
     rows = []
     for r in mark_rows(found):
         free = r["deviation_mm"], r["tolerance_mm"]
         sizes: tuple[Real, Real] = r.get("own_deviation_mm", free[0]), r.get("own_tolerance_mm", free[1])
-        if r["verdict"] == "right" and None not in sizes and sizes[0] > sizes[1]:
-            sizes = free
         close = f" ({say('check_close', lang)})" if "warning" in r else ""
+        if r["verdict"] == "right" and None not in sizes and sizes[0] > sizes[1]:
+            close = f" ({say('check_true_place', lang)})"
         words = say(f"verdict_{r['verdict']}", lang) + close
         rows.append([r["verdict"], r["mark"], *(mm(v, lang) for v in (*sizes, r["deviation_mm"])), words])
     return rows

@@ -50,7 +50,10 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
         "rule": _rule(grading),
         "said": _said(found, lang),
         "otherwise": _otherwise(grading, lang),
-        "words": {**{k: say(f"verdict_{k}", lang) for k in VERDICTS}, "close": say("check_close", lang)},
+        "words": {
+            **{k: say(f"verdict_{k}", lang) for k in VERDICTS},
+            **{k: say(f"check_{k}", lang) for k in ("close", "true_place")},
+        },
         "strokes": [[*pair(a), *pair(b)] for a, b in found.paper.strokes],
         **_shown(found, truth),
     }
