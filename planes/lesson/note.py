@@ -136,6 +136,7 @@ class Note:
         numbers = count(1)
         for plan, frames in groupby(self.placed(), key=lambda pair: pair[0]):
             yield Heading(self.heading(plan))
+            yield from self.loaded(plan)
             if plan not in ("position", "lever"):
                 yield self.figure(f"equations {plan}")
             yield from [self.prose(frame, next(numbers)) for _, frame in frames]
@@ -148,6 +149,24 @@ class Note:
                     yield self.figure(one.plan, self.caption(one.plan, plan))
             if plan == "velocity" and self.scene.find is None:
                 yield from self.transfers()
+
+    def loaded(self, plan: str) -> Iterator[Block]:
+        """What a force polygon is of: once the mechanism with its loads, the links with their forces and arms; the
+        lever with its own."""
+        plans, mu = self.position.plans, f", μ = {self.mu('velocity' if plan == 'lever' else 'position')}"
+        if plan == "lever":
+            yield self.figure("lever", self.say("lever") + mu)
+        if kind_of(plan) == "force" and plans.moves:
+            if plan == next(p for p in plans.drawn if kind_of(p) == "force"):
+                yield self.figure("loaded", self.say("loaded") + mu)
+            links = links_of(plan)
+            key = "group" if len(links) > 1 else "driver" if links == (plans.structure.driver,) else "link"
+            title = self.say(f"loaded_{key}", links="–".join(map(self.naming.link, links)))
+            yield self.figure(f"group {plan}", title + mu)
+
+    def mu(self, plan: str) -> str:
+        """The scale of a plan, as this language writes it."""
+        return fill(mu_said(plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang)
 
     def transfers(self) -> Iterator[Block]:
         """Analogues of velocities and ratios by segments of the velocity plan."""
@@ -171,9 +190,7 @@ class Note:
         return self.say("note_group" if len(links) > 1 else alone if links else "note_forces", links=", ".join(links))
 
     def caption(self, plan: str, group: str = "") -> str:
-        mu = fill(
-            mu_said(group or plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang
-        )
+        mu = self.mu(group or plan)
         if plan == "position":
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)

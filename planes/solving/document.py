@@ -80,7 +80,8 @@ class DrawnViews:
     """Views of one position, side by side where they fit, those of one tuple beneath each other.
 
     A view is "scheme", a plan, "equations …" of a plan, "loaded" (the mechanism with its loads), "loaded …" (a link
-    with all forces on it), "centre …" (of a link's velocities); ``scales``: the caption goes on with every plan and
+    with all forces on it), "group …" (the links of a force polygon with their forces and arms), "lever", "centre …" (of
+    a link's velocities); ``scales``: the caption goes on with every plan and
     its μ.
     """
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from planes.plans.assur.alignment import aligned
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
+from planes.words.names import links_of
 from render import charts
 from render.charts.strokes import Picture
 from render.files import Page, svg
@@ -20,6 +21,7 @@ from render.sheet.force_sheet import ForceSheet
 from render.views import View, beside, stacked, view
 from render.views.alignment import alignment_view
 from render.views.instant_centre import instant_centre
+from render.views.moments import Lever
 from render.views.plotted import Plotted, with_links_apart
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
@@ -114,6 +116,10 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
     if kind == "loaded":
         forces = ForceSheet(composer)
         return forces.alone(block.position, of) if of else replace(forces.loaded(block.position), title="")
+    if kind == "group" and (group := ForceSheet(composer).group(block.position, of, links_of(of))):
+        return replace(group, title="")
+    if kind == "lever":
+        return view(name, "", Lever(block.position, composer.naming).drawn())
     if kind == "centre":
         return instant_centre(block.position, of, composer.naming)
     if kind == "self-aligning":
