@@ -202,5 +202,5 @@ def test_an_arm_of_two_forces_is_drawn_once() -> None:
 
 def test_no_word_of_a_remark_stands_alone_where_lines_can_be_even() -> None:
     narrow = [Line((0j, 20 + 0j), "thin", "plan")]
-    lines = [m.text for m in remark("(vectors of one line are drawn side by side)", narrow)]
+    lines = [m.text for m in remark("(collinear vectors are drawn side by side)", narrow)]
     assert len(lines) == 2 and max(map(len, lines)) < 1.5 * min(map(len, lines))
