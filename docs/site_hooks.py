@@ -4,7 +4,6 @@ In a page stand, each as a fenced block:
 
 - ``figure CAPTION`` with a command that draws: its picture, lettered in the language of the page, and the command;
 - ``run`` with a command: the command and what it prints;
-- ``keys`` with names of tables of the scene's schema: their keys and what each means;
 - ``gallery`` with a folder of scenes: a picture of each, with its file, its lesson and its sheet (``gallery bare``:
   with its file alone);
 - ``include`` with a file of the repository (``include below``: under the page's own title);
@@ -12,7 +11,9 @@ In a page stand, each as a fenced block:
 - ``essay`` with a command that writes live pages into a folder: a list of them;
 - ``api`` with a package: its public names, each with its signature and docstring.
 
-Figures are drawn before the pages are read, into ``figures/`` beside them; they are never kept in the repository.
+Tables of keys stand in the pages themselves, between ``<!-- keys NAMES -->`` and ``<!-- /keys -->``; ``python
+docs/site_hooks.py`` writes them from the schema. Figures are drawn before the pages are read, into ``figures/`` beside
+them; they are never kept in the repository.
 """
 
 from __future__ import annotations
@@ -40,8 +41,9 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PAGES = HERE / "site"
 BLOCK = re.compile(
-    r"^```(figure|run|keys|gallery|include|tables|essay|api)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
+    r"^```(figure|run|gallery|include|tables|essay|api)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
 )
+KEYS = re.compile(r"<!-- keys ([^>]*?) -->\n.*?<!-- /keys -->", re.DOTALL)
 OUTSIDE = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)]*)\)")
 DRAWN = "drawing.svg"  # what a reader would name a figure
 MADE = "made"  # the folder of lessons, sheets and scenes of the gallery
@@ -111,11 +113,16 @@ def shown(_: str, body: str, lang: str) -> str:
     return f"```sh\nplanes {command}\n```\n\n```text\n{run(command, lang).rstrip()}\n```"
 
 
-def keys(_: str, body: str, lang: str) -> str:
-    """Keys of a table of the scene, with what each means."""
+def with_keys(text: str, lang: str) -> str:
+    """A page with its tables of keys as the schema has them; they stand in the page, so that it is read anywhere."""
     told = found(schema("scene", lang), schema("course", lang))
-    rows = [f"| `{key}` | {said} |" for name in body.split() for key, said in told[name].items()]
-    return "\n".join([f"| {SAID[lang][0]} | {SAID[lang][1]} |", "|---|---|", *rows])
+
+    def table(match: re.Match[str]) -> str:
+        rows = [f"| `{key}` | {said} |" for name in match[1].split() for key, said in told[name].items()]
+        head = [f"| {SAID[lang][0]} | {SAID[lang][1]} |", "|---|---|"]
+        return "\n".join([f"<!-- keys {match[1]} -->", "", *head, *rows, "", "<!-- /keys -->"])
+
+    return KEYS.sub(table, text)
 
 
 def found(*schemas: dict[str, Any]) -> dict[str, dict[str, str]]:
@@ -242,7 +249,6 @@ def write(command: str, lang: str) -> Path:
 MAKERS: dict[str, Callable[[str, str, str], str]] = {
     "figure": figure,
     "run": shown,
-    "keys": keys,
     "gallery": pictures,
     "include": include,
     "tables": tables,
@@ -275,3 +281,8 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """The blocks of a page."""
     source = Path(page.file.abs_src_path)
     return filled(markdown, language(source))
+
+
+if __name__ == "__main__":
+    for page in pages():
+        page.write_text(with_keys(page.read_text("utf-8"), language(page)), "utf-8")

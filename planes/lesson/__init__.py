@@ -1,6 +1,5 @@
 """A lesson: the program and its drawing as numbered frames, each a sentence of what is done and one of why.
 
-One frame a mark; what is measured after an equation is drawn is a frame of its own, and so is each moment equation.
 Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
 """
 
@@ -12,8 +11,8 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import SLOT, UNITS, mu_said, slot
-from planes.lesson.frame import Frame, in_both
+from planes.lesson.formulas import SLOT, UNITS, in_both, mu_said, slot
+from planes.lesson.frame import Frame, in_chapters
 from planes.lesson.free_bodies import FreeBodies
 from planes.lesson.moments import moment_words
 from planes.lesson.reckoning import Reckoning
@@ -88,7 +87,7 @@ class Teller:
                 found.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
             reckoning.tell(f)
             found.append(f)
-        return found
+        return in_chapters(found)
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
@@ -123,12 +122,13 @@ class Teller:
         numbers = (*scale, *own, *(n for row in rows for n in row.slots()))
         names = {**names, "mu": partial(mu_said, plan, convention=self.convention)}
 
-        def told(lang: Lang) -> str:
-            return say(f"lesson_{key}", lang, **{k: worded(v, lang) for k, v in names.items()})
+        def told(lang: Lang, marks: bool = False) -> str:
+            return say(f"lesson_{key}", lang, **{k: worded(v, lang, rows, marks) for k, v in names.items()})
 
         why = in_both(reason if callable(reason) else partial(say, f"why_{reason or key}"))
         in_hand = found if terms is None else terms
-        return Frame(key, plan, makes, uses, index, in_hand, in_both(told), why, moments, rows=rows, numbers=numbers)
+        words = in_both(told), why, moments, None, in_both(partial(told, marks=True))
+        return Frame(key, plan, makes, uses, index, in_hand, *words, rows, numbers)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""

@@ -11,8 +11,8 @@ from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson import value_of
-from planes.lesson.formulas import mu_said, slot, unit
-from planes.lesson.frame import Frame, in_both, needed
+from planes.lesson.formulas import in_both, mu_said, slot, unit
+from planes.lesson.frame import Frame, needed
 from planes.lesson.kit import Kit
 from planes.lesson.live import Live
 from planes.lesson.practice import JUDGING, sentences, told_values
@@ -64,7 +64,8 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
 
 def _shown(frame: Frame, kit: Kit) -> Json:
     tells = [name for how, name in frame.numbers if how in ("v", "a")]
-    own = {k: z for k, z in vars(frame).items() if k not in ("rows", "numbers")}
+    own = {k: z for k, z in vars(frame).items() if k not in ("marked", "numbers")}
+    own |= {"said": frame.marked or frame.said, "rows": [row.json() for row in frame.rows]}
     return {**own, "values": told_values(frame), "tells": tells, "tools": kit.of_frame(frame)}
 
 

@@ -8,8 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import slots
-from planes.lesson.frame import in_both
+from planes.lesson.formulas import in_both, slots
 from planes.scene import load, loads
 from planes.words import say
 from planes.words.records import Json

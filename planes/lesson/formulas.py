@@ -10,12 +10,15 @@ and values stand in ⟨…⟩.
 import math
 import re
 from collections.abc import Callable
+from typing import TypeVar
 
 from planes.drafting.steps.reckoning import Calculate, Product
-from planes.words import Lang, decimal, say
+from planes.words import Lang, decimal, langs, say
 from planes.words.names import kind_of, mu_of, parts_of
 from planes.words.units import Convention, mu_number, mu_text, number
 
+One = TypeVar("One")
+LANGS = langs("lesson")
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
 SIGNS = ("s", "join", "lead")  # slots that give no number
 NOISE = 1e-12  # what is smaller is nothing: an arm that is zero, a force that is not there
@@ -33,6 +36,11 @@ _LETTERS = {
     "W": "PT",
 }
 UNITS = {letter: key for key, letters in _LETTERS.items() for letter in letters.split()}
+
+
+def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
+    """What is told, in every language of lessons."""
+    return {lang: told(lang) for lang in LANGS}
 
 
 def unit(name: str, lang: Lang) -> str:

@@ -1,20 +1,11 @@
 """One frame of a lesson, told in every language of lessons."""
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import TypeVar
 
 from planes.lesson.formulas import SIGNS, own
 from planes.lesson.rows import Row
-from planes.words import Lang, langs
-from planes.words.frozen import frozen
-
-One = TypeVar("One")
-LANGS = langs("lesson")
-
-
-def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
-    """What is told, in every language of lessons."""
-    return {lang: told(lang) for lang in LANGS}
+from planes.words import Lang
+from planes.words.frozen import frozen, replace
 
 
 @frozen
@@ -23,7 +14,10 @@ class Frame:
     is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by
     language; ``moments`` the index of the moment equation it states, or leads to; ``turns`` the vector carried to a
     point of the scheme to see which way it turns about another, and the rate found so. ``rows`` are its lines of
-    reckoning, ``numbers`` all that it tells: how (see :mod:`planes.lesson.formulas`) and of which value."""
+    reckoning, each ⟪k⟫ where its words are ``marked``; ``numbers`` are all that it tells: how (see
+    :mod:`planes.lesson.formulas`) and of which value. ``chapter`` is the plan it serves: of moments, that of their
+    group.
+    """
 
     key: str
     plan: str
@@ -35,8 +29,10 @@ class Frame:
     why: Mapping[Lang, str]
     moments: int | None = None
     turns: Mapping[str, str] | None = None
+    marked: Mapping[Lang, str] | None = None
     rows: tuple[Row, ...] = ()
     numbers: tuple[tuple[str, str], ...] = ()
+    chapter: str = ""
 
     @property
     def used(self) -> list[str]:
@@ -50,6 +46,15 @@ class Frame:
 
 
 Make = Callable[..., Frame]  # a frame with its words in every language
+
+
+def in_chapters(frames: Iterable[Frame]) -> list[Frame]:
+    """The frames, each with the plan it serves."""
+    found, here = list[Frame](), "position"
+    for f in frames:
+        here = here if f.moments is not None and f.plan == "position" else f.plan
+        found.append(replace(f, chapter=here))
+    return found
 
 
 def needed(frames: Iterable[Frame]) -> list[str]:

@@ -12,7 +12,7 @@ from planes.plans.force.loads import force_name
 from planes.plans.force.reactions import Reaction
 from planes.words import Lang, say
 from planes.words.frozen import frozen
-from planes.words.names import force_plan, kind_of, label_of, links_of
+from planes.words.names import force_plan, kind_of, label_of, links_of, parts_of
 from planes.words.records import Json
 
 
@@ -111,8 +111,8 @@ class FreeBodies:
         terms = {t.name: t for e in self.plans.equations if e.plan == plan for t in e.terms}
         about = {m.unknown: label_of(m.about) for m in self.plans.moments}
         for name, tangential in terms.items():
-            force, _, part = name.partition("^")
-            normal = terms.get(f"{force}^n")
+            letter, index, part = parts_of(name)
+            force, normal = f"{letter}_{index}", terms.get(f"{letter}_{index}^n")
             if part == "t" and normal and normal.direction and name in about:
                 line = self.plans.means[normal.direction].line
                 yield Split(force, normal, tangential, line, about[name])

@@ -12,8 +12,7 @@ from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Many
 from planes.geometry.arrays import Array, Complexes
 from planes.lesson.dimensions import FreeNumbers
-from planes.lesson.formulas import unit
-from planes.lesson.frame import in_both
+from planes.lesson.formulas import in_both, unit
 from planes.plans import Plans
 from planes.words import say
 from planes.words.frozen import frozen

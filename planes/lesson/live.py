@@ -14,8 +14,7 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Thing, names_of
 from planes.geometry.arrays import Floats
 from planes.lesson.dimensions import FreeNumbers
-from planes.lesson.formulas import slot
-from planes.lesson.frame import in_both
+from planes.lesson.formulas import in_both, slot
 from planes.words import Lang, Phrase, say
 from planes.words.records import Json
 

@@ -134,12 +134,12 @@ class Note:
     def plans(self) -> Iterator[Block]:
         """Every plan with its equations, its steps in words, and its figure."""
         numbers = count(1)
-        for plan, frames in groupby(self.placed(), key=lambda pair: pair[0]):
+        for plan, frames in groupby(self.frames, key=lambda frame: frame.chapter):
             yield Heading(self.heading(plan))
             yield from self.loaded(plan)
             if plan not in ("position", "lever"):
                 yield self.figure(f"equations {plan}")
-            yield from [self.prose(frame, next(numbers)) for _, frame in frames]
+            yield from [self.prose(frame, next(numbers)) for frame in frames]
             if plan == "lever":
                 yield from self.compared()
                 continue
@@ -173,13 +173,6 @@ class Note:
         rows = [tuple(row) for row in TransferFunctions(self.position, self.naming).rows()]
         head = tuple(map(self.say, ("quantity", "note_by_segments", "value", "note_unit")))
         yield from self.table("of_transfers", head, rows)
-
-    def placed(self) -> Iterator[tuple[str, Frame]]:
-        """Frames with the plan they are told under: a moment equation under the plan it serves."""
-        here = "position"
-        for frame in self.frames:
-            here = here if frame.moments is not None and frame.plan == "position" else frame.plan
-            yield here, frame
 
     def heading(self, plan: str) -> str:
         if kind_of(plan) != "force":

@@ -17,7 +17,8 @@ from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.tools import Thing
 from planes.geometry.arrays import Floats
-from planes.lesson.frame import Frame, in_both
+from planes.lesson.formulas import in_both
+from planes.lesson.frame import Frame
 from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms

@@ -3,9 +3,10 @@
 from collections.abc import Iterator
 
 from planes.drafting.steps.reckoning import Calculate
-from planes.lesson.formulas import SLOT, formula, slot, unit
+from planes.lesson.formulas import SLOT, formula, in_both, slot, unit
 from planes.words import Lang, say
 from planes.words.frozen import frozen
+from planes.words.records import Json
 
 
 @frozen
@@ -41,6 +42,14 @@ class Row:
         found = f"; ⟨{self.name}⟩" if "·" in parts["head"] else ""
         sense = f" ({slot(self.name, 's')})" if self.turns else ""
         return say(f"lesson_row_{self.kind or 'formula'}", lang, **parts, arm=arm, found=found) + sense
+
+    def json(self) -> Json:
+        """For a page that sets it as mathematics."""
+        parts = {k: getattr(self, k) for k in ("name", "kind", "head", "letters", "numbers", "value")}
+        parts["arm"] = f"⟨{self.arm}⟩ = {slot(self.arm, 'a')}" if self.arm else ""
+        parts["turns"] = f"({slot(self.name, 's')})" if self.turns else ""
+        said = {"said": in_both(self.text), "unit": in_both(self.unit)}
+        return {k: z for k, z in {**parts, **said}.items() if z}
 
     def slots(self) -> Iterator[tuple[str, str]]:
         """How it tells numbers, and of which values."""

@@ -9,7 +9,8 @@ from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
 from planes.drafting.tools import Thing
 from planes.lesson import Teller, value_of
-from planes.lesson.frame import Frame, in_both, needed
+from planes.lesson.formulas import in_both
+from planes.lesson.frame import Frame, needed
 from planes.lesson.knobs import Knobs
 from planes.lesson.practice import Practice
 from planes.lesson.steps import whole

@@ -104,7 +104,7 @@ def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
 def catalogue(plans: Plans) -> dict[str, Quantity]:
     """Every quantity of a mechanism by the name a student writes: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
     known = [*_told(plans), *_segments(plans), *_lettered(plans)]
-    known += [q._replace(name=turned) for q in known if (turned := _of_the_other_link(q.name))]
+    known += _from_the_other_link(plans, known)
     first = {q.name: q for q in reversed(known)}
     return {q.name: first[q.name] for q in known}
 
@@ -229,10 +229,11 @@ def _lettered(plans: Plans) -> Iterator[Quantity]:
         yield Quantity(part, (Column(part, "N", part),), "reactions", part)
 
 
-def _of_the_other_link(name: str) -> str:
-    """A part of a reaction named from the other link of its pair, F_12^t of F_21^t; "" of other names."""
-    letter, index, part = parts_of(name)
-    if letter != "F" or not part:
-        return ""
-    on, by = index.split("_") if "_" in index else (index[:-1], index[-1])
-    return f"{force_name(by, on)}^{part}"
+def _from_the_other_link(plans: Plans, known: Iterable[Quantity]) -> list[Quantity]:
+    """Parts of reactions named from the other link of their pair, F_12^t of F_21^t."""
+    pairs = [r.pair for r in plans.reactions.values()]
+    ends = [e for p in pairs for e in ((p.link, p.other), (p.other, p.link))]
+    turned = {force_name(on, by): force_name(by, on) for on, by in ends}
+    parts = ((q, *parts_of(q.name)) for q in known)
+    own = ((q, turned.get(f"{letter}_{index}"), part) for q, letter, index, part in parts if part)
+    return [q._replace(name=f"{name}^{part}") for q, name, part in own if name]

@@ -78,7 +78,7 @@ class Naming:
             letter, index = letter[0], letter[1:] + analogue + self.reaction(index[2:])
         elif letter in ("v", "a"):
             index = self.driver if index == "drive" else index.removeprefix("slide_")
-            index = analogue + (index[:-1] + self.frame if base in self.grounded else index)
+            index = analogue + (index[:-1] + self.frame if index[-1:] == "0" and base in self.grounded else index)
         elif analogue:
             index = analogue + index
         elif letter == "Fb":

@@ -1,7 +1,7 @@
 "use strict";
 // The lesson on paper: a page a plan, at the position shown, in its own millimetres where it fits; its steps beneath.
 const PAPER = 96 / 25.4, WIDE = 690, TALL = 269 * PAPER, BODY = [250, 215], ARMS = [300, 200];
-const FITS = [[400, 1], [400, 0.93], [330, 1], [330, 0.9], [270, 0.9], [230, 0.85], [200, 0.8]]; // how tall a figure, how large the type
+const FITS = [[400, 1], [400, 0.93], [330, 1], [330, 0.9], [270, 0.9], [230, 0.85], [200, 0.8], [200, 0.72]]; // how tall a figure, how large the type
 
 function parts() { // the frames of each plan; moments belong to the plan that needs them
   const found = [];
@@ -53,7 +53,7 @@ function step(k, list) { // what is said of a frame; the equation it begins; the
   const f = data.frames[k], item = document.createElement("li"), onScheme = f.plan === "position";
   item.value = k + 1;
   const begins = f.equation !== null && data.frames.findIndex(g => g.equation === f.equation) === k && !onScheme;
-  item.innerHTML = `${begins ? lines(data.equations[f.equation], false, f, data.frames.length) : ""}<p>${sentence(f.said[state.lang], f.plan)}</p><p class="why">${sentence(f.why[state.lang], f.plan)}</p>`;
+  item.innerHTML = `${begins ? lines(data.equations[f.equation], false, f, data.frames.length) : ""}<p>${sentence(inWords(f), f.plan)}</p><p class="why">${sentence(f.why[state.lang], f.plan)}</p>`;
   if (onScheme && f.moments !== null && f.key === "moments") drawn("position", k, ARMS, item, { frame: f });
   list.appendChild(item);
 }

@@ -43,7 +43,7 @@ function draw() {
   $("plan").setAttribute("aria-label", described(plan, seen, key));
   if (!practising) told(f, key);
   facing(f);
-  put("equations", written(f, key, state.frame, practising));
+  put("equations", written(f, f.plan === "position" ? key : f.plan, state.frame, practising));
   crank();
   large(key);
   if (practising) practice.paint();
@@ -57,22 +57,29 @@ function facing(f) { // on a narrow screen one figure is seen: the one the step 
   facing.frame = f;
   panels.scrollLeft = on * panels.clientWidth;
 }
+const chapters = data.frames.map((f, k) => k).filter(k => !k || data.frames[k].chapter !== data.frames[k - 1].chapter);
+function contents() { // the plans in their order, each by its title
+  const title = key => key === "position" ? say("scheme") : data.plans.find(p => p.key === key).title[state.lang];
+  $("chapter").innerHTML = chapters.map((k, n) => `<option value="${n}">${n + 1}. ${safe(title(data.frames[k].chapter))}</option>`).join("");
+}
 function put(id, text) { // only what has changed
   if (put[id] !== text) $(id).innerHTML = put[id] = text;
 }
 function told(f, key) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
-  put("sentence", sentence(f.said[state.lang], f.plan));
+  put("sentence", typeset(f));
   put("why", sentence(f.why[state.lang], f.plan));
   $("back").disabled = state.frame === 0;
   $("next").disabled = state.frame === data.frames.length - 1;
   $("progress").value = state.frame + 1;
+  $("chapter").value = chapters.findLastIndex(k => k <= state.frame);
   $("progress").setAttribute("aria-valuetext", $("number").textContent);
 }
 if (!data.moves) document.body.classList.add("still"); // vectors alone: no scheme, no crank
 function language() {
   zones();
   knobs();
+  contents();
   document.documentElement.lang = state.lang;
   document.querySelectorAll("[data-word]").forEach(e => { e.textContent = say(e.dataset.word); });
   document.querySelectorAll("[data-title]").forEach(e => { e.title = say(e.dataset.title); e.setAttribute("aria-label", e.title); });
@@ -108,6 +115,7 @@ $("back").onclick = () => practice.on || go(state.frame - 1);
 $("next").onclick = () => practice.on || go(state.frame + 1);
 $("play").onclick = play;
 $("progress").oninput = e => go(+e.target.value - 1);
+$("chapter").onchange = e => go(chapters[+e.target.value]);
 $("lang").onclick = () => { state.lang = state.lang === "ru" ? "en" : "ru"; language(); writeAddress(); draw(); };
 addEventListener("keydown", e => {
   if (/^(INPUT|SELECT)$/.test(e.target.tagName) || e.altKey || e.ctrlKey || e.metaKey || practice.on) return;

@@ -6,19 +6,19 @@ import json
 import zlib
 from collections.abc import Iterator
 
-from planes.lesson.frame import in_both
+from planes.lesson.formulas import in_both
 from planes.words import langs, stand_ins, table, under
 from planes.words.names import lettered
 from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import NAME, written
 
-SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
+SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest", "mm")} | {
     key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad")
 }
 """Words of the page that stand in other tables."""
 SCRIPTS = ("inflate", "tape", "figure", "scheme", "plan", "lens", "live", "words", "grips")
-OWN = ("handout", "kit", "lesson", "hands", "desk", "practice", "task")
+OWN = ("rows", "handout", "kit", "lesson", "hands", "desk", "practice", "task")
 NOSCRIPT = (
     "Страница рисует план сама: включите JavaScript. / The page draws the plans itself: please enable JavaScript."
 )

@@ -7,9 +7,13 @@ function seenAt(frame) {
   for (const f of data.frames.slice(0, frame + 1)) for (const m of f.makes) seen.add(m);
   return seen;
 }
-function planOf(frame) { // the plan on the right: of this frame, or the last one that was not the scheme
-  for (let k = frame; k >= 0; k--) if (data.frames[k].plan !== "position") return data.frames[k].plan;
+function planOf(frame) { // the plan on the right: of this frame, or the last one that was begun
+  for (let k = frame; k >= 0; k--) if (data.frames[k].plan !== "position" && begunAt(data.frames[k].plan) <= frame) return data.frames[k].plan;
   return "position";
+}
+function begunAt(plan) { // the frame that makes its first mark
+  begunAt.of ||= {};
+  return begunAt.of[plan] ??= data.frames.findIndex(f => f.plan === plan && f.makes.length);
 }
 function clamp(v, a, b) { return Math.min(b, Math.max(a, Number.isFinite(v) ? v : a)); }
 function say(key) { return words[key][state.lang]; }
@@ -72,7 +76,7 @@ function found(name) { // the frame in which a value is first told
 function born(name, key) { // the frame of its plan in which a vector is first in hand
   if (!born.of) {
     born.of = {};
-    data.frames.forEach((f, k) => { if (f.moments === null) for (const t of f.terms) born.of[f.plan + " " + t] ??= k; });
+    data.frames.forEach((f, k) => { if (f.moments === null && k >= begunAt(f.plan)) for (const t of f.terms) born.of[f.plan + " " + t] ??= k; });
     for (const s of data.segments) { // what no frame speaks of is there with its end
       const k = data.frames.findIndex(f => f.makes.includes(`${s.plan}:${s.end}`));
       for (const n of s.names) born.of[s.plan + " " + n] ??= k;

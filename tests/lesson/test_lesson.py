@@ -17,8 +17,8 @@ from planes.drafting.drawing import run
 from planes.drafting.steps import LayOff
 from planes.lesson import Teller, value_of
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import fill
-from planes.lesson.frame import LANGS, needed
+from planes.lesson.formulas import LANGS, fill
+from planes.lesson.frame import needed
 from planes.lesson.note import Note
 from planes.plans import plans_of
 from planes.plans.measuring import DrawingReader

@@ -1,0 +1,61 @@
+"use strict";
+// Lines of reckoning as mathematics: fractions as fractions, names that light what they name, numbers of the position.
+
+function inWords(f) { // a frame's sentence with its lines in words
+  return f.said[state.lang].replace(/⟪(\d+)⟫/g, (_, k) => f.rows[k].said[state.lang]);
+}
+function typeset(f) { // what is done, the lines beneath each other, what is said of them
+  if (!f.rows.length) return sentence(f.said[state.lang], f.plan);
+  const [lead, ...tail] = f.said[state.lang].split(/⟪\d+⟫(?:; ⟪\d+⟫)*/);
+  const rest = tail.join("").replace(/^[.;:,]\s*/, "");
+  const rows = f.rows.map(r => `<div>${setLine(r, f.plan)}</div>`).join("");
+  return `${sentence(lead, f.plan)}<div class="rows${f.rows.length > 3 ? " many" : ""}">${rows}</div>${sentence(rest, f.plan)}`;
+}
+function setLine(r, key) { // name = letters = numbers = value unit, each a piece that may go to the next line
+  const unit = `<mspace width=".2em"/><mtext>${safe(r.unit[state.lang])}</mtext>`;
+  const sign = r.turns ? `<span class="sense">${sentence(r.turns, key)}</span>` : "";
+  const value = `<mo>=</mo>${added(filled(r.value), key)}${unit}`, name = `⟨${r.name}⟩`;
+  if (!r.numbers) return math(`${added(name, key)}<mo>=</mo><mn>0</mn>`);
+  if (r.kind === "measured") {
+    const mm = `${added(filled(r.letters), key)}<mspace width=".2em"/><mtext>${safe(say("mm"))}</mtext>`, by = r.numbers.slice(2);
+    const read = r.numbers[0] === "/" ? `<mfrac><mrow>${mm}</mrow><mrow>${added(filled(by), key)}</mrow></mfrac>`
+      : `${mm}<mo>·</mo>${added(filled(by), key)}`;
+    return math(added(name, key)) + math(`<mo>=</mo>${read}`) + math(value) + sign;
+  }
+  const head = r.head || name, sides = [r.letters, r.numbers].map(t => wrapped(filled(t), key)).join("");
+  const arm = r.arm ? math(`<mo>(</mo>${added(filled(r.arm), key)}<mo>)</mo>`) : "";
+  const again = head !== name ? `<b></b>${math(added(name, key))}` : "";
+  return math(added(head, key)) + sides + arm + again + math(value) + sign;
+}
+function wrapped(text, key) { // a side, each of its terms a piece
+  const found = pieces(text, [" + ", " − "]);
+  return found.filter((_, k) => k % 2 === 0).map((t, k) => math(`<mo form="infix">${k ? found[2 * k - 1].trim() : "="}</mo>${added(t, key)}`)).join("");
+}
+function math(inner) { return `<math displaystyle="true"><mrow>${inner}</mrow></math>`; }
+function pieces(text, by) { // at a sign that stands in no brackets
+  const found = [""];
+  let deep = 0;
+  for (const piece of text.split(/( [·+−/=] |[()])/)) {
+    if (piece === "(") deep++; else if (piece === ")") deep--;
+    if (!deep && by.includes(piece)) found.push(piece, ""); else found[found.length - 1] += piece;
+  }
+  return found;
+}
+function added(text, key) {
+  const signed = t => t[0] === "−" && t.length > 1 ? `<mo form="prefix">−</mo>${quotient(t.slice(1), key)}` : quotient(t, key);
+  return pieces(text, [" + ", " − ", " = "]).map((t, k) => k % 2 ? `<mo>${t.trim()}</mo>` : signed(t)).join("");
+}
+function quotient(text, key) {
+  const bare = t => /^\([^()]*\)$/.test(t) && t.includes(" ") ? t.slice(1, -1) : t, [above, , below] = pieces(text, [" / "]);
+  return below ? `<mfrac><mrow>${multiplied(above, key)}</mrow><mrow>${multiplied(bare(below), key)}</mrow></mfrac>` : multiplied(above, key);
+}
+function multiplied(text, key) {
+  return pieces(text, [" · "]).map((t, k) => k % 2 ? "<mo>·</mo>" : factorOf(t, key)).join("");
+}
+function factorOf(text, key) {
+  const m = /^(∣?)⟨([^⟩]*)⟩(∣?)([²³]?)$/.exec(text);
+  if (!m) return /[0-9—]/.test(text) ? `<mn>${safe(text)}</mn>` : `<mtext>${sentence(text, key)}</mtext>`;
+  const name = `<mtext><i class="name" data-name="${m[2]}">${html(m[2], key)}</i></mtext>`, bar = m[1] ? "<mo>|</mo>" : "";
+  const one = `<mrow>${bar}${name}${bar}</mrow>`;
+  return m[4] ? `<msup>${one}<mn>${"²³".indexOf(m[4]) + 2}</mn></msup>` : one;
+}
