@@ -53,7 +53,7 @@ class Teller:
         self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
         self.rates |= {value for value in plans.values.values() if value in self.made}
         self.solved = {} if plans.moves else last_marks(plans)
-        self.stating, self.bodies = Stating(plans), FreeBodies(plans)
+        self.stating, self.bodies = Stating(plans), FreeBodies(plans, drawing)
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""

@@ -81,7 +81,7 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
     loaded = [*arms(plans), *told.teller.bodies.drawn().values()]
     ways += [f["along"] for one in loaded for f in one["forces"]]
-    sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"]]
+    sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
     sharp = {n: z for n, z in drawn.sharpness.items() if n not in plans.program.trials and plan_of(n) != "motion"}
     told_in = needed([*frames, *(told.leaning or {}).values()])
     names = dict.fromkeys([*told_in, *results, *sizes, *map(mu_of, plans.drawn), plans.drive_given])

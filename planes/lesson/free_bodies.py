@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
 
+from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Term
 from planes.lesson.frame import Frame, Make
 from planes.lesson.steps import Names
@@ -30,9 +31,10 @@ class Split:
 
 @dataclass
 class FreeBodies:
-    """The links of each force polygon by themselves."""
+    """The links of each force polygon by themselves, with what of their forces is drawn."""
 
     plans: Plans
+    drawing: Drawing
 
     def opened(self, frames: list[Frame], make: Make) -> list[Frame]:
         """The frames, each force polygon's after the links it is of are taken apart, its pole after its equation."""
@@ -73,10 +75,11 @@ class FreeBodies:
         links, own = links_of(plan), self.outer(plan) | self.inner(plan)
         for link in links:
             for f in self.plans.acting.forces.get(link, ()):
-                if f.quantity in ("weight", "inertia", "load") or (f.quantity == "reaction" and f.name not in own):
+                outside = f.quantity in ("weight", "inertia", "load")
+                if f.size in self.drawing and (outside or (f.quantity == "reaction" and f.name not in own)):
                     yield f.name, {"mark": f.point, "along": f.along, "size": f.size}
             for c in self.plans.acting.couples.get(link, ()):
-                if not c.handed:
+                if not c.handed and c.value in self.drawing:
                     yield c.name, {"link": link, "size": c.value, "sign": c.sign}
 
     @property
