@@ -10,12 +10,15 @@ function placed(v) { // a value of the drive within its range; an angle goes rou
 function allowed(knob, v) { return Number.isFinite(v) && (v > 0 || (v < 0 && knob.at < 0) || !/^(l_|mu_)/.test(knob.given)); }
 function aimedAt(given) { return given.startsWith("angle_∠"); }
 function span({ given, at, reach }) { return aimedAt(given) ? [at - 60, at + 60] : at ? [at / 3, 3 * at].sort((a, b) => a - b) : [-reach, reach]; } // from a third of a number to three times; about nothing as far as others of its kind
-function pulled(mark, names, target) { // the mechanism follows, or it is said how far it cannot
+function listed(names) {
+  const said = n => n === data.drive.given ? data.drive.symbol : (data.knobs.find(k => k.given === n) || { name: n }).name;
+  return names.map(n => `⟨${said(n)}⟩`).join(", ");
+}
+function pulled(mark, names, target) { // the mechanism follows, or it is said how far it cannot; a crank alone only points to the hand
   const moved = names.length && data.marks[mark] && live.turns(mark, names).flat().some(Boolean), short = moved ? live.follow(mark, names, target) : Infinity;
   live.set({ [data.drive.given]: placed(live.drive) });
-  const said = n => n === data.drive.given ? data.drive.symbol : (data.knobs.find(k => k.given === n) || { name: n }).name;
-  const list = names.map(n => `⟨${said(n)}⟩`).join(", "), end = `⟨${mark.slice(mark.lastIndexOf(":") + 1)}⟩`;
-  const text = say(short <= REACHED ? "follows" : Number.isFinite(short) ? "follows_not" : "follows_none").replace("{mark}", end).replace("{names}", list).replace("{mm}", local(fixed(short, 2)));
+  const list = listed(names), aims = moved && names.length === 1 && names[0] === data.drive.given, end = `⟨${mark.slice(mark.lastIndexOf(":") + 1)}⟩`;
+  const text = say(short <= REACHED || aims ? "follows" : Number.isFinite(short) ? "follows_not" : "follows_none").replace("{mark}", end).replace("{names}", list).replace("{mm}", local(fixed(short, 2)));
   return { short, text: sentence(text, mark.slice(0, mark.lastIndexOf(":"))) };
 }
 function grip(figure, event, marks) { // the mark under the hand
@@ -27,13 +30,13 @@ function grip(figure, event, marks) { // the mark under the hand
   }
   return best && best.mark;
 }
-function grips(figure, marks, drag, done) { // a figure whose marks are dragged; its view stands still meanwhile
+function grips(figure, marks, drag, done, hold = () => []) { // a figure whose marks are dragged; its view, and what a drag changes, stand still meanwhile
   const node = figure.node;
   node.addEventListener("pointerdown", e => {
     const mark = e.button === 0 && grip(figure, e, marks());
     if (!mark) return;
     node.setPointerCapture(e.pointerId);
-    node.held = { mark, k: figure.k, dx: figure.dx, dy: figure.dy };
+    node.held = { mark, names: hold(mark, e), k: figure.k, dx: figure.dx, dy: figure.dy };
     figure.fixed_view = node.held;
     e.preventDefault();
   });
@@ -41,7 +44,7 @@ function grips(figure, marks, drag, done) { // a figure whose marks are dragged;
   node.addEventListener("pointermove", e => {
     if (!node.held) { node.style.cursor = e.pointerType !== "touch" && grip(figure, e, marks()) ? "grab" : ""; return; }
     const r = node.getBoundingClientRect();
-    drag(node.held.mark, figure.mm([e.clientX - r.left, e.clientY - r.top]));
+    drag(node.held.mark, figure.mm([e.clientX - r.left, e.clientY - r.top]), node.held.names);
   });
   for (const end of ["pointerup", "pointercancel"]) node.addEventListener(end, () => { if (node.held) done(); node.held = figure.fixed_view = null; });
 }

@@ -70,7 +70,7 @@ function spin(on = !state.spin) { // the crank goes round by itself, a turn in s
   cancelAnimationFrame(state.spin);
   state.spin = 0;
   $("spin").textContent = on ? "❚❚" : "⟳";
-  if (!on) { later(); return; }
+  if (!on) { settle(); later(); return; }
   const { from, to, symbol } = data.drive, round = symbol === "φ" && !live.zones.some(z => z.kind === "bad");
   let way = 1, last = 0;
   const next = now => {
@@ -83,11 +83,44 @@ function spin(on = !state.spin) { // the crank goes round by itself, a turn in s
   };
   state.spin = requestAnimationFrame(next);
 }
-function follower(figure, mark) {
-  return figure === scheme ? data.drags[mark] : live.handles(mark, $("free").value);
+function follower(figure, mark, lengths) { // what a drag changes: the crank's end turns it, its length with Shift
+  if (figure === plan) return live.handles(mark, $("free").value);
+  const names = data.drags[mark], { given } = data.drive, chosen = lengths || names.includes($("free").value);
+  return names.includes(given) && names.length > 1 ? names.filter(n => (n !== given) === Boolean(chosen)) : names;
 }
-function drag(figure, mark, target) {
-  const { short, text } = pulled(mark, follower(figure, mark), target);
+function holding(figure, mark, lengths) { // it is said before anything moves
+  const names = follower(figure, mark, lengths);
+  if (names.length) put("follow", sentence(say("held").replace("{names}", listed(names)), ""));
+  return names;
+}
+const past = [], ahead = []; // what was given before each change, and what was taken back
+let kept = { ...live.given };
+function settle() { // a change has come to its end
+  if (Object.entries(kept).every(([n, v]) => live.given[n] === v)) return;
+  past.push(kept);
+  ahead.length = 0;
+  kept = { ...live.given };
+  steps();
+}
+function restore(from, to) {
+  settle();
+  if (!from.length || practice.on) return;
+  to.push(kept);
+  live.back(kept = from.pop());
+  kept = { ...kept };
+  live.scan();
+  zones();
+  put("follow", "");
+  writeAddress();
+  steps();
+  later();
+}
+function steps() {
+  $("undo").disabled = !past.length;
+  $("redo").disabled = !ahead.length;
+}
+function drag(figure, mark, target, names = follower(figure, mark)) {
+  const { short, text } = pulled(mark, names, target);
   change({ [data.drive.given]: placed(live.drive) });
   put("follow", text);
   return short;
@@ -96,12 +129,22 @@ function marks(figure) {
   const seen = seenAt(state.frame);
   return (figure === scheme ? Object.keys(data.drags) : plan.own(planOf(state.frame)).filter(m => !m.endsWith(":p"))).filter(m => seen.has(m));
 }
-for (const figure of [scheme, plan]) grips(figure, () => practice.on ? [] : marks(figure), (mark, target) => { if (state.spin) spin(false); drag(figure, mark, target); }, later);
+for (const figure of [scheme, plan]) grips(figure, () => practice.on ? [] : marks(figure), (mark, target, names) => { if (state.spin) spin(false); drag(figure, mark, target, names); }, () => { settle(); later(); }, (mark, e) => holding(figure, mark, e.shiftKey));
 $("spin").onclick = () => spin();
 $("crank").oninput = e => turn(+e.target.value);
 $("exact").onchange = e => { const v = parseFloat(e.target.value.replace(",", ".")); if (Number.isFinite(v)) turn(v); else crank(); };
-$("home").onclick = () => { live.reset(); put("follow", ""); zones(); writeAddress(); later(); };
-$("large").onclick = e => { if (e.target.dataset.mu) change({ [e.target.dataset.given]: +e.target.dataset.mu }); };
+$("home").onclick = () => { live.reset(); put("follow", ""); zones(); writeAddress(); settle(); later(); };
+$("undo").onclick = () => restore(past, ahead);
+$("redo").onclick = () => restore(ahead, past);
+addEventListener("change", settle);
+addEventListener("keydown", e => {
+  const key = e.key.toLowerCase();
+  if (!(e.ctrlKey || e.metaKey) || e.altKey || !["z", "y", "я", "н"].includes(key) || e.target.type === "text") return;
+  e.preventDefault();
+  if (e.shiftKey || "yн".includes(key)) restore(ahead, past); else restore(past, ahead);
+});
+steps();
+$("large").onclick = e => { if (e.target.dataset.mu) { change({ [e.target.dataset.given]: +e.target.dataset.mu }); settle(); } };
 $("knobs").addEventListener("input", e => {
   const k = data.knobs.find(k => k.given === e.target.dataset.given), text = e.target.value.replace(",", ".");
   const v = e.target.type === "range" ? +(+text).toPrecision(4) : +text;
