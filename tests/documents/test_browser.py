@@ -300,3 +300,45 @@ def test_a_turn_of_the_crank_draws_little(browser: Any, lesson: str) -> None:
     }""")
     page.close()
     assert 0 < made < MOST_CHANGES
+
+
+@pytest.mark.few(0, slow=3)
+@pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "sliding-driver", "shaper", "kind-2-rrp", "bntu-3"])
+def test_a_drag_changes_what_it_names_and_is_undone(browser: Any, tmp_path: Path, name: str) -> None:
+    """At every mark of the scheme and of a plan: what is named when the hand takes hold is all that changes."""
+    page = browser.new_page()
+    page.goto(lesson_written(tmp_path, HERE / f"{name}.yaml", "en"))
+    drags = 0
+    for figure, frame in (("scheme", 5), ("plan", 14), ("plan", 30)):
+        page.evaluate(f"go({frame})")
+        for mark in page.evaluate(f"marks({figure})"):
+            before = page.evaluate("({ ...live.given })")
+            names = page.evaluate(f"holding({figure}, {mark!r}, false)")
+            for step in (1, 2, 3):
+                page.evaluate(f"drag({figure}, {mark!r}, live.at({mark!r}).map(v => v + {step}), {names!r})")
+            tied = {t for k in page.evaluate("data.knobs") if k["given"] in names for t in k["tied"]}
+            after = page.evaluate("live.given")
+            assert {n for n in after if after[n] != before[n]} <= {*names, *tied}, (mark, names)
+            page.evaluate("settle()")
+            if after == before:
+                continue
+            drags += 1
+            page.evaluate("restore(past, ahead)")
+            assert page.evaluate("live.given") == before
+            page.evaluate("restore(ahead, past)")
+            assert page.evaluate("live.given") == after
+            page.evaluate("restore(past, ahead)")
+    assert drags > 5
+    page.close()
+
+
+def test_the_crank_s_end_turns_the_crank_and_with_shift_changes_its_length(page: Any) -> None:
+    page.evaluate("go(9)")
+    assert page.evaluate("holding(scheme, 'position:B', false)") == [page.evaluate("data.drive.given")]
+    assert page.evaluate("holding(scheme, 'position:B', true)") == ["l_AB"]
+    before = page.evaluate("({ ...live.given })")
+    page.evaluate("drag(scheme, 'position:B', [30, 40], holding(scheme, 'position:B', false)); settle()")
+    assert page.evaluate("live.given.l_AB") == before["l_AB"] and page.evaluate("live.drive !== data.drive.at")
+    page.keyboard.press("Control+z")
+    until(page, "live.at_home")
+    assert page.evaluate("live.given") == before and page.locator("#undo").is_disabled()
