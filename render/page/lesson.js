@@ -22,6 +22,7 @@ function writeAddress() {
   const seeded = practice.on && practice.seed, text = `#${seeded ? `seed=${practice.seed}` : `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${seeded ? "" : own}`;
   writeAddress.timer = setTimeout(() => { try { history.replaceState(null, "", text); } catch { /* a page inside a page has no address */ } }, 120);
 }
+const READ_MS = 120;
 function draw() {
   state.waiting = false;
   const f = data.frames[state.frame], practising = typeof practice !== "undefined" && practice.on;
@@ -39,6 +40,8 @@ function draw() {
     const p = data.plans.find(p => p.key === key);
     $("plan-title").textContent = `${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])}`;
   }
+  if (state.spin && performance.now() - draw.read < READ_MS) return relight(); // numbers are read eight times a second, figures move at every frame
+  draw.read = performance.now();
   $("scheme").setAttribute("aria-label", described(scheme, seen, key));
   $("plan").setAttribute("aria-label", described(plan, seen, key));
   if (!practising) told(f, key);
@@ -49,7 +52,7 @@ function draw() {
   if (practising) practice.paint();
   kit.show(practising || state.spin ? null : f, false);
   heard();
-  light(lit, true);
+  relight();
 }
 function facing(f) { // on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
   const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;
@@ -100,6 +103,7 @@ function play() {
   $("play").textContent = state.timer ? "❚❚" : "▶▶";
 }
 let lit = []; // the names under the pointer
+function relight() { if (lit.length) light(lit, true); }
 function light(names, on) { // a name, its term, its segment, its link, wherever they are
   lit = on ? names : [];
   const all = new Set(names);
