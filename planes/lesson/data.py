@@ -16,6 +16,7 @@ from planes.lesson.frame import Frame, needed
 from planes.lesson.kit import Kit
 from planes.lesson.live import Live
 from planes.lesson.practice import JUDGING, sentences, told_values
+from planes.lesson.rows import templates
 from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.lesson.told import Told, drive_of
@@ -56,6 +57,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "equations": told.equations,
         "frames": (shown := [_shown(f, kit) for f in frames]),
         "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
+        "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
         "results": (results := _results(plans)),
         "units": {n: in_both(partial(unit, n)) for n in needed([*frames, *more.values()]) if unit(n, "en")},
         **_live(told, [r["value"] for r in results], progress),

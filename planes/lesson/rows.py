@@ -1,11 +1,13 @@
 """A line of reckoning as data: what is found, its formula, the numbers put into it, its value and unit."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from functools import partial
 
 from planes.drafting.steps.reckoning import Calculate
-from planes.lesson.formulas import SLOT, formula, in_both, slot, unit
-from planes.words import Lang, say
+from planes.lesson.formulas import LANGS, SLOT, UNITS, formula, in_both, slot, unit
+from planes.words import Lang, say, table
 from planes.words.frozen import frozen
+from planes.words.names import parts_of
 from planes.words.records import Json
 
 
@@ -30,7 +32,7 @@ class Row:
 
     def unit(self, lang: Lang) -> str:
         """Its unit, as the language writes it."""
-        return say(self.unit_key, lang) if self.unit_key else unit(self.name, lang)
+        return say(self.unit_said, lang) if self.unit_said else ""
 
     def text(self, lang: Lang) -> str:
         """The line in words."""
@@ -43,13 +45,15 @@ class Row:
         sense = f" ({slot(self.name, 's')})" if self.turns else ""
         return say(f"lesson_row_{self.kind or 'formula'}", lang, **parts, arm=arm, found=found) + sense
 
+    @property
+    def unit_said(self) -> str:
+        """The key of its unit's word, "" of one without."""
+        return self.unit_key or UNITS.get(parts_of(self.name)[0], "")
+
     def json(self) -> Json:
-        """For a page that sets it as mathematics."""
-        parts = {k: getattr(self, k) for k in ("name", "kind", "head", "letters", "numbers", "value")}
-        parts["arm"] = f"⟨{self.arm}⟩ = {slot(self.arm, 'a')}" if self.arm else ""
-        parts["turns"] = f"({slot(self.name, 's')})" if self.turns else ""
-        said = {"said": in_both(self.text), "unit": in_both(self.unit)}
-        return {k: z for k, z in {**parts, **said}.items() if z}
+        """For a page, which words it by :func:`templates` and sets it as mathematics."""
+        keys = ("name", "kind", "head", "letters", "numbers", "value", "arm", "turns")
+        return {k: z for k, z in {**{k: getattr(self, k) for k in keys}, "unit": self.unit_said}.items() if z}
 
     def slots(self) -> Iterator[tuple[str, str]]:
         """How it tells numbers, and of which values."""
@@ -62,3 +66,11 @@ class Row:
 def reckoned(step: Calculate, called: str = "", unit_key: str = "", turns: bool = False) -> Row:
     """A value with its formula, by the name of the step or the one it is ``called`` by."""
     return Row(called or step.makes, *formula(step), slot(step.makes), unit_key=unit_key, turns=turns)
+
+
+def templates(rows: Iterable[Row]) -> Json:
+    """What a page words rows by: the sentence of every kind with its places, and the units."""
+    kinds = {key.removeprefix("lesson_row_") for key in table("en") if key.startswith("lesson_row_")}
+    units = dict.fromkeys(["m", *(row.unit_said for row in rows if row.unit_said)])
+    words = {kind: {lang: table(lang)[f"lesson_row_{kind}"] for lang in LANGS} for kind in sorted(kinds)}
+    return {"words": words, "units": {key: in_both(partial(say, key)) for key in units}}

@@ -2,7 +2,15 @@
 // Lines of reckoning as mathematics: fractions as fractions, names that light what they name, numbers of the position.
 
 function inWords(f) { // a frame's sentence with its lines in words
-  return f.said[state.lang].replace(/⟪(\d+)⟫/g, (_, k) => f.rows[k].said[state.lang]);
+  return f.said[state.lang].replace(/⟪(\d+)⟫/g, (_, k) => rowText(f.rows[k]));
+}
+function unitOf(r) { return r.unit ? data.reckoned.units[r.unit][state.lang] : ""; }
+function rowText(r) { // as the engine words it
+  if (!r.numbers) return `⟨${r.name}⟩ = 0`;
+  const head = r.head || `⟨${r.name}⟩`, found = head.includes("·") ? `; ⟨${r.name}⟩` : "", unit = unitOf(r);
+  const arm = r.arm ? ` (⟨${r.arm}⟩ = ⟦a¦${r.arm}⟧ ${data.reckoned.units.m[state.lang]})` : "", places = { ...r, head, found, unit, arm };
+  const text = data.reckoned.words[r.kind || "formula"][state.lang].replace(/{(\w+)}/g, (_, k) => places[k]);
+  return text + (r.turns ? ` (⟦s¦${r.name}⟧)` : "");
 }
 function typeset(f) { // what is done, the lines beneath each other, what is said of them
   if (!f.rows.length) return sentence(f.said[state.lang], f.plan);
@@ -12,8 +20,8 @@ function typeset(f) { // what is done, the lines beneath each other, what is sai
   return `${sentence(lead, f.plan)}<div class="rows${f.rows.length > 3 ? " many" : ""}">${rows}</div>${sentence(rest, f.plan)}`;
 }
 function setLine(r, key) { // name = letters = numbers = value unit, each a piece that may go to the next line
-  const unit = `<mspace width=".2em"/><mtext>${safe(r.unit[state.lang])}</mtext>`;
-  const sign = r.turns ? `<span class="sense">${sentence(r.turns, key)}</span>` : "";
+  const unit = `<mspace width=".2em"/><mtext>${safe(unitOf(r))}</mtext>`;
+  const sign = r.turns ? `<span class="sense">${sentence(`(⟦s¦${r.name}⟧)`, key)}</span>` : "";
   const value = `<mo>=</mo>${added(filled(r.value), key)}${unit}`, name = `⟨${r.name}⟩`;
   if (!r.numbers) return math(`${added(name, key)}<mo>=</mo><mn>0</mn>`);
   if (r.kind === "measured") {
@@ -23,7 +31,7 @@ function setLine(r, key) { // name = letters = numbers = value unit, each a piec
     return math(added(name, key)) + math(`<mo>=</mo>${read}`) + math(value) + sign;
   }
   const head = r.head || name, sides = [r.letters, r.numbers].map(t => wrapped(filled(t), key)).join("");
-  const arm = r.arm ? math(`<mo>(</mo>${added(filled(r.arm), key)}<mo>)</mo>`) : "";
+  const arm = r.arm ? math(`<mo>(</mo>${added(filled(`⟨${r.arm}⟩ = ⟦a¦${r.arm}⟧`), key)}<mo>)</mo>`) : "";
   const again = head !== name ? `<b></b>${math(added(name, key))}` : "";
   return math(added(head, key)) + sides + arm + again + math(value) + sign;
 }

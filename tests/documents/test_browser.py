@@ -13,6 +13,7 @@ from planes.drafting.drawing import run
 from planes.lesson import Teller, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import LANGS, fill
+from planes.lesson.told import Told
 from planes.plans import plans_of
 from planes.plans.scales import scales
 from planes.scene import load
@@ -78,11 +79,6 @@ def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, value: float
         assert abs(complex(x, y) - complex(*drawn.results["points"][point][letter]) * mus[f"mu_{plan}"]) < 1e-6
 
 
-def in_words(frame: Any, lang: str) -> str:
-    """A frame's sentence with its lines in words."""
-    return re.sub("⟪(\\d+)⟫", lambda m: str(frame["rows"][int(m[1])]["said"][lang]), frame["said"][lang])
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "sliding-driver"])
 def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
@@ -95,6 +91,7 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
     plans, drive = plans_of(scene.mechanism), exported["drive"]
     mus = {n: z for n, z in exported["home"].items() if n.startswith("mu_")}
     teller = Teller(plans, run(plans.program, {**plans.given, **mus}))
+    frames = Told.of(scene).frames
     teller.frames()
     for value in [drive["from"] + k * (drive["to"] - drive["from"]) / 17.3 for k in range(17)]:
         page.evaluate(f"live.set({{[data.drive.given]: {value!r}}})")
@@ -105,7 +102,7 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
             page.evaluate(f"state.lang = '{lang}'")
             shown = page.evaluate("data.frames.map(f => filled(inWords(f)))")
             read = partial(value_of, teller=teller, drawing=there)
-            assert shown == [fill(in_words(f, lang), read, lang) for f in exported["frames"]]
+            assert shown == [fill(f.said[lang], read, lang) for f in frames]
     page.close()
 
 
