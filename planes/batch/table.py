@@ -67,7 +67,9 @@ class Table(Described, Mapping[str, Array | Complexes]):
     def __repr__(self) -> str:
         names = [f"{name} [{self.units[name]}]" for name in self.columns]
         more = ", …" if len(names) > SHOWN else ""
-        return f"<Table of {len(self.failed)} positions: {', '.join(names[:SHOWN])}{more}>"
+        lost = int(np.count_nonzero(self.failed != ""))
+        failed = f", {lost} of them failed" if lost else ""
+        return f"<Table of {len(self.failed)} positions{failed}: {', '.join(names[:SHOWN])}{more}>"
 
     def to_pandas(self) -> DataFrame:
         """The columns as a ``pandas.DataFrame``, the reasons last. Needs pandas: ``pip install pandas``."""

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
-from planes.check.grading.figures import WrittenNumber, result_figures, segment_figures
+from planes.check.grading.figures import WrittenNumber, read_results, segment_figures
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
@@ -191,16 +191,10 @@ def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str
     return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
 
 
-def _known(out: Outcome, figures: tuple[list[WrittenNumber], list[str]]) -> list[WrittenNumber]:
-    """The numbers of a table that mean something here; the others are noted."""
-    known, unknown = figures
+def _segments(out: Outcome) -> None:
+    bench, (figures, unknown) = out.bench, segment_figures(out.bench, out.paper.segments)
     out.notes += [Phrase("check_unknown_results", names=", ".join(unknown))] if unknown else []
     out.unknown += unknown
-    return known
-
-
-def _segments(out: Outcome) -> None:
-    bench, figures = out.bench, _known(out, segment_figures(out.bench, out.paper.segments))
     if not figures:
         return
     tried: list[tuple[int, bool, Account]] = []
@@ -239,7 +233,11 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
 def _results(out: Outcome) -> None:
     bench, known = out.bench, catalogue(out.bench.plans)
     names = bench.naming.names(known, poles=False)
-    figures = _known(out, result_figures(known, names, out.paper.results))
+    alone = not (out.paper.spots or out.paper.segments)  # a table of answers: what is asked and not in it was not seen
+    asked = (bench.asked.answers or bench.asked.scene.find or ()) if alone else ()
+    figures, unread, notes = read_results(known, names, out.paper.results, asked)
+    out.notes += notes
+    out.unknown += [name for name in unread if name not in out.paper.left]
     if not figures:
         return
     wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]

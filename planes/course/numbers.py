@@ -38,6 +38,8 @@ def own_scene(text: str, file: str, variant: str | None, numbers: Mapping[str, s
         more = entries_of(entries_of(variants).get(variant or ""))
         drawn = {name: SourceScalar(value, 0) for name, value in numbers.items()}
         entries["parameters"] = SourceTable({**parameters.entries, **more, **drawn}, 0)
+    if numbers:  # its scales were chosen for its own
+        entries.pop("plans", None)
     if sheet:
         entries["sheet"] = SourceTable({**entries_of(entries.get("sheet")), **sheet}, 0)
     return written(entries)

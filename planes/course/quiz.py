@@ -17,7 +17,7 @@ from planes.scene import Scene
 from planes.solving import solve
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError
-from planes.words.frozen import frozen
+from planes.words.frozen import frozen, replace
 from planes.words.lettering import GREEK, flat
 from planes.words.names import letter_of, parts_of
 from planes.words.records import Json
@@ -118,6 +118,27 @@ def error_of(name: str, errors: Json) -> float:
     if letter in ("v", "a"):
         return math.hypot(*(x or 0.0 for x in errors["points"][of][letter]))
     return float(errors.get("balancing_moment") or errors.get("balancing_force") or 0.0)
+
+
+WIDE = 0.5  # of a value: a tolerance in which half of it, and its double, would pass, asks nothing
+
+
+def too_wide(quizzes: Iterable[Quiz]) -> dict[str, list[str]]:
+    """By assignment the results that are not asked: in somebody's numbers a pencil may be off by half of one."""
+    found = dict[str, dict[str, None]]()
+    for quiz in quizzes:
+        wide = [q.name for q in quiz.questions if q.tolerance > WIDE * abs(q.value)]
+        found.setdefault(quiz.assignment, {}).update(dict.fromkeys(wide))
+    return {name: list(names) for name, names in found.items() if names}
+
+
+def judgeable(quizzes: Sequence[Quiz]) -> list[Quiz]:
+    """The quizzes without what is not asked; of an assignment all of whose results are so, none."""
+    wide = too_wide(quizzes)
+    asked = [
+        replace(z, questions=tuple(q for q in z.questions if q.name not in wide.get(z.assignment, ()))) for z in quizzes
+    ]
+    return [quiz for quiz in asked if quiz.questions]
 
 
 def by_assignment(quizzes: Iterable[Quiz]) -> dict[str, list[Quiz]]:

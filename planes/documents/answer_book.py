@@ -9,10 +9,10 @@ from pathlib import Path
 import pypdfium2
 
 from planes.course import PLATFORMS, Course
-from planes.course.quiz import Quiz, by_assignment
+from planes.course.quiz import Quiz, by_assignment, judgeable, too_wide
 from planes.documents.packages import prairielearn
 from planes.documents.platforms import moodle, stack
-from planes.words import Lang
+from planes.words import Lang, say
 
 _DATE = re.compile(rb"(?<=/CreationDate\(D:)\d+")
 _OWN_NAME = re.compile(rb"(?<=[\[>])<[0-9A-F]{32}>(?=[<\]])")
@@ -26,8 +26,7 @@ def together(course: Course, folder: Path, places: Sequence[str], lang: Lang) ->
         yield "teacher/book.pdf", book(keys)
     if not {*PLATFORMS} & {*course.documents}:
         return
-    kept = [file.read_text("utf-8") for one in here if (file := one / "quiz.json").is_file()]
-    quizzes, title = [Quiz.read(text) for text in kept], course.title.get(lang, "")
+    quizzes, title = judgeable(_quizzes(folder, places)), course.title.get(lang, "")
     for name, write in (("moodle", moodle), ("stack", stack)):
         if name in course.documents and quizzes:
             yield f"teacher/{name}.xml", write(quizzes, title, lang)
@@ -35,6 +34,17 @@ def together(course: Course, folder: Path, places: Sequence[str], lang: Lang) ->
     for name, group in asked.items():
         for inner, data in prairielearn(name, group, lang).items():
             yield f"teacher/prairielearn/{name}/{inner}", data
+
+
+def unasked(folder: Path, places: Sequence[str], lang: Lang) -> Iterator[str]:
+    """What quizzes leave out, an assignment a sentence."""
+    for name, names in too_wide(_quizzes(folder, places)).items():
+        yield say("quiz_too_wide", lang, scene=name, names=", ".join(names))
+
+
+def _quizzes(folder: Path, places: Sequence[str]) -> list[Quiz]:
+    kept = (folder / "teacher" / place / "quiz.json" for place in places)
+    return [Quiz.read(file.read_text("utf-8")) for file in kept if file.is_file()]
 
 
 def book(keys: Sequence[Path]) -> bytes:

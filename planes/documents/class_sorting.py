@@ -3,15 +3,19 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from planes.check.grading.prepared_plan import Asked
+from planes.check.grading.paper import read_table
+from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import TABLES, HandedSheet, opened
 from planes.check.saved_marks import saved_as
 from planes.check.sheet_mark import SheetMark, mark_on
 from planes.course.handed_out import HandedOut, Task, of_several, plan_named, variant_named
+from planes.course.numbers import main_answers
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
+from planes.solving import solve
 from planes.words import Phrase
 from planes.words.errors import PlanesError, shown
-from planes.words.frozen import frozen
+from planes.words.frozen import frozen, replace
 
 THUMB_PX = 300
 Asking = Callable[[Scene, str, float | None, float | None], Asked]
@@ -54,13 +58,14 @@ class Sorter:
         task = self._task(sheet, mark)
         variant = mark.variant if mark else variant_named(stem, task.variant(None).variants) or self.variant
         scene = task.variant(variant)
-        plan = (mark.plan if mark else plan_named(stem, scene)) or self.plan
+        plan = (mark.plan if mark else plan_named(stem, scene)) or self.plan or _of_results(sheet, scene)
         if not plan:
             raise PlanesError(Phrase("check_which_plan", file=sheet.name))
         value, mu = (mark.value, mark.mu) if mark else (None, None)
         key = task, scene.variant, plan, value, mu
         if key not in self.known:
-            self.known[key] = self.asking(scene, plan, value, mu)
+            asked = self.asking(scene, plan, value, mu)
+            self.known[key] = replace(asked, answers=_answers(scene)) if task.student else asked
         return task, self.known[key], whose(scene, mark, task.scene if of_several(self.handed.tasks) else "")
 
     def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
@@ -74,6 +79,22 @@ class Sorter:
             own = saved_as(sheet.file) if sheet.file.suffix.lower() in TABLES else ""
             raise PlanesError(Phrase("check_marks_alone" if own else "check_whose_is_it", file=sheet.name, name=own))
         return found
+
+
+def _answers(scene: Scene) -> tuple[str, ...]:
+    """What a student's key answers."""
+    solved = solve(scene)
+    return tuple(name for name, _ in main_answers(scene, solved.json())) if solved.positions else ()
+
+
+def _of_results(sheet: HandedSheet, scene: Scene) -> str:
+    """The plan a table of results alone is judged by: it needs none of its own."""
+    if sheet.file.suffix.lower() not in TABLES:
+        return ""
+    paper = read_table(sheet.file)
+    plans = known_plans(scene_plans(scene))
+    alone = paper.results and not (paper.spots or paper.segments)
+    return next((p for p in plans if p == "velocity"), plans[0]) if alone else ""
 
 
 def whose(scene: Scene, mark: SheetMark | None, assignment: str = "") -> str:

@@ -17,7 +17,7 @@ from planes.course.numbers import Question, Settled, question, settle
 from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each
-from planes.documents.answer_book import together
+from planes.documents.answer_book import together, unasked
 from planes.documents.course import Made, Order, due, make, names_of
 from planes.scene import loads
 from planes.words import Lang, Phrase
@@ -70,6 +70,8 @@ class Conductor:
         kept = {(s.place, n): self.ledger.entries.get(self.place(s, n), Entry()) for s, n in files}
         self.report.faults.sort()
         self.report.said = sorted((*where, text) for where, entry in kept.items() for text in entry.said)
+        places = [share.place for share in orders]
+        self.report.said += [("teacher", "quiz", text) for text in unasked(self.ledger.folder, places, self.lang)]
         return self.report
 
     def place(self, share: Share, name: str) -> str:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
 from typing import Any, Self
 
 from planes.scene import Scene, loads
 from planes.scene.writing import written
+from planes.words import Phrase
+from planes.words.errors import PlanesError
 
 Place = float | str | complex | Sequence[float | str] | Mapping[str, float | str]
 """A place in a link's axes: x alone (m), [x, y] or x + iy, or ``{"r": …, "angle": …}``; texts are expressions."""
@@ -93,6 +96,11 @@ class Linkage:
         ``{"guide": …, "angle": …, "offset": …}``. ``centre`` is the mass centre, else the first point.
         """
         own = _given(slides=slides, centre=centre, mass=mass, inertia=inertia)
+        for point in places:
+            if near := get_close_matches(point, ("slides", "centre", "center", "mass", "inertia"), 1, 0.75):
+                raise PlanesError(Phrase("link_keyword", word=point, near="centre" if near[0] == "center" else near[0]))
+        if str(name) in self.parts["links"]:
+            raise PlanesError(Phrase("link_twice", link=name))
         self.parts["links"][str(name)] = {"points": _placed(places), **own}
         return self
 

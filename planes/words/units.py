@@ -239,12 +239,3 @@ def quantity(value: float, digits: int = 4) -> str:
     raised = str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
     mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
     return f"{mantissa}·10{raised}"
-
-
-def unit_factor(unit: str) -> float:
-    """SI per unit as written: mm/s, kN, rpm."""
-    text = unit.strip().lower().replace(" ", "")
-    for starts, factor in ((("мм", "mm"), 1e-3), (("см", "cm"), 1e-2), (("кн", "kn"), 1e3)):
-        if text.startswith(starts) and text not in ("мм", "mm"):
-            return factor
-    return math.pi / 30 if text in ("об/мин", "rpm") else 1.0

@@ -1,6 +1,7 @@
 """What was not understood, not seen, or lies too near a dead point is never told to be right."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -100,3 +101,28 @@ def test_sheet_note_and_check_tell_the_same_of_a_number_near_a_dead_point(
 def test_one_place_holds_the_errors_of_people() -> None:
     assert (Pencil().point_mm, Pencil().ray_deg) == (PENCIL.point_mm, PENCIL.ray_deg)
     assert Asked(ASKED.scene, "velocity").skill is HAND
+
+
+def test_a_number_in_an_unknown_unit_or_left_empty_is_not_seen(tmp_path: Path) -> None:
+    file = tmp_path / "results.csv"
+    file.write_text("result,value,unit\nv_C,2.4,furlong\nomega_2,,rad/s\nomega_3,-16.0,1/s\n", "utf-8")
+    found = check(ASKED, read_table(file))
+    assert found.verdict == "right_as_seen" and set(found.unseen) == {"v_C", "omega_2"}
+    assert "furlong" in " ".join(note.told("en") for note in found.notes)
+    file.write_text("result,value,unit\nomega_3,-153,rpm\nv_C,2404,мм/с\nF_21,9.87,kN\n", "utf-8")
+    assert check(ASKED, read_table(file)).verdict == "right"
+
+
+def test_an_answer_that_is_asked_and_missing_is_not_seen() -> None:
+    whole = replace(ASKED, answers=("v_C", "omega_2", "omega_3"))
+    rows = [("v_C", 2.404, "m/s"), ("omega_2", 8.12, "")]
+    assert check(whole, ReadPaper("t.csv", results=rows)).unseen == ["omega_3"]
+    assert check(whole, ReadPaper("t.csv", results=[*rows, ("ω_3", -16.03, "")])).verdict == "right"
+
+
+def test_tables_of_answers_of_a_class_need_no_plan(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name, value in (("anna", 8.12), ("boris", 24.4)):
+        (tmp_path / f"{name}.csv").write_text(f"result,value\nv_C,2.404\nomega_2,{value}\n", "utf-8")
+    assert main(["check", str(ROOT / "samples" / "six-link.yaml"), str(tmp_path), "--lang", "en"]) == 1
+    said = capsys.readouterr().out
+    assert "omega_2" in said and "unreadable" not in said and "velocity" not in said

@@ -34,16 +34,26 @@ def test_its_file_says_the_same() -> None:
 
 
 def test_what_cannot_be_meant_is_a_sentence_with_its_line() -> None:
-    built = slider_crank().link(3, B=0, slides="y-y", mass=3)
+    built = slider_crank().load(3, "B", force=1, along="y-y")
     with pytest.raises(planes.PlanesError) as refused:
         built.scene()
     assert "y-y" in str(refused.value) and "Slider-crank:" in str(refused.value)
 
 
 def test_a_point_given_as_none_is_refused() -> None:
-    built = slider_crank().link(2, A=0, B=None, mass=2)
-    with pytest.raises(planes.PlanesError, match=r"B"):
+    built = Linkage("x").fix(O=(0, 0)).link(1, O=0, A=None).drive(1, phi=60)
+    with pytest.raises(planes.PlanesError, match=r"A"):
         built.scene()
+
+
+@pytest.mark.parametrize(
+    ("word", "near"), [("masss", "mass"), ("centr", "centre"), ("slide", "slides"), ("inerta", "inertia")]
+)
+def test_a_misspelt_word_is_no_point_and_a_link_is_given_once(word: str, near: str) -> None:
+    with pytest.raises(planes.PlanesError, match=f"no {word}; did you mean {near}"):
+        Linkage("x").link(1, O=0, **{word: 2})
+    with pytest.raises(planes.PlanesError, match="link 1 has been added already"):
+        Linkage("x").link(1, O=0).link("1", A=0)
 
 
 def test_a_room_is_reached_through_the_verb_of_its_name() -> None:

@@ -1,16 +1,17 @@
 """Numbers a person wrote down, as they are read off a drawing: lengths of segments, results."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import permutations, product
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.geometry.arithmetic import Many, Real
 from planes.plans.quantities import Quantity
+from planes.words import Phrase
 from planes.words.frozen import frozen
 from planes.words.lettering import flat
 from planes.words.names import POLE, at, end_of, label_of, plan_of
 from planes.words.naming import Names
-from planes.words.units import unit_factor
+from planes.words.written_units import unit_factor
 
 Things = Mapping[str, Real]
 
@@ -27,15 +28,30 @@ class WrittenNumber:
     value: str = ""  # the program's name of it, if it has one
 
 
+Written = tuple[str, float, str]  # a name, a value and its unit, as written
 Figures = tuple[list[WrittenNumber], list[str]]  # those of a table, and the names that mean nothing here
 
 
 def result_figures(known: Mapping[str, Quantity], names: Names, written: Iterable[tuple[str, float, str]]) -> Figures:
     """Figures of a table of results; a name of two that are one quantity means that."""
-    read = [(names.meant(text), text, value * unit_factor(unit)) for text, value, unit in written]
+    read = [(names.meant(text), text, value * (unit_factor(unit) or 1.0)) for text, value, unit in written]
     sure = {text: n[0] for n, text, _ in read if len({known[one].path for one in n}) == 1}
     figures = [figure(n, known[n], value) for _, text, value in read if (n := sure.get(text))]
     return figures, [text for _, text, _ in read if text not in sure]
+
+
+def read_results(
+    known: Mapping[str, Quantity], names: Names, written: Sequence[Written], asked: Iterable[str]
+) -> tuple[list[WrittenNumber], list[str], list[Phrase]]:
+    """The figures of a table of results; the names of what could not be understood, or is asked and not there; and
+    what is said of the former."""
+    strange = {name: unit for name, _, unit in written if unit_factor(unit) is None}
+    figures, unknown = result_figures(known, names, [row for row in written if row[0] not in strange])
+    notes = [Phrase("check_unit", name=name, unit=unit) for name, unit in strange.items()]
+    notes += [Phrase("check_unknown_results", names=", ".join(unknown))] if unknown else []
+    given = {known[f.name].path for f in figures}
+    missing = [n for n in asked if (found := names.meant(n)) and known[found[0]].path not in given]
+    return figures, list(dict.fromkeys([*strange, *unknown, *missing])), notes
 
 
 def figure(name: str, q: Quantity, value: float) -> WrittenNumber:

@@ -156,6 +156,9 @@ def _add(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
         if name in before:
             raise paper.refuse("check_row_twice", line=line, name=shown(name))
 
+    if "" in (row.get(key) for key in ("x_mm", "y_mm", "mm", "value")):  # the number was not written
+        paper.left += [str(row.get(key)) for key in ("mark", "segment", "result") if row.get(key)]
+        return
     if len(paper.spots) + len(paper.segments) + len(paper.results) >= MOST:
         raise too_many(paper.file, "rows", MOST)
     if "mark" in row:

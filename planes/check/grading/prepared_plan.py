@@ -43,6 +43,7 @@ class Asked:
     mu: float | None = None
     skill: Skill = HAND
     others: Mapping[str, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
+    answers: tuple[str, ...] = ()  # the results a whole work has, where they are known
 
     def line(self, file: str) -> list[str]:
         """The words of the command that checks a file so."""

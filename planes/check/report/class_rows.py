@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import field, fields, replace
 
-from planes.check import STATUS
+from planes.check import STATUS, Outcome
 from planes.check.report import Checked
 from planes.check.report.places import address, thumb, wrong_places
 from planes.plans.measuring import lettering, say_plan
@@ -56,7 +56,7 @@ class ClassRow:
             first=one.first,
             said=said,
             whose=one.whose,
-            plan=say_plan(found.bench.asked.plan, lang) if found else "",
+            plan=_plan_said(found, lang) if found else "",
             link=one.report,
             mistake=mistake,
             picture=address(thumb(found, one.picture)),
@@ -92,6 +92,11 @@ class ClassRow:
         if set(data) != {f.name for f in fields(cls)} or data["verdict"] not in STATUS:
             raise ValueError("no row of a class")
         return cls(**data)
+
+
+def _plan_said(found: Outcome, lang: Lang) -> str:
+    alone = found.results and not (found.grading or found.segments)
+    return say("check_numbers", lang) if alone else say_plan(found.bench.asked.plan, lang)
 
 
 def rank(one: Checked) -> int:
