@@ -5,12 +5,12 @@
 >>> planes.solve(scene, phi=150).omega["2"]  # rad/s
 8.122...
 
-The public face: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`check`, :func:`sheet`,
+Public names: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`check`, :func:`sheet`,
 :func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Linkage``, ``Position``,
 ``Table``, ``Exact``, ``Pencil``, ``PlanesError``.
 Each comes when it is first used, so that nothing is imported that is not needed.
 
-The rooms, from the ground up: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
+Packages, lowest level first: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
 vector equations drawn step by step into one program) · ``batch accuracy diagrams`` (many positions) · ``check lesson
 course crank_slider`` (readers of the program) · the renderer ``render`` · ``documents cli``.
 """

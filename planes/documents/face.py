@@ -60,7 +60,7 @@ def solve(
 
     ``phi`` (degrees; ``s``, in m, where the driver slides) is one value or an iterable of them; left out, it is the
     scene's own. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give a
-    :class:`Solved`: its ``positions`` came out, ``failed`` says why the others did not.
+    :class:`Solved`: ``positions`` are those that could be drawn, ``failed`` says why the others could not.
 
     >>> import planes
     >>> scene = planes.load("samples/kind-1-rrr.yaml")
@@ -87,12 +87,12 @@ def cycle(
     s: Any = None,
     **parameters: Any,
 ) -> Table:
-    """Results for many positions, as arrays by name; ``names`` as in ``find:`` (None: everything).
+    """Results for many positions, as arrays by name. ``names`` are results such as "v_C", "omega_2", "F_21", "M_1" or
+    the place "r_C" (None: everything). A position that cannot be drawn has NaN, and the reason in ``failed``.
 
     ``phi`` (degrees; ``s``, in m, of a sliding driver) is an array of values, a whole turn by degrees if left out (of a
-    sliding driver: its own place). Every further keyword is a parameter of the scene with the values it takes, a
-    number or an array: each combination is run for all values of the drive. The table has a column for the drive and
-    one for each parameter.
+    sliding driver: its own place). Any other keyword is a parameter of the scene and its value or values: each
+    combination is run for all values of the drive. The table has a column for the drive and one for each parameter.
 
     >>> import planes
     >>> scene = planes.load("samples/kind-1-rrr.yaml")

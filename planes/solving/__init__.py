@@ -44,7 +44,7 @@ class Position(Pictured, Tabulated):
 
     @property
     def r(self) -> Readings[complex]:
-        """Places of points, m."""
+        """Positions of points, m: complex by name."""
         return self.of("points", "r").each(lambda found: found.vector)
 
     @property

@@ -25,7 +25,7 @@ _MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
 
 
 class PlanesError(Exception):
-    """Base of every refusal: one sentence with names, numbers, the place and what to do.
+    """Base of all errors raised here: the message is one sentence with names, numbers, the place and the remedy.
 
     ``str`` of it is English; :meth:`told` gives the other languages.
     """

@@ -186,7 +186,7 @@ def test_what_nobody_has_seen_is_not_called_right(tmp_path: Path, capsys: pytest
     found = json.loads(capsys.readouterr().out)
     assert found["verdict"] == "right_as_seen" and found["unseen"] == ["s2"] and found["probability"] > SURE
     assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 3
-    assert capsys.readouterr().out.startswith("Right as far as seen: velocity polygon; not seen for sure: s2")
+    assert capsys.readouterr().out.startswith("Right as far as seen: velocity polygon; not judged: s2")
 
 
 def test_a_class_ends_with_the_status_of_its_worst_drawing() -> None:

@@ -140,8 +140,8 @@ def test_results(rows: list[tuple[str, float, str]], plan: str, first: str | Non
     ("rows", "said"),
     [
         ("v_C,2.4\nomega_2,8.12\n", "The results are right. "),
-        ("v_C,2.4\nv_X,1\n", "Right as far as seen: results; not seen for sure: v_X, "),
-        ("v_C,2.4\nomega_3,16\n", "omega_3: the size is right, the sign "),
+        ("v_C,2.4\nv_X,1\n", "Right as far as seen: results; not judged: v_X, "),
+        ("v_C,2.4\nomega_3,16\n", "omega_3: the magnitude is right, but the sign "),
     ],
 )
 def test_results_alone_need_no_plan(rows: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

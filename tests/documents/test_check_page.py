@@ -269,13 +269,13 @@ def test_the_page_names_what_nobody_has_seen(
     assert found.verdict == "right_as_seen" and found.unseen == list(without)
     page, errors = opened(browser, found, tmp_path)
     same(page, found)
-    assert f"not seen for sure: {', '.join(without)}" in page.evaluate("found.sentence")
+    assert f"not judged: {', '.join(without)}" in page.evaluate("found.sentence")
     pole = whole.paper.spots[0].place
     for k, name in enumerate(without):
         place = next(s for s in whole.paper.spots if s.name == name).place - pole
         page.evaluate(f"move({json.dumps(name)}, {place.real}, {place.imag})")
         left = ", ".join(without[k + 1 :])
-        assert (f"not seen for sure: {left}" if left else "The drawing is right") in page.inner_text("#sentence")
+        assert (f"not judged: {left}" if left else "The drawing is right") in page.inner_text("#sentence")
     page.close()
     assert errors == []
 

@@ -119,7 +119,7 @@ def test_counts_that_add_up_to_the_files_come_before_what_is_counted_twice() -> 
     work.rows = [ClassRow(f"{k}.jpg", *row) for k, row in enumerate([("right", 3), ("wrong", 1), ("unreadable", 0)])]
     counts = re.findall(r"<span>([^<]+) <b>(\d)</b></span>", work.page())
     assert sum(int(count) for _, count in counts[:-1]) == 3
-    assert counts[-1] == ("of these, to look at by eye", "1")
+    assert counts[-1] == ("of these, to be checked by hand", "1")
 
 
 @pytest.mark.slow
@@ -381,7 +381,7 @@ def test_what_came_twice_and_whose_did_not_come(
     told = capsys.readouterr().out.splitlines()
     again = [line.split(".csv")[0].strip() for line in told if "The same plan of the same student: " in line]
     assert again == ["Петрова скорости 2", "Петрова скорости"]
-    assert told[-1] == "No drawing has come from: Иванов Пётр."
+    assert told[-1] == "Nothing received from: Иванов Пётр."
     page = (tmp_path / "out" / "index.html").read_text("utf-8")
     assert told[-1] in page and page.count("The same plan of the same student") == 2
     (photos / "Иванов скорости.csv").write_text("mark,x_mm,y_mm\np,0,0\nb,30,51.96\nc,20,8\n", "utf-8")
