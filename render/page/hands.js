@@ -1,72 +1,97 @@
-"use strict";
 // What a reader's hand changes: the crank, the given numbers, what is dragged, the scale where a plan grows.
+import { writeAddress } from "./address.js";
+import { plan, scheme } from "./figures.js";
+import { found, planOf, seenAt } from "./frames.js";
+import { allowed, grips, pulled, span } from "./grips.js";
+import { html, safe } from "./letters.js";
+import { TURN } from "./live.js";
+import { $, data, draw, later, live, put, state } from "./page.js";
+import { filled, local, number, plain, say, scaled, sentence } from "./words.js";
 const LOOK_MS = 180, REST_MS = 400;
+let resting = 0, looking = 0;
 
-function heard() { // readers of the screen hear what there is once it has come to rest
-  clearTimeout(heard.timer);
-  heard.timer = setTimeout(() => {
-    const parts = practice.on ? ["#task .said", "#h"] : ["#sentence", "#why", "#zone", "#large", "#follow"];
+export function heard() { // readers of the screen hear what there is once it has come to rest
+  clearTimeout(resting);
+  resting = setTimeout(() => {
+    const parts = state.practising ? ["#task .said", "#h"] : ["#sentence", "#why", "#zone", "#large", "#follow"];
     put("heard", parts.map(p => document.querySelector(p)?.textContent.trim()).filter(Boolean).map(safe).join(" "));
   }, REST_MS);
 }
-function turn(value) { live.set({ [data.drive.given]: placed(value) }); writeAddress(); later(); }
+export function turn(value) { live.set({ [data.drive.given]: live.placed(value) }); writeAddress(); later(); }
 function change(numbers) { // given numbers; the whole turn is looked at when they rest
   live.set(numbers);
   writeAddress();
-  clearTimeout(change.timer);
-  change.timer = setTimeout(() => { live.scan(); zones(); later(); }, LOOK_MS);
+  clearTimeout(looking);
+  looking = setTimeout(() => { live.scan(); zones(); later(); }, LOOK_MS);
   later();
 }
-function crank() {
+export function crank() {
   const v = live.drive, { symbol, held } = data.drive, turning = symbol === "φ";
-  const shown = turning ? local((((v % 360) + 360) % 360).toFixed(1).replace(/\.0$/, "")) + "°" : local(v.toFixed(4)) + (state.lang !== "en" ? " м" : " m");
+  const shown = turning ? local((((v % 360) + 360) % 360).toFixed(1).replace(/\.0$/, "")) + "°" :
+    local(v.toFixed(4)) + (state.lang !== "en" ? " м" : " m");
   $("value").textContent = `${symbol} = ${shown}`;
   $("crank").value = v;
   if (document.activeElement !== $("exact")) $("exact").value = +(turning ? ((v % 360) + 360) % 360 : v).toFixed(6);
   $("crank").setAttribute("aria-valuetext", $("value").textContent);
-  const practising = typeof practice !== "undefined" && practice.on;
   $("home").disabled = live.at_home;
-  for (const id of ["crank", "exact", "spin"]) $(id).disabled = Boolean(held) || practising;
+  for (const id of ["crank", "exact", "spin"]) $(id).disabled = Boolean(held) || state.practising;
   const zone = live.zone;
   $("zone").className = live.failed ? "bad" : "";
-  const near = live.failed && live.nearest(), there = near !== null && near !== false ? say("nearest").replace("{name}", symbol).replace("{value}", `${number(near)}${turning ? "°" : ""}`) : "";
-  put("zone", held ? held[state.lang] : live.failed ? `⚠ ${filled(live.failed[state.lang])}${there}` : zone && zone.mark ? "⚠ " + sentence(data.blunt[zone.mark][state.lang], "") : "");
-  put("rates", data.results.filter(r => found(r.value) <= state.frame).map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[state.lang]}</span>`).join(""));
+  const near = live.failed && live.nearest();
+  const there = near !== null && near !== false ? say("nearest").replace("{name}", symbol).replace("{value}",
+    `${number(near)}${turning ? "°" : ""}`) : "";
+  put("zone", held ? held[state.lang] : live.failed ? `⚠ ${filled(live.failed[state.lang])}${there}` : zone &&
+    zone.mark ? "⚠ " + sentence(data.blunt[zone.mark][state.lang], "") : "");
+  put("rates", data.results.filter(r => found(r.value) <= state.frame).map(
+    r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[
+    state.lang]}</span>`).join(""));
   document.querySelectorAll("#knobs input").forEach(e => {
     const v = live.given[e.dataset.given];
     if (e !== document.activeElement || e.type === "range") e.value = +v.toPrecision(6);
-    e.disabled = practising;
+    e.disabled = state.practising;
   });
 }
-function fitting(key) { // a scale of the series at which a plan that has grown is as large as in its own position; null where it fits
-  const marks = plan.own(key), own = plan.box(marks, n => live.home(n)), now = plan.box(marks), long = b => Math.hypot(b[2] - b[0], b[3] - b[1]);
+// a scale of the series at which a plan that has grown is as large as in its own position; null where it fits
+function fitting(key) {
+  const marks = plan.own(key), own = plan.box(marks, n => live.home(n)), now = plan.box(marks);
+  const long = b => Math.hypot(b[2] - b[0], b[3] - b[1]);
   const knob = data.knobs.find(k => k.plan === key || (key === "lever" && /velocity|motion/.test(k.plan || "")));
   if (!own || !now || !knob || long(now) < 4 * long(own) || long(own) < 1) return null;
   const most = live.given[knob.given] * long(own) / long(now), power = 10 ** Math.floor(Math.log10(most));
   return [knob.given, +([5, 4, 2.5, 2, 1].find(m => m * power <= most * (1 + 1e-9)) * power).toPrecision(3)];
 }
-function large(key) { // what a draughtsman does near a dead point: another scale, and it is said why
+export function large(key) { // what a draughtsman does near a dead point: another scale, and it is said why
   const fit = key === "position" || live.failed ? null : fitting(key);
-  put("large", fit ? `${say("large").replace("{mu}", scaled(fit[1]))} <button type="button" data-mu="${fit[1]}" data-given="${fit[0]}">${say("large_fit")}</button>` : "");
+  put("large", fit ? `${say("large").replace("{mu}",
+    scaled(fit[1]))} <button type="button" data-mu="${fit[1]}" data-given="${fit[0]}">${say("large_fit")}</button>` :
+    "");
 }
-function zones() { // positions that fail, and blunt ones, marked over the slider by pattern as well as colour
-  const { from, to } = data.drive, long = to - from || 1, said = z => z.kind === "bad" ? say("zone_bad") : plain(data.blunt[z.mark][state.lang]);
-  $("zones").innerHTML = live.zones.map(z => `<i class="${z.kind}" title="${said(z)}" style="left:${100 * (z.from - from) / long}%;width:${100 * (z.to - z.from) / long + 100 / TURN}%"></i>`).join("");
+export function zones() { // positions that fail, and blunt ones, marked over the slider by pattern as well as colour
+  const { from, to } = data.drive, long = to - from || 1;
+  const said = z => z.kind === "bad" ? say("zone_bad") : plain(data.blunt[z.mark][state.lang]);
+  $("zones").innerHTML = live.zones.map(z => `<i class="${z.kind}" title="${said(z)}" style="left:${100 *
+    (z.from - from) / long}%;width:${100 * (z.to - z.from) / long + 100 / TURN}%"></i>`).join("");
 }
-function knobs() { // every given number, to be typed or slid
-  const name = k => k.plan ? `μ, ${data.plans.find(p => p.key === k.plan)?.title[state.lang].toLowerCase() ?? ""}` : html(k.name) + (k.when ? `, <small>${k.when[state.lang]}</small>` : "");
+export function knobs() { // every given number, to be typed or slid
+  const name = k => k.plan ? `μ, ${data.plans.find(p => p.key === k.plan)?.title[state.lang].toLowerCase() ?? ""}` :
+    html(k.name) + (k.when ? `, <small>${k.when[state.lang]}</small>` : "");
   const shown = data.knobs.filter(k => !k.plan || data.plans.some(p => p.key === k.plan));
-  const unit = k => k.plan ? filled(data.plans.find(p => p.key === k.plan).mu[state.lang]).replace(/^\S+ /, "") : k.unit[state.lang];
+  const unit = k => k.plan ? filled(data.plans.find(p => p.key === k.plan).mu[state.lang]).replace(/^\S+ /, "") :
+    k.unit[state.lang];
   const label = k => (k.plan ? name(k) : k.name + (k.when ? `, ${k.when[state.lang]}` : "")) + " " + unit(k);
   const slid = (k, [low, high] = span(k)) => `min="${low}" max="${high}" step="${(high - low) / 500}"`;
   $("knobs").innerHTML = shown.map(k => `<div class="knob${k.plan ? " scale" : ""}"><span>${name(k)}</span>` +
     `<input type="range" ${slid(k)} data-given="${k.given}" aria-label="${label(k)}">` +
-    `<input type="text" inputmode="decimal" data-given="${k.given}" aria-label="${label(k)}"><small>${unit(k)}</small></div>`).join("");
+    `<input type="text" inputmode="decimal" data-given="${k.given}" aria-label="${label(k)}"><small>${unit(
+      k)}</small></div>`).join("");
   const chosen = $("free").value;
-  $("free").innerHTML = `<option value="">${say("free_any")}</option>` + shown.filter(k => !k.plan).map(k => `<option value="${k.given}">${k.name.replace("_", "")}${k.when ? `, ${k.when[state.lang]}` : ""}</option>`).join("");
+  $("free").innerHTML = `<option value="">${say("free_any")}</option>` +
+    shown.filter(k => !k.plan).map(k => `<option value="${k.given}">${k.name.replace("_", "")}${k.when ?
+    `, ${k.when[state.lang]}` : ""}</option>`).join("");
   $("free").value = chosen;
 }
-function spin(on = !state.spin) { // the crank goes round by itself, a turn in six seconds, there and back where it cannot
+// the crank goes round by itself, a turn in six seconds, there and back where it cannot
+export function spin(on = !state.spin) {
   cancelAnimationFrame(state.spin);
   state.spin = 0;
   $("spin").textContent = on ? "❚❚" : "⟳";
@@ -76,8 +101,9 @@ function spin(on = !state.spin) { // the crank goes round by itself, a turn in s
   const next = now => {
     const was = live.drive, step = way * (to - from) * Math.min(now - (last || now), 100) / 6000;
     last = now;
-    live.set({ [data.drive.given]: round ? placed(was + step) : was + step });
-    if (!round && (live.failed || live.drive < from || live.drive > to)) { way = -way; live.set({ [data.drive.given]: was }); }
+    live.set({ [data.drive.given]: round ? live.placed(was + step) : was + step });
+    if (!round && (live.failed || live.drive < from || live.drive > to)) { way = -way;
+      live.set({ [data.drive.given]: was }); }
     draw();
     state.spin = requestAnimationFrame(next);
   };
@@ -86,20 +112,23 @@ function spin(on = !state.spin) { // the crank goes round by itself, a turn in s
 function follower(figure, mark) {
   return figure === scheme ? data.drags[mark] : live.handles(mark, $("free").value);
 }
-function drag(figure, mark, target) {
+export function drag(figure, mark, target) {
   const { short, text } = pulled(mark, follower(figure, mark), target);
-  change({ [data.drive.given]: placed(live.drive) });
+  change({ [data.drive.given]: live.placed(live.drive) });
   put("follow", text);
   return short;
 }
 function marks(figure) {
   const seen = seenAt(state.frame);
-  return (figure === scheme ? Object.keys(data.drags) : plan.own(planOf(state.frame)).filter(m => !m.endsWith(":p"))).filter(m => seen.has(m));
+  return (figure === scheme ? Object.keys(data.drags) :
+    plan.own(planOf(state.frame)).filter(m => !m.endsWith(":p"))).filter(m => seen.has(m));
 }
-for (const figure of [scheme, plan]) grips(figure, () => practice.on ? [] : marks(figure), (mark, target) => { if (state.spin) spin(false); drag(figure, mark, target); }, later);
+for (const figure of [scheme, plan]) grips(figure, () => state.practising ? [] : marks(figure),
+  (mark, target) => { if (state.spin) spin(false); drag(figure, mark, target); }, later);
 $("spin").onclick = () => spin();
 $("crank").oninput = e => turn(+e.target.value);
-$("exact").onchange = e => { const v = parseFloat(e.target.value.replace(",", ".")); if (Number.isFinite(v)) turn(v); else crank(); };
+$("exact").onchange = e => { const v = parseFloat(e.target.value.replace(",", ".")); if (Number.isFinite(v)) turn(v);
+  else crank(); };
 $("home").onclick = () => { live.reset(); put("follow", ""); zones(); writeAddress(); later(); };
 $("large").onclick = e => { if (e.target.dataset.mu) change({ [e.target.dataset.given]: +e.target.dataset.mu }); };
 $("knobs").addEventListener("input", e => {

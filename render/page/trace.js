@@ -1,5 +1,5 @@
-"use strict";
 // Tracing paper: the right plan over a picture of a drawing, moved by its pole, turned and resized by one of its marks.
+import { Figure, svg } from "./figure.js";
 const data = JSON.parse(document.getElementById("data").textContent);
 const $ = id => document.getElementById(id);
 // a place of the plan (mm, y up) lies at pole + turn · its mirror image, in pixels of the picture (y down)
@@ -31,10 +31,12 @@ class Tracing extends Figure {
   names(plan) {
     for (const [name, a, b] of plan.names) this.along(this.px(this.at(a)), this.px(this.at(b)), [name], plan.kind);
     const marks = Object.keys(plan.marks).filter(n => !plan.names.length || n === "p");
-    for (const n of marks) if (plan.kind !== "position" || n !== "p") this.beside(this.px(this.at(n)), [n], plan.kind, 8);
+    for (const n of marks) if (plan.kind !== "position" || n !== "p") this.beside(this.px(this.at(n)), [n], plan.kind,
+      8);
   }
   handle(name) {
-    const q = this.px(this.at(name)), g = svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": name }, this.node);
+    const q = this.px(this.at(name));
+    const g = svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": name }, this.node);
     svg("circle", { cx: q[0], cy: q[1], r: 16, class: "grip" }, g);
     svg("circle", { cx: q[0], cy: q[1], r: 6, class: "dot" }, g);
     g.setAttribute("aria-label", `${name === "p" ? data.words.pole : name}: ${place(name).join(", ")}`);
@@ -43,18 +45,22 @@ class Tracing extends Figure {
 const sheet = new Tracing($("sheet"), data);
 
 function place(name) { return sheet.px(sheet.at(name)).map(v => Math.round(v / sheet.zoom)); }
-function shown(v, digits) { const t = v.toFixed(digits); return document.documentElement.lang !== "en" ? t.replace(".", ",") : t; }
+function shown(v, digits) { const t = v.toFixed(digits);
+  return document.documentElement.lang !== "en" ? t.replace(".", ",") : t; }
 function draw() {
   const now = state.held;
   sheet.draw();
   state.held = now;
   if (now) sheet.node.querySelector(`[data-mark="${CSS.escape(now)}"]`)?.focus({ preventScroll: true });
   const turned = Math.atan2(-state.turn[1], state.turn[0]) * 180 / Math.PI, by = $("by").value;
-  $("said").innerHTML = `${data.words.turned} <b>${shown(turned, 1).replace("-", "−")}°</b>, <b>${shown(Math.hypot(...state.turn), 2)}</b> ${data.words.scale}`;
+  $("said").innerHTML = `${data.words.turned} <b>${shown(turned, 1).replace("-",
+    "−")}°</b>, <b>${shown(Math.hypot(...state.turn), 2)}</b> ${data.words.scale}`;
   $("check").hidden = !state.file;
-  const file = /^[\w.,+-]+$/.test(state.file) ? state.file : `'${state.file.replaceAll("'", "'\\''")}'`, mark = /'/.test(by) ? `"${by}=` : `${by}=`;
+  const file = /^[\w.,+-]+$/.test(state.file) ? state.file : `'${state.file.replaceAll("'", "'\\''")}'`;
+  const mark = /'/.test(by) ? `"${by}=` : `${by}=`;
   const end = /'/.test(by) ? '"' : "";
-  $("command").textContent = state.plan.command.replace("⟦file⟧", file).replace("⟦pole⟧", place("p").join(",")).replace("⟦mark⟧", mark + place(by).join(",") + end);
+  $("command").textContent = state.plan.command.replace("⟦file⟧", file).replace("⟦pole⟧",
+    place("p").join(",")).replace("⟦mark⟧", mark + place(by).join(",") + end);
 }
 function move(name, x, y) { // pixels of the picture
   if (name === "p") state.pole = [x, y];
@@ -95,7 +101,8 @@ function open(file) {
     home();
     lay();
   };
-  image.onerror = () => { image.hidden = true; state.file = ""; draw(); $("said").textContent = data.words.not_picture; };
+  image.onerror = () => { image.hidden = true; state.file = ""; draw(); $("said").textContent = data.words.not_picture;
+    };
   image.src = url;
 }
 function spot(e) {
@@ -132,3 +139,4 @@ $("zoom").oninput = lay;
 addEventListener("resize", lay);
 choose();
 lay();
+globalThis.planes = { data, lay, sheet, state };
