@@ -1,11 +1,11 @@
 // The report of a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged
 // anew.
+import { $, on } from "./dom.js";
 import { Figure, letters, svg } from "./figure.js";
 import { distance } from "./geometry.js";
 import { Judge } from "./judge.js";
 import { html, safe } from "./letters.js";
 const data = JSON.parse(document.getElementById("data").textContent);
-const $ = id => document.getElementById(id);
 
 class Sheet extends Figure { // the drawing under its marks, on one scale
   constructor(node, data) {
@@ -205,7 +205,7 @@ function mm(e) {
   const box = sheet.node.getBoundingClientRect();
   return sheet.mm([(e.clientX - box.left) * sheet.w / box.width, (e.clientY - box.top) * sheet.h / box.height]);
 }
-sheet.node.addEventListener("pointerdown", e => {
+on(sheet.node, "pointerdown", e => {
   const name = e.target.closest("[data-mark]")?.dataset.mark;
   if (!name) return;
   held = name;
@@ -214,10 +214,10 @@ sheet.node.addEventListener("pointerdown", e => {
   e.preventDefault();
   e.target.closest("[data-mark]").focus({ preventScroll: true });
 });
-sheet.node.addEventListener("pointermove", e => { if (sheet.node.dragged) drag(sheet.node.dragged, ...mm(e)); });
-for (const end of ["pointerup", "pointercancel"]) sheet.node.addEventListener(end,
+on(sheet.node, "pointermove", e => { if (sheet.node.dragged) drag(sheet.node.dragged, ...mm(e)); });
+for (const end of ["pointerup", "pointercancel"]) on(sheet.node, end,
   () => { sheet.node.dragged = null; });
-sheet.node.addEventListener("keydown", e => {
+on(sheet.node, "keydown", e => {
   const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
   const name = e.target.closest("[data-mark]")?.dataset.mark;
   if (!way || !name) return;
@@ -226,20 +226,20 @@ sheet.node.addEventListener("keydown", e => {
   const from = !m ? [0, 0] : m.read ? sheet.own.at(name) : sheet.mm(sheet.parked(marks.indexOf(m)));
   drag(name, from[0] + k * way[0], from[1] + k * way[1]);
 });
-sheet.node.addEventListener("focusin", e => { held = e.target.closest("[data-mark]")?.dataset.mark || held; });
-sheet.node.addEventListener("focusout", () => { if (!sheet.node.dragged) held = null; });
+on(sheet.node, "focusin", e => { held = e.target.closest("[data-mark]")?.dataset.mark || held; });
+on(sheet.node, "focusout", () => { if (!sheet.node.dragged) held = null; });
 document.querySelectorAll("input[data-layer]").forEach(i => {
   i.onchange = () => { sheet.layers[i.dataset.layer] = i.checked; draw(); }; });
 $("save").onclick = save;
 $("as-read")?.addEventListener("click", () => { moved = true; draw(); });
 $("reset").onclick = reset;
-addEventListener("resize", draw);
-addEventListener("beforeprint", () => { // of a sheet's width, so that its letters keep their size
+on(window, "resize", draw);
+on(window, "beforeprint", () => { // of a sheet's width, so that its letters keep their size
   sheet.node.style.cssText = "width: 700px; height: 400px";
   draw();
   sheet.node.style.cssText = "";
 });
-addEventListener("afterprint", draw);
+on(window, "afterprint", draw);
 draw();
 globalThis.planes = { // by which a page is asked from outside
   csv, data, drag, draw, move, sheet,

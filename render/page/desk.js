@@ -14,7 +14,7 @@ export const desk = {
   get panel() { return this.practice.frame.plan === "position" ? scheme : plan; },
   marks() { // one mark for those that stand together
     const key = this.practice.frame.plan, found = [];
-    for (const n of [...this.practice.seen()].sort((a, b) => (a === "position:p") - (b === "position:p"))) {
+    for (const n of [...this.practice.seen()].sort((a, b) => +(a === "position:p") - +(b === "position:p"))) {
       const p = n.startsWith(key + ":") && !data.helpers.includes(n) && live.at(n);
       if (p && !found.some(m => Math.hypot(live.at(m)[0] - p[0], live.at(m)[1] - p[1]) < 0.01)) found.push(n);
     }
@@ -35,7 +35,7 @@ export const desk = {
       return a && b ? Math.atan2(b[1] - a[1], b[0] - a[0]) : null;
     }
     const [name, quarter] = this.along.split("|"), angle = live.angle(name);
-    return angle === null ? null : angle * Math.PI / 180 + quarter * QUARTER + (this.back ? Math.PI : 0);
+    return angle === null ? null : angle * Math.PI / 180 + +quarter * QUARTER + (this.back ? Math.PI : 0);
   },
   ways() { // both ways along a line, told by an arrow and an angle
     const kept = this.back;
@@ -64,7 +64,8 @@ export const desk = {
     this.along = this.along === n + "|0" ? n + "|1" : n + "|0";
     draw();
   },
-  off(stroke, [x, y]) { // from a stroke to a place, mm
+  off(stroke, place) { // from a stroke to a place, mm
+    const [x, y] = place;
     const dx = x - stroke.at[0], dy = y - stroke.at[1];
     return stroke.r ? Math.abs(Math.hypot(dx, dy) - stroke.r) :
       Math.abs(dx * Math.sin(stroke.a) - dy * Math.cos(stroke.a));
@@ -89,7 +90,7 @@ export const desk = {
     if (this.tool === "point") this.crossings().forEach((p, k) => {
       const [x, y] = f.px(p);
       svg("circle", { cx: x, cy: y, r: 6, class: "choice" + (k === this.spot ? " held" : "") }, f.node);
-      svg("text", { x: x + 10, y: y - 8, class: "choice-text" }, f.node).textContent = k + 1;
+      svg("text", { x: x + 10, y: y - 8, class: "choice-text" }, f.node).textContent = String(k + 1);
     });
     f.node.classList.toggle("place", this.practice.drawing);
   },
@@ -104,6 +105,7 @@ export const desk = {
     const a = live.at(this.from), b = live.at(this.to);
     return a && b ? local(fixed(distance(a, b), 1)) : "—";
   },
+  /** @type {(place: number[]) => string} */
   grip([x, y]) { // the mark under a hand
     const f = this.panel, near = m => { const q = f.px(live.at(m)); return Math.hypot(q[0] - x, q[1] - y); };
     return this.marks().filter(m => near(m) < NEAR_PX).sort((a, b) => near(a) - near(b))[0];
@@ -112,7 +114,7 @@ export const desk = {
   drag(p) {
     const at = live.at(this.from), dx = p[0] - at[0], dy = p[1] - at[1];
     if (this.tool === "ruler") { this.to = this.grip(this.panel.px(p)) || this.to; return; }
-    if (this.along === "angle") this.angle = Math.round(Math.atan2(dy, dx) * 180 / Math.PI);
+    if (this.along === "angle") this.angle = String(Math.round(Math.atan2(dy, dx) * 180 / Math.PI));
     let a = this.heading();
     if (a !== null && !data.marks[this.along] && this.along !== "angle" &&
       dx * Math.cos(a) + dy * Math.sin(a) < 0) this.back = !this.back;

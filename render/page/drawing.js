@@ -1,10 +1,14 @@
 // A figure of the lesson's own marks: arrows about centres, forces and arms of a moment equation.
 import { Figure, svg } from "./figure.js";
 import { distance } from "./geometry.js";
+import { keyOf } from "./letters.js";
 import { live } from "./page.js";
 
 export class Drawing extends Figure {
   at(name) { return live.at(name); }
+  own(key) {
+    return Object.keys(this.data.marks).filter(n => keyOf(n) === key && !this.data.helpers.includes(n));
+  }
   turned(o, r, from, way, [first, last], cls, name) { // an arrow about a centre, from an angle onwards, radians
     const at = t => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)];
     const [c, d] = [at(first), at(last)];

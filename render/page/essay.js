@@ -1,10 +1,11 @@
 // A page of the essay: paragraphs, each beside its figure; one tape under them all, so what one hand moves all figures
 // show.
+import { $, on } from "./dom.js";
 import { written } from "./equations.js";
 import { seenAt } from "./frames.js";
 import { aimedAt, grips, pulled, span } from "./grips.js";
 import { html } from "./letters.js";
-import { $, data, draw, later, live, paintedBy, state } from "./page.js";
+import { data, draw, later, live, paintedBy, state } from "./page.js";
 import { Plan } from "./plan.js";
 import { Scheme } from "./scheme.js";
 import { described, filled, number, say, sentence } from "./words.js";
@@ -53,7 +54,7 @@ function paint() {
     const f = data.frames[p.frame], scheme = p.view === "position", plan = data.plans.find(q => q.key === p.view);
     state.frame = p.frame;
     p.figure.measure();
-    if (scheme) p.figure.draw(p.seen, f); else p.figure.show(p.view, p.seen, f);
+    p.figure.show(p.view, p.seen, f);
     p.text.innerHTML = sentence(p.said[state.lang], p.view);
     p.figcaption.textContent = live.failed ? `⚠ ${filled(live.failed[state.lang])}` :
       `${plan.title[state.lang]}, μ = ${filled(plan.mu[state.lang])}`;
@@ -83,7 +84,7 @@ function language() {
 $("lang").onclick = () => { state.lang = state.lang === "ru" ? "en" : "ru";
   history.replaceState(null, "", `#lang=${state.lang}`); language(); };
 $("home").onclick = () => { live.reset(); paragraphs.forEach(p => { p.follow.textContent = ""; }); draw(); };
-addEventListener("resize", later);
+on(window, "resize", later);
 paintedBy(paint);
 language();
 globalThis.planes = { data, draw, live, paragraphs, state };

@@ -44,7 +44,10 @@ function crowds(a, b, size) { // whether labels stand upon one another, [x, y, h
 
 export class Figure { // millimetres y up -> pixels y down
   constructor(node, data, size) { this.node = node; this.data = data; this.size = size; this.real = [600, 380];
-    this.kept = new Map(); }
+    this.kept = new Map();
+    this.more = 0; // of its edge, px
+    this.fixed_view = null; // while a hand holds it
+  }
   measure() { this.real = [this.node.clientWidth || 600, this.node.clientHeight || 380]; }
   get letter() { return this.size ? 13 : 17; }
   at(name) { return this.data.marks[name] || null; }
@@ -65,7 +68,7 @@ export class Figure { // millimetres y up -> pixels y down
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);
     this.dx = w / 2 - this.k * (box[0] + box[2]) / 2;
     this.dy = h / 2 + this.k * (box[1] + box[3]) / 2;
-    // a hand holds it
+   
     if (this.fixed_view) Object.assign(this, { k: this.fixed_view.k, dx: this.fixed_view.dx, dy: this.fixed_view.dy });
     this.w = w; this.h = h; this.strokes = []; this.taken = [];
     this.node.setAttribute("viewBox", `0 0 ${w} ${h}`);

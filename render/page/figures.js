@@ -1,5 +1,6 @@
 // The two figures of the lesson's page: the scheme, and a plan beside it.
-import { $, data } from "./page.js";
+import { $ } from "./dom.js";
+import { data } from "./page.js";
 import { Plan } from "./plan.js";
 import { Scheme } from "./scheme.js";
 

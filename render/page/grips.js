@@ -1,4 +1,5 @@
 // What a hand takes hold of in a figure: the mark under it, the numbers that follow, what is said where they cannot.
+import { on } from "./dom.js";
 import { keyOf, labelOf } from "./letters.js";
 import { REACHED } from "./live.js";
 import { data, live } from "./page.js";
@@ -34,7 +35,7 @@ function grip(figure, event, marks) { // the mark under the hand
 }
 export function grips(figure, marks, drag, done) { // a figure whose marks are dragged; its view stands still meanwhile
   const node = figure.node;
-  node.addEventListener("pointerdown", e => {
+  on(node, "pointerdown", e => {
     const mark = e.button === 0 && grip(figure, e, marks());
     if (!mark) return;
     node.setPointerCapture(e.pointerId);
@@ -42,12 +43,12 @@ export function grips(figure, marks, drag, done) { // a figure whose marks are d
     figure.fixed_view = node.held;
     e.preventDefault();
   });
-  node.addEventListener("touchstart", e => { if (node.held) e.preventDefault(); }, { passive: false });
-  node.addEventListener("pointermove", e => {
+  on(node, "touchstart", e => { if (node.held) e.preventDefault(); }, { passive: false });
+  on(node, "pointermove", e => {
     if (!node.held) { node.style.cursor = e.pointerType !== "touch" && grip(figure, e, marks()) ? "grab" : ""; return; }
     const r = node.getBoundingClientRect();
     drag(node.held.mark, figure.mm([e.clientX - r.left, e.clientY - r.top]));
   });
-  for (const end of ["pointerup", "pointercancel"]) node.addEventListener(end,
+  for (const end of ["pointerup", "pointercancel"]) on(node, end,
     () => { if (node.held) done(); node.held = figure.fixed_view = null; });
 }

@@ -1,9 +1,10 @@
 // The lesson on paper: a page a plan, at the position shown, in its own millimetres where it fits; its steps beneath.
+import { $ } from "./dom.js";
 import { lines } from "./equations.js";
 import { svg } from "./figure.js";
 import { seenAt } from "./frames.js";
 import { html } from "./letters.js";
-import { $, data, live, state } from "./page.js";
+import { data, live, state } from "./page.js";
 import { Plan } from "./plan.js";
 import { Scheme } from "./scheme.js";
 import { filled, number, sentence } from "./words.js";
@@ -24,7 +25,7 @@ function parts() { // the frames of each plan; moments belong to the plan that n
 function drawn(key, k, most, parent, shown = {}) { // a figure no larger than that, at 1:1 if it can be
   const node = svg("svg", { class: "figure" }, parent);
   const figure = key === "position" ? new Scheme(node, data, most) : new Plan(node, data, most), seen = seenAt(k);
-  const paint = () => key === "position" ? figure.draw(seen, shown.frame) : figure.show(key, seen, shown.frame);
+  const paint = () => figure.show(key, seen, shown.frame);
   paint();
   if (shown.full && figure.k >= PAPER) {
     figure.size = most.map((side, i) => Math.min(side,
@@ -42,8 +43,8 @@ export function handout() {
   $("handout").className = "laid";
   for (const part of parts()) {
     const page = $("handout").appendChild(document.createElement("article"));
-    const fits = ([tall, type]) => {
-      page.style.setProperty("--type", type);
+    const fits = /** @param {number[]} how */ ([tall, type]) => {
+      page.style.setProperty("--type", String(type));
       sheet(page, part, tall, own.join(""));
       return page.offsetHeight < TALL;
     };

@@ -1,11 +1,12 @@
 // What a reader's hand changes: the crank, the given numbers, what is dragged, the scale where a plan grows.
 import { writeAddress } from "./address.js";
+import { $, on } from "./dom.js";
 import { plan, scheme } from "./figures.js";
 import { found, planOf, seenAt } from "./frames.js";
 import { allowed, grips, pulled, span } from "./grips.js";
 import { html, safe } from "./letters.js";
 import { TURN } from "./live.js";
-import { $, data, draw, later, live, put, state } from "./page.js";
+import { data, draw, later, live, put, state } from "./page.js";
 import { filled, local, number, plain, say, scaled, sentence } from "./words.js";
 const LOOK_MS = 180, REST_MS = 400;
 let resting = 0, looking = 0;
@@ -30,8 +31,9 @@ export function crank() {
   const shown = turning ? local((((v % 360) + 360) % 360).toFixed(1).replace(/\.0$/, "")) + "°" :
     local(v.toFixed(4)) + (state.lang !== "en" ? " м" : " m");
   $("value").textContent = `${symbol} = ${shown}`;
-  $("crank").value = v;
-  if (document.activeElement !== $("exact")) $("exact").value = +(turning ? ((v % 360) + 360) % 360 : v).toFixed(6);
+  $("crank").value = String(v);
+  if (document.activeElement !== $("exact")) 
+    $("exact").value = String(+(turning ? ((v % 360) + 360) % 360 : v).toFixed(6));
   $("crank").setAttribute("aria-valuetext", $("value").textContent);
   $("home").disabled = live.at_home;
   for (const id of ["crank", "exact", "spin"]) $(id).disabled = Boolean(held) || state.practising;
@@ -126,12 +128,13 @@ function marks(figure) {
 for (const figure of [scheme, plan]) grips(figure, () => state.practising ? [] : marks(figure),
   (mark, target) => { if (state.spin) spin(false); drag(figure, mark, target); }, later);
 $("spin").onclick = () => spin();
-$("crank").oninput = e => turn(+e.target.value);
-$("exact").onchange = e => { const v = parseFloat(e.target.value.replace(",", ".")); if (Number.isFinite(v)) turn(v);
+$("crank").oninput = () => turn(+$("crank").value);
+$("exact").onchange = () => { const v = parseFloat($("exact").value.replace(",", ".")); if (Number.isFinite(v)) turn(v);
   else crank(); };
 $("home").onclick = () => { live.reset(); put("follow", ""); zones(); writeAddress(); later(); };
-$("large").onclick = e => { if (e.target.dataset.mu) change({ [e.target.dataset.given]: +e.target.dataset.mu }); };
-$("knobs").addEventListener("input", e => {
+on($("large"), "click",
+  e => { if (e.target.dataset.mu) change({ [e.target.dataset.given]: +e.target.dataset.mu }); });
+on($("knobs"), "input", e => {
   const k = data.knobs.find(k => k.given === e.target.dataset.given), text = e.target.value.replace(",", ".");
   const v = e.target.type === "range" ? +(+text).toPrecision(4) : +text;
   e.target.setAttribute("aria-invalid", !allowed(k, v));

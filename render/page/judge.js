@@ -71,7 +71,8 @@ export class Judge {
     let upset = false;
     for (const m of marks) {
       upset ||= m.name === out.first;
-      const one = out.marks[m.name] = { verdict: "unread", own: misses.get(m.name), free: free.get(m.name) };
+      const one = out.marks[m.name] = { verdict: "unread", close: false, own: misses.get(m.name),
+        free: free.get(m.name) };
       if (!m.read) continue;
       if (wrong.includes(m.name) && !(explained.includes(m.name) && m.name !== out.first)) { one.verdict = "wrong";
         upset = true; }

@@ -15,6 +15,7 @@ export const kit = {
     const p = live.at(mark), f = this.figure(mark);
     return p && this.among(f, f.px(p));
   },
+  /** @type {(f: any, place: number[]) => number[]} */
   among(f, [x, y]) {
     const r = f.node.getBoundingClientRect(), o = this.over.getBoundingClientRect();
     return [x + r.left - o.left, y + r.top - o.top];
@@ -160,8 +161,8 @@ function legs(w, needles) { // two legs from a joint above the middle, as a hand
       path([a, top, b], "tool-leg", false, parent);
       path([top, [top[0] + dx / high * 12, top[1] + dy / high * 12]], "tool-leg", false, parent);
       svg("circle", { cx: top[0].toFixed(1), cy: top[1].toFixed(1), r: 4, class: "tool-joint" }, parent);
-      for (const [p, q] of [a, b].map(p => [p.map(v => v.toFixed(1)), p])) svg("circle",
-        { cx: p[0], cy: p[1], r: 2, class: "needle-point" }, parent);
+      for (const p of [a, b]) svg("circle", { cx: p[0].toFixed(1), cy: p[1].toFixed(1), r: 2, class: "needle-point" },
+        parent);
     },
   };
 }

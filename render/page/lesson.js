@@ -1,6 +1,7 @@
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
 import { readAddress, writeAddress } from "./address.js";
 import { desk } from "./desk.js";
+import { $, on } from "./dom.js";
 import { written } from "./equations.js";
 import { plan, scheme } from "./figures.js";
 import { planOf, seenAt } from "./frames.js";
@@ -8,9 +9,9 @@ import { crank, drag, heard, knobs, large, spin, turn, zones } from "./hands.js"
 import { handout } from "./handout.js";
 import { ACT_MS, KITS, kit } from "./kit.js";
 import { relight } from "./light.js";
-import { $, data, draw, later, live, paintedBy, put, state } from "./page.js";
+import { data, draw, later, live, paintedBy, put, state } from "./page.js";
 import { practice } from "./practice.js";
-import { facing, go, play, told } from "./stepper.js";
+import { facing, go, told } from "./stepper.js";
 import { TOOLS, handed, task } from "./task.js";
 import { described, filled, number, say } from "./words.js";
 
@@ -24,7 +25,7 @@ function paint() {
     document.querySelector(".panels").classList.toggle("alone", alone);
     scheme.measure(); plan.measure();
   }
-  scheme.draw(seen, practising && f.moments === null ? null : f);
+  scheme.show("position", seen, practising && f.moments === null ? null : f);
   $("scheme-title").textContent = `${say("scheme")}, μ = ${filled(data.plans[0].mu[state.lang])}`;
   if (key !== "position") {
     plan.show(key, seen, f, practising);
@@ -55,9 +56,9 @@ function language() {
   $("lang").textContent = state.lang === "ru" ? "English" : "Русский";
 }
 $("lang").onclick = () => { state.lang = state.lang === "ru" ? "en" : "ru"; language(); writeAddress(); draw(); };
-addEventListener("hashchange", () => { if (practice.on) practice.toggle(); readAddress(); language(); draw(); });
-addEventListener("resize", () => { resized = true; later(); });
-addEventListener("beforeprint", handout);
+on(window, "hashchange", () => { if (practice.on) practice.toggle(); readAddress(); language(); draw(); });
+on(window, "resize", () => { resized = true; later(); });
+on(window, "beforeprint", handout);
 paintedBy(paint);
 readAddress();
 language();

@@ -1,4 +1,5 @@
 // A name under the pointer, lit with its term, its segment and its link wherever they are.
+import { on } from "./dom.js";
 import { data } from "./page.js";
 
 let lit = [];
@@ -15,7 +16,7 @@ function light(names, on) {
   });
 }
 export function relight() { light(lit, true); } // on a page drawn anew
-addEventListener("mouseover",
+on(window, "mouseover",
   e => { const t = e.target.closest("[data-name]"); if (t) light(t.dataset.name.split(" "), true); });
-addEventListener("mouseout",
+on(window, "mouseout",
   e => { const t = e.target.closest("[data-name]"); if (t) light(t.dataset.name.split(" "), false); });

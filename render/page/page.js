@@ -1,8 +1,8 @@
 // What the page brings along and where it stands: words, data, the program at work, the frame and the language in hand.
+import { $ } from "./dom.js";
 import { inflated } from "./inflate.js";
 import { LOOKS, Live } from "./live.js";
 
-export const $ = id => document.getElementById(id);
 export const [words, data] = JSON.parse(inflated(JSON.parse($("packed").textContent)));
 export const live = new Live(data, LOOKS); // the whole turn is looked at once the first picture is there
 export const state = {

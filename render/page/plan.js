@@ -3,14 +3,10 @@ import { svg } from "./figure.js";
 import { born } from "./frames.js";
 import { distance, union } from "./geometry.js";
 import { Lensed } from "./lens.js";
-import { keyOf } from "./letters.js";
 import { live, state } from "./page.js";
 import { say } from "./words.js";
 
 export class Plan extends Lensed {
-  own(key) {
-    return Object.keys(this.data.marks).filter(n => keyOf(n) === key && !this.data.helpers.includes(n));
-  }
   frame(key) { // the plan in its own position fills the panel; one that grows is followed, up to three times
     const marks = this.own(key), now = this.box(marks), own = this.box(marks, n => live.home(n)) || now || [0, 0, 1, 1];
     if (!now || live.at_home) return own;

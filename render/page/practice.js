@@ -2,11 +2,12 @@
 // lesson's tape.
 import { writeAddress } from "./address.js";
 import { desk } from "./desk.js";
+import { $ } from "./dom.js";
 import { terms } from "./equations.js";
 import { distance } from "./geometry.js";
 import { spin, zones } from "./hands.js";
 import { keyOf, labelOf } from "./letters.js";
-import { $, data, draw, live, state } from "./page.js";
+import { data, draw, live, state } from "./page.js";
 import { play } from "./stepper.js";
 import { say } from "./words.js";
 const TRIES = 3, JUDGING = data.judging;
@@ -26,7 +27,7 @@ export const practice = {
   get asked() { return this.answers.filter(a => a !== undefined).length; },
   toggle() {
     this.on = !this.on;
-    $("practise").setAttribute("aria-pressed", this.on);
+    $("practise").setAttribute("aria-pressed", String(this.on));
     document.body.classList.toggle("practising", this.on);
     $("told").hidden = this.on;
     $("task").hidden = !this.on;

@@ -9,12 +9,13 @@ import { live, state } from "./page.js";
 export class Scheme extends Drawing {
   constructor(node, data, size) {
     super(node, data, size);
+    this.first = {};
     this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" &&
       !data.helpers.includes(n));
     this.centres = data.scheme.links.flatMap(l => l.round ? [l.round.centre] : []);
     this.special = data.frames ? data.frames.filter(f => f.key === "special").flatMap(f => f.makes) : [];
   }
-  draw(seen, frame) {
+  show(key, seen, frame) {
     const { scheme } = this.data, common = live.usual, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
     const told = frame && frame.moments !== null && frame.plan === "position" ? this.data.moments[frame.moments] : null;
     const feet = told ? told.forces.filter(f => f.foot && frame.terms.includes(f.name)).map(f => f.foot) : [];
@@ -45,22 +46,21 @@ export class Scheme extends Drawing {
   }
   // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
   loaded(frame) {
-    const upto = this.data.frames.indexOf(frame), taken = {};
+    const upto = this.data.frames.indexOf(frame);
     for (const s of this.data.segments) for (const name of s.plan === frame.plan ? s.names : []) {
       const [p, a, b] = [this.data.acts[name] || "", `${s.plan}:${s.start}`, `${s.plan}:${s.end}`].map(n => this.at(n));
       const first = born(name, frame.plan);
       const whole = this.data.segments.some(o => o.plan === s.plan &&
         o.names.some(n => n === name.split("^")[0] && n !== name && born(n, s.plan) <= upto));
       if (!p || !a || !b || first > upto || first < 0 || (name.includes("^") && whole)) continue;
-      const k = taken[p] = (taken[p] || 0) + 1, q = this.px([p[0], p[1]]);
+      const q = this.px(p);
       const e = [q[0] + (b[0] - a[0]) * this.k, q[1] - (b[1] - a[1]) * this.k];
       if (!this.arrow(q, e, frame.terms.includes(name) ? "force" : "part loaded", name)) continue;
       const n = distance(q, e), far = Math.min(n, 90) / n;
-      this.along(q, [q[0] + (e[0] - q[0]) * far, q[1] + (e[1] - q[1]) * far], [name], frame.plan, k);
+      this.along(q, [q[0] + (e[0] - q[0]) * far, q[1] + (e[1] - q[1]) * far], [name], frame.plan);
     }
   }
   introduced(name) { // the frame that tells of the point under a slider
-    this.first ||= {};
     return this.first[name] ??= this.data.frames.findIndex(f => f.key === "equation" && f.why.en.includes(`⟨${name}⟩`));
   }
   carried(frame) { // a relative vector at its point, and which way it turns the link

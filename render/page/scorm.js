@@ -1,4 +1,5 @@
 // Tells a platform (SCORM 1.2) how far the practice is: its score in per cent, and when the lesson is over.
+import { on } from "./dom.js";
 import { data } from "./page.js";
 import { practice } from "./practice.js";
 (() => {
@@ -23,7 +24,7 @@ import { practice } from "./practice.js";
     api.LMSCommit("");
   };
   practice.after = tell;
-  addEventListener("pagehide", () => {
+  on(window, "pagehide", () => {
     const s = Math.floor((Date.now() - begun) / 1000), two = n => String(n).padStart(2, "0");
     tell();
     api.LMSSetValue("cmi.core.session_time",

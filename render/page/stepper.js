@@ -1,8 +1,9 @@
 // The stepper: one frame after another, by buttons, keys or by itself, and what is told of each.
 import { writeAddress } from "./address.js";
+import { $, on } from "./dom.js";
 import { clamp } from "./geometry.js";
 import { kit } from "./kit.js";
-import { $, data, draw, put, state } from "./page.js";
+import { data, draw, put, state } from "./page.js";
 import { sentence } from "./words.js";
 
 let faced = null;
@@ -20,7 +21,7 @@ export function told(f, key) {
   put("why", sentence(f.why[state.lang], f.plan));
   $("back").disabled = state.frame === 0;
   $("next").disabled = state.frame === data.frames.length - 1;
-  $("progress").value = state.frame + 1;
+  $("progress").value = String(state.frame + 1);
   $("progress").setAttribute("aria-valuetext", $("number").textContent);
 }
 export function go(frame) { // one forward with the tools at work
@@ -38,8 +39,8 @@ export function play() {
 $("back").onclick = () => state.practising || go(state.frame - 1);
 $("next").onclick = () => state.practising || go(state.frame + 1);
 $("play").onclick = play;
-$("progress").oninput = e => go(+e.target.value - 1);
-addEventListener("keydown", e => {
+$("progress").oninput = () => go(+$("progress").value - 1);
+on(window, "keydown", e => {
   if (/^(INPUT|SELECT)$/.test(e.target.tagName) || e.altKey || e.ctrlKey || e.metaKey || state.practising) return;
   if (e.key === "ArrowRight") go(state.frame + 1);
   else if (e.key === "ArrowLeft") go(state.frame - 1);

@@ -52,7 +52,8 @@ function unlettered(text, names) { // operations in order: a letter for its name
 
 export class Tape {
   constructor(data) {
-    Object.assign(this, data);
+    this.givens = data.givens;
+    this.sources = data.sources;
     this.ops = unlettered(data.ops, Object.entries(data.names));
     this.values = new Float64Array(this.ops.length);
     this.slope = new Float64Array(this.ops.length);
@@ -111,7 +112,11 @@ export function givenBefore(misses, order, limit, least) {
 }
 
 export class Miss { // by how much a mark is off, mm, and how surely
-  constructor(x, y, xx, xy, yy, errors) { Object.assign(this, { x, y, xx, xy, yy, errors }); }
+  constructor(x, y, xx, xy, yy, errors) {
+    this.x = x; this.y = y;
+    this.xx = xx; this.xy = xy; this.yy = yy;
+    this.errors = errors;
+  }
   get size() { return Math.hypot(this.x, this.y); }
   get sigmas() {
     const { x, y, xx, xy, yy } = this, squared = (yy * x * x - 2 * xy * x * y + xx * y * y) / (xx * yy - xy * xy);

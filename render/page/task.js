@@ -1,9 +1,10 @@
 // The panel of practice: the question with its fields, the same for hand and keyboard; the code that is handed in.
 import { NEAR_PX, desk } from "./desk.js";
+import { $, on } from "./dom.js";
 import { plan, scheme } from "./figures.js";
 import { distance } from "./geometry.js";
 import { html, labelOf, safe } from "./letters.js";
-import { $, data, draw, later, live, state } from "./page.js";
+import { data, draw, later, live, state } from "./page.js";
 import { practice } from "./practice.js";
 import { filled, number, say, sentence, spoken } from "./words.js";
 export const TOOLS = ["vector", "line", "arc", "point", "ruler"];
@@ -16,7 +17,8 @@ export const task = {
     $("number").textContent = `${p.done.size} / ${p.items.length}`;
     $("back").disabled = $("next").disabled = p.over || p.open().length < 2;
     const said = p.said ? `<p class="said ${p.said[0]}">${p.said[0] === "yes" ? "✓" : "✗"} ${text(p.said[1])}</p>` : "";
-    const held = document.activeElement, id = box.contains(held) ? held.id || "h" : "", data_ = held?.dataset?.term;
+    const held = /** @type {HTMLElement} */ (document.activeElement), data_ = held?.dataset?.term;
+    const id = box.contains(held) ? held.id || "h" : "";
     const score = `<span class="score">${say("score")}: ${p.good} / ${p.asked}${p.seed ? ` · № ${p.seed}` : ""}</span>`;
     const now = p.over ? this.end(said) :
       `${score}<h2 id="h" tabindex="-1">${text(this.question())}</h2>${said}${this.fields()}`;
@@ -183,20 +185,22 @@ export function handed() { // all first answers as letters, with a sum that tell
   return `planes-practice.${text}.${sum.toString(16).padStart(8, "0")}`;
 }
 $("practise").onclick = () => practice.toggle();
-$("task").addEventListener("click",
+on($("task"), "click",
   e => { const b = e.target.closest("[data-do]"); if (b) task.pick(b.dataset.do, b); });
-$("task").addEventListener("change", e => task.change(e.target.id, e.target.value));
-$("task").addEventListener("input",
+on($("task"), "change", e => task.change(e.target.id, e.target.value));
+on($("task"), "input",
   e => { if (e.target.id === "mm" || e.target.id === "angle") { desk[e.target.id] = e.target.value; later(); } });
-$("task").addEventListener("keydown", e => {
+on($("task"), "keydown", e => {
   if (e.key !== "Enter" || e.target.tagName !== "INPUT" || e.target.id === "student") return;
   if (e.target.id !== "figure") desk[e.target.id] = e.target.value;
   task.pick(e.target.id === "figure" ? "number" : "draw", e.target);
 });
-for (const [id, figure] of [["scheme", scheme], ["plan", plan]]) {
-  const node = $(id), place = e => { const r = node.getBoundingClientRect();
+for (const figure of [scheme, plan]) {
+  const { node } = figure;
+  let drawing = false;
+  const place = e => { const r = node.getBoundingClientRect();
     return [e.clientX - r.left, e.clientY - r.top]; };
-  node.addEventListener("pointerdown", e => {
+  on(node, "pointerdown", e => {
     if (!practice.on || practice.over || e.button) return;
     const line = e.target.closest("[data-name^='link:']"), on = figure === desk.panel;
     if (on && desk.tool === "point") { // the nearest crossing
@@ -210,24 +214,24 @@ for (const [id, figure] of [["scheme", scheme], ["plan", plan]]) {
       desk.from = mark;
       if (desk.along === mark) desk.along = "angle";
       node.setPointerCapture(e.pointerId);
-      node.drawing = true;
+      drawing = true;
       figure.fixed_view = { k: figure.k, dx: figure.dx, dy: figure.dy };
       e.preventDefault();
       later(); // not now: what the finger is upon must still be there for its touch
     } else if (line && practice.drawing) desk.lay(line.dataset.name.slice(5));
   });
-  node.addEventListener("touchstart", e => { if (node.drawing) e.preventDefault(); }, { passive: false });
-  node.addEventListener("pointermove", e => { if (node.drawing) { desk.drag(figure.mm(place(e))); later(); } });
-  node.addEventListener("pointerup", e => {
-    if (!node.drawing) return;
-    node.drawing = figure.fixed_view = null;
+  on(node, "touchstart", e => { if (drawing) e.preventDefault(); }, { passive: false });
+  on(node, "pointermove", e => { if (drawing) { desk.drag(figure.mm(place(e))); later(); } });
+  on(node, "pointerup", e => {
+    if (!drawing) return;
+    drawing = false; figure.fixed_view = null;
     if (desk.tool === "line" && practice.drawing &&
       figure.k * Math.hypot(...figure.mm(place(e)).map((v, k) => v - live.at(desk.from)[k])) > NEAR_PX) task.draw();
     else draw();
   });
-  node.addEventListener("pointercancel", () => { node.drawing = figure.fixed_view = null; later(); });
+  on(node, "pointercancel", () => { drawing = false; figure.fixed_view = null; later(); });
 }
-for (const [id, by] of [["back", -1], ["next", 1]]) $(id).addEventListener("click", e => {
+for (const by of [-1, 1]) on($(by < 0 ? "back" : "next"), "click", e => {
   if (!practice.on) return;
   e.stopImmediatePropagation();
   const open = practice.open(), at = open.indexOf(practice.index);
