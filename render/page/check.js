@@ -1,17 +1,21 @@
-"use strict";
-// The report of a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged anew.
+// The report of a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged
+// anew.
+import { $, on } from "./dom.js";
+import { Figure, letters, svg } from "./figure.js";
+import { distance } from "./geometry.js";
+import { Judge } from "./judge.js";
+import { html, safe } from "./letters.js";
 const data = JSON.parse(document.getElementById("data").textContent);
-const $ = id => document.getElementById(id);
 
 class Sheet extends Figure { // the drawing under its marks, on one scale
   constructor(node, data) {
     super(node, { ...data, marks: {} });
     this.layers = { picture: true, own: true, next: true, truth: true };
   }
-  at(name) { return this.data.marks[name] || null; }
   laid(at) { // vectors with their names, and where the marks stand: a force polygon in the order its person laid it
     const { order, rows, vectors, chained } = this.data, places = {};
-    if (!order.length) return { vectors: chained ? rows.map(([n, a, b]) => [at(a), at(b), n, b]) : vectors.map(([a, b]) => [at(a), at(b)]), at };
+    if (!order.length) return { vectors: chained ? rows.map(([n, a, b]) => [at(a), at(b), n, b]) :
+      vectors.map(([a, b]) => [at(a), at(b)]), at };
     let z = [0, 0];
     const out = [];
     for (const [name, start, end] of order) {
@@ -40,7 +44,8 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
       ghost[m.name] = this.px([x - own.x, y - own.y]);
     }
     if (on.next) for (const n in ghost) this.line(this.px(own.at(n)), ghost[n], "next", "", false);
-    if (on.next) for (const n in ghost) svg("circle", { cx: ghost[n][0], cy: ghost[n][1], r: 4, class: "next" }, this.node);
+    if (on.next) for (const n in ghost) svg("circle", { cx: ghost[n][0], cy: ghost[n][1], r: 4, class: "next" },
+      this.node);
     if (on.own) for (const [a, b] of own.vectors) this.vector(a, b, "own");
     const named = this.data.chained && on.own ? this.forces() : new Set(), pole = this.px([0, 0]);
     if (this.data.kind !== "position" || original.every(m => !m.read)) this.pole(pole); // else a scheme has none
@@ -50,7 +55,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     const named = new Set();
     for (const [a, b, name, end] of this.own.vectors) {
       const p = a && this.px(a), q = b && this.px(b);
-      if (!p || !q || Math.hypot(q[0] - p[0], q[1] - p[1]) < 12) continue;
+      if (!p || !q || distance(p, q) < 12) continue;
       this.along(p, q, [name], this.data.kind);
       named.add(end);
     }
@@ -58,19 +63,22 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
   }
   vector(a, b, cls) { // of a scheme a link, which has no arrowhead
     if (!a || !b) return;
-    if (this.data.kind === "position") this.line(this.px(a), this.px(b), cls); else this.arrow(this.px(a), this.px(b), cls);
+    if (this.data.kind === "position") this.line(this.px(a), this.px(b), cls);
+      else this.arrow(this.px(a), this.px(b), cls);
   }
   under() { // the picture, or the lines of a drawing of lines
     const { picture, strokes } = this.data;
     if (picture) {
       const [x, y] = this.px([picture.box[0], picture.box[3]]), [far, low] = this.px([picture.box[2], picture.box[1]]);
-      svg("image", { href: picture.href, x, y, width: far - x, height: low - y, preserveAspectRatio: "none", class: "picture" }, this.node);
+      svg("image", { href: picture.href, x, y, width: far - x, height: low - y, preserveAspectRatio: "none",
+        class: "picture" }, this.node);
     }
     for (const [a, b, c, d] of strokes) this.line(this.px([a, b]), this.px([c, d]), "stroke", "", false);
   }
   pole(q) { // on a picture it is put right like any mark; what was laid in another order does not hang on it alone
     const free = this.data.picture && !this.data.order.length;
-    const g = free ? svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": "p", "aria-label": "p" }, this.node) : this.node;
+    const g = free ? svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": "p", "aria-label": "p" },
+      this.node) : this.node;
     if (free) svg("circle", { cx: q[0], cy: q[1], r: 14, class: "grip" }, g);
     svg("circle", { cx: q[0], cy: q[1], r: 3.5, class: "pole" }, g);
     this.beside(q, ["p"], this.data.kind);
@@ -78,14 +86,16 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
   parked(k) { return [this.w - 26, 30 + 34 * k]; } // marks nobody has read wait at the edge
   handle(m, found, k, named) {
     const q = m.read ? this.px(this.own.at(m.name)) : this.parked(k);
-    const g = svg("g", { class: `handle ${found.verdict}`, tabindex: 0, role: "button", "data-mark": m.name }, this.node);
+    const g = svg("g", { class: `handle ${found.verdict}`, tabindex: 0, role: "button", "data-mark": m.name },
+      this.node);
     svg("circle", { cx: q[0], cy: q[1], r: 14, class: "grip" }, g);
     svg("circle", { cx: q[0], cy: q[1], r: 6, class: "dot" }, g);
     if (found.verdict === "wrong") svg("path", { d: `M${q[0] - 3} ${q[1] - 3}l6 6m0 -6l-6 6`, class: "cross" }, g);
     const place = m.read ? `x ${m.x.toFixed(1)}, y ${m.y.toFixed(1)}` : "";
     g.setAttribute("aria-label", `${m.name}: ${data.words[found.verdict]}. ${place}`);
     if (m.read && named) return;
-    if (m.read) this.beside(q, [m.name], this.data.kind, 9); else letters(this.node, [m.name], q[0] - 24, q[1] + 5, 15, this.data.kind);
+    if (m.read) this.beside(q, [m.name], this.data.kind, 9);
+      else letters(this.node, [m.name], q[0] - 24, q[1] + 5, 15, this.data.kind);
   }
 }
 
@@ -110,7 +120,8 @@ function draw() {
 function say(text) { // names lettered as on the plan, commands unbroken
   let told = "", end = 0;
   for (const m of text.matchAll(new RegExp(data.sought, "g"))) {
-    told += safe(text.slice(end, m.index)) + (m[1] ? `<span class="command">${safe(m[1])}</span>` : `<i>${html(m[2], data.kind)}</i>`);
+    told += safe(text.slice(end, m.index)) + (m[1] ? `<span class="command">${safe(m[1])}</span>` :
+      `<i>${html(m[2], data.kind)}</i>`);
     end = m.index + m[0].length;
   }
   $("sentence").innerHTML = told + safe(text.slice(end));
@@ -121,7 +132,8 @@ function table() {
   document.querySelectorAll("#marks tbody tr").forEach(row => {
     const one = found.marks[row.dataset.mark], [own, limit, off, word] = row.querySelectorAll("td");
     row.className = one.verdict;
-    const aside = one.verdict === "right" && one.own?.size > one.own?.reach(found.limit), more = aside ? "true_place" : one.close && "close"; // see rows_of
+    const aside = one.verdict === "right" && one.own?.size > one.own?.reach(found.limit); // see rows_of
+    const more = aside ? "true_place" : one.close && "close";
     own.textContent = mm(one.own?.size);
     limit.textContent = mm(one.own?.reach(found.limit));
     off.textContent = mm(one.free?.size);
@@ -143,7 +155,8 @@ function origin(x, y) { // the pole is elsewhere on the picture: all that is see
   moved = true;
   draw();
 }
-function drag(name, x, y) { // to where it is shown: of a polygon laid in another order only the two sides that meet there change
+// to where it is shown: of a polygon laid in another order only the two sides that meet there change
+function drag(name, x, y) {
   if (name === "p") return origin(x, y);
   const k = data.order.findIndex(([, , end]) => end === name);
   if (k < 0 || !marks.find(m => m.name === name).read) return move(name, x, y);
@@ -154,7 +167,8 @@ function drag(name, x, y) { // to where it is shown: of a polygon laid in anothe
     for (const m of marks) if (m.read && after.has(m.name)) { m.x += sign * (x - x0); m.y += sign * (y - y0); }
   };
   shift(name, 1);
-  if (next && marks.some(m => m.name === next[2]) && data.order.findIndex(([, , end]) => end === next[2]) === k + 1) shift(next[2], -1);
+  if (next && marks.some(m => m.name === next[2]) &&
+    data.order.findIndex(([, , end]) => end === next[2]) === k + 1) shift(next[2], -1);
   const m = marks.find(m => m.name === name);
   move(name, m.x, m.y);
 }
@@ -163,11 +177,13 @@ function reset() {
   marks = original.map(m => ({ ...m })); moved = true; draw(); $("moved").hidden = true;
 }
 function csv() { // the marks as the table the program reads, and its command; a row "p" is where the pen is lifted to
-  const rows = [`# ${document.querySelector("code").textContent}`, "mark,x_mm,y_mm,error_mm"], at = n => n === "p" ? { x: 0, y: 0, error: 0 } : marks.find(m => m.name === n);
+  const rows = [`# ${document.querySelector("code").textContent}`, "mark,x_mm,y_mm,error_mm"];
+  const at = n => n === "p" ? { x: 0, y: 0, error: 0 } : marks.find(m => m.name === n);
   const row = (name, m) => rows.push(`${name},${m.x.toFixed(3)},${m.y.toFixed(3)},${m.error}`);
   const { look, name } = $("save").dataset;
   if (look) rows.splice(1, 0, `# sheet ${look} ${name}`); // of what drawing the marks are
-  if (data.picture) rows.splice(1, 0, `# box ${data.picture.box.map(v => v.toFixed(3)).join(" ")}`); // where the picture lies
+  // where the picture lies
+  if (data.picture) rows.splice(1, 0, `# box ${data.picture.box.map(v => v.toFixed(3)).join(" ")}`);
   let pen = "p";
   row("p", at("p"));
   for (const [name, start, end] of data.rows) {
@@ -189,7 +205,7 @@ function mm(e) {
   const box = sheet.node.getBoundingClientRect();
   return sheet.mm([(e.clientX - box.left) * sheet.w / box.width, (e.clientY - box.top) * sheet.h / box.height]);
 }
-sheet.node.addEventListener("pointerdown", e => {
+on(sheet.node, "pointerdown", e => {
   const name = e.target.closest("[data-mark]")?.dataset.mark;
   if (!name) return;
   held = name;
@@ -198,9 +214,10 @@ sheet.node.addEventListener("pointerdown", e => {
   e.preventDefault();
   e.target.closest("[data-mark]").focus({ preventScroll: true });
 });
-sheet.node.addEventListener("pointermove", e => { if (sheet.node.dragged) drag(sheet.node.dragged, ...mm(e)); });
-for (const end of ["pointerup", "pointercancel"]) sheet.node.addEventListener(end, () => { sheet.node.dragged = null; });
-sheet.node.addEventListener("keydown", e => {
+on(sheet.node, "pointermove", e => { if (sheet.node.dragged) drag(sheet.node.dragged, ...mm(e)); });
+for (const end of ["pointerup", "pointercancel"]) on(sheet.node, end,
+  () => { sheet.node.dragged = null; });
+on(sheet.node, "keydown", e => {
   const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
   const name = e.target.closest("[data-mark]")?.dataset.mark;
   if (!way || !name) return;
@@ -209,17 +226,23 @@ sheet.node.addEventListener("keydown", e => {
   const from = !m ? [0, 0] : m.read ? sheet.own.at(name) : sheet.mm(sheet.parked(marks.indexOf(m)));
   drag(name, from[0] + k * way[0], from[1] + k * way[1]);
 });
-sheet.node.addEventListener("focusin", e => { held = e.target.closest("[data-mark]")?.dataset.mark || held; });
-sheet.node.addEventListener("focusout", () => { if (!sheet.node.dragged) held = null; });
-document.querySelectorAll("input[data-layer]").forEach(i => { i.onchange = () => { sheet.layers[i.dataset.layer] = i.checked; draw(); }; });
+on(sheet.node, "focusin", e => { held = e.target.closest("[data-mark]")?.dataset.mark || held; });
+on(sheet.node, "focusout", () => { if (!sheet.node.dragged) held = null; });
+document.querySelectorAll("input[data-layer]").forEach(i => {
+  i.onchange = () => { sheet.layers[i.dataset.layer] = i.checked; draw(); }; });
 $("save").onclick = save;
 $("as-read")?.addEventListener("click", () => { moved = true; draw(); });
 $("reset").onclick = reset;
-addEventListener("resize", draw);
-addEventListener("beforeprint", () => { // of a sheet's width, so that its letters keep their size
+on(window, "resize", draw);
+on(window, "beforeprint", () => { // of a sheet's width, so that its letters keep their size
   sheet.node.style.cssText = "width: 700px; height: 400px";
   draw();
   sheet.node.style.cssText = "";
 });
-addEventListener("afterprint", draw);
+on(window, "afterprint", draw);
 draw();
+globalThis.planes = { // by which a page is asked from outside
+  csv, data, drag, draw, move, sheet,
+  get found() { return found; },
+  get marks() { return marks; },
+};

@@ -12,10 +12,9 @@ from planes.check.report.class_rows import UNSURE, ClassRow
 from planes.words import Lang, say, under
 from planes.words.naming import Naming
 from planes.words.records import Json
-from render.page import web_page
+from render.page import packer, web_page
 from render.paper.letters import sentence, sought, tagged, written
 
-SCRIPTS = ("figure", "tape", "judge", "check")
 LAYERS = ("own", "next", "truth", "picture")
 
 
@@ -43,7 +42,7 @@ def report_page(data: Json, lang: Lang) -> str:
         "noscript": f"<noscript><p>{e(words['noscript'])}</p></noscript>" if drawn else "",
     }
     body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
-    code = web_page.part(*(f"{name}.js" for name in SCRIPTS)) if drawn else ""
+    code = packer.packed("check") if drawn else ""
     held = {"data": {**data["page"], "sought": sought(names)}, "letters": _letters(data, names)} if drawn else {}
     return web_page.page(data["title"], lang, style, body, code=code, data=held, kind=data["verdict"])
 
@@ -127,7 +126,7 @@ def class_page(
         "rows": "".join(_row(number, row, told, lang, links) for number, (row, told) in enumerate(rows)),
     }
     body, style = web_page.filled(web_page.part("class.html"), parts), web_page.part("check.css", "class.css")
-    return web_page.page(title, lang, style, body, code=web_page.part("class.js"))
+    return web_page.page(title, lang, style, body, code=packer.packed("class"))
 
 
 def _sort(head: Sequence[str], lang: Lang) -> str:
@@ -226,7 +225,7 @@ def trace_page(data: Json, lang: Lang) -> str:
     words = under("trace_", lang, "check")
     parts = {k: html.escape(text) for k, text in {**words, "title": data["title"]}.items()}
     body = web_page.filled(web_page.part("trace.html"), parts)
-    style, code = web_page.part("check.css", "trace.css"), web_page.part("figure.js", "trace.js")
+    style, code = web_page.part("check.css", "trace.css"), packer.packed("trace")
     names = (name for plan in data["plans"] for name in (*plan["marks"], *(name for name, *_ in plan["names"])))
     held = {"data": {**data, "words": {k: words[k] for k in SAID}}, "letters": written(names, data["lettering"])}
     return web_page.page(data["title"], lang, style, body, code=code, data=held)

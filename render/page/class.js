@@ -2,7 +2,9 @@ const heads = [...document.querySelectorAll("thead th")], choice = document.quer
 function sort(th) { // by its column, the other way round if it is sorted by that
   const down = th.ariaSort === "ascending", body = document.querySelector("tbody");
   const key = row => row.children[th.cellIndex].textContent;
-  const rows = [...body.rows].sort((a, b) => (key(a) === "") - (key(b) === "") || key(a).localeCompare(key(b), document.documentElement.lang, { numeric: true }) * (down ? -1 : 1));
+  const rows = [...body.rows].sort((a, b) => Number(key(a) === "") - Number(key(b) === "") ||
+    key(a).localeCompare(key(b),
+    document.documentElement.lang, { numeric: true }) * (down ? -1 : 1));
   for (const one of heads) one.removeAttribute("aria-sort");
   th.ariaSort = down ? "descending" : "ascending";
   choice.value = th.cellIndex;

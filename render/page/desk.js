@@ -1,33 +1,41 @@
-"use strict";
 // The desk of practice: set square, compass, ruler; what is drawn by hand on a plan, and where strokes cross.
-const QUARTER = Math.PI / 2, ARROWS = "→↗↑↖←↙↓↘", NEAR_PX = 18, SAME_MM = 0.3;
+import { svg } from "./figure.js";
+import { plan, scheme } from "./figures.js";
+import { distance } from "./geometry.js";
+import { labelOf } from "./letters.js";
+import { data, draw, live } from "./page.js";
+import { fixed, local, say, spoken } from "./words.js";
+export const NEAR_PX = 18;
+const QUARTER = Math.PI / 2, ARROWS = "→↗↑↖←↙↓↘", SAME_MM = 0.3;
 
-const desk = {
-  tool: "vector", from: "", along: "", angle: "", back: false, mm: "", to: "", spot: 0, strokes: [],
+export const desk = {
+  practice: null, tool: "vector", from: "", along: "", angle: "", back: false, mm: "", to: "", spot: 0, strokes: [],
   clear() { Object.assign(this, { strokes: [], mm: "", spot: 0, back: false }); },
-  get panel() { return practice.frame.plan === "position" ? scheme : plan; },
-  short(mark) { return mark.slice(mark.lastIndexOf(":") + 1); },
+  get panel() { return this.practice.frame.plan === "position" ? scheme : plan; },
   marks() { // one mark for those that stand together
-    const key = practice.frame.plan, found = [];
-    for (const n of [...practice.seen()].sort((a, b) => (a === "position:p") - (b === "position:p"))) {
+    const key = this.practice.frame.plan, found = [];
+    for (const n of [...this.practice.seen()].sort((a, b) => +(a === "position:p") - +(b === "position:p"))) {
       const p = n.startsWith(key + ":") && !data.helpers.includes(n) && live.at(n);
       if (p && !found.some(m => Math.hypot(live.at(m)[0] - p[0], live.at(m)[1] - p[1]) < 0.01)) found.push(n);
     }
     return found;
   },
   lines() { // what a set square is laid to: lines of the drawing, marks of the plan
-    const own = Object.keys(data.lines).filter(n => live.angle(n) !== null), marks = this.marks().filter(m => m !== this.from);
-    return [...own.flatMap(n => [[n + "|0", "∥ " + this.line(n)], [n + "|1", "⊥ " + this.line(n)]]), ...marks.map(m => [m, "→ " + spoken(this.short(m), practice.frame.plan)]), ["angle", say("angle")]];
+    const own = Object.keys(data.lines).filter(n => live.angle(n) !== null);
+    const marks = this.marks().filter(m => m !== this.from);
+    return [...own.flatMap(n => [[n + "|0", "∥ " + this.line(n)], [n + "|1", "⊥ " + this.line(n)]]),
+      ...marks.map(m => [m, "→ " + spoken(labelOf(m), this.practice.frame.plan)]), ["angle", say("angle")]];
   },
   line(name) { return spoken(data.lines[name]); },
   heading() { // radians
-    if (this.along === "angle") { const a = parseFloat(String(this.angle).replace(",", ".")); return Number.isFinite(a) ? a * Math.PI / 180 : null; }
+    if (this.along === "angle") { const a = parseFloat(String(this.angle).replace(",", "."));
+      return Number.isFinite(a) ? a * Math.PI / 180 : null; }
     if (data.marks[this.along]) {
       const a = live.at(this.from), b = live.at(this.along);
       return a && b ? Math.atan2(b[1] - a[1], b[0] - a[0]) : null;
     }
     const [name, quarter] = this.along.split("|"), angle = live.angle(name);
-    return angle === null ? null : angle * Math.PI / 180 + quarter * QUARTER + (this.back ? Math.PI : 0);
+    return angle === null ? null : angle * Math.PI / 180 + +quarter * QUARTER + (this.back ? Math.PI : 0);
   },
   ways() { // both ways along a line, told by an arrow and an angle
     const kept = this.back;
@@ -45,20 +53,26 @@ const desk = {
     if (this.tool === "arc") return mm ? { at, r: mm } : null;
     if (a === null) return null;
     if (this.tool === "line") return { at, a };
-    return this.tool === "vector" && mm !== null ? { at, a, mm, end: [at[0] + mm * Math.cos(a), at[1] + mm * Math.sin(a)] } : null;
+    return this.tool === "vector" && mm !== null ?
+      { at, a, mm, end: [at[0] + mm * Math.cos(a), at[1] + mm * Math.sin(a)] } : null;
   },
   lay(link) { // the set square to a link of the scheme: along it, then across
-    const l = data.scheme.links.find(l => l.name === link), pts = l.points.map(p => this.short(p)), n = Object.keys(data.lines).find(n => { const at = data.lines[n]; return pts.some(a => pts.some(b => a !== b && a + b === at)) || l.slides === at; });
+    const l = data.scheme.links.find(l => l.name === link), pts = l.points.map(p => labelOf(p));
+    const n = Object.keys(data.lines).find(n => { const at = data.lines[n];
+      return pts.some(a => pts.some(b => a !== b && a + b === at)) || l.slides === at; });
     if (!n) return;
     this.along = this.along === n + "|0" ? n + "|1" : n + "|0";
     draw();
   },
-  off(stroke, [x, y]) { // from a stroke to a place, mm
+  off(stroke, place) { // from a stroke to a place, mm
+    const [x, y] = place;
     const dx = x - stroke.at[0], dy = y - stroke.at[1];
-    return stroke.r ? Math.abs(Math.hypot(dx, dy) - stroke.r) : Math.abs(dx * Math.sin(stroke.a) - dy * Math.cos(stroke.a));
+    return stroke.r ? Math.abs(Math.hypot(dx, dy) - stroke.r) :
+      Math.abs(dx * Math.sin(stroke.a) - dy * Math.cos(stroke.a));
   },
   crossings() { // where strokes cross, each place once, from left to right
-    const found = [], add = p => { if (p.every(Number.isFinite) && this.inside(p) && found.every(q => Math.hypot(q[0] - p[0], q[1] - p[1]) > SAME_MM)) found.push(p); };
+    const found = [], add = p => {
+      if (p.every(Number.isFinite) && this.inside(p) && found.every(q => distance(p, q) > SAME_MM)) found.push(p); };
     this.strokes.forEach((s, k) => this.strokes.slice(0, k).forEach(t => meet(s, t).forEach(add)));
     return found.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   },
@@ -76,30 +90,34 @@ const desk = {
     if (this.tool === "point") this.crossings().forEach((p, k) => {
       const [x, y] = f.px(p);
       svg("circle", { cx: x, cy: y, r: 6, class: "choice" + (k === this.spot ? " held" : "") }, f.node);
-      svg("text", { x: x + 10, y: y - 8, class: "choice-text" }, f.node).textContent = k + 1;
+      svg("text", { x: x + 10, y: y - 8, class: "choice-text" }, f.node).textContent = String(k + 1);
     });
-    f.node.classList.toggle("place", practice.drawing);
+    f.node.classList.toggle("place", this.practice.drawing);
   },
   stroke(f, s, cls) {
     const q = f.px(s.at);
     if (s.r) { svg("circle", { cx: q[0], cy: q[1], r: s.r * f.k, class: cls }, f.node); return; }
-    const far = 2 * (f.w + f.h), c = Math.cos(s.a), d = -Math.sin(s.a), e = s.end ? [f.px(s.at), f.px(s.end)] : [[q[0] - far * c, q[1] - far * d], [q[0] + far * c, q[1] + far * d]];
+    const far = 2 * (f.w + f.h), c = Math.cos(s.a), d = -Math.sin(s.a);
+    const e = s.end ? [f.px(s.at), f.px(s.end)] : [[q[0] - far * c, q[1] - far * d], [q[0] + far * c, q[1] + far * d]];
     f.line(e[0], e[1], cls, "", false);
   },
   ruler() { // between two marks, to a tenth of a millimetre
     const a = live.at(this.from), b = live.at(this.to);
-    return a && b ? local(fixed(Math.hypot(b[0] - a[0], b[1] - a[1]), 1)) : "—";
+    return a && b ? local(fixed(distance(a, b), 1)) : "—";
   },
+  /** @type {(place: number[]) => string} */
   grip([x, y]) { // the mark under a hand
     const f = this.panel, near = m => { const q = f.px(live.at(m)); return Math.hypot(q[0] - x, q[1] - y); };
     return this.marks().filter(m => near(m) < NEAR_PX).sort((a, b) => near(a) - near(b))[0];
   },
-  drag(p) { // the free end of a stroke: its way by the set square that is laid, else by the hand; its length to half a millimetre
+  // the free end of a stroke: its way by the set square that is laid, else by the hand; its length to half a millimetre
+  drag(p) {
     const at = live.at(this.from), dx = p[0] - at[0], dy = p[1] - at[1];
     if (this.tool === "ruler") { this.to = this.grip(this.panel.px(p)) || this.to; return; }
-    if (this.along === "angle") this.angle = Math.round(Math.atan2(dy, dx) * 180 / Math.PI);
+    if (this.along === "angle") this.angle = String(Math.round(Math.atan2(dy, dx) * 180 / Math.PI));
     let a = this.heading();
-    if (a !== null && !data.marks[this.along] && this.along !== "angle" && dx * Math.cos(a) + dy * Math.sin(a) < 0) this.back = !this.back;
+    if (a !== null && !data.marks[this.along] && this.along !== "angle" &&
+      dx * Math.cos(a) + dy * Math.sin(a) < 0) this.back = !this.back;
     a = this.heading() ?? Math.atan2(dy, dx);
     const mm = this.tool === "arc" ? Math.hypot(dx, dy) : Math.max(0, dx * Math.cos(a) + dy * Math.sin(a));
     if (this.tool !== "line") this.mm = String(Math.round(2 * mm) / 2);

@@ -1,17 +1,11 @@
-"use strict";
-// A panel of ink: maps millimetres of paper to pixels, draws lines and arrows between the marks of the tape, places labels.
-const NS = "http://www.w3.org/2000/svg", UPON = 40, ROUNDS = 4; // what a label upon another one costs: more than any number of strokes
-const LETTERS = JSON.parse(document.getElementById("letters").textContent);
+// A panel of ink: maps millimetres of paper to pixels, draws lines and arrows between the marks of the tape, places
+// labels.
+import { distance, gap, union } from "./geometry.js";
+import { labelOf, lettered } from "./letters.js";
+// what a label upon another one costs: more than any number of strokes
+const NS = "http://www.w3.org/2000/svg", UPON = 40, ROUNDS = 4;
 
-function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: as a sheet has it
-  const own = LETTERS[document.documentElement.lang] || {}, first = Object.values(LETTERS)[0], full = `${plan}:${name}`;
-  return own[full] || first[full] || own[name] || first[name] || [[name, ""]];
-}
-function safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); }
-function html(name, plan) { // letters stand up, indices stay whole
-  return lettered(name, plan).map(([t, k]) => k ? `<${k}>${safe(t)}</${k}>` : safe(t)).join("");
-}
-function svg(tag, attributes, parent) {
+export function svg(tag, attributes, parent) {
   const e = document.createElementNS(NS, tag);
   for (const k in attributes) e.setAttribute(k, attributes[k]);
   if (parent) parent.appendChild(e);
@@ -21,42 +15,42 @@ const ruler = document.createElement("canvas").getContext("2d"), widths = new Ma
 function wide(names, plan, size) { // how wide a label is, px
   const key = `${document.documentElement.lang} ${plan} ${size} ${names.join(" ")}`;
   if (!widths.has(key)) {
-    const one = (text, small) => { ruler.font = `italic ${small ? 0.7 * size : size}px "DejaVu Serif", Georgia, serif`; return ruler.measureText(text).width; };
-    widths.set(key, names.reduce((w, n, i) => w + (i ? one(" = ") : 0) + lettered(n, plan).reduce((s, [text, kind]) => s + one(text, kind), 0), 0));
+    const one = (text, small) => { ruler.font = `italic ${small ? 0.7 * size : size}px "DejaVu Serif", Georgia, serif`;
+      return ruler.measureText(text).width; };
+    widths.set(key, names.reduce((w, n, i) => w + (i ? one(" = ") : 0) + lettered(n,
+      plan).reduce((s, [text, kind]) => s + one(text, kind), 0), 0));
   }
   return widths.get(key);
 }
-function letters(parent, names, x, y, size, plan, joint = ", ") {
+export function letters(parent, names, x, y, size, plan, joint = ", ") {
   const t = svg("text", { x, y, "font-size": size, class: "label", "text-anchor": "middle" }, parent);
   let back = 0;
   const put = (text, shift, small) => {
-    svg("tspan", { dy: (shift - back).toFixed(2), ...(small ? { "font-size": (size * 0.7).toFixed(1) } : {}) }, t).textContent = text;
+    svg("tspan", { dy: (shift - back).toFixed(2), ...(small ? { "font-size": (size * 0.7).toFixed(1) } : {}) },
+      t).textContent = text;
     back = shift;
   };
   names.forEach((name, i) => {
     if (i) put(joint, 0);
-    for (const [text, kind] of lettered(name, plan)) put(text, kind === "sub" ? 0.3 * size : kind === "sup" ? -0.42 * size : 0, kind);
+    for (const [text, kind] of lettered(name, plan)) put(text,
+      kind === "sub" ? 0.3 * size : kind === "sup" ? -0.42 * size : 0, kind);
   });
   t.dataset.name = names.join(" ");
   return t;
 }
-function gap(p, [a, b]) { // from a point to a stroke, px
-  const dx = b[0] - a[0], dy = b[1] - a[1], n = dx * dx + dy * dy;
-  const t = n ? Math.max(0, Math.min(1, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / n)) : 0;
-  return Math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
-}
 function crowds(a, b, size) { // whether labels stand upon one another, [x, y, half the width]
   return a[2] + b[2] + 3 > Math.abs(a[0] - b[0]) && size * 1.32 > Math.abs(a[1] - b[1]);
 }
-function union(a, b) {
-  return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])];
-}
 
-class Figure { // millimetres y up -> pixels y down
-  constructor(node, data, size) { this.node = node; this.data = data; this.size = size; this.real = [600, 380]; this.kept = new Map(); }
+export class Figure { // millimetres y up -> pixels y down
+  constructor(node, data, size) { this.node = node; this.data = data; this.size = size; this.real = [600, 380];
+    this.kept = new Map();
+    this.more = 0; // of its edge, px
+    this.fixed_view = null; // while a hand holds it
+  }
   measure() { this.real = [this.node.clientWidth || 600, this.node.clientHeight || 380]; }
   get letter() { return this.size ? 13 : 17; }
-  at(name) { return live.at(name); }
+  at(name) { return this.data.marks[name] || null; }
   box(names, at = n => this.at(n)) {
     let b = null;
     for (const n of names) {
@@ -69,24 +63,33 @@ class Figure { // millimetres y up -> pixels y down
     this.node.textContent = "";
     this.view = box;
     const [w, h] = this.size || this.real;
-    const pad = (this.size ? 26 : w < 520 ? 30 : 44) + (this.more || 0), bw = Math.max(box[2] - box[0], 1), bh = Math.max(box[3] - box[1], 1);
+    const pad = (this.size ? 26 : w < 520 ? 30 : 44) + (this.more || 0), bw = Math.max(box[2] - box[0], 1);
+    const bh = Math.max(box[3] - box[1], 1);
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);
     this.dx = w / 2 - this.k * (box[0] + box[2]) / 2;
     this.dy = h / 2 + this.k * (box[1] + box[3]) / 2;
-    if (this.fixed_view) Object.assign(this, { k: this.fixed_view.k, dx: this.fixed_view.dx, dy: this.fixed_view.dy }); // a hand holds it
+   
+    if (this.fixed_view) Object.assign(this, { k: this.fixed_view.k, dx: this.fixed_view.dx, dy: this.fixed_view.dy });
     this.w = w; this.h = h; this.strokes = []; this.taken = [];
     this.node.setAttribute("viewBox", `0 0 ${w} ${h}`);
     this.bar();
   }
   px(p) { return [this.dx + this.k * p[0], this.dy - this.k * p[1]]; }
+  spot(name) { // where a mark stands, px; null where it is not
+    const p = this.at(name);
+    return p && this.px(p);
+  }
   mm(q) { return [(q[0] - this.dx) / this.k, (this.dy - q[1]) / this.k]; }
   bar() { // how long ten (or more) millimetres of the paper are here
-    const mm = [5, 10, 20, 50, 100, 200].find(m => m * this.k > 46) || 500, y = this.h - 9, x = 12, far = x + mm * this.k;
+    const mm = [5, 10, 20, 50, 100, 200].find(m => m * this.k > 46) || 500, y = this.h - 9, x = 12;
+    const far = x + mm * this.k;
     svg("path", { class: "bar", d: `M${x} ${y - 4}v4H${far}v-4` }, this.node);
-    svg("text", { class: "bar-text", x: far + 6, y: y + 1 }, this.node).textContent = `${mm} ${document.documentElement.lang !== "en" ? "мм" : "mm"}`;
+    svg("text", { class: "bar-text", x: far + 6, y: y + 1 },
+      this.node).textContent = `${mm} ${document.documentElement.lang !== "en" ? "мм" : "mm"}`;
   }
   line(a, b, cls, name, solid = true) { // pixels
-    const l = svg("line", { x1: a[0].toFixed(1), y1: a[1].toFixed(1), x2: b[0].toFixed(1), y2: b[1].toFixed(1), class: cls }, this.node);
+    const l = svg("line", { x1: a[0].toFixed(1), y1: a[1].toFixed(1), x2: b[0].toFixed(1), y2: b[1].toFixed(1),
+      class: cls }, this.node);
     if (name) l.dataset.name = name;
     if (solid) this.strokes.push([a, b]);
     return l;
@@ -99,12 +102,14 @@ class Figure { // millimetres y up -> pixels y down
     const h = n < 3 ? 0 : Math.min(this.size ? 9 : 12, n * 0.6), w = h * 0.26, ux = dx / n, uy = dy / n;
     const f = v => v.toFixed(1), c = [b[0] - ux * h, b[1] - uy * h];
     svg("line", { x1: f(a[0]), y1: f(a[1]), x2: f(c[0] + ux), y2: f(c[1] + uy) }, g);
-    if (h) svg("polygon", { points: `${f(b[0])},${f(b[1])} ${f(c[0] - uy * w)},${f(c[1] + ux * w)} ${f(c[0] + uy * w)},${f(c[1] - ux * w)}` }, g);
+    if (h) svg("polygon", { points: `${f(b[0])},${f(b[1])} ${f(c[0] - uy * w)},${f(c[1] + ux * w)} ${f(c[0] + uy *
+      w)},${f(c[1] - ux * w)}` }, g);
     this.strokes.push([a, b]);
     return g;
   }
   put(names, spots, plan, joint) { // a label at the best of some places: clear of strokes and of other labels
-    const size = this.letter, half = wide(names, plan, size) / 2, label = { names, half, size, all: spots(half, size * 0.5), key: names.join(" ") };
+    const size = this.letter, half = wide(names, plan, size) / 2;
+    const label = { names, half, size, all: spots(half, size * 0.5), key: names.join(" ") };
     const [x, y] = this.best(label);
     label.node = letters(this.node, names, x.toFixed(1), (y + size * 0.34).toFixed(1), size, plan, joint);
     this.taken.push([x, y, half, label]);
@@ -125,7 +130,8 @@ class Figure { // millimetres y up -> pixels y down
     this.kept.set(key, best[1]);
     return all[best[1]];
   }
-  price({ half, size }, [x, y], own, most) { // what a place costs: strokes, other labels, the edge of the figure; no more than matters
+  // what a place costs: strokes, other labels, the edge of the figure; no more than matters
+  price({ half, size }, [x, y], own, most) {
     const tall = size * 0.5, parts = Math.max(2, Math.ceil(1.6 * half / size)); // nothing crosses it between two places
     let cost = own;
     for (const t of this.taken) if (crowds([x, y, half], t, size)) cost += UPON;
@@ -163,11 +169,13 @@ class Figure { // millimetres y up -> pixels y down
     }, plan);
   }
   along(a, b, names, plan) { // beside a vector
-    const n = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1, ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
+    const n = distance(a, b) || 1, ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
     return this.put(names, (half, tall) => {
       const found = [], off = Math.abs(uy) * half + Math.abs(ux) * tall + 5;
-      for (const t of [0.5, 0.35, 0.65, 0.2, 0.8, 0.95, 0.08]) for (const side of [1, -1]) for (const far of [0, 10, 22, 36, 54, 74, 96]) {
-        found.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far), far * 0.05 + Math.abs(t - 0.5)]);
+      for (const t of [0.5, 0.35, 0.65, 0.2, 0.8, 0.95, 0.08]) for (const side of [1, -1]) for (const far of [0, 10, 22,
+        36, 54, 74, 96]) {
+        found.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far),
+          far * 0.05 + Math.abs(t - 0.5)]);
       }
       return found;
     }, plan, " = ");
@@ -175,17 +183,19 @@ class Figure { // millimetres y up -> pixels y down
   groups(marks, reach) { // marks that fall together share a label
     const found = [];
     for (const full of marks) {
-      const p = this.at(full), name = full.slice(full.lastIndexOf(":") + 1);
+      const p = this.at(full), name = labelOf(full);
       if (!p || this.data.helpers.includes(full)) continue;
-      const q = this.px(p), g = found.find(g => Math.hypot(g.q[0] - q[0], g.q[1] - q[1]) < reach);
+      const q = this.px(p), g = found.find(g => distance(q, g.q) < reach);
       if (g) g.names.push(name); else found.push({ q, names: [name] });
     }
     return found;
   }
-  ghost(t, c) { // the other crossing of two arcs, or of an arc and a line: the mark mirrored in what both are symmetric about
+  // the other crossing of two arcs, or of an arc and a line: the mark mirrored in what both are symmetric about
+  ghost(t, c) {
     const [o, b] = [...(t.arcs || []), ...(t.lines || [])].map(n => this.at(n)), arcs = (t.arcs || []).length;
     if (!arcs || !o || !b) return;
-    const [x, y] = arcs > 1 ? [b[0] - o[0], b[1] - o[1]] : [b[1] - c[1], c[0] - b[0]], n = x * x + y * y, off = ((c[0] - o[0]) * y - (c[1] - o[1]) * x) / n;
+    const [x, y] = arcs > 1 ? [b[0] - o[0], b[1] - o[1]] : [b[1] - c[1], c[0] - b[0]], n = x * x + y * y;
+    const off = ((c[0] - o[0]) * y - (c[1] - o[1]) * x) / n;
     if (n < 1e-6 || Math.abs(off) * Math.sqrt(n) * this.k < 6) return;
     const [u, v] = this.px([c[0] - 2 * off * y, c[1] + 2 * off * x]);
     svg("circle", { cx: u.toFixed(1), cy: v.toFixed(1), r: 5, class: "trace" }, this.node);
@@ -196,7 +206,7 @@ class Figure { // millimetres y up -> pixels y down
     this.ghost(t, c);
     const q = this.px(c);
     for (const n of t.lines || []) {
-      const p = this.at(n) && this.px(this.at(n));
+      const p = this.spot(n);
       if (!p) continue;
       const dx = q[0] - p[0], dy = q[1] - p[1], d = Math.hypot(dx, dy);
       if (d < 0.5) continue;
@@ -204,9 +214,9 @@ class Figure { // millimetres y up -> pixels y down
       this.line([p[0] - dx * far, p[1] - dy * far], [q[0] + dx * far, q[1] + dy * far], "trace", "", false);
     }
     for (const n of t.arcs || []) {
-      const p = this.at(n) && this.px(this.at(n));
+      const p = this.spot(n);
       if (!p) continue;
-      const r = Math.hypot(q[0] - p[0], q[1] - p[1]), a = Math.atan2(q[1] - p[1], q[0] - p[0]), w = Math.min(0.6, 60 / Math.max(r, 1));
+      const r = distance(p, q), a = Math.atan2(q[1] - p[1], q[0] - p[0]), w = Math.min(0.6, 60 / Math.max(r, 1));
       const end = s => `${(p[0] + r * Math.cos(a + s)).toFixed(1)} ${(p[1] + r * Math.sin(a + s)).toFixed(1)}`;
       svg("path", { class: "trace", d: `M${end(-w)}A${r.toFixed(1)} ${r.toFixed(1)} 0 0 1 ${end(w)}` }, this.node);
       this.line(p, q, "trace faint", "", false);

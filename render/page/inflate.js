@@ -1,11 +1,15 @@
-"use strict";
-// What the page brings along, packed (RFC 1951) and written in letters: unpacked at once, with nothing asked of anybody.
-const LONG = [3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 15, 17, 19, 23, 27, 31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258];
-const FAR = [1, 2, 3, 4, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129, 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577];
+// What the page brings along, packed (RFC 1951) and written in letters: unpacked at once, with nothing asked of
+// anybody.
+const LONG = [3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 15, 17, 19, 23, 27, 31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195,
+  227, 258];
+const FAR = [1, 2, 3, 4, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129, 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073,
+  4097, 6145, 8193, 12289, 16385, 24577];
 const LENGTHS = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
-const COMMON = [Array.from({ length: 288 }, (_, k) => k < 144 ? 8 : k < 256 ? 9 : k < 280 ? 7 : 8), new Array(30).fill(5)]; // trees of a block without its own
+// trees of a block without its own
+const COMMON = [Array.from({ length: 288 }, (_, k) => k < 144 ? 8 : k < 256 ? 9 : k < 280 ? 7 : 8),
+  new Array(30).fill(5)];
 
-function inflated(text) {
+export function inflated(text) {
   const read = atob(text), bytes = new Uint8Array(read.length);
   for (let k = 0; k < bytes.length; k++) bytes[k] = read.charCodeAt(k);
   let out = new Uint8Array(8 * bytes.length), end = 0, held = 0, count = 0, at = 0;
@@ -29,14 +33,17 @@ function inflated(text) {
     count -= n;
     return one >> 4;
   };
-  const room = n => { if (end + n > out.length) { const more = new Uint8Array(2 * out.length + n); more.set(out); out = more; } };
+  const room = n => { if (end + n > out.length) { const more = new Uint8Array(2 * out.length + n); more.set(out);
+    out = more; } };
   const table = () => { // the two trees of a block
-    const literals = bits(5) + 257, all = literals + bits(5) + 1, own = bits(4) + 4, sizes = new Array(19).fill(0), lengths = [];
+    const literals = bits(5) + 257, all = literals + bits(5) + 1, own = bits(4) + 4, sizes = new Array(19).fill(0);
+    const lengths = [];
     for (let k = 0; k < own; k++) sizes[LENGTHS[k]] = bits(3);
     for (const code = tree(sizes); lengths.length < all;) {
       const s = symbol(code);
       if (s < 16) lengths.push(s);
-      else for (let last = s === 16 ? lengths[lengths.length - 1] : 0, k = s === 16 ? 3 + bits(2) : s === 17 ? 3 + bits(3) : 11 + bits(7); k; k--) lengths.push(last);
+      else for (let last = s === 16 ? lengths[lengths.length - 1] : 0,
+        k = s === 16 ? 3 + bits(2) : s === 17 ? 3 + bits(3) : 11 + bits(7); k; k--) lengths.push(last);
     }
     return [tree(lengths.slice(0, literals)), tree(lengths.slice(literals))];
   };
@@ -46,7 +53,8 @@ function inflated(text) {
     for (let s; (s = symbol(letters)) !== 256;) {
       if (s < 256) { room(1); out[end++] = s; continue; }
       s -= 257;
-      const long = LONG[s] + bits(s < 8 || s > 27 ? 0 : (s - 4) >> 2), w = symbol(ways), far = FAR[w] + bits(w < 4 ? 0 : (w - 2) >> 1);
+      const long = LONG[s] + bits(s < 8 || s > 27 ? 0 : (s - 4) >> 2), w = symbol(ways);
+      const far = FAR[w] + bits(w < 4 ? 0 : (w - 2) >> 1);
       room(long);
       for (let k = 0; k < long; k++, end++) out[end] = out[end - far];
     }

@@ -1,7 +1,7 @@
-"use strict";
 // Judges moved marks by the exported numbers as the engine does: which step is wrong, and which mistake explains it.
+import { Miss, Tape, givenBefore } from "./tape.js";
 
-class Judge {
+export class Judge {
   constructor(data) { this.data = data; this.rule = data.rule; this.tape = new Tape(data.tape); }
   judge(marks) { // marks: {name, x, y, read}; the same with verdicts and misses, what is first wrong, the sentence
     const given = {}, rule = this.rule;
@@ -11,13 +11,15 @@ class Judge {
     out.limit = Math.sqrt(-2 * Math.log(rule.false_alarm / Math.max(read.length, 4)));
     const plain = new Map(read.map(m => [m.name, this.tape.miss(m.miss, rule.least)]));
     const misses = givenBefore(plain, rule.order, out.limit, rule.least);
-    const free = new Map(read.map(m => [m.name, new Miss(m.x - m.true[0], m.y - m.true[1], m.free[0], m.free[1], m.free[2])]));
+    const free = new Map(read.map(m => [m.name,
+      new Miss(m.x - m.true[0], m.y - m.true[1], m.free[0], m.free[1], m.free[2])]));
     const fits = miss => miss.sigmas <= out.limit;
     let wrong = read.filter(m => !fits(misses.get(m.name))).map(m => m.name);
     const near = read.filter(m => misses.get(m.name).sigmas > rule.near).map(m => m.name);
     const close = near.some(n => misses.get(n).sigmas > rule.warn);
     const ranked = near.length ? this.ranked(plain, misses, wrong.length ? wrong.slice(0, 1) : near, out.limit) : [];
-    const other = wrong.length ? Math.log(rule.other) + rule.broad - this.mixed(misses.get(wrong[0])) : close ? rule.too_well : Infinity;
+    const other = wrong.length ? Math.log(rule.other) + rule.broad - this.mixed(misses.get(wrong[0])) : close ?
+      rule.too_well : Infinity;
     if (ranked.length && ranked[0].score >= Math.max(0, other)) {
       const [best, next] = ranked; // it beats "some other cause", or explains too well what is within limits
       if (!wrong.length) wrong = read.filter(m => m.name === best.v.blames).map(m => m.name);
@@ -45,8 +47,10 @@ class Judge {
       const left_out = rule.left_out.some(end => v.mistake.endsWith(end)); // shows by not being there
       const own = touched.has(v.blames) ? [[v.blames, touched.get(v.blames)]] : [...touched];
       if (!left_out && !own.some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
-      const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least), at_it = under.get(v.blames);
-      if (at_it && at_it.sigmas >= misses.get(v.blames).sigmas) continue; // nearer to where it should be than to where this puts it
+      const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least);
+      const at_it = under.get(v.blames);
+      // nearer to where it should be than to where this puts it
+      if (at_it && at_it.sigmas >= misses.get(v.blames).sigmas) continue;
       const likely = drawn.has(v.blames) !== left_out ? 1 : rule.undrawn;
       let score = Math.log(v.weight * likely);
       for (const [n, miss] of under) score += this.mixed(miss) - this.mixed(misses.get(n));
@@ -55,7 +59,8 @@ class Judge {
     }
     return [...groups.values()].map(group => {
       const best = group.reduce((a, b) => b.score > a.score ? b : a);
-      return { ...best, score: best.score + Math.log(group.reduce((s, one) => s + Math.exp(one.score - best.score), 0)) };
+      return { ...best, score: best.score + Math.log(group.reduce((s, one) => s + Math.exp(one.score - best.score),
+        0)) };
     }).sort((a, b) => b.score - a.score);
   }
   explained(best, limit) { // the mistake with the marks it explains
@@ -66,9 +71,11 @@ class Judge {
     let upset = false;
     for (const m of marks) {
       upset ||= m.name === out.first;
-      const one = out.marks[m.name] = { verdict: "unread", own: misses.get(m.name), free: free.get(m.name) };
+      const one = out.marks[m.name] = { verdict: "unread", close: false, own: misses.get(m.name),
+        free: free.get(m.name) };
       if (!m.read) continue;
-      if (wrong.includes(m.name) && !(explained.includes(m.name) && m.name !== out.first)) { one.verdict = "wrong"; upset = true; }
+      if (wrong.includes(m.name) && !(explained.includes(m.name) && m.name !== out.first)) { one.verdict = "wrong";
+        upset = true; }
       else one.verdict = (upset || wrong.includes(m.name)) && one.free.sigmas > out.limit ? "follows" : "right";
       one.close = one.verdict === "right" && one.own.sigmas > this.rule.warn;
     }
@@ -77,10 +84,12 @@ class Judge {
     const { gap, free, same } = this.rule, shares = gap ? [Math.min(gap * limit / size, 1) ** 2] : [], stand = [[0, 0]];
     for (const m of read) {
       const reach = limit * misses.get(m.name).mean;
-      if (!same.includes(m.name) && stand.every(([x, y]) => Math.hypot(m.x - x, m.y - y) > reach)) shares.push(Math.min(reach / size, 1) ** 2);
+      if (!same.includes(m.name) &&
+        stand.every(([x, y]) => Math.hypot(m.x - x, m.y - y) > reach)) shares.push(Math.min(reach / size, 1) ** 2);
       stand.push([m.x, m.y]);
     }
-    const all = shares.reduce((a, b) => a * b, 1), surest = Math.min(...shares); // of the surest, for a scale, the direction is left
+    // of the surest, for a scale, the direction is left
+    const all = shares.reduce((a, b) => a * b, 1), surest = Math.min(...shares);
     return free && shares.length ? all / surest * Math.min(Math.sqrt(surest) / Math.PI, 1) : all;
   }
   said(out, read, misses, wrong) { // the whole in a sentence, and its verdict
@@ -90,13 +99,16 @@ class Judge {
     out.verdict = "unreadable";
     if (!count) return fill(said.nothing, { names: missing });
     if (found.length < rule.readable * rule.key.length) {
-      const drawn = Object.keys(out.marks).filter(n => !rule.same.includes(n)); // on a line of marks only one may be key
-      return fill(said.too_little, { found: drawn.filter(n => misses.has(n)).length, count: drawn.length, names: missing });
+      // on a line of marks only one may be key
+      const drawn = Object.keys(out.marks).filter(n => !rule.same.includes(n));
+      return fill(said.too_little,
+        { found: drawn.filter(n => misses.has(n)).length, count: drawn.length, names: missing });
     }
     const size = Math.max(...read.map(m => Math.hypot(m.x, m.y))), told = { count, size: size.toFixed(1) };
     if (size < rule.smallest) return fill(said.nothing_drawn, told);
     const left = this.data.otherwise, strays = left && !(left.mark && misses.has(left.mark));
-    if (!out.first && !strays && this.chance(read, misses, out.limit, size) > rule.sure) return fill(said.by_chance, told);
+    if (!out.first && !strays && this.chance(read, misses, out.limit, size) > rule.sure) return fill(said.by_chance,
+      told);
     const bad = Object.values(out.marks).filter(m => m.verdict === "wrong").length;
     if (!out.named && count >= 3 && bad > 0.7 * count) return fill(said.other, { count, wrong: bad });
     out.verdict = "wrong";

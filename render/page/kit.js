@@ -1,14 +1,21 @@
-"use strict";
 // A draughtsman's tools at work: set square, compass, dividers, protractor; each carried to its place, then drawn with.
-const ACT_MS = 600, CARRIED_MS = 360, AIR = 14;
+import { svg } from "./figure.js";
+import { plan, scheme } from "./figures.js";
+import { distance } from "./geometry.js";
+import { data, live } from "./page.js";
+export const ACT_MS = 600;
+const CARRIED_MS = 360, AIR = 14;
 
-const kit = {
-  panels: document.querySelector(".panels"), over: svg("svg", { id: "kit", "aria-hidden": "true" }, document.querySelector(".panels")), from: 0, next: 0, frame: null,
+export const kit = {
+  panels: document.querySelector(".panels"),
+    over: svg("svg", { id: "kit", "aria-hidden": "true" }, document.querySelector(".panels")), from: 0, next: 0,
+    frame: null,
   figure(mark) { return mark.startsWith("position:") ? scheme : plan; },
   spot(mark) { // where a mark stands among the panels, px
     const p = live.at(mark), f = this.figure(mark);
     return p && this.among(f, f.px(p));
   },
+  /** @type {(f: any, place: number[]) => number[]} */
   among(f, [x, y]) {
     const r = f.node.getBoundingClientRect(), o = this.over.getBoundingClientRect();
     return [x + r.left - o.left, y + r.top - o.top];
@@ -27,7 +34,8 @@ const kit = {
     this.moved = frame;
   },
   move() {
-    const acts = this.acts(), past = performance.now() - this.from, k = Math.floor(past / ACT_MS), ease = s => s * s * (3 - 2 * s);
+    const acts = this.acts(), past = performance.now() - this.from, k = Math.floor(past / ACT_MS);
+    const ease = s => s * s * (3 - 2 * s);
     if (k >= acts.length) { this.rest(); return; }
     this.panels.classList.toggle("moving", this.frame.makes.length > 0); // what was there before a measure stays
     this.over.textContent = "";
@@ -49,39 +57,51 @@ const kit = {
     if (drawn && act.line && this.next) act.line(drawn, this.over);
   },
 };
-const path = (points, cls, shut, parent) => svg("path", { class: cls, d: "M" + points.map(p => p.map(v => v.toFixed(1)).join(" ")).join("L") + (shut ? "Z" : "") }, parent);
+const path = (points, cls, shut, parent) => svg("path",
+  { class: cls, d: "M" + points.map(p => p.map(v => v.toFixed(1)).join(" ")).join("L") + (shut ? "Z" : "") }, parent);
 const mixed = (a, b, t) => a.map((v, k) => v + (b[k] - v) * t);
 const ruled = (a, b) => (share, over) => path([a, mixed(a, b, share)], "pencil-line", false, over);
 function apart(t) { // the ends of what is drawn, the way between them, their distance; null where there is none
   const [a, b] = t.to.map(m => kit.spot(m));
   if (!a || !b) return null;
-  const n = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  const n = distance(a, b);
   return n < 1.5 ? null : { a, b, n, u: [(b[0] - a[0]) / n, (b[1] - a[1]) / n] };
 }
 function laidTo(t) { // what a set square is slid from: a place of a link or of a guide, and its direction
   if (t.guide) {
-    const l = data.scheme.links.find(l => l.slides === t.guide), g = data.scheme.guides.find(g => g.name === t.guide), p = kit.spot(l ? l.points[0] : g.mark), w = live.angle("∥" + t.guide) * Math.PI / 180;
+    const l = data.scheme.links.find(l => l.slides === t.guide), g = data.scheme.guides.find(g => g.name === t.guide);
+    const p = kit.spot(l ? l.points[0] : g.mark), w = live.angle("∥" + t.guide) * Math.PI / 180;
     return p && { m: p, u: [Math.cos(w), -Math.sin(w)] };
   }
-  const [a, b] = (t.from || []).map(m => kit.spot(m)), n = a && b ? Math.hypot(b[0] - a[0], b[1] - a[1]) : 0;
+  const [a, b] = (t.from || []).map(m => kit.spot(m)), n = a && b ? distance(a, b) : 0;
   return n > 1.5 ? { m: mixed(a, b, 0.5), u: [(b[0] - a[0]) / n, (b[1] - a[1]) / n] } : null;
 }
-const KITS = {
+export const KITS = {
   square(t) { // one edge to the link, slid without turning until an edge goes through the start of the line
     const w = apart(t);
     if (!w) return null;
-    const f = kit.figure(t.to[1]), box = kit.box(f), long = Math.max(96, Math.min(w.n + 44, 0.62 * f.w)), wide = 0.58 * long, base = laidTo(t);
-    const middle = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2], back = Math.min(16, (long - 30) / 3), corner = [w.a[0] - back * w.u[0], w.a[1] - back * w.u[1]];
-    const side = [1, -1].map(s => [s, Math.hypot(corner[0] + long / 3 * w.u[0] - s * wide / 3 * w.u[1] - middle[0], corner[1] + long / 3 * w.u[1] + s * wide / 3 * w.u[0] - middle[1])]).sort((a, b) => b[1] - a[1])[0][0];
-    const v = [-side * w.u[1], side * w.u[0]], across = base && Math.abs(base.u[0] * w.u[0] + base.u[1] * w.u[1]) < 0.02, along = base && Math.abs(base.u[0] * w.u[1] - base.u[1] * w.u[0]) < 0.02;
-    const first = along ? mixed(base.m, [base.m[0] + w.u[0], base.m[1] + w.u[1]], -long / 2) : across ? mixed(base.m, [base.m[0] + v[0], base.m[1] + v[1]], -wide / 2) : [corner[0] + 70 * v[0], corner[1] + 70 * v[1]];
+    const f = kit.figure(t.to[1]), box = kit.box(f), long = Math.max(96, Math.min(w.n + 44, 0.62 * f.w));
+    const wide = 0.58 * long, base = laidTo(t);
+    const middle = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2], back = Math.min(16, (long - 30) / 3);
+    const corner = [w.a[0] - back * w.u[0], w.a[1] - back * w.u[1]];
+    const side = [1, -1].map(s => [s,
+      Math.hypot(corner[0] + long / 3 * w.u[0] - s * wide / 3 * w.u[1] - middle[0],
+      corner[1] + long / 3 * w.u[1] + s * wide / 3 * w.u[0] - middle[1])]).sort((a, b) => b[1] - a[1])[0][0];
+    const v = [-side * w.u[1], side * w.u[0]];
+    const across = base && Math.abs(base.u[0] * w.u[0] + base.u[1] * w.u[1]) < 0.02;
+    const along = base && Math.abs(base.u[0] * w.u[1] - base.u[1] * w.u[0]) < 0.02;
+    const first = along ? mixed(base.m, [base.m[0] + w.u[0], base.m[1] + w.u[1]], -long / 2) : across ?
+      mixed(base.m, [base.m[0] + v[0], base.m[1] + v[1]], -wide / 2) : [corner[0] + 70 * v[0], corner[1] + 70 * v[1]];
     const over = Math.min(AIR, w.n), end = [w.b[0] + over * w.u[0], w.b[1] + over * w.u[1]];
     return {
       tool: "square", first, corner, u: w.u, v, long, wide,
       show(s, parent) {
-        const c = mixed(first, corner, s), p = (x, y) => [c[0] + x * w.u[0] + y * v[0], c[1] + x * w.u[1] + y * v[1]], in_ = 0.2 * wide;
+        const c = mixed(first, corner, s), p = (x, y) => [c[0] + x * w.u[0] + y * v[0], c[1] + x * w.u[1] + y * v[1]];
+        const in_ = 0.2 * wide;
         const window_ = [p(in_, in_), p(long - 2.9 * in_, in_), p(in_, wide - 1.7 * in_)];
-        svg("path", { class: "tool", "fill-rule": "evenodd", d: [[p(0, 0), p(long, 0), p(0, wide)], window_].map(q => "M" + q.map(r => r.map(x => x.toFixed(1)).join(" ")).join("L") + "Z").join("") }, parent);
+        svg("path", { class: "tool", "fill-rule": "evenodd",
+          d: [[p(0, 0), p(long, 0), p(0, wide)],
+          window_].map(q => "M" + q.map(r => r.map(x => x.toFixed(1)).join(" ")).join("L") + "Z").join("") }, parent);
       },
       line: ruled(w.a, end),
     };
@@ -90,31 +110,41 @@ const KITS = {
     const w = apart(t);
     return w && { tool: "compass", at: w.a, end: w.b, ...legs(w, s => [w.a, mixed(w.a, w.b, 0.12 + 0.88 * s)]),
       line(share, over) {
-        const a = Math.atan2(w.u[1], w.u[0]), half = Math.min(0.5, 70 / w.n), at = x => `${(w.a[0] + w.n * Math.cos(x)).toFixed(1)} ${(w.a[1] + w.n * Math.sin(x)).toFixed(1)}`;
-        svg("path", { class: "pencil-line", d: `M${at(a - half)}A${w.n.toFixed(1)} ${w.n.toFixed(1)} 0 0 1 ${at(a - half + 2 * half * share)}` }, over);
+        const a = Math.atan2(w.u[1], w.u[0]), half = Math.min(0.5, 70 / w.n);
+        const at = x => `${(w.a[0] + w.n * Math.cos(x)).toFixed(1)} ${(w.a[1] + w.n * Math.sin(x)).toFixed(1)}`;
+        svg("path", { class: "pencil-line",
+          d: `M${at(a - half)}A${w.n.toFixed(1)} ${w.n.toFixed(1)} 0 0 1 ${at(a - half + 2 * half * share)}` }, over);
       } };
   },
   dividers(t) { // a segment taken with two needles, and set down where it is wanted; off a scale, or to it
     const [from, to] = [t.from, t.to].map(ms => ms.map(m => kit.spot(m)));
     if ([...from, ...to].some(p => !p)) return null;
-    const f = kit.figure((t.to[1] || t.from[1] || t.to[0])), k = t.from[0] && t.to[0] ? f.k / kit.figure(t.from[0]).k : 1;
+    const f = kit.figure((t.to[1] || t.from[1] || t.to[0]));
+    const k = t.from[0] && t.to[0] ? f.k / kit.figure(t.from[0]).k : 1;
     const seg = from.length ? from : to, d = [seg[1][0] - seg[0][0], seg[1][1] - seg[0][1]], n = Math.hypot(...d);
     if (n < 1.5) return null;
-    const zero = kit.among(f, [12, f.h - 9]), scale_ = [zero, [zero[0] + n, zero[1]]], shown = to.length === 1 ? Math.min(64, Math.max(26, n * k)) / n : 1;
-    const goal = to.length === 2 ? to : to.length ? [to[0], [to[0][0] + d[0] * shown, to[0][1] + d[1] * shown]] : scale_, first = from.length ? from : scale_;
-    return { tool: "dividers", first, goal, ...legs({ n: Math.hypot(goal[1][0] - goal[0][0], goal[1][1] - goal[0][1]) }, s => [mixed(first[0], goal[0], s), mixed(first[1], goal[1], s)]) };
+    const zero = kit.among(f, [12, f.h - 9]), scale_ = [zero, [zero[0] + n, zero[1]]];
+    const shown = to.length === 1 ? Math.min(64, Math.max(26, n * k)) / n : 1;
+    const goal = to.length === 2 ? to : to.length ? [to[0], [to[0][0] + d[0] * shown, to[0][1] + d[1] * shown]] :
+      scale_, first = from.length ? from : scale_;
+    return { tool: "dividers", first, goal,
+      ...legs({ n: distance(goal[0], goal[1]) }, s => [mixed(first[0], goal[0], s), mixed(first[1], goal[1], s)]) };
   },
   protractor(t) { // its zero along the line there is, an angle set off
     const w = apart(t);
     if (!w) return null;
-    const base = laidTo(t), u = base ? base.u : [1, 0], r = Math.min(72, 0.2 * kit.figure(t.to[0]).w), up = u[0] * w.u[1] - u[1] * w.u[0] > 0 ? 1 : -1, v = [-up * u[1], up * u[0]], away = [w.a[0] - 60 * v[0], w.a[1] - 60 * v[1]];
-    const at = (c, x, q) => [c[0] + q * (Math.cos(x) * u[0] + Math.sin(x) * v[0]), c[1] + q * (Math.cos(x) * u[1] + Math.sin(x) * v[1])];
+    const base = laidTo(t), u = base ? base.u : [1, 0], r = Math.min(72, 0.2 * kit.figure(t.to[0]).w);
+    const up = u[0] * w.u[1] - u[1] * w.u[0] > 0 ? 1 : -1, v = [-up * u[1], up * u[0]];
+    const away = [w.a[0] - 60 * v[0], w.a[1] - 60 * v[1]];
+    const at = (c, x, q) => [c[0] + q * (Math.cos(x) * u[0] + Math.sin(x) * v[0]),
+      c[1] + q * (Math.cos(x) * u[1] + Math.sin(x) * v[1])];
     return {
       tool: "protractor", at: w.a, u,
       show(s, parent) {
         const c = mixed(away, w.a, s), rim = Array.from({ length: 37 }, (_, k) => at(c, k * Math.PI / 36, r));
         path(rim, "tool", true, parent);
-        for (let k = 1; k < 18; k++) path([at(c, k * Math.PI / 18, r), at(c, k * Math.PI / 18, r - (k % 3 ? 5 : 9))], "tool-mark", false, parent);
+        for (let k = 1; k < 18; k++) path([at(c, k * Math.PI / 18, r), at(c, k * Math.PI / 18, r - (k % 3 ? 5 : 9))],
+          "tool-mark", false, parent);
       },
       line: ruled(w.a, [w.b[0] + AIR * w.u[0], w.b[1] + AIR * w.u[1]]),
     };
@@ -124,12 +154,15 @@ function legs(w, needles) { // two legs from a joint above the middle, as a hand
   const leg = Math.max(46, 0.66 * w.n);
   return {
     show(s, parent) {
-      const [a, b] = needles(s), x = b[0] - a[0], y = b[1] - a[1], n = Math.hypot(x, y) || 1, high = Math.sqrt(Math.max(leg * leg - n * n / 4, 1)), up = x < 0 ? -1 : 1;
-      const top = [(a[0] + b[0]) / 2 + up * y / n * high, (a[1] + b[1]) / 2 - up * x / n * high], dx = top[0] - (a[0] + b[0]) / 2, dy = top[1] - (a[1] + b[1]) / 2;
+      const [a, b] = needles(s), x = b[0] - a[0], y = b[1] - a[1], n = Math.hypot(x, y) || 1;
+      const high = Math.sqrt(Math.max(leg * leg - n * n / 4, 1)), up = x < 0 ? -1 : 1;
+      const top = [(a[0] + b[0]) / 2 + up * y / n * high, (a[1] + b[1]) / 2 - up * x / n * high];
+      const dx = top[0] - (a[0] + b[0]) / 2, dy = top[1] - (a[1] + b[1]) / 2;
       path([a, top, b], "tool-leg", false, parent);
       path([top, [top[0] + dx / high * 12, top[1] + dy / high * 12]], "tool-leg", false, parent);
       svg("circle", { cx: top[0].toFixed(1), cy: top[1].toFixed(1), r: 4, class: "tool-joint" }, parent);
-      for (const [p, q] of [a, b].map(p => [p.map(v => v.toFixed(1)), p])) svg("circle", { cx: p[0], cy: p[1], r: 2, class: "needle-point" }, parent);
+      for (const p of [a, b]) svg("circle", { cx: p[0].toFixed(1), cy: p[1].toFixed(1), r: 2, class: "needle-point" },
+        parent);
     },
   };
 }

@@ -10,15 +10,13 @@ from planes.lesson.formulas import in_both
 from planes.words import langs, stand_ins, table, under
 from planes.words.names import lettered
 from planes.words.records import Json
-from render.page import web_page
+from render.page import packer, web_page
 from render.paper.letters import NAME, written
 
 SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest", "mm")} | {
     key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad")
 }
 """Words of the page that stand in other tables."""
-SCRIPTS = ("inflate", "tape", "figure", "scheme", "plan", "lens", "live", "words", "grips")
-OWN = ("rows", "handout", "kit", "lesson", "hands", "desk", "practice", "task")
 NOSCRIPT = (
     "Страница рисует план сама: включите JavaScript. / The page draws the plans itself: please enable JavaScript."
 )
@@ -36,16 +34,16 @@ def page(data: Json, lang: str, given: str = "") -> str:
         **{key: str(data["drive"][key]) for key in ("from", "to", "at")},
         "by": str((data["drive"]["to"] - data["drive"]["from"]) / 360),
     }
-    return _whole(data, lang, "lesson", (*SCRIPTS, *OWN, *(("scorm",) if given else ())), parts)
+    return _whole(data, lang, "lesson", ("lesson", *["scorm"] * bool(given)), parts)
 
 
 def essay_page(data: Json, lang: str) -> str:
     """A page of the essay, of what :func:`planes.lesson.essay.essay_data` exports."""
-    return _whole(data, lang, "essay", (*SCRIPTS, "essay"), {})
+    return _whole(data, lang, "essay", ("essay",), {})
 
 
-def _whole(data: Json, lang: str, name: str, scripts: tuple[str, ...], parts: dict[str, str]) -> str:
-    """A page with the template of its name, its data and its scripts."""
+def _whole(data: Json, lang: str, name: str, modules: tuple[str, ...], parts: dict[str, str]) -> str:
+    """A page with the template of its name, its data and its modules."""
     told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
     words = {key: {of: one[key] for of, one in told.items()} for key in told["en"]}
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
@@ -53,16 +51,15 @@ def _whole(data: Json, lang: str, name: str, scripts: tuple[str, ...], parts: di
     parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
     body = web_page.filled(web_page.part(f"{name}.html"), parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
-    held = {"packed": packed([words, data]), "letters": written(_names(data), data["lettering"])}
-    code = web_page.part(*(f"{script}.js" for script in scripts))
-    return web_page.page(title, lang, web_page.part(*sheets[name]), body, code=code, data=held)
+    held = {"packed": pressed([words, data]), "letters": written(_names(data), data["lettering"])}
+    return web_page.page(title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held)
 
 
-def packed(thing: object) -> str:
+def pressed(thing: object) -> str:
     """JSON packed (raw deflate, RFC 1951) and written in letters: a page is half as large."""
     text = json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    pressed = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
-    return base64.b64encode(pressed.compress(text.encode()) + pressed.flush()).decode()
+    press = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
+    return base64.b64encode(press.compress(text.encode()) + press.flush()).decode()
 
 
 def _names(thing: object, key: str = "") -> Iterator[str]:

@@ -1,8 +1,11 @@
-"use strict";
 // The program at work: given numbers in, marks, values and failures out; what a whole turn shows; what follows a hand.
-const TURN = 360, LOOKS = 5, BLUNT = Math.sin(Math.PI / 12), REACHED = 0.01;
+import { clamp, quantile, union } from "./geometry.js";
+import { labelOf } from "./letters.js";
+import { Tape } from "./tape.js";
+export const TURN = 360, LOOKS = 5, REACHED = 0.01;
+const BLUNT = Math.sin(Math.PI / 12);
 
-class Live {
+export class Live {
   constructor(data, by = 1) {
     this.data = data;
     this.tape = new Tape(data.tape);
@@ -12,7 +15,8 @@ class Live {
   }
   get drive() { return this.given[this.data.drive.given]; }
   get at_home() { return Object.entries(this.data.home).every(([n, v]) => this.given[n] === v); }
-  get altered() { return Object.keys(this.data.home).filter(n => n !== this.data.drive.given && this.given[n] !== this.data.home[n] && this.data.knobs.some(k => k.given === n)); }
+  get altered() { return Object.keys(this.data.home).filter(n => n !== this.data.drive.given &&
+    this.given[n] !== this.data.home[n] && this.data.knobs.some(k => k.given === n)); }
   set(numbers) { // what is tied to a number changes with it
     for (const k of this.data.knobs) if (numbers[k.given]) {
       for (const n of k.tied) this.given[n] *= numbers[k.given] / this.given[k.given];
@@ -21,13 +25,19 @@ class Live {
     Object.assign(this.given, numbers);
     this.run();
   }
+  placed(v) { // a value of the drive within its range; an angle goes round
+    const { from, to, symbol, held, at } = this.data.drive;
+    if (held) return at;
+    return symbol === "φ" ? ((v - from) % 360 + 360) % 360 + from : clamp(v, from, to);
+  }
   back(given) { this.given = { ...given }; this.run(); }
   reset() { this.back(this.data.home); this.scan(); }
   lean() { // with a guide turned more is told: terms that are nothing with it as it stands
     const leans = this.data.knobs.some(k => k.stays && this.given[k.given] !== k.at);
     if (leans === Boolean(this.leans)) return;
     this.leans = leans;
-    for (const [k, more] of Object.entries(this.data.leaning || {})) for (const n in more) [this.data.frames[k][n], more[n]] = [more[n], this.data.frames[k][n]];
+    for (const [k, more] of Object.entries(this.data.leaning || {})) for (const n in more) [this.data.frames[k][n],
+      more[n]] = [more[n], this.data.frames[k][n]];
   }
   run() {
     this.lean();
@@ -59,28 +69,33 @@ class Live {
     }
     this.zones = this.zoned(rows);
     this.set({ [this.data.drive.given]: at });
-    if (!this.failed || !this.own) this.own = Object.fromEntries(Object.keys(this.data.marks).map(n => [n, this.at(n)]));
+    if (!this.failed || !this.own) this.own = Object.fromEntries(Object.keys(this.data.marks).map(n => [n,
+      this.at(n)]));
     this.usual = this.view(seen.map(s => s.box));
-    this.reach = Object.fromEntries(this.data.scheme.guides.map(g => [g.name, this.spread(seen.flatMap(s => s.runs[g.name] || []))]));
+    this.reach = Object.fromEntries(this.data.scheme.guides.map(g => [g.name,
+      this.spread(seen.flatMap(s => s.runs[g.name] || []))]));
     this.set({ [this.data.drive.given]: now });
   }
   bluntest() {
     let least = 1, mark = "";
-    if (!this.failed) for (const m in this.data.sharp) { const s = this.sharpness(m); if (s < least) { least = s; mark = m; } }
+    if (!this.failed) for (const m in this.data.sharp) { const s = this.sharpness(m);
+      if (s < least) { least = s; mark = m; } }
     return { least, mark: least < BLUNT ? mark : "" };
   }
   zoned(rows) { // stretches that fail, and stretches where one mark is blunt
     const found = [];
     for (const r of rows) {
       const kind = r.failed ? "bad" : r.mark ? "blunt" : "", last = found[found.length - 1];
-      if (last && last.kind === kind && last.mark === r.mark) { last.to = r.drive; last.least = Math.min(last.least, r.least); }
+      if (last && last.kind === kind && last.mark === r.mark) { last.to = r.drive;
+        last.least = Math.min(last.least, r.least); }
       else found.push({ kind, mark: r.mark, from: r.drive, to: r.drive, least: r.least });
     }
     return found.filter(z => z.kind);
   }
   get zone() { return this.zones.find(z => z.from <= this.drive && this.drive <= z.to); }
   nearest() { // the nearest place of a turn that works
-    const { from, to } = this.data.drive, step = (to - from) / TURN, bad = v => this.zones.some(z => z.kind === "bad" && z.from <= v && v <= z.to);
+    const { from, to } = this.data.drive, step = (to - from) / TURN;
+    const bad = v => this.zones.some(z => z.kind === "bad" && z.from <= v && v <= z.to);
     for (let k = 0, q = Math.round((this.drive - from) / step); k < TURN; k++) for (const side of [k, -k]) {
       const v = from + (q + side) * step;
       if (v >= from && v < to && !bad(v)) return v;
@@ -91,7 +106,8 @@ class Live {
     const { scheme, helpers } = this.data, box = [Infinity, Infinity, -Infinity, -Infinity], runs = {};
     for (const n in this.data.marks) {
       const p = n.startsWith("position:") && n !== "position:p" && !helpers.includes(n) && this.at(n);
-      if (p) { box[0] = Math.min(box[0], p[0]); box[1] = Math.min(box[1], p[1]); box[2] = Math.max(box[2], p[0]); box[3] = Math.max(box[3], p[1]); }
+      if (p) { box[0] = Math.min(box[0], p[0]); box[1] = Math.min(box[1], p[1]); box[2] = Math.max(box[2], p[0]);
+        box[3] = Math.max(box[3], p[1]); }
     }
     for (const g of scheme.guides) for (const l of scheme.links) if (l.slides === g.name) {
       const u = this.pair(this.data.turned["∥" + g.name]), p = this.at(l.points[0]), o = this.at(g.mark);
@@ -100,14 +116,18 @@ class Live {
     return { box, runs };
   }
   view(boxes) { // what is in view in most positions; the rest is followed as it leaves
-    const names = Object.keys(this.data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !this.data.helpers.includes(n));
-    const own = names.map(n => this.own[n]).filter(Boolean).reduce((b, p) => union(b, [...p, ...p]), [Infinity, Infinity, -Infinity, -Infinity]);
+    const names = Object.keys(this.data.marks).filter(n => n.startsWith("position:") && n !== "position:p" &&
+      !this.data.helpers.includes(n));
+    const own = names.map(n => this.own[n]).filter(Boolean).reduce((b, p) => union(b, [...p, ...p]),
+      [Infinity, Infinity, -Infinity, -Infinity]);
     if (!names.length) return [0, 0, 1, 1];
     if (!boxes.length) return own;
     const part = (k, share) => quantile(boxes.map(b => b[k]), share);
     const usual = union(own, [part(0, 0.12), part(1, 0.12), part(2, 0.88), part(3, 0.88)]);
-    const side = 0.95 * Math.max(own[2] - own[0], own[3] - own[1]), mx = (own[0] + own[2]) / 2, my = (own[1] + own[3]) / 2;
-    return union(own, [Math.max(usual[0], mx - side), Math.max(usual[1], my - side), Math.min(usual[2], mx + side), Math.min(usual[3], my + side)]);
+    const side = 0.95 * Math.max(own[2] - own[0], own[3] - own[1]), mx = (own[0] + own[2]) / 2;
+    const my = (own[1] + own[3]) / 2;
+    return union(own, [Math.max(usual[0], mx - side), Math.max(usual[1], my - side), Math.min(usual[2], mx + side),
+      Math.min(usual[3], my + side)]);
   }
   spread(runs) { // from where to where along a guide, in most positions
     const size = Math.hypot(this.usual[2] - this.usual[0], this.usual[3] - this.usual[1]);
@@ -129,8 +149,10 @@ class Live {
     if (name.startsWith("angle_") || (name === given && symbol === "φ")) return 20;
     return name === given ? to - from : (knob && knob.reach) || Math.abs(this.data.home[name]);
   }
-  handles(mark, chosen) { // a force's own numbers (of a weight the mass); else the drive, or the number that moves a mark most where it stands, and another one
-    const name = mark.slice(mark.lastIndexOf(":") + 1).replace(/^G_/, "m_"), force = mark.startsWith("force:") && !chosen;
+  // a force's own numbers (of a weight the mass); else the drive, or the number that moves a mark most where it
+  // stands, and another one
+  handles(mark, chosen) {
+    const name = labelOf(mark).replace(/^G_/, "m_"), force = mark.startsWith("force:") && !chosen;
     const own = force ? this.data.knobs.filter(k => k.name === name || k.name === "∠" + name).map(k => k.given) : [];
     if (own.length > 1) return own;
     const first = this.data.moves ? this.data.drive.given : this.handle(mark, this.data.drive.given);
@@ -140,7 +162,8 @@ class Live {
   handle(mark, drive) { // the number that, beside the drive, moves a mark most freely
     const knobs = this.data.knobs.filter(k => k.at).map(k => k.given); // what is nothing stays so
     const [x, y] = this.turns(mark, [drive, ...knobs]), far = Math.hypot(x[0], y[0]) || 1;
-    const free = knobs.map((n, k) => [n, Math.abs(x[0] * y[k + 1] - y[0] * x[k + 1]) / far + 1e-3 * Math.hypot(x[k + 1], y[k + 1])]);
+    const free = knobs.map((n, k) => [n,
+      Math.abs(x[0] * y[k + 1] - y[0] * x[k + 1]) / far + 1e-3 * Math.hypot(x[k + 1], y[k + 1])]);
     const best = free.reduce((a, b) => b[1] > a[1] * 1.2 ? b : a, ["", 1e-9]);
     return best[0];
   }
@@ -149,19 +172,18 @@ class Live {
     let off = miss(), damp = 1e-3;
     for (let k = 0; off && k < 60 && Math.hypot(...off) > REACHED / 100 && damp < 1e12; k++) {
       const [u, w] = this.turns(mark, names), sum = (a, b) => a.reduce((s, v, i) => s + v * b[i], 0);
-      const scale = sum(u, u) + sum(w, w), a = sum(u, u) + damp * scale, b = sum(u, w), c = sum(w, w) + damp * scale, det = a * c - b * b;
+      const scale = sum(u, u) + sum(w, w), a = sum(u, u) + damp * scale, b = sum(u, w), c = sum(w, w) + damp * scale;
+      const det = a * c - b * b;
       if (!(det > 0)) break;
       const p = (c * off[0] - b * off[1]) / det, q = (a * off[1] - b * off[0]) / det, before = { ...this.given };
       const moved = (n, i) => before[n] + Math.max(-0.5, Math.min(0.5, u[i] * p + w[i] * q)) * this.size(n);
-      this.set(Object.fromEntries(names.map((n, i) => [n, n === this.data.drive.given ? placed(moved(n, i)) : moved(n, i)])));
-      const kept = names.every((n, i) => n === this.data.drive.given || n.startsWith("angle_") || !before[n] || before[n] * this.given[n] > 0), now = kept && miss();
+      this.set(Object.fromEntries(names.map((n, i) => [n,
+        n === this.data.drive.given ? this.placed(moved(n, i)) : moved(n, i)])));
+      const kept = names.every((n, i) => n === this.data.drive.given || n.startsWith("angle_") || !before[n] ||
+        before[n] * this.given[n] > 0), now = kept && miss();
       if (now && Math.hypot(...now) < Math.hypot(...off)) { off = now; damp = Math.max(damp / 10, 1e-12); }
       else { this.back(before); damp *= 10; }
     }
     return off ? Math.hypot(...off) : Infinity;
   }
-}
-function quantile(numbers, share) {
-  const sorted = [...numbers].sort((a, b) => a - b);
-  return sorted[Math.floor(share * (sorted.length - 1))];
 }

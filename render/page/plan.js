@@ -1,23 +1,29 @@
-"use strict";
 // A plan of velocities, accelerations or forces, or Zhukovsky's lever, as far as it is drawn.
+import { svg } from "./figure.js";
+import { born } from "./frames.js";
+import { distance, union } from "./geometry.js";
+import { Lensed } from "./lens.js";
+import { live, state } from "./page.js";
+import { say } from "./words.js";
 
-class Plan extends Figure {
-  own(key) {
-    return Object.keys(this.data.marks).filter(n => n.slice(0, n.lastIndexOf(":")) === key && !this.data.helpers.includes(n));
-  }
+export class Plan extends Lensed {
   frame(key) { // the plan in its own position fills the panel; one that grows is followed, up to three times
     const marks = this.own(key), now = this.box(marks), own = this.box(marks, n => live.home(n)) || now || [0, 0, 1, 1];
     if (!now || live.at_home) return own;
-    const far = 3 * Math.max(own[2] - own[0], own[3] - own[1], 10), mx = (own[0] + own[2]) / 2, my = (own[1] + own[3]) / 2;
-    const held = [Math.max(now[0], mx - far), Math.max(now[1], my - far), Math.min(now[2], mx + far), Math.min(now[3], my + far)];
+    const far = 3 * Math.max(own[2] - own[0], own[3] - own[1], 10), mx = (own[0] + own[2]) / 2;
+    const my = (own[1] + own[3]) / 2;
+    const held = [Math.max(now[0], mx - far), Math.max(now[1], my - far), Math.min(now[2], mx + far),
+      Math.min(now[3], my + far)];
     return Math.hypot(now[2] - now[0], now[3] - now[1]) < 0.2 * far ? own : union(own, held);
   }
   show(key, seen, frame, hidden) {
-    const lit = new Set(frame ? frame.terms : []), force = !["velocity", "acceleration", "lever"].includes(key), lever = key === "lever";
+    const lit = new Set(frame ? frame.terms : []), force = !["velocity", "acceleration", "lever"].includes(key);
+    const lever = key === "lever";
     this.more = lever || hidden ? (this.size ? 14 : 44) : 0;
     this.start(this.frame(key));
-    const there = n => seen.has(n) && this.at(n) && this.px(this.at(n));
-    for (const m of frame && !hidden ? frame.makes : []) if (m.startsWith(key + ":")) this.trace(this.data.traces[m], m);
+    const there = n => seen.has(n) && this.spot(n);
+    for (const m of frame && !hidden ? frame.makes : []) if (m.startsWith(key + ":")) this.trace(this.data.traces[m],
+      m);
     const names = [];
     this.places = [];
     this.shifted = false;
@@ -33,10 +39,11 @@ class Plan extends Figure {
       const q = there(m);
       if (q && m.startsWith(key + ":")) svg("circle", { cx: q[0], cy: q[1], r: 5.5, class: "fresh" }, this.node);
     }
-    if (lever && frame && frame.moments !== null) Scheme.prototype.forces.call(this, this.data.moments[frame.moments], frame.terms);
+    if (lever && frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], frame.terms);
     if (pole && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
     if (force) for (const [a, b, n] of names) this.along(a, b, n, key);
-    else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q, this.fixed(g.names, key), key);
+    else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q,
+      this.fixed(g.names, key), key);
     this.settle();
     if (!hidden && !state.spin) this.lenses(key, this.drawn);
   }
@@ -56,10 +63,10 @@ class Plan extends Figure {
     this.drawn.push({ a, b, kind, names: s.names });
     if (force) [a, b] = this.aside(a, b);
     this.arrow(a, b, kind, s.names.join(" "));
-    if (force && Math.hypot(b[0] - a[0], b[1] - a[1]) > 1) names.push([a, b, s.names]);
+    if (force && distance(a, b) > 1) names.push([a, b, s.names]);
   }
   aside(a, b) { // a force that would lie upon another one of the same line is drawn beside it
-    const n = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    const n = distance(a, b);
     if (n < 1) return [a, b];
     let x = (b[1] - a[1]) / n, y = (a[0] - b[0]) / n;
     if (x < -1e-6 || (Math.abs(x) <= 1e-6 && y < 0)) [x, y] = [-x, -y];
@@ -74,12 +81,14 @@ class Plan extends Figure {
   }
   lever(there) {
     const pole = there("lever:p");
-    for (const n of this.own("lever")) { const q = there(n); if (pole && q && n !== "lever:p") this.line(pole, q, "link"); }
+    for (const n of this.own("lever")) { const q = there(n);
+      if (pole && q && n !== "lever:p") this.line(pole, q, "link"); }
   }
 }
 function upon(p, q, [a, b]) { // whether two strokes of one line share more than a few pixels
-  const n = Math.hypot(b[0] - a[0], b[1] - a[1]), ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
-  const along = r => (r[0] - a[0]) * ux + (r[1] - a[1]) * uy, off = r => Math.abs((r[0] - a[0]) * uy - (r[1] - a[1]) * ux);
+  const n = distance(a, b), ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
+  const along = r => (r[0] - a[0]) * ux + (r[1] - a[1]) * uy;
+  const off = r => Math.abs((r[0] - a[0]) * uy - (r[1] - a[1]) * ux);
   if (Math.max(off(p), off(q)) > 3) return false;
   return Math.min(Math.max(along(p), along(q)), n) - Math.max(Math.min(along(p), along(q)), 0) > 4;
 }

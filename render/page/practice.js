@@ -1,9 +1,23 @@
-"use strict";
-// Practice: what is asked of the reader, in whatever sensible order; answers are judged by the mistakes on the lesson's tape.
+// Practice: what is asked of the reader, in whatever sensible order; answers are judged by the mistakes on the
+// lesson's tape.
+import { writeAddress } from "./address.js";
+import { desk } from "./desk.js";
+import { $ } from "./dom.js";
+import { terms } from "./equations.js";
+import { distance } from "./geometry.js";
+import { spin, zones } from "./hands.js";
+import { keyOf, labelOf } from "./letters.js";
+import { data, draw, live, state } from "./page.js";
+import { play } from "./stepper.js";
+import { say } from "./words.js";
 const TRIES = 3, JUDGING = data.judging;
 
-const practice = {
-  on: false, seed: 0, index: 0, tries: 0, answers: [], done: new Set(), marks: {}, said: null, over: false, name: "",
+export const practice = {
+  index: 0, after: () => {}, tries: 0, answers: [], done: new Set(), marks: {}, said: null, over: false, name: "",
+  get on() { return state.practising; },
+  set on(on) { state.practising = on; },
+  get seed() { return state.seed; },
+  set seed(seed) { state.seed = seed; },
   get items() { return data.practice; },
   get item() { return this.items[this.index]; },
   get frame() { return data.frames[this.item.frame]; },
@@ -13,7 +27,7 @@ const practice = {
   get asked() { return this.answers.filter(a => a !== undefined).length; },
   toggle() {
     this.on = !this.on;
-    $("practise").setAttribute("aria-pressed", this.on);
+    $("practise").setAttribute("aria-pressed", String(this.on));
     document.body.classList.toggle("practising", this.on);
     $("told").hidden = this.on;
     $("task").hidden = !this.on;
@@ -37,19 +51,22 @@ const practice = {
     desk.clear();
     if (this.item.kind === "mark") {
       const uses = this.frame.uses.filter(m => m.startsWith(this.frame.plan + ":") && this.seen().has(m));
-      desk.tool = (data.traces[this.item.what] || this.frame.plan === "position") && !this.laid ? (data.traces[this.item.what]?.arcs ? "arc" : "line") : "vector";
+      desk.tool = (data.traces[this.item.what] || this.frame.plan === "position") && !this.laid ?
+        (data.traces[this.item.what]?.arcs ? "arc" : "line") : "vector";
       Object.assign(desk, { from: uses[0] || this.frame.plan + ":p", along: desk.lines()[0]?.[0] || "angle" });
     } else Object.assign(desk, { tool: "ruler", from: desk.marks()[0] || "", to: desk.marks()[1] || "" });
     draw();
   },
   get laid() { return !data.traces[this.item.what]; },
   seen() { // what is drawn: what was asked and done, and what needs nothing else
-    if (this.kept?.done === this.done && this.kept.size === this.done.size) return this.kept.seen.add(this.frame.plan + ":p");
+    if (this.kept?.done === this.done && this.kept.size === this.done.size) return this.kept.seen.add(this.frame.plan +
+      ":p");
     const asked = new Set(this.items.filter(t => t.kind === "mark").map(t => t.what)), seen = new Set(["position:p"]);
     this.items.forEach((t, k) => { if (t.kind === "mark" && this.done.has(k)) seen.add(t.what); });
     for (let more = true; more;) {
       more = false;
-      for (const f of data.frames) for (const m of f.makes) if (!seen.has(m) && !asked.has(m) && f.uses.every(n => seen.has(n) || n.endsWith(":p"))) { seen.add(m); more = true; }
+      for (const f of data.frames) for (const m of f.makes) if (!seen.has(m) && !asked.has(m) &&
+        f.uses.every(n => seen.has(n) || n.endsWith(":p"))) { seen.add(m); more = true; }
     }
     this.kept = { done: this.done, size: this.done.size, seen };
     return seen.add(this.frame.plan + ":p");
@@ -58,43 +75,54 @@ const practice = {
     if (this.done.has(k)) return false;
     const t = this.items[k], f = data.frames[t.frame], seen = this.seen(), trace = data.traces[t.what] || {};
     if (t.kind !== "mark") return this.items.every((o, i) => i >= k || o.kind !== "mark" || this.done.has(i));
-    return [...f.uses, ...(trace.lines || []), ...(trace.arcs || [])].every(n => seen.has(n) || n.endsWith(":p") || !this.items.some(o => o.kind === "mark" && o.what === n));
+    return [...f.uses, ...(trace.lines || []),
+      ...(trace.arcs || [])].every(n => seen.has(n) || n.endsWith(":p") ||
+      !this.items.some(o => o.kind === "mark" && o.what === n));
   },
   open() { // the questions of the plan in hand that may be answered, and the first of each other
-    const all = this.items.map((_, k) => k).filter(k => this.free(k)), plan = k => data.frames[this.items[k].frame].plan;
+    const all = this.items.map((_, k) => k).filter(k => this.free(k));
+    const plan = k => data.frames[this.items[k].frame].plan;
     return all.filter((k, i) => plan(k) === this.frame.plan || all.findIndex(o => plan(o) === plan(k)) === i);
   },
   size(key) { // how large a plan is: the farthest of its marks
-    return Math.max(0, ...this.items.filter(t => t.kind === "mark" && t.what.startsWith(key + ":")).map(t => live.at(t.what) ? Math.hypot(...live.at(t.what)) : 0));
+    return Math.max(0, ...this.items.filter(t => t.kind === "mark" &&
+      t.what.startsWith(key + ":")).map(t => live.at(t.what) ? Math.hypot(...live.at(t.what)) : 0));
   },
-  allowed(mark) { return Math.max(JUDGING.fits_mm, JUDGING.fits_share * this.size(mark.slice(0, mark.lastIndexOf(":")))); },
+  allowed(mark) { return Math.max(JUDGING.fits_mm, JUDGING.fits_share * this.size(keyOf(mark))); },
   fits(mark) { // nearer to its place than to where any mistake puts it, as far as a hand can
-    const p = live.at(mark), wrong = this.slips(mark).map(s => Math.hypot(s.place[0] - p[0], s.place[1] - p[1]));
+    const p = live.at(mark), wrong = this.slips(mark).map(s => distance(p, s.place));
     return Math.max(JUDGING.least_mm, Math.min(this.allowed(mark), ...wrong.map(d => d / 2)));
   },
   truth(t) {
     if (t.kind === "known") return this.goal(data.equations[t.what]).map(g => g.known).join("");
     if (t.kind === "mark") return live.at(t.what);
-    if (t.kind === "mu") { const k = live.given["mu_" + t.what]; return /⟦i/.test(data.plans.find(p => p.key === t.what).mu.en) ? 1 / k : k; }
+    if (t.kind === "mu") { const k = live.given["mu_" + t.what];
+      return /⟦i/.test(data.plans.find(p => p.key === t.what).mu.en) ? 1 / k : k; }
     return t.kind === "sense" ? Math.sign(live.value(t.what)) : live.value(t.what);
   },
   right(t, a) {
     const true_ = this.truth(t);
     if (a === null || true_ === null) return false;
     if (t.kind === "known" || t.kind === "sense") return a === true_;
-    if (t.kind === "mark") return Math.hypot(a[0] - true_[0], a[1] - true_[1]) <= this.fits(t.what);
+    if (t.kind === "mark") return distance(true_, a) <= this.fits(t.what);
     if (t.kind === "mu") return Math.abs(a - true_) <= JUDGING.scale_share * true_;
     const [seen, due] = t.signed ? [a, true_] : [Math.abs(a), Math.abs(true_)];
-    return Math.abs(seen - due) <= Math.max(JUDGING.number_share * Math.abs(true_), t.mu ? JUDGING.ruler_mm / live.given[t.mu] : 0);
+    return Math.abs(seen - due) <= Math.max(JUDGING.number_share * Math.abs(true_),
+      t.mu ? JUDGING.ruler_mm / live.given[t.mu] : 0);
   },
   goal(e) { return [...terms(e), ...(e.total.known ? [e.total] : [])].filter(t => t.action !== "=0"); },
-  answer(given, said, shown) { // the first answer counts
+  answer(given, said, shown) {
+    this.judged(given, said, shown);
+    this.after();
+  },
+  judged(given, said, shown) { // the first answer counts
     if (this.answers[this.index] === undefined) this.answers[this.index] = given;
     if (this.right(this.item, given)) { this.said = ["yes", say("right")]; this.move(); return; }
     this.tries += 1;
     const reason = (said || this.frame.why[state.lang]).replace(/\.?$/, ".");
     this.said = ["no", reason];
-    if (shown || this.tries >= TRIES) { this.said = ["no", `${shown ? "" : reason + " "}${say("shown")}`]; this.move(); return; }
+    if (shown || this.tries >= TRIES) { this.said = ["no", `${shown ? "" : reason + " "}${say("shown")}`]; this.move();
+      return; }
     draw();
   },
   move() {
@@ -107,50 +135,68 @@ const practice = {
   },
   sentence(mistake, names) {
     const { said, parts } = data.mistakes[mistake], own = Object.fromEntries(parts.map((p, k) => [p, names[k]]));
-    return said[state.lang].replace(/\{(\w+)\}/g, (_, p) => typeof own[p] === "object" ? own[p][state.lang] : own[p] ? `⟨${own[p]}⟩` : "");
+    return said[state.lang].replace(/\{(\w+)\}/g,
+      (_, p) => typeof own[p] === "object" ? own[p][state.lang] : own[p] ? `⟨${own[p]}⟩` : "");
   },
-  slips(mark) { return data.slips.filter(s => s.at === mark).map(s => ({ ...s, place: live.pair(s.place) })).filter(s => s.place); },
+  slips(mark) { return data.slips.filter(s => s.at === mark).map(s => ({ ...s, place: live.pair(s.place) })).filter(
+    s => s.place); },
   place(p, stroke) { // a mark put here
-    const t = this.item, fits = this.allowed(t.what), at = p.map(v => +v.toFixed(2)), near = q => Math.hypot(q[0] - at[0], q[1] - at[1]) <= fits;
+    const t = this.item, fits = this.allowed(t.what), at = p.map(v => +v.toFixed(2));
+    const near = q => distance(at, q) <= fits;
     if (this.right(t, at)) { this.answer(at); return; }
-    const fit = this.slips(t.what).filter(s => near(s.place)).map(s => [s.m, s.names]), mark = [desk.short(t.what)];
-    const true_ = live.at(t.what), way = stroke && stroke.end ? Math.atan2(true_[1] - stroke.at[1], true_[0] - stroke.at[0]) : null, mu = live.given["mu_" + this.frame.plan];
+    const fit = this.slips(t.what).filter(s => near(s.place)).map(s => [s.m, s.names]), mark = [labelOf(t.what)];
+    const true_ = live.at(t.what);
+    const way = stroke && stroke.end ? Math.atan2(true_[1] - stroke.at[1], true_[0] - stroke.at[0]) : null;
+    const mu = live.given["mu_" + this.frame.plan];
     if (way !== null && Math.abs(Math.sin(stroke.a - way)) < 0.05 && Math.cos(stroke.a - way) > 0) {
-      const long = Math.hypot(true_[0] - stroke.at[0], true_[1] - stroke.at[1]), as = mm => Math.abs(stroke.mm - mm) <= Math.max(0.005, Math.min(fits, 0.05 * mm));
+      const long = distance(stroke.at, true_);
+      const as = mm => Math.abs(stroke.mm - mm) <= Math.max(0.005, Math.min(fits, 0.05 * mm));
       if (as(long / mu)) fit.push(["value_for_mm", mark]);
       if (as(long / mu / mu)) fit.push(["value_over_mu", mark]);
     }
-    const other = fit.length ? null : this.open().map(k => this.items[k]).find(o => o.kind === "mark" && o !== t && near(live.at(o.what)));
+    const other = fit.length ? null :
+      this.open().map(k => this.items[k]).find(o => o.kind === "mark" && o !== t && near(live.at(o.what)));
     if (stroke) desk.strokes.push({ ...stroke, wrong: true });
-    this.answer(at, other ? say("other_mark").replace("{mark}", `⟨${desk.short(other.what)}⟩`) : this.named(fit));
+    this.answer(at, other ? say("other_mark").replace("{mark}", `⟨${labelOf(other.what)}⟩`) : this.named(fit));
   },
   stroke(s) { // a line or an arc on the way to a mark of this plan; the mistakes it may come from
-    const open = this.open().map(k => this.items[k]).filter(t => t.kind === "mark" && t.what.startsWith(this.frame.plan + ":"));
+    const open = this.open().map(k => this.items[k]).filter(t => t.kind === "mark" &&
+      t.what.startsWith(this.frame.plan + ":"));
     const wrong = !open.some(t => desk.off(s, live.at(t.what)) <= this.fits(t.what));
     desk.strokes.push({ ...s, wrong });
-    if (!wrong) { this.said = ["yes", say("stroke_right")]; if (desk.crossings().length) desk.tool = "point"; draw(); return; }
-    const fit = open.flatMap(t => this.slips(t.what)).filter(w => w.m !== "angle_sense" && this.starts(w.at).includes(this.stood(s)) && desk.off(s, w.place) <= this.fits(w.at) / 2).map(w => [w.m, w.names]);
+    if (!wrong) { this.said = ["yes", say("stroke_right")]; if (desk.crossings().length) desk.tool = "point"; draw();
+      return; }
+    const fit = open.flatMap(t => this.slips(t.what)).filter(w => w.m !== "angle_sense" &&
+      this.starts(w.at).includes(this.stood(s)) && desk.off(s, w.place) <= this.fits(w.at) / 2).map(w => [w.m,
+      w.names]);
     this.answer(null, this.named(fit));
   },
-  starts(mark) { const t = data.traces[mark] || {}; return [...(t.lines || []), ...(t.arcs || []), this.frame.plan + ":p"].map(n => live.at(n)).filter(Boolean).map(p => p.map(v => v.toFixed(1)).join()); },
+  starts(mark) { const t = data.traces[mark] || {};
+    return [...(t.lines || []), ...(t.arcs || []),
+    this.frame.plan + ":p"].map(n => live.at(n)).filter(Boolean).map(p => p.map(v => v.toFixed(1)).join()); },
   stood(s) { return s.at.map(v => v.toFixed(1)).join(); },
   number(text) { // a value, or a scale
     const given = parseFloat(String(text).replace(",", ".").replace("−", "-")), t = this.item;
     if (!Number.isFinite(given)) return;
-    const true_ = Math.abs(this.truth(t)), as = v => Math.abs(Math.abs(given) - Math.abs(v)) <= JUDGING.number_share * Math.abs(v), fit = [];
+    const true_ = Math.abs(this.truth(t));
+    const as = v => Math.abs(Math.abs(given) - Math.abs(v)) <= JUDGING.number_share * Math.abs(v), fit = [];
     const add = (m, v) => { if (v && as(v)) fit.push([m, [t.kind === "mu" ? "μ" : t.what.replace(/[‖|]/g, "")]]); };
     if (t.signed && given * this.truth(t) < 0) add("sense_wrong", true_);
     if (t.kind === "mu") add("mu_inverted", 1 / true_);
     else {
-      const rate = /^(omega|epsilon)_/.test(t.what), mu = live.given[t.mu || "mu_" + this.frame.plan], scheme_ = live.given.mu_position;
+      const rate = /^(omega|epsilon)_/.test(t.what), mu = live.given[t.mu || "mu_" + this.frame.plan];
+      const scheme_ = live.given.mu_position;
       if (rate) for (const by of [1 / scheme_, mu / scheme_, 1e-3]) add("omega_without_mu_l", true_ * by);
-      if (mu && mu !== 1) { add("mm_for_value", true_ * mu); add("mu_inverted", true_ * mu * mu); add("mu_inverted", true_ / mu / mu); }
-      const mark = this.items.find(o => o.kind === "mark" && o.frame === t.frame), from = mark && live.at(data.frames[t.frame].uses[0]);
-      if (from) for (const s of this.slips(mark.what)) if (as(Math.hypot(s.place[0] - from[0], s.place[1] - from[1]) / mu)) fit.push([s.m, s.names]);
+      if (mu && mu !== 1) { add("mm_for_value", true_ * mu); add("mu_inverted", true_ * mu * mu);
+        add("mu_inverted", true_ / mu / mu); }
+      const mark = this.items.find(o => o.kind === "mark" && o.frame === t.frame);
+      const from = mark && live.at(data.frames[t.frame].uses[0]);
+      if (from) for (const s of this.slips(mark.what)) if (as(distance(from, s.place) / mu)) fit.push([s.m, s.names]);
     }
     this.answer(+given.toPrecision(6), this.named(fit));
   },
-  asking(name) { return this.on && !this.over && this.item.kind === "known" && this.goal(this.equation).some(t => t.name === name); },
+  asking(name) { return this.on && !this.over && this.item.kind === "known" &&
+    this.goal(this.equation).some(t => t.name === name); },
   given(name) { return this.marks[name] || 0; },
 };
 function random(seed) { // a stream of numbers from 0 to 1: mulberry32
@@ -162,18 +208,24 @@ function random(seed) { // a stream of numbers from 0 to 1: mulberry32
     return ((t ^ t >>> 14) >>> 0) / 4294967296;
   };
 }
-function fresh(seed) { // other numbers near the scene's, with which everything is drawn as well; false where there are none
-  const { given, symbol, held, at, from, to } = data.drive, sizes = () => data.plans.map(p => practice.size(p.key)), blunt = () => Math.min(...Object.keys(data.sharp).map(m => live.sharpness(m)));
+// other numbers near the scene's, with which everything is drawn as well; false where there are none
+function fresh(seed) {
+  const { given, symbol, held, at, from, to } = data.drive, sizes = () => data.plans.map(p => practice.size(p.key));
+  const blunt = () => Math.min(...Object.keys(data.sharp).map(m => live.sharpness(m)));
   const home = sizes(), sharp = blunt();
   for (let k = 0; k < JUDGING.draws; k++) {
     const draw = random(seed * JUDGING.draws + k), numbers = {};
-    for (const n of data.knobs) if (!n.plan && !n.stays) numbers[n.given] = +(n.at * (1 + JUDGING.fresh * (2 * draw() - 1))).toPrecision(3);
-    if (!held) numbers[given] = symbol === "φ" ? Math.round(at + JUDGING.swing * (2 * draw() - 1)) : +(at + (to - from) / 20 * (2 * draw() - 1)).toPrecision(3);
+    for (const n of data.knobs) if (!n.plan &&
+      !n.stays) numbers[n.given] = +(n.at * (1 + JUDGING.fresh * (2 * draw() - 1))).toPrecision(3);
+    if (!held) numbers[given] = symbol === "φ" ? Math.round(at + JUDGING.swing * (2 * draw() - 1)) :
+      +(at + (to - from) / 20 * (2 * draw() - 1)).toPrecision(3);
     live.back(data.home);
     live.set(numbers);
     const now = live.failed ? [] : sizes();
-    if (now.length && now.every((s, i) => s >= 0.5 * home[i] && s <= 1.8 * home[i]) && !(blunt() < 0.5 * sharp)) return true;
+    if (now.length && now.every((s, i) => s >= 0.5 * home[i] && s <= 1.8 * home[i]) &&
+      !(blunt() < 0.5 * sharp)) return true;
   }
   live.back(data.home);
   return false;
 }
+desk.practice = practice;

@@ -1,23 +1,27 @@
-"use strict";
 // Lines of reckoning as mathematics: fractions as fractions, names that light what they name, numbers of the position.
+import { html, safe } from "./letters.js";
+import { data, state } from "./page.js";
+import { filled, say, sentence } from "./words.js";
 
-function inWords(f) { // a frame's sentence with its lines in words
+export function inWords(f) { // a frame's sentence with its lines in words
   return f.said[state.lang].replace(/⟪(\d+)⟫/g, (_, k) => rowText(f.rows[k]));
 }
 function unitOf(r) { return r.unit ? data.reckoned.units[r.unit][state.lang] : ""; }
 function rowText(r) { // as the engine words it
   if (!r.numbers) return `⟨${r.name}⟩ = 0`;
   const head = r.head || `⟨${r.name}⟩`, found = head.includes("·") ? `; ⟨${r.name}⟩` : "", unit = unitOf(r);
-  const arm = r.arm ? ` (⟨${r.arm}⟩ = ⟦a¦${r.arm}⟧ ${data.reckoned.units.m[state.lang]})` : "", places = { ...r, head, found, unit, arm };
+  const arm = r.arm ? ` (⟨${r.arm}⟩ = ⟦a¦${r.arm}⟧ ${data.reckoned.units.m[state.lang]})` : "";
+  const places = { ...r, head, found, unit, arm };
   const text = data.reckoned.words[r.kind || "formula"][state.lang].replace(/{(\w+)}/g, (_, k) => places[k]);
   return text + (r.turns ? ` (⟦s¦${r.name}⟧)` : "");
 }
-function typeset(f) { // what is done, the lines beneath each other, what is said of them
+export function typeset(f) { // what is done, the lines beneath each other, what is said of them
   if (!f.rows.length) return sentence(f.said[state.lang], f.plan);
   const [lead, ...tail] = f.said[state.lang].split(/⟪\d+⟫(?:; ⟪\d+⟫)*/);
   const rest = tail.join("").replace(/^[.;:,]\s*/, "");
   const rows = f.rows.map(r => `<div>${setLine(r, f.plan)}</div>`).join("");
-  return `${sentence(lead, f.plan)}<div class="rows${f.rows.length > 3 ? " many" : ""}">${rows}</div>${sentence(rest, f.plan)}`;
+  const many = f.rows.length > 3 ? " many" : "";
+  return `${sentence(lead, f.plan)}<div class="rows${many}">${rows}</div>${sentence(rest, f.plan)}`;
 }
 function setLine(r, key) { // name = letters = numbers = value unit, each a piece that may go to the next line
   const unit = `<mspace width=".2em"/><mtext>${safe(unitOf(r))}</mtext>`;
@@ -25,7 +29,8 @@ function setLine(r, key) { // name = letters = numbers = value unit, each a piec
   const value = `<mo>=</mo>${added(filled(r.value), key)}${unit}`, name = `⟨${r.name}⟩`;
   if (!r.numbers) return math(`${added(name, key)}<mo>=</mo><mn>0</mn>`);
   if (r.kind === "measured") {
-    const mm = `${added(filled(r.letters), key)}<mspace width=".2em"/><mtext>${safe(say("mm"))}</mtext>`, by = r.numbers.slice(2);
+    const mm = `${added(filled(r.letters), key)}<mspace width=".2em"/><mtext>${safe(say("mm"))}</mtext>`;
+    const by = r.numbers.slice(2);
     const read = r.numbers[0] === "/" ? `<mfrac><mrow>${mm}</mrow><mrow>${added(filled(by), key)}</mrow></mfrac>`
       : `${mm}<mo>·</mo>${added(filled(by), key)}`;
     return math(added(name, key)) + math(`<mo>=</mo>${read}`) + math(value) + sign;
@@ -37,7 +42,8 @@ function setLine(r, key) { // name = letters = numbers = value unit, each a piec
 }
 function wrapped(text, key) { // a side, each of its terms a piece
   const found = pieces(text, [" + ", " − "]);
-  return found.filter((_, k) => k % 2 === 0).map((t, k) => math(`<mo form="infix">${k ? found[2 * k - 1].trim() : "="}</mo>${added(t, key)}`)).join("");
+  const one = (t, k) => math(`<mo form="infix">${k ? found[2 * k - 1].trim() : "="}</mo>${added(t, key)}`);
+  return found.filter((_, k) => k % 2 === 0).map(one).join("");
 }
 function math(inner) { return `<math displaystyle="true"><mrow>${inner}</mrow></math>`; }
 function pieces(text, by) { // at a sign that stands in no brackets
@@ -50,12 +56,14 @@ function pieces(text, by) { // at a sign that stands in no brackets
   return found;
 }
 function added(text, key) {
-  const signed = t => t[0] === "−" && t.length > 1 ? `<mo form="prefix">−</mo>${quotient(t.slice(1), key)}` : quotient(t, key);
+  const signed = t => t[0] === "−" && t.length > 1 ? `<mo form="prefix">−</mo>${quotient(t.slice(1), key)}` :
+    quotient(t, key);
   return pieces(text, [" + ", " − ", " = "]).map((t, k) => k % 2 ? `<mo>${t.trim()}</mo>` : signed(t)).join("");
 }
 function quotient(text, key) {
-  const bare = t => /^\([^()]*\)$/.test(t) && t.includes(" ") ? t.slice(1, -1) : t, [above, , below] = pieces(text, [" / "]);
-  return below ? `<mfrac><mrow>${multiplied(above, key)}</mrow><mrow>${multiplied(bare(below), key)}</mrow></mfrac>` : multiplied(above, key);
+  const bare = t => /^\([^()]*\)$/.test(t) && t.includes(" ") ? t.slice(1, -1) : t;
+  const [above, , below] = pieces(text, [" / "]), all = t => `<mrow>${multiplied(t, key)}</mrow>`;
+  return below ? `<mfrac>${all(above)}${all(bare(below))}</mfrac>` : multiplied(above, key);
 }
 function multiplied(text, key) {
   return pieces(text, [" · "]).map((t, k) => k % 2 ? "<mo>·</mo>" : factorOf(t, key)).join("");
@@ -63,7 +71,8 @@ function multiplied(text, key) {
 function factorOf(text, key) {
   const m = /^(∣?)⟨([^⟩]*)⟩(∣?)([²³]?)$/.exec(text);
   if (!m) return /[0-9—]/.test(text) ? `<mn>${safe(text)}</mn>` : `<mtext>${sentence(text, key)}</mtext>`;
-  const name = `<mtext><i class="name" data-name="${m[2]}">${html(m[2], key)}</i></mtext>`, bar = m[1] ? "<mo>|</mo>" : "";
+  const name = `<mtext><i class="name" data-name="${m[2]}">${html(m[2], key)}</i></mtext>`;
+  const bar = m[1] ? "<mo>|</mo>" : "";
   const one = `<mrow>${bar}${name}${bar}</mrow>`;
   return m[4] ? `<msup>${one}<mn>${"²³".indexOf(m[4]) + 2}</mn></msup>` : one;
 }

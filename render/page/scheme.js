@@ -1,23 +1,31 @@
-"use strict";
-// The scheme of the mechanism: links, hinges, guides, sliders; forces and arms of a moment equation.
+// The scheme of the mechanism: links, hinges, guides, sliders, and what acts on them.
+import { Drawing } from "./drawing.js";
+import { svg } from "./figure.js";
+import { born } from "./frames.js";
+import { distance, union } from "./geometry.js";
+import { labelOf } from "./letters.js";
+import { live, state } from "./page.js";
 
-class Scheme extends Figure {
+export class Scheme extends Drawing {
   constructor(node, data, size) {
     super(node, data, size);
-    this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !data.helpers.includes(n));
+    this.first = {};
+    this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" &&
+      !data.helpers.includes(n));
     this.centres = data.scheme.links.flatMap(l => l.round ? [l.round.centre] : []);
     this.special = data.frames ? data.frames.filter(f => f.key === "special").flatMap(f => f.makes) : [];
   }
-  draw(seen, frame) {
+  show(key, seen, frame) {
     const { scheme } = this.data, common = live.usual, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
     const body = frame && ["free_body", "split"].includes(frame.key) ? this.data.bodies[frame.plan] : null;
     const told = frame && frame.moments !== null && frame.plan === "position" ? this.data.moments[frame.moments] : body;
     const feet = told ? told.forces.filter(f => f.foot && frame.terms.includes(f.name)).map(f => f.foot) : [];
     const now = this.box([...this.names.filter(n => seen.has(n)), ...feet]);
     this.start(now ? union(common, now) : common);
-    const there = n => seen.has(n) && this.at(n) && this.px(this.at(n));
+    const there = n => seen.has(n) && this.spot(n);
     for (const g of scheme.guides) this.guide(g, there(g.mark), live.angle("∥" + g.name), there);
-    const own = frame ? this.data.plans.find(p => p.key === frame.plan).links : [], apart = l => own.length && !own.includes(l.name);
+    const own = frame ? this.data.plans.find(p => p.key === frame.plan).links : [];
+    const apart = l => own.length && !own.includes(l.name);
     for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");
     for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), live.angle("∥" + l.slides));
     for (const l of scheme.links) if (l.round) this.rounded(l, there(l.points[0]), there(l.round.centre));
@@ -28,55 +36,53 @@ class Scheme extends Figure {
     if (frame && frame.turns) this.carried(frame);
     if (own.length) this.loaded(frame);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots, ...this.centres])];
-    for (const n of this.special) if (there(n)) this.beside(there(n), [n.slice(n.lastIndexOf(":") + 1)], "position", 9).dataset.name = n;
+    for (const n of this.special) if (there(n)) this.beside(there(n), [labelOf(n)], "position", 9).dataset.name = n;
     for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
-      const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n && state.frame >= this.introduced(n));
-      this.beside(g.q, [...g.names, ...under], "position", 9).dataset.name = g.names.map(n => "position:" + n).join(" ");
+      const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n &&
+        state.frame >= this.introduced(n));
+      this.beside(g.q, [...g.names, ...under], "position",
+        9).dataset.name = g.names.map(n => "position:" + n).join(" ");
     }
     this.settle();
   }
-  loaded(frame) { // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
-    const upto = this.data.frames.indexOf(frame), taken = {};
+  // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
+  loaded(frame) {
+    const upto = this.data.frames.indexOf(frame);
     for (const s of this.data.segments) for (const name of s.plan === frame.plan ? s.names : []) {
-      const [p, a, b] = [this.data.acts[name] || "", `${s.plan}:${s.start}`, `${s.plan}:${s.end}`].map(n => this.at(n)), first = born(name, frame.plan);
-      const whole = this.data.segments.some(o => o.plan === s.plan && o.names.some(n => n === name.split("^")[0] && n !== name && born(n, s.plan) <= upto));
+      const [p, a, b] = [this.data.acts[name] || "", `${s.plan}:${s.start}`, `${s.plan}:${s.end}`].map(n => this.at(n));
+      const first = born(name, frame.plan);
+      const whole = this.data.segments.some(o => o.plan === s.plan &&
+        o.names.some(n => n === name.split("^")[0] && n !== name && born(n, s.plan) <= upto));
       if (!p || !a || !b || first > upto || first < 0 || (name.includes("^") && whole)) continue;
-      const k = taken[p] = (taken[p] || 0) + 1, q = this.px([p[0], p[1]]), e = [q[0] + (b[0] - a[0]) * this.k, q[1] - (b[1] - a[1]) * this.k];
+      const q = this.px(p);
+      const e = [q[0] + (b[0] - a[0]) * this.k, q[1] - (b[1] - a[1]) * this.k];
       if (!this.arrow(q, e, frame.terms.includes(name) ? "force" : "part loaded", name)) continue;
-      const n = Math.hypot(e[0] - q[0], e[1] - q[1]), far = Math.min(n, 90) / n;
-      this.along(q, [q[0] + (e[0] - q[0]) * far, q[1] + (e[1] - q[1]) * far], [name], frame.plan, k);
+      const n = distance(q, e), far = Math.min(n, 90) / n;
+      this.along(q, [q[0] + (e[0] - q[0]) * far, q[1] + (e[1] - q[1]) * far], [name], frame.plan);
     }
   }
   introduced(name) { // the frame that tells of the point under a slider
-    this.first ||= {};
     return this.first[name] ??= this.data.frames.findIndex(f => f.key === "equation" && f.why.en.includes(`⟨${name}⟩`));
   }
   carried(frame) { // a relative vector at its point, and which way it turns the link
-    const { vector, rate, point, about } = frame.turns, s = this.data.segments.find(s => s.plan === frame.plan && s.names.includes(vector));
-    const [p, o] = [point, about].map(n => this.at(n) && this.px(this.at(n))), [a, b] = s ? [s.start, s.end].map(n => this.at(`${s.plan}:${n}`)) : [];
+    const { vector, rate, point, about } = frame.turns;
+    const s = this.data.segments.find(s => s.plan === frame.plan && s.names.includes(vector));
+    const [p, o] = [point, about].map(n => this.spot(n));
+    const [a, b] = s ? [s.start, s.end].map(n => this.at(`${s.plan}:${n}`)) : [];
     if (!p || !o || !a || !b) return;
-    const n = Math.hypot(b[0] - a[0], b[1] - a[1]), long = Math.min(64, Math.max(26, n * this.k)), q = [p[0] + (b[0] - a[0]) / n * long, p[1] - (b[1] - a[1]) / n * long];
+    const n = distance(a, b), long = Math.min(64, Math.max(26, n * this.k));
+    const q = [p[0] + (b[0] - a[0]) / n * long, p[1] - (b[1] - a[1]) / n * long];
     if (n < 1e-6) return;
     this.arrow(p, q, "force", vector);
     this.along(p, q, [vector], frame.plan);
-    const from = Math.atan2(p[1] - o[1], p[0] - o[0]), r = Math.min(0.55 * Math.hypot(p[0] - o[0], p[1] - o[1]), 70), way = live.value(rate) > 0 ? -1 : 1;
+    const from = Math.atan2(p[1] - o[1], p[0] - o[0]), r = Math.min(0.55 * distance(o, p), 70);
+    const way = live.value(rate) > 0 ? -1 : 1;
     const at = this.turned(o, r, from, way, [-0.1, 0.75], "about turning", rate);
-    this.put([rate], (half, tall) => [0.33, 0.05, 0.6, 0.9, -0.3, 1.3].flatMap((t, k) => [6, 16, -2 * half - 6].map((far, j) => { const m = at(t), u = Math.hypot(m[0] - o[0], m[1] - o[1]) || 1; return [m[0] + (m[0] - o[0]) / u * (half + far), m[1] + (m[1] - o[1]) / u * (tall + far), 0.2 * (k + j)]; })), frame.plan);
-  }
-  turned(o, r, from, way, [first, last], cls, name) { // an arrow about a centre, from an angle onwards, radians
-    const at = t => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)], [c, d] = [at(first), at(last)];
-    svg("path", { class: cls, d: `M${c[0].toFixed(1)} ${c[1].toFixed(1)}A${r.toFixed(1)} ${r.toFixed(1)} 0 ${last - first > Math.PI ? 1 : 0} ${way > 0 ? 1 : 0} ${d[0].toFixed(1)} ${d[1].toFixed(1)}` }, this.node);
-    this.arrow(at(last - Math.min(0.4, 9 / r)), d, "force", name);
-    return at;
-  }
-  couple(c, nth) { // about the middle of its link, each further one of it wider
-    const l = this.data.scheme.links.find(l => l.name === c.link), pts = l ? l.points.map(n => this.at(n) && this.px(this.at(n))).filter(Boolean) : [];
-    const size = c.sign * live.value(c.size), r = (this.size ? 13 : 19) + 7 * nth;
-    if (!pts.length || !(Math.abs(size) > 1e-9)) return;
-    const o = [0, 1].map(i => pts.reduce((z, p) => z + p[i], 0) / pts.length), from = pts.length > 1 ? Math.atan2(pts[1][1] - o[1], pts[1][0] - o[0]) : 0;
-    const at = this.turned(o, r, from, size > 0 ? -1 : 1, [0.5, 4.2], "about couple", c.name);
-    for (const t of [0.5, 1.4, 2.3, 3.2, 4.2]) this.strokes.push([at(t), at(t + 0.4)]);
-    this.beside(o, [c.name], "force", r + 3);
+    this.put([rate], (half, tall) => [0.33, 0.05, 0.6, 0.9, -0.3,
+      1.3].flatMap((t, k) => [6, 16,
+      -2 * half - 6].map((far, j) => { const m = at(t), u = distance(o, m) || 1;
+      return [m[0] + (m[0] - o[0]) / u * (half + far), m[1] + (m[1] - o[1]) / u * (tall + far), 0.2 * (k + j)]; })),
+      frame.plan);
   }
   guide(g, p, angle, there) {
     if (!p || angle == null) return;
@@ -86,41 +92,56 @@ class Scheme extends Figure {
       const q = there(l.points[0]);
       if (q) { const t = ((q[0] - p[0]) * c + (q[1] - p[1]) * s) / this.k; lo = Math.min(lo, t); hi = Math.max(hi, t); }
     }
-    const over = 34 / this.k, ends = [lo - (fixed || lo < 0 ? over : 0), hi + over].map(t => [p[0] + t * this.k * c, p[1] + t * this.k * s]);
+    const over = 34 / this.k;
+    const ends = [lo - (fixed || lo < 0 ? over : 0),
+      hi + over].map(t => [p[0] + t * this.k * c, p[1] + t * this.k * s]);
     this.line(ends[0], ends[1], fixed ? "axis" : "rail", fixed ? "" : "link:" + g.link, true);
   }
   link(l, there, away) {
-    const pts = l.points.map(there).filter(Boolean), cls = "link" + (l.name === this.data.scheme.driver ? " driver" : "") + away;
+    const pts = l.points.map(there).filter(Boolean);
+    const cls = "link" + (l.name === this.data.scheme.driver ? " driver" : "") + away;
     const shape = hull(pts);
     if (shape.length > 2) {
-      svg("polygon", { points: shape.map(p => p.map(v => v.toFixed(1)).join(",")).join(" "), class: cls, "data-name": "link:" + l.name }, this.node);
+      svg("polygon", { points: shape.map(p => p.map(v => v.toFixed(1)).join(",")).join(" "), class: cls,
+        "data-name": "link:" + l.name }, this.node);
       shape.forEach((p, k, a) => this.strokes.push([p, a[(k + 1) % a.length]]));
     } else if (shape.length === 2) this.line(shape[0], shape[1], cls, "link:" + l.name);
     if (pts.length > 1) { // the number of the link, at its middle
-      const m = [(pts[0][0] + pts[1][0]) / 2, (pts[0][1] + pts[1][1]) / 2], n = Math.hypot(pts[1][0] - pts[0][0], pts[1][1] - pts[0][1]);
+      const m = [(pts[0][0] + pts[1][0]) / 2, (pts[0][1] + pts[1][1]) / 2], n = distance(pts[0], pts[1]);
       if (n > 34) this.number(l.name, pts[0], pts[1], m, n);
     }
   }
   number(name, a, b, m, n) {
     const x = m[0] - (b[1] - a[1]) / n * 13, y = m[1] + (b[0] - a[0]) / n * 13;
-    svg("text", { class: "number", x, y: y + 4, "text-anchor": "middle", "data-name": "link:" + name }, this.node).textContent = name;
+    svg("text", { class: "number", x, y: y + 4, "text-anchor": "middle", "data-name": "link:" + name },
+      this.node).textContent = name;
     this.taken.push([x, y, 6]);
   }
   slider(l, p, angle) {
     if (!p || angle == null) return;
     const u = this.size ? 0.75 : 1, turn = `translate(${p[0].toFixed(1)} ${p[1].toFixed(1)}) rotate(${-angle})`;
-    svg("rect", { x: -20 * u, y: -11 * u, width: 40 * u, height: 22 * u, class: "block", transform: turn, "data-name": "link:" + l.name }, this.node);
-    const c = Math.cos(angle * Math.PI / 180) * 20 * u, s = -Math.sin(angle * Math.PI / 180) * 20 * u, w = [s * 0.55, -c * 0.55];
-    for (const k of [1, -1]) this.strokes.push([[p[0] - c + k * w[0], p[1] - s + k * w[1]], [p[0] + c + k * w[0], p[1] + s + k * w[1]]]);
+    svg("rect", { x: -20 * u, y: -11 * u, width: 40 * u, height: 22 * u, class: "block", transform: turn,
+      "data-name": "link:" + l.name }, this.node);
+    const c = Math.cos(angle * Math.PI / 180) * 20 * u, s = -Math.sin(angle * Math.PI / 180) * 20 * u;
+    const w = [s * 0.55, -c * 0.55];
+    for (const k of [1, -1]) this.strokes.push([[p[0] - c + k * w[0], p[1] - s + k * w[1]],
+      [p[0] + c + k * w[0], p[1] + s + k * w[1]]]);
   }
   rounded(l, p, o) { // a block on an arc, and the arc on its outer side, hatched where it is the frame's
     if (!p || !o) return;
-    const u = this.size ? 0.75 : 1, r = Math.hypot(p[0] - o[0], p[1] - o[1]) + 11 * u, here = Math.atan2(p[1] - o[1], p[0] - o[0]), half = Math.min(62 * u / r, Math.PI);
-    const at = (t, far = 0) => [o[0] + (r + far) * Math.cos(here + t), o[1] + (r + far) * Math.sin(here + t)].map(v => v.toFixed(1));
+    const u = this.size ? 0.75 : 1, r = distance(o, p) + 11 * u, here = Math.atan2(p[1] - o[1], p[0] - o[0]);
+    const half = Math.min(62 * u / r, Math.PI);
+    const at = (t, far = 0) => [o[0] + (r + far) * Math.cos(here + t),
+      o[1] + (r + far) * Math.sin(here + t)].map(v => v.toFixed(1));
     const ways = [-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1].map(k => at(k * half).map(Number));
-    svg("path", { class: "rail arc", d: `M${ways.map(q => q.join(" ")).join(`A${r.toFixed(1)} ${r.toFixed(1)} 0 0 1 `)}`, "data-name": l.round.link === "0" ? "" : "link:" + l.round.link }, this.node);
+    svg("path", { class: "rail arc",
+      d: `M${ways.map(q => q.join(" ")).join(`A${r.toFixed(1)} ${r.toFixed(1)} 0 0 1 `)}`,
+      "data-name": l.round.link === "0" ? "" : "link:" + l.round.link }, this.node);
     ways.slice(1).forEach((q, k) => this.strokes.push([ways[k], q]));
-    if (l.round.link === "0") svg("path", { class: "hatch", d: ways.map((_, k) => `M${at((k / 4 - 1) * half).join(" ")}L${at((k / 4 - 1) * half + 5 / r, 7 * u).join(" ")}`).join("") }, this.node);
+    if (l.round.link === "0") svg("path",
+      { class: "hatch", d: ways.map((_,
+      k) => `M${at((k / 4 - 1) * half).join(" ")}L${at((k / 4 - 1) * half + 5 / r, 7 * u).join(" ")}`).join("") },
+      this.node);
     this.slider(l, p, 90 - here * 180 / Math.PI);
   }
   hinges(there, lit) {
@@ -129,7 +150,8 @@ class Scheme extends Figure {
       const p = there(n);
       if (!p) continue;
       const r = hinges.has(n) ? (this.size ? 3.4 : 4.6) : 2.6;
-      svg("circle", { cx: p[0], cy: p[1], r, class: (hinges.has(n) ? "hinge" : "point") + (lit.has(n) ? " lit" : ""), "data-name": n }, this.node);
+      svg("circle", { cx: p[0], cy: p[1], r, class: (hinges.has(n) ? "hinge" : "point") + (lit.has(n) ? " lit" : ""),
+        "data-name": n }, this.node);
     }
   }
   ground(p) {
@@ -138,31 +160,8 @@ class Scheme extends Figure {
     let d = "";
     for (let k = -2; k < 4; k++) d += `M${x + k * 5 * u} ${y + 19 * u}l${-5 * u} ${6 * u}`;
     svg("path", { class: "hatch", d: d + `M${x - 15 * u} ${y + 19 * u}h${30 * u}` }, this.node);
-    this.strokes.push([[x, y], [x - 11 * u, y + 19 * u]], [[x, y], [x + 11 * u, y + 19 * u]], [[x - 11 * u, y + 19 * u], [x + 11 * u, y + 19 * u]]);
-  }
-  forces(m, terms) { // each force where it acts, its arm to the point of the moments; not to scale
-    const about = this.at(m.about) && this.px(this.at(m.about)), beside = {}, dropped = [];
-    for (const f of m.forces) {
-      const p = this.at(f.mark) && this.px(this.at(f.mark)), angle = live.angle(f.along);
-      if (!p || angle == null || !terms.includes(f.name)) continue;
-      const size = f.size ? live.value(f.size) : 1, back = size < 0 ? -1 : 1;
-      const c = back * Math.cos(angle * Math.PI / 180), s = -back * Math.sin(angle * Math.PI / 180), long = this.size ? 34 : 52;
-      const foot = f.foot && this.at(f.foot) && this.px(this.at(f.foot));
-      const key = `${p.map(Math.round)}${Math.round(angle * back)}`;
-      beside[key] = (beside[key] || 0) + 1;
-      const shift = (beside[key] - 1) * 5, a = [p[0] - s * shift, p[1] + c * shift], b = [a[0] + c * long, a[1] + s * long];
-      if (foot && about) {
-        this.line(a, foot, "trace", "", false);
-        this.line(about, foot, "arm", f.name);
-        const same = dropped.find(d => Math.hypot(d.foot[0] - foot[0], d.foot[1] - foot[1]) < 2);
-        if (same) same.names.push(f.arm); else dropped.push({ foot, names: [f.arm] });
-      }
-      this.arrow(a, b, "force", f.name);
-      this.along(a, b, [f.name], "force");
-    }
-    m.couples.filter(c => terms.includes(c.name)).forEach((c, k, all) => this.couple(c, all.slice(0, k).filter(o => o.link === c.link).length));
-    for (const d of dropped) if (Math.hypot(d.foot[0] - about[0], d.foot[1] - about[1]) > 8) this.along(about, d.foot, d.names, "force");
-    if (about) svg("circle", { cx: about[0], cy: about[1], r: 8, class: "about" }, this.node);
+    this.strokes.push([[x, y], [x - 11 * u, y + 19 * u]], [[x, y], [x + 11 * u, y + 19 * u]],
+      [[x - 11 * u, y + 19 * u], [x + 11 * u, y + 19 * u]]);
   }
 }
 function hull(points) { // the outline of a link of three points or more; of points in line, the two ends

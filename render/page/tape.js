@@ -1,12 +1,15 @@
-"use strict";
 // Reads a tape: plain arithmetic in a straight line, exported with the drawing. Values forwards, slopes backwards.
 
-const CODES = ["add", "sub", "mul", "inv", "neg", "abs", "sqrt", "hypot", "sin", "cos", "atan2", "floor", "max", "min", "sel", "lt", "le", "eq", "and", "or", "not"];
+const CODES = ["add", "sub", "mul", "inv", "neg", "abs", "sqrt", "hypot", "sin", "cos", "atan2", "floor", "max", "min",
+  "sel", "lt", "le", "eq", "and", "or", "not"];
 const SLOPES = { // of an operation's result with respect to each of its arguments
-  add: () => [1, 1], sub: () => [1, -1], mul: (v, a, b) => [b, a], inv: v => [-v * v], neg: () => [-1], abs: (v, a) => [Math.sign(a)],
-  sqrt: v => [v ? 0.5 / v : 0], hypot: (v, a, b) => v ? [a / v, b / v] : [0, 0], sin: (v, a) => [Math.cos(a)], cos: (v, a) => [-Math.sin(a)],
+  add: () => [1, 1], sub: () => [1, -1], mul: (v, a, b) => [b, a], inv: v => [-v * v], neg: () => [-1],
+    abs: (v, a) => [Math.sign(a)],
+  sqrt: v => [v ? 0.5 / v : 0], hypot: (v, a, b) => v ? [a / v, b / v] : [0, 0], sin: (v, a) => [Math.cos(a)],
+    cos: (v, a) => [-Math.sin(a)],
   atan2: (v, a, b) => { const n = a * a + b * b || 1; return [b / n, -a / n]; }, floor: () => [0],
-  max: (v, a, b) => a >= b ? [1, 0] : [0, 1], min: (v, a, b) => a <= b ? [1, 0] : [0, 1], sel: (v, ok) => ok ? [0, 1, 0] : [0, 0, 1],
+  max: (v, a, b) => a >= b ? [1, 0] : [0, 1], min: (v, a, b) => a <= b ? [1, 0] : [0, 1],
+    sel: (v, ok) => ok ? [0, 1, 0] : [0, 0, 1],
 };
 
 function made(code, x, y, z) { // by the operations after the third
@@ -33,7 +36,8 @@ function made(code, x, y, z) { // by the operations after the third
 }
 
 function unlettered(text, names) { // operations in order: a letter for its name, then how far back each argument stands
-  const digit = k => { const c = text.charCodeAt(k); return c > 96 ? c - 71 : c > 64 && c < 91 ? c - 65 : c > 47 && c < 58 ? c + 4 : c === 45 ? 62 : 63; }, ops = [];
+  const digit = k => { const c = text.charCodeAt(k);
+    return c > 96 ? c - 71 : c > 64 && c < 91 ? c - 65 : c > 47 && c < 58 ? c + 4 : c === 45 ? 62 : 63; }, ops = [];
   for (let k = 0; k < text.length;) {
     const [name, count] = names[digit(k++)], op = [name];
     while (op.length <= count) {
@@ -46,9 +50,10 @@ function unlettered(text, names) { // operations in order: a letter for its name
   return ops;
 }
 
-class Tape {
+export class Tape {
   constructor(data) {
-    Object.assign(this, data);
+    this.givens = data.givens;
+    this.sources = data.sources;
     this.ops = unlettered(data.ops, Object.entries(data.names));
     this.values = new Float64Array(this.ops.length);
     this.slope = new Float64Array(this.ops.length);
@@ -88,10 +93,12 @@ class Tape {
   }
 }
 
-function givenBefore(misses, order, limit, least) { // every miss with those before it known; what is off tells nothing of others
+// every miss with those before it known; what is off tells nothing of others
+export function givenBefore(misses, order, limit, least) {
   const names = order.filter(n => misses.has(n)), off = names.flatMap(n => [misses.get(n).x, misses.get(n).y]);
   const errors = names.flatMap(n => misses.get(n).errors), found = new Map();
-  const cov = errors.map((a, i) => errors.map((b, j) => a.reduce((s, e, k) => s + e * b[k], i === j ? least * least : 0)));
+  const cov = errors.map((a,
+    i) => errors.map((b, j) => a.reduce((s, e, k) => s + e * b[k], i === j ? least * least : 0)));
   names.forEach((n, i) => {
     const [x, y] = [2 * i, 2 * i + 1];
     found.set(n, new Miss(off[x], off[y], cov[x][x], cov[x][y], cov[y][y], misses.get(n).errors));
@@ -104,8 +111,12 @@ function givenBefore(misses, order, limit, least) { // every miss with those bef
   return found;
 }
 
-class Miss { // by how much a mark is off, mm, and how surely
-  constructor(x, y, xx, xy, yy, errors) { Object.assign(this, { x, y, xx, xy, yy, errors }); }
+export class Miss { // by how much a mark is off, mm, and how surely
+  constructor(x, y, xx, xy, yy, errors) {
+    this.x = x; this.y = y;
+    this.xx = xx; this.xy = xy; this.yy = yy;
+    this.errors = errors;
+  }
   get size() { return Math.hypot(this.x, this.y); }
   get sigmas() {
     const { x, y, xx, xy, yy } = this, squared = (yy * x * x - 2 * xy * x * y + xx * y * y) / (xx * yy - xy * xy);
@@ -118,5 +129,6 @@ class Miss { // by how much a mark is off, mm, and how surely
   }
   get mean() { return Math.max(this.xx * this.yy - this.xy * this.xy, 0) ** 0.25; }
   moved(to, from) { return new Miss(to.x - from.x, to.y - from.y, this.xx, this.xy, this.yy); }
-  get density() { return -0.5 * this.sigmas ** 2 - Math.log(2 * Math.PI) - 0.5 * Math.log(this.xx * this.yy - this.xy * this.xy); }
+  get density() { return -0.5 * this.sigmas ** 2 - Math.log(2 * Math.PI) - 0.5 *
+    Math.log(this.xx * this.yy - this.xy * this.xy); }
 }

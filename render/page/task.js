@@ -1,82 +1,147 @@
-"use strict";
 // The panel of practice: the question with its fields, the same for hand and keyboard; the code that is handed in.
-const TOOLS = ["vector", "line", "arc", "point", "ruler"];
+import { NEAR_PX, desk } from "./desk.js";
+import { $, on } from "./dom.js";
+import { plan, scheme } from "./figures.js";
+import { distance } from "./geometry.js";
+import { html, labelOf, safe } from "./letters.js";
+import { data, draw, later, live, state } from "./page.js";
+import { practice } from "./practice.js";
+import { filled, number, say, sentence, spoken } from "./words.js";
+export const TOOLS = ["vector", "line", "arc", "point", "ruler"];
 
-const task = {
+export const task = {
+  last: "",
   paint() {
     const box = $("task"), p = practice, text = t => sentence(t, p.frame?.plan);
     for (const id of ["scheme", "plan"]) $(id).classList.remove("place");
     $("number").textContent = `${p.done.size} / ${p.items.length}`;
     $("back").disabled = $("next").disabled = p.over || p.open().length < 2;
     const said = p.said ? `<p class="said ${p.said[0]}">${p.said[0] === "yes" ? "✓" : "✗"} ${text(p.said[1])}</p>` : "";
-    const held = document.activeElement, id = box.contains(held) ? held.id || "h" : "", data_ = held?.dataset?.term;
+    const held = /** @type {HTMLElement} */ (document.activeElement), data_ = held?.dataset?.term;
+    const id = box.contains(held) ? held.id || "h" : "";
     const score = `<span class="score">${say("score")}: ${p.good} / ${p.asked}${p.seed ? ` · № ${p.seed}` : ""}</span>`;
-    const now = p.over ? this.end(said) : `${score}<h2 id="h" tabindex="-1">${text(this.question())}</h2>${said}${this.fields()}`;
+    const now = p.over ? this.end(said) :
+      `${score}<h2 id="h" tabindex="-1">${text(this.question())}</h2>${said}${this.fields()}`;
     if (!p.over) desk.paint();
     const same = now.replace(/(<input[^>]*) value="[^"]*"/g, "$1");
-    if (same === task.last) { // the same question: where one was and what was typed stay
+    if (same === this.last) { // the same question: where one was and what was typed stay
       for (const n of ["mm", "angle"]) if ($(n) && $(n).value !== String(desk[n])) $(n).value = desk[n];
       return;
     }
-    task.last = same;
+    this.last = same;
     box.innerHTML = now;
     if (!id) return;
     const again = data_ ? [...box.querySelectorAll("[data-term]")].find(b => b.dataset.term === data_) : $(id);
     (again && !again.disabled ? again : box.querySelector("#mm, #figure, button[data-do], #h")).focus();
   },
   question() {
-    const t = practice.item, f = practice.frame, own = n => `⟨${n}⟩`, unit = (data.units[t.what] || {})[state.lang] || "";
+    const t = practice.item, f = practice.frame, own = n => `⟨${n}⟩`;
+    const unit = (data.units[t.what] || {})[state.lang] || "";
     if (t.kind === "known") return say("ask_known");
-    if (t.kind === "sense" && !f.turns) return say("ask_turning").replace("{force}", own(t.what.slice(1))).replace("{about}", own(desk.short(data.moments[f.moments].about)));
-    if (t.kind === "sense") return say("ask_sense").replace("{vector}", own(f.turns.vector)).replace("{rate}", own(t.what)).replace("{point}", own(desk.short(f.turns.point))).replace("{about}", own(desk.short(f.turns.about)));
-    if (t.kind === "number") return `${own(t.what.replace(/[‖|]/g, ""))} = ? ${unit}${t.signed ? ` (${say("plus_ccw")})` : ""}`;
-    const mark = practice.items.find(o => o.kind === "mark" && o.what.startsWith((t.kind === "mu" ? t.what : f.plan) + ":")), name = own(t.kind === "mu" ? data.frames[mark.frame].terms[0] || desk.short(mark.what) : desk.short(t.what));
-    if (t.kind === "mark") return say(practice.laid && f.terms[0] ? "ask_vector" : "ask_mark").replace("{name}", f.terms.slice(0, 1).map(own)).replace("{mark}", name);
-    const start = live.at(data.frames[mark.frame].uses[0]) || [0, 0], end = live.at(mark.what), mm = Math.hypot(end[0] - start[0], end[1] - start[1]);
-    return say("ask_mu").replace("{name}", name).replace("{value}", `${number(mm / live.given["mu_" + t.what])} ${this.unit(t.what).replace(/^[мm]+\/|\/[мm]+$/g, "").replace(/[()]/g, "")}`).replace("{mm}", number(mm)).replace("{unit}", this.unit(t.what));
+    if (t.kind === "sense" && !f.turns) return say("ask_turning").replace("{force}",
+      own(t.what.slice(1))).replace("{about}", own(labelOf(data.moments[f.moments].about)));
+    if (t.kind === "sense") return say("ask_sense").replace("{vector}", own(f.turns.vector)).replace("{rate}",
+      own(t.what)).replace("{point}", own(labelOf(f.turns.point))).replace("{about}", own(labelOf(f.turns.about)));
+    if (t.kind === "number") return `${own(t.what.replace(/[‖|]/g, ""))} = ? ${unit}${t.signed ?
+      ` (${say("plus_ccw")})` : ""}`;
+    const mark = practice.items.find(o => o.kind === "mark" &&
+      o.what.startsWith((t.kind === "mu" ? t.what : f.plan) + ":"));
+    const name = own(t.kind === "mu" ? data.frames[mark.frame].terms[0] || labelOf(mark.what) : labelOf(t.what));
+    if (t.kind === "mark") return say(practice.laid && f.terms[0] ? "ask_vector" : "ask_mark").replace("{name}",
+      f.terms.slice(0, 1).map(own)).replace("{mark}", name);
+    const start = live.at(data.frames[mark.frame].uses[0]) || [0, 0], end = live.at(mark.what);
+    const mm = distance(start, end);
+    return say("ask_mu").replace("{name}", name).replace("{value}",
+      `${number(mm / live.given["mu_" + t.what])} ${this.unit(t.what).replace(/^[мm]+\/|\/[мm]+$/g, "").replace(/[()]/g,
+      "")}`).replace("{mm}", number(mm)).replace("{unit}", this.unit(t.what));
   },
   unit(key) { return filled(data.plans.find(p => p.key === key).mu[state.lang]).replace(/^\S+ /, ""); },
   fields() {
     const t = practice.item, open = practice.open(), row = inner => `<div class="answers">${inner}</div>`;
-    const choose = open.length > 1 ? `<label>${say("now")} ${this.select("now", open.map(k => [k, this.short(k)]), practice.index)}</label>` : "";
+    const choose = open.length > 1 ?
+      `<label>${say("now")} ${this.select("now", open.map(k => [k, this.short(k)]), practice.index)}</label>` : "";
     const last = row(`${choose}${this.button("show", say("show"))}`);
-    if (t.kind === "known") return row(practice.goal(practice.equation).map(g => `<button type="button" class="term known${practice.given(g.name)}" data-do="known" data-term="${g.name}" aria-label="${spoken(g.name)}: ${say("known" + practice.given(g.name))}"><b>${html(g.name)}</b></button>`).join("") + this.button("check", say("check"))) + last;
-    if (t.kind === "sense") return row(this.button("ccw", "↺ " + say("ccw")) + this.button("cw", "↻ " + say("cw"))) + this.ruler() + last;
-    if (t.kind === "mark") return row(TOOLS.map(n => `<button type="button" id="tool-${n}" data-do="tool" data-tool="${n}" aria-pressed="${desk.tool === n}">${say("tool_" + n)}</button>`).join("")) + row(this.hand()) + last;
-    return row(`<span>${this.told()}</span><label><span>${t.kind === "mu" ? "μ" : html(t.what.replace(/[‖|]/g, ""))} =</span> <input id="figure" type="text" inputmode="decimal" autocomplete="off"></label> ${t.kind === "mu" ? this.unit(t.what) : (data.units[t.what] || {})[state.lang] || ""} ${this.button("number", say("check"))}`) + this.ruler() + last;
+    if (t.kind === "known") return row(
+      practice.goal(practice.equation).map(
+      g => `<button type="button" class="term known${practice.given(
+      g.name)}" data-do="known" data-term="${g.name}" aria-label="${spoken(g.name)}: ${say("known" +
+      practice.given(g.name))}"><b>${html(g.name)}</b></button>`).join("") + this.button("check", say("check"))) + last;
+    if (t.kind === "sense") return row(this.button("ccw", "↺ " + say("ccw")) + this.button("cw", "↻ " + say("cw"))) +
+      this.ruler() + last;
+    if (t.kind === "mark") return row(this.tools()) + row(this.hand()) + last;
+    return row(`<span>${this.told()}</span><label><span>${t.kind === "mu" ? "μ" :
+      html(t.what.replace(/[‖|]/g,
+      ""))} =</span> <input id="figure" type="text" inputmode="decimal" autocomplete="off"></label> ${t.kind === "mu" ?
+      this.unit(t.what) : (data.units[t.what] || {})[state.lang] || ""} ${this.button("number", say("check"))}`) +
+      this.ruler() + last;
+  },
+  tools() {
+    const one = n => `<button type="button" id="tool-${n}" data-do="tool" data-tool="${n}"` +
+      ` aria-pressed="${desk.tool === n}">${say("tool_" + n)}</button>`;
+    return TOOLS.map(one).join("");
   },
   told() { // numbers the question needs that are not asked themselves
-    const asked = new Set(practice.items.filter((t, k) => t.kind === "number" && !practice.done.has(k)).map(t => t.what.replace(/[‖|]/g, "")));
-    const given = practice.frame.values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g, "")}⟩ = ⟦${/^h_/i.test(n) ? "a" : "v"}¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; ");
-    const p = data.plans.find(p => p.key === practice.frame.plan), mu = practice.item.kind === "number" && p ? `μ = ${filled(p.mu[state.lang])}` : "";
+    const asked = new Set(practice.items.filter((t, k) => t.kind === "number" &&
+      !practice.done.has(k)).map(t => t.what.replace(/[‖|]/g, "")));
+    const given = practice.frame.values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g,
+      "")}⟩ = ⟦${/^h_/i.test(n) ? "a" : "v"}¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; ");
+    const p = data.plans.find(p => p.key === practice.frame.plan);
+    const mu = practice.item.kind === "number" && p ? `μ = ${filled(p.mu[state.lang])}` : "";
     return sentence([given, mu].filter(Boolean).join("; "), practice.frame.plan);
   },
   hand() { // the fields of the tool in hand
-    const marks = desk.marks().map(m => [m, spoken(desk.short(m), practice.frame.plan)]), from = `<label>${say("from")} ${this.select("from", marks, desk.from)}</label>`, draw_ = this.button("draw", say("draw"));
-    const mm = name => `<label>${say(name)} <input id="mm" type="text" inputmode="decimal" autocomplete="off" value="${safe(desk.mm)}"> ${say("millimetres")}</label>`;
+    const marks = desk.marks().map(m => [m, spoken(labelOf(m), practice.frame.plan)]);
+    const from = `<label>${say("from")} ${this.select("from", marks, desk.from)}</label>`;
+    const draw_ = this.button("draw", say("draw"));
+    const mm = name => `<label>${say(
+      name)} <input id="mm" type="text" inputmode="decimal" autocomplete="off" value="${safe(desk.mm)}"> ${say(
+      "millimetres")}</label>`;
     if (desk.tool === "ruler") return this.measures(marks);
     if (desk.tool === "arc") return from + mm("radius") + draw_ + this.erase();
     if (desk.tool === "point") {
       const spots = desk.crossings().map((_, k) => [k, k + 1]);
-      return (spots.length ? `<label>${say("crossing")} ${this.select("spot", spots, desk.spot)}</label>${this.button("draw", say("mark_it"))}` : `<span>${say("no_crossing")}</span>`) + this.erase();
+      return (spots.length ? `<label>${say("crossing")} ${this.select("spot", spots,
+        desk.spot)}</label>${this.button("draw", say("mark_it"))}` : `<span>${say("no_crossing")}</span>`) +
+        this.erase();
     }
-    const along = `<label>${say("along")} ${this.select("along", desk.lines(), desk.along)}</label>`, angle = desk.along === "angle" ? `<label>${say("degrees")} <input id="angle" type="text" inputmode="decimal" autocomplete="off" value="${safe(desk.angle)}"></label>` : "";
-    const both = desk.tool === "vector" && desk.along.includes("|") ? `<label>${say("way")} ${this.select("way", desk.ways().map((w, k) => [k, w]), +desk.back)}</label>` : "";
+    const along = `<label>${say("along")} ${this.select("along", desk.lines(), desk.along)}</label>`;
+    const angle = desk.along === "angle" ?
+      `<label>${say("degrees")} <input id="angle" type="text" inputmode="decimal" autocomplete="off" value="${safe(
+      desk.angle)}"></label>` : "";
+    const both = desk.tool === "vector" && desk.along.includes("|") ?
+      `<label>${say("way")} ${this.select("way", desk.ways().map((w, k) => [k, w]), +desk.back)}</label>` : "";
     return from + along + angle + both + (desk.tool === "vector" ? mm("long") : "") + draw_ + this.erase();
   },
-  ruler() { return `<div class="answers">${this.measures(desk.marks().map(m => [m, spoken(desk.short(m), practice.frame.plan)]))}</div>`; },
+  ruler() { return `<div class="answers">${this.measures(desk.marks().map(m => [m,
+    spoken(labelOf(m), practice.frame.plan)]))}</div>`; },
   measures(marks) {
-    const m = practice.frame.moments, feet = m === null ? [] : data.moments[m].forces.filter(f => f.foot && live.at(f.foot)).map(f => [f.foot, "⊥ " + spoken(f.name)]), all = [...marks, ...feet];
-    return marks.length > 1 ? `<label>${say("tool_ruler")} ${this.select("from", all, desk.from)}</label> <label>${say("to")} ${this.select("to", all, desk.to)}</label> <output>${desk.ruler()} ${say("millimetres")}</output>` : "";
+    const m = practice.frame.moments;
+    const feet = m === null ? [] :
+      data.moments[m].forces.filter(f => f.foot && live.at(f.foot)).map(f => [f.foot, "⊥ " + spoken(f.name)]);
+    const all = [...marks, ...feet];
+    return marks.length > 1 ?
+      `<label>${say("tool_ruler")} ${this.select("from", all,
+      desk.from)}</label> <label>${say("to")} ${this.select("to", all,
+      desk.to)}</label> <output>${desk.ruler()} ${say("millimetres")}</output>` : "";
   },
   erase() { return desk.strokes.length ? this.button("erase", say("erase")) : ""; },
-  short(k) { const t = practice.items[k], key = data.frames[t.frame].plan; return `${t.kind === "mu" ? "μ" : t.kind === "known" ? say("equation") : spoken(t.kind === "mark" ? desk.short(t.what) : t.what.replace(/[‖|↺]/g, ""), key)}${t.kind === "mark" ? "" : t.kind === "sense" ? " ↺" : t.kind === "known" ? " " + practice.goal(data.equations[t.what]).map(g => spoken(g.name)).slice(0, 3).join(" ") : " ="}`; },
-  select(id, options, chosen) { return `<select id="${id}">${options.map(([v, text]) => `<option value="${safe(v)}"${String(v) === String(chosen) ? " selected" : ""}>${safe(text)}</option>`).join("")}</select>`; },
+  short(k) { const t = practice.items[k], key = data.frames[t.frame].plan;
+    return `${t.kind === "mu" ? "μ" : t.kind === "known" ? say("equation") :
+    spoken(t.kind === "mark" ? labelOf(t.what) : t.what.replace(/[‖|↺]/g, ""), key)}${t.kind === "mark" ? "" :
+    t.kind === "sense" ? " ↺" : t.kind === "known" ?
+    " " + practice.goal(data.equations[t.what]).map(g => spoken(g.name)).slice(0, 3).join(" ") : " ="}`; },
+  select(id, options, chosen) {
+    return `<select id="${id}">${options.map(([v, text]) => `<option value="${safe(v)}"${String(v) === String(chosen) ?
+    " selected" : ""}>${safe(text)}</option>`).join("")}</select>`; },
   button(what, label) { return `<button type="button" id="do-${what}" data-do="${what}">${label}</button>`; },
   end(said) { // the result, and the code a teacher's planes reads
     const code = handed(), name = safe(practice.name || "practice");
-    return `${said}<h2 id="h" tabindex="-1">${say("over")} ${practice.good} / ${practice.items.length}.</h2><p>${say("hand_in")}</p><div class="answers"><label>${say("student")} <input id="student" type="text" autocomplete="name" value="${safe(practice.name)}"></label>` +
-      `<a id="save" download="${name}.practice" href="${URL.createObjectURL(new Blob([code + "\n"], { type: "text/plain" }))}">${say("save_code")}</a></div><textarea id="code" readonly rows="4" aria-label="${say("code")}">${code}</textarea>` +
+    return `${said}<h2 id="h" tabindex="-1">${say("over")} ${practice.good} / ${practice.items.length}.</h2><p>${say(
+      "hand_in")}</p><div class="answers"><label>${say(
+      "student")} <input id="student" type="text" autocomplete="name" value="${safe(practice.name)}"></label>` +
+      `<a id="save" download="${name}.practice" href="${URL.createObjectURL(new Blob([code + "\n"],
+        { type: "text/plain" }))}">${say("save_code")}</a></div><textarea id="code" readonly rows="4" aria-label="${say(
+        "code")}">${code}</textarea>` +
       `<div class="answers">${this.button("again", say("again"))}${this.button("fresh", say("fresh"))}</div>`;
   },
   pick(what, e) {
@@ -88,7 +153,8 @@ const task = {
     else if (what === "show") p.answer(null, "", true);
     else if (what === "known") { p.marks[e.dataset.term] = (p.given(e.dataset.term) + 1) % 3; draw(); }
     else if (what === "check") p.answer(p.goal(p.equation).map(t => p.given(t.name)).join(""), say("why_known"));
-    else if (what === "ccw" || what === "cw") p.answer(what === "ccw" ? 1 : -1, p.named([["sense_wrong", [p.item.what.replace("↺", "")]]]));
+    else if (what === "ccw" || what === "cw") p.answer(what === "ccw" ? 1 : -1,
+      p.named([["sense_wrong", [p.item.what.replace("↺", "")]]]));
     else if (what === "number") p.number($("figure").value);
     else if (what === "draw") this.draw();
   },
@@ -109,30 +175,37 @@ const task = {
     draw();
   },
 };
-function handed() { // all first answers as letters, with a sum that tells a slip of copying
-  const told = { planes: 1, id: data.id, seed: practice.seed, name: practice.name, right: practice.good, answers: practice.items.map((_, k) => practice.answers[k] ?? null) };
-  const bytes = new TextEncoder().encode(JSON.stringify(told)), text = btoa(String.fromCharCode(...bytes)).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
+export function handed() { // all first answers as letters, with a sum that tells a slip of copying
+  const told = { planes: 1, id: data.id, seed: practice.seed, name: practice.name, right: practice.good,
+    answers: practice.items.map((_, k) => practice.answers[k] ?? null) };
+  const bytes = new TextEncoder().encode(JSON.stringify(told));
+  const text = btoa(String.fromCharCode(...bytes)).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
   let sum = 2166136261;
   for (const b of bytes) sum = Math.imul(sum ^ b, 16777619) >>> 0;
   return `planes-practice.${text}.${sum.toString(16).padStart(8, "0")}`;
 }
-Object.assign(practice, { paint: () => task.paint() });
 $("practise").onclick = () => practice.toggle();
-$("task").addEventListener("click", e => { const b = e.target.closest("[data-do]"); if (b) task.pick(b.dataset.do, b); });
-$("task").addEventListener("change", e => task.change(e.target.id, e.target.value));
-$("task").addEventListener("input", e => { if (e.target.id === "mm" || e.target.id === "angle") { desk[e.target.id] = e.target.value; later(); } });
-$("task").addEventListener("keydown", e => {
+on($("task"), "click",
+  e => { const b = e.target.closest("[data-do]"); if (b) task.pick(b.dataset.do, b); });
+on($("task"), "change", e => task.change(e.target.id, e.target.value));
+on($("task"), "input",
+  e => { if (e.target.id === "mm" || e.target.id === "angle") { desk[e.target.id] = e.target.value; later(); } });
+on($("task"), "keydown", e => {
   if (e.key !== "Enter" || e.target.tagName !== "INPUT" || e.target.id === "student") return;
   if (e.target.id !== "figure") desk[e.target.id] = e.target.value;
   task.pick(e.target.id === "figure" ? "number" : "draw", e.target);
 });
-for (const [id, figure] of [["scheme", scheme], ["plan", plan]]) {
-  const node = $(id), place = e => { const r = node.getBoundingClientRect(); return [e.clientX - r.left, e.clientY - r.top]; };
-  node.addEventListener("pointerdown", e => {
+for (const figure of [scheme, plan]) {
+  const { node } = figure;
+  let drawing = false;
+  const place = e => { const r = node.getBoundingClientRect();
+    return [e.clientX - r.left, e.clientY - r.top]; };
+  on(node, "pointerdown", e => {
     if (!practice.on || practice.over || e.button) return;
     const line = e.target.closest("[data-name^='link:']"), on = figure === desk.panel;
     if (on && desk.tool === "point") { // the nearest crossing
-      const q = place(e), near = p => { const [x, y] = figure.px(p); return Math.hypot(x - q[0], y - q[1]); }, spots = desk.crossings(), k = spots.findIndex(p => near(p) < NEAR_PX);
+      const q = place(e), near = p => { const [x, y] = figure.px(p); return Math.hypot(x - q[0], y - q[1]); };
+      const spots = desk.crossings(), k = spots.findIndex(p => near(p) < NEAR_PX);
       if (k >= 0) { desk.spot = k; task.draw(); }
       return;
     }
@@ -141,31 +214,27 @@ for (const [id, figure] of [["scheme", scheme], ["plan", plan]]) {
       desk.from = mark;
       if (desk.along === mark) desk.along = "angle";
       node.setPointerCapture(e.pointerId);
-      node.drawing = true;
+      drawing = true;
       figure.fixed_view = { k: figure.k, dx: figure.dx, dy: figure.dy };
       e.preventDefault();
       later(); // not now: what the finger is upon must still be there for its touch
     } else if (line && practice.drawing) desk.lay(line.dataset.name.slice(5));
   });
-  node.addEventListener("touchstart", e => { if (node.drawing) e.preventDefault(); }, { passive: false });
-  node.addEventListener("pointermove", e => { if (node.drawing) { desk.drag(figure.mm(place(e))); later(); } });
-  node.addEventListener("pointerup", e => {
-    if (!node.drawing) return;
-    node.drawing = figure.fixed_view = null;
-    if (desk.tool === "line" && practice.drawing && figure.k * Math.hypot(...figure.mm(place(e)).map((v, k) => v - live.at(desk.from)[k])) > NEAR_PX) task.draw();
+  on(node, "touchstart", e => { if (drawing) e.preventDefault(); }, { passive: false });
+  on(node, "pointermove", e => { if (drawing) { desk.drag(figure.mm(place(e))); later(); } });
+  on(node, "pointerup", e => {
+    if (!drawing) return;
+    drawing = false; figure.fixed_view = null;
+    if (desk.tool === "line" && practice.drawing &&
+      figure.k * Math.hypot(...figure.mm(place(e)).map((v, k) => v - live.at(desk.from)[k])) > NEAR_PX) task.draw();
     else draw();
   });
-  node.addEventListener("pointercancel", () => { node.drawing = figure.fixed_view = null; later(); });
+  on(node, "pointercancel", () => { drawing = false; figure.fixed_view = null; later(); });
 }
-for (const [id, by] of [["back", -1], ["next", 1]]) $(id).addEventListener("click", e => {
+for (const by of [-1, 1]) on($(by < 0 ? "back" : "next"), "click", e => {
   if (!practice.on) return;
   e.stopImmediatePropagation();
   const open = practice.open(), at = open.indexOf(practice.index);
   practice.said = null;
   practice.take(open[(at + by + open.length) % open.length]);
 }, true);
-readAddress();
-language();
-draw();
-if (practice.seed) practice.toggle();
-else setTimeout(() => { live.scan(); zones(); later(); }, 60);

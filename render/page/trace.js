@@ -1,7 +1,7 @@
-"use strict";
 // Tracing paper: the right plan over a picture of a drawing, moved by its pole, turned and resized by one of its marks.
+import { $, on } from "./dom.js";
+import { Figure, svg } from "./figure.js";
 const data = JSON.parse(document.getElementById("data").textContent);
-const $ = id => document.getElementById(id);
 // a place of the plan (mm, y up) lies at pole + turn · its mirror image, in pixels of the picture (y down)
 const state = { plan: data.plans[0], pole: [0, 0], turn: [1, 0], size: [1200, 800], file: "", drag: null, held: null };
 
@@ -17,7 +17,7 @@ class Tracing extends Figure {
     this.node.textContent = "";
     this.node.setAttribute("viewBox", `0 0 ${this.w} ${this.h}`);
     this.strokes = []; this.taken = [];
-    this.ink = svg("g", { opacity: $("paper").value / 100 }, this.node);
+    this.ink = svg("g", { opacity: +$("paper").value / 100 }, this.node);
     const whole = this.node;
     this.node = this.ink;
     if ($("ink").checked) for (const [a, b] of plan.vectors) {
@@ -31,10 +31,12 @@ class Tracing extends Figure {
   names(plan) {
     for (const [name, a, b] of plan.names) this.along(this.px(this.at(a)), this.px(this.at(b)), [name], plan.kind);
     const marks = Object.keys(plan.marks).filter(n => !plan.names.length || n === "p");
-    for (const n of marks) if (plan.kind !== "position" || n !== "p") this.beside(this.px(this.at(n)), [n], plan.kind, 8);
+    for (const n of marks) if (plan.kind !== "position" || n !== "p") this.beside(this.px(this.at(n)), [n], plan.kind,
+      8);
   }
   handle(name) {
-    const q = this.px(this.at(name)), g = svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": name }, this.node);
+    const q = this.px(this.at(name));
+    const g = svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": name }, this.node);
     svg("circle", { cx: q[0], cy: q[1], r: 16, class: "grip" }, g);
     svg("circle", { cx: q[0], cy: q[1], r: 6, class: "dot" }, g);
     g.setAttribute("aria-label", `${name === "p" ? data.words.pole : name}: ${place(name).join(", ")}`);
@@ -43,18 +45,22 @@ class Tracing extends Figure {
 const sheet = new Tracing($("sheet"), data);
 
 function place(name) { return sheet.px(sheet.at(name)).map(v => Math.round(v / sheet.zoom)); }
-function shown(v, digits) { const t = v.toFixed(digits); return document.documentElement.lang !== "en" ? t.replace(".", ",") : t; }
+function shown(v, digits) { const t = v.toFixed(digits);
+  return document.documentElement.lang !== "en" ? t.replace(".", ",") : t; }
 function draw() {
   const now = state.held;
   sheet.draw();
   state.held = now;
   if (now) sheet.node.querySelector(`[data-mark="${CSS.escape(now)}"]`)?.focus({ preventScroll: true });
   const turned = Math.atan2(-state.turn[1], state.turn[0]) * 180 / Math.PI, by = $("by").value;
-  $("said").innerHTML = `${data.words.turned} <b>${shown(turned, 1).replace("-", "−")}°</b>, <b>${shown(Math.hypot(...state.turn), 2)}</b> ${data.words.scale}`;
+  $("said").innerHTML = `${data.words.turned} <b>${shown(turned, 1).replace("-",
+    "−")}°</b>, <b>${shown(Math.hypot(...state.turn), 2)}</b> ${data.words.scale}`;
   $("check").hidden = !state.file;
-  const file = /^[\w.,+-]+$/.test(state.file) ? state.file : `'${state.file.replaceAll("'", "'\\''")}'`, mark = /'/.test(by) ? `"${by}=` : `${by}=`;
+  const file = /^[\w.,+-]+$/.test(state.file) ? state.file : `'${state.file.replaceAll("'", "'\\''")}'`;
+  const mark = /'/.test(by) ? `"${by}=` : `${by}=`;
   const end = /'/.test(by) ? '"' : "";
-  $("command").textContent = state.plan.command.replace("⟦file⟧", file).replace("⟦pole⟧", place("p").join(",")).replace("⟦mark⟧", mark + place(by).join(",") + end);
+  $("command").textContent = state.plan.command.replace("⟦file⟧", file).replace("⟦pole⟧",
+    place("p").join(",")).replace("⟦mark⟧", mark + place(by).join(",") + end);
 }
 function move(name, x, y) { // pixels of the picture
   if (name === "p") state.pole = [x, y];
@@ -80,14 +86,14 @@ function choose() { // another plan keeps its scale and its pole: they are of on
   draw();
 }
 function lay() { // the paper as wide as the window, or wider
-  const paper = document.querySelector(".paper"), width = $("zoom").value / 100 * paper.parentNode.clientWidth;
+  const paper = document.querySelector(".paper"), width = +$("zoom").value / 100 * paper.parentNode.clientWidth;
   paper.style.width = `${width}px`;
   paper.style.height = `${width * state.size[1] / state.size[0]}px`;
   draw();
 }
 function open(file) {
   if (!file) return;
-  const image = $("image"), url = URL.createObjectURL(file);
+  const image = /** @type {any} */ ($("image")), url = URL.createObjectURL(file);
   image.onload = () => {
     state.size = [image.naturalWidth || 1200, image.naturalHeight || 800];
     state.file = file.name;
@@ -95,23 +101,24 @@ function open(file) {
     home();
     lay();
   };
-  image.onerror = () => { image.hidden = true; state.file = ""; draw(); $("said").textContent = data.words.not_picture; };
+  image.onerror = () => { image.hidden = true; state.file = ""; draw(); $("said").textContent = data.words.not_picture;
+    };
   image.src = url;
 }
 function spot(e) {
   const box = sheet.node.getBoundingClientRect();
   return [(e.clientX - box.left) / sheet.zoom, (e.clientY - box.top) / sheet.zoom];
 }
-sheet.node.addEventListener("pointerdown", e => {
+on(sheet.node, "pointerdown", e => {
   const name = e.target.closest("[data-mark]")?.dataset.mark;
   if (!name) return;
   state.drag = state.held = name;
   sheet.node.setPointerCapture(e.pointerId);
   e.preventDefault();
 });
-sheet.node.addEventListener("pointermove", e => { if (state.drag) move(state.drag, ...spot(e)); });
-for (const end of ["pointerup", "pointercancel"]) sheet.node.addEventListener(end, () => { state.drag = null; });
-sheet.node.addEventListener("keydown", e => {
+on(sheet.node, "pointermove", e => { if (state.drag) move(state.drag, ...spot(e)); });
+for (const end of ["pointerup", "pointercancel"]) on(sheet.node, end, () => { state.drag = null; });
+on(sheet.node, "keydown", e => {
   const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
   const name = e.target.closest("[data-mark]")?.dataset.mark;
   if (!way || !name) return;
@@ -119,16 +126,17 @@ sheet.node.addEventListener("keydown", e => {
   const q = sheet.px(sheet.at(name)), k = e.shiftKey ? 10 : 1;
   move(name, q[0] / sheet.zoom + k * way[0], q[1] / sheet.zoom + k * way[1]);
 });
-sheet.node.addEventListener("focusin", e => { state.held = e.target.closest("[data-mark]")?.dataset.mark || null; });
-sheet.node.addEventListener("focusout", () => { state.held = null; });
-document.addEventListener("dragover", e => e.preventDefault());
-document.addEventListener("drop", e => { e.preventDefault(); open(e.dataTransfer.files[0]); });
-$("file").onchange = e => open(e.target.files[0]);
+on(sheet.node, "focusin", e => { state.held = e.target.closest("[data-mark]")?.dataset.mark || null; });
+on(sheet.node, "focusout", () => { state.held = null; });
+on(document, "dragover", e => e.preventDefault());
+on(document, "drop", e => { e.preventDefault(); open(e.dataTransfer.files[0]); });
+$("file").onchange = () => open($("file").files[0]);
 $("plan").replaceChildren(...data.plans.map(p => new Option(p.title, p.key)));
 $("plan").onchange = choose;
 $("by").onchange = $("ink").onchange = $("names").onchange = $("paper").oninput = draw;
-$("picture").oninput = e => { $("image").style.opacity = e.target.value / 100; };
+$("picture").oninput = () => { $("image").style.opacity = String(+$("picture").value / 100); };
 $("zoom").oninput = lay;
-addEventListener("resize", lay);
+on(window, "resize", lay);
 choose();
 lay();
+globalThis.planes = { data, lay, sheet, state };

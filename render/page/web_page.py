@@ -14,7 +14,6 @@ from importlib.resources import files
 
 NONE: Mapping[str, object] = {}
 _PLACE = re.compile(r"\{(\w+)\}")
-_REMARKS = re.compile(r"^ +|^//.*\n| +// .*$", re.MULTILINE)
 _ACTIVE = re.compile("[<>&\u2028\u2029]")
 
 
@@ -25,7 +24,7 @@ def page(
     held = (f'<script type="application/json" id="{key}">{embedded(one)}</script>\n' for key, one in data.items())
     parts = {"lang": lang, "policy": policy(code), "title": html.escape(title), "style": style, "body": body}
     parts["kind"] = f' class="{html.escape(kind)}"' if kind else ""
-    parts["scripts"] = "".join(held) + (f"<script>{code}</script>\n" if code else "")
+    parts["scripts"] = "".join(held) + (f'<script type="module">{code}</script>\n' if code else "")
     return filled(part("shell.html"), parts)
 
 
@@ -49,6 +48,5 @@ def embedded(thing: object) -> str:
 
 
 def part(*names: str) -> str:
-    """Files of the pages' own folder, one after another; of a script neither indents nor remarks."""
-    text = "".join((files("render") / "page" / name).read_text("utf-8") for name in names)
-    return _REMARKS.sub("", text) if names[0].endswith(".js") else text
+    """Files of the pages' own folder, one after another."""
+    return "".join((files("render") / "page" / name).read_text("utf-8") for name in names)

@@ -305,7 +305,8 @@ class Page(Asked):
         return self.evaluated(f"({expression})({json.dumps(given)})" if FUNCTION.match(expression) else expression)
 
     def evaluated(self, expression: str, **where: Any) -> Any:
-        """What an expression comes to, as JSON has it."""
+        """What an expression comes to, as JSON has it; what a page calls its own is named as it names it."""
+        expression = f"with (globalThis.planes ?? {{}}) {{ {expression}\n}}"
         how = {"returnByValue": True, "awaitPromise": True, "userGesture": True}
         answer = self.ask("Runtime.evaluate", expression=expression, **how, **where)
         assert "exceptionDetails" not in answer, (

@@ -62,7 +62,8 @@ class Firefox:
 
     def evaluate(self, expression: str) -> Any:
         """What an expression comes to, as JSON has it; a promise is waited for."""
-        target, text = {"context": self.tab}, f"(async () => JSON.stringify(await ({expression})) ?? 'null')()"
+        own = f"with (globalThis.planes ?? {{}}) return JSON.stringify(await ({expression})) ?? 'null';"
+        target, text = {"context": self.tab}, f"(async () => {{ {own} }})()"
         found = self.ask("script.evaluate", expression=text, target=target, awaitPromise=True)
         assert found["type"] == "success", found.get("exceptionDetails", {}).get("text")
         return json.loads(found["result"]["value"])

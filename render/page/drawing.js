@@ -1,0 +1,59 @@
+// A figure of the lesson's own marks: arrows about centres, forces and arms of a moment equation.
+import { Figure, svg } from "./figure.js";
+import { distance } from "./geometry.js";
+import { keyOf } from "./letters.js";
+import { live } from "./page.js";
+
+export class Drawing extends Figure {
+  at(name) { return live.at(name); }
+  own(key) {
+    return Object.keys(this.data.marks).filter(n => keyOf(n) === key && !this.data.helpers.includes(n));
+  }
+  turned(o, r, from, way, [first, last], cls, name) { // an arrow about a centre, from an angle onwards, radians
+    const at = t => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)];
+    const [c, d] = [at(first), at(last)];
+    svg("path", { class: cls,
+      d: `M${c[0].toFixed(1)} ${c[1].toFixed(1)}A${r.toFixed(1)} ${r.toFixed(1)} 0 ${last - first > Math.PI ? 1 :
+      0} ${way > 0 ? 1 : 0} ${d[0].toFixed(1)} ${d[1].toFixed(1)}` }, this.node);
+    this.arrow(at(last - Math.min(0.4, 9 / r)), d, "force", name);
+    return at;
+  }
+  couple(c, nth) { // about the middle of its link, each further one of it wider
+    const l = this.data.scheme.links.find(l => l.name === c.link);
+    const pts = l ? l.points.map(n => this.spot(n)).filter(Boolean) : [];
+    const size = c.sign * live.value(c.size), r = (this.size ? 13 : 19) + 7 * nth;
+    if (!pts.length || !(Math.abs(size) > 1e-9)) return;
+    const o = [0, 1].map(i => pts.reduce((z, p) => z + p[i], 0) / pts.length);
+    const from = pts.length > 1 ? Math.atan2(pts[1][1] - o[1], pts[1][0] - o[0]) : 0;
+    const at = this.turned(o, r, from, size > 0 ? -1 : 1, [0.5, 4.2], "about couple", c.name);
+    for (const t of [0.5, 1.4, 2.3, 3.2, 4.2]) this.strokes.push([at(t), at(t + 0.4)]);
+    this.beside(o, [c.name], "force", r + 3);
+  }
+  forces(m, terms) { // each force where it acts, its arm to the point of the moments; not to scale
+    const about = this.spot(m.about), beside = {}, dropped = [];
+    for (const f of m.forces) {
+      const p = this.spot(f.mark), angle = live.angle(f.along);
+      if (!p || angle == null || !terms.includes(f.name)) continue;
+      const size = f.size ? live.value(f.size) : 1, back = size < 0 ? -1 : 1;
+      const c = back * Math.cos(angle * Math.PI / 180), s = -back * Math.sin(angle * Math.PI / 180);
+      const long = this.size ? 34 : 52;
+      const foot = f.foot && this.spot(f.foot);
+      const key = `${p.map(Math.round)}${Math.round(angle * back)}`;
+      beside[key] = (beside[key] || 0) + 1;
+      const shift = (beside[key] - 1) * 5, a = [p[0] - s * shift, p[1] + c * shift];
+      const b = [a[0] + c * long, a[1] + s * long];
+      if (foot && about) {
+        this.line(a, foot, "trace", "", false);
+        this.line(about, foot, "arm", f.name);
+        const same = dropped.find(d => distance(foot, d.foot) < 2);
+        if (same) same.names.push(f.arm); else dropped.push({ foot, names: [f.arm] });
+      }
+      this.arrow(a, b, "force", f.name);
+      this.along(a, b, [f.name], "force");
+    }
+    m.couples.filter(c => terms.includes(c.name)).forEach((c, k, all) => this.couple(c,
+      all.slice(0, k).filter(o => o.link === c.link).length));
+    for (const d of dropped) if (distance(about, d.foot) > 8) this.along(about, d.foot, d.names, "force");
+    if (about) svg("circle", { cx: about[0], cy: about[1], r: 8, class: "about" }, this.node);
+  }
+}

@@ -1,0 +1,31 @@
+// The frames of the lesson: what is drawn so far, and the frame in which a value or a vector is first told.
+import { data } from "./page.js";
+
+const values = {}, births = {}, begun = {};
+
+export function seenAt(frame) {
+  const seen = new Set(["position:p"]);
+  for (const f of data.frames.slice(0, frame + 1)) for (const m of f.makes) seen.add(m);
+  return seen;
+}
+export function planOf(frame) { // the plan on the right: of this frame, or the last one that was begun
+  const shown = p => p !== "position" && begunAt(p) <= frame;
+  for (let k = frame; k >= 0; k--) if (shown(data.frames[k].plan)) return data.frames[k].plan;
+  return "position";
+}
+function begunAt(plan) { // the frame that makes its first mark
+  return begun[plan] ??= data.frames.findIndex(f => f.plan === plan && f.makes.length);
+}
+export function found(name) { // the frame in which a value is first told
+  return values[name] ??= data.frames.findIndex(f => f.tells.includes(name));
+}
+export function born(name, key) { // the frame of its plan in which a vector is first in hand
+  return births[`${key} ${name}`] ?? -1;
+}
+data.frames.forEach((f, k) => {
+  if (f.moments === null && k >= begunAt(f.plan)) for (const t of f.terms) births[`${f.plan} ${t}`] ??= k;
+});
+for (const s of data.segments) { // what no frame speaks of is there with its end
+  const k = data.frames.findIndex(f => f.makes.includes(`${s.plan}:${s.end}`));
+  for (const n of s.names) births[`${s.plan} ${n}`] ??= k;
+}

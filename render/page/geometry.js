@@ -1,0 +1,16 @@
+// Boxes, strokes and shares: what is reckoned of places without drawing anything.
+
+export function distance(a, b) { return Math.hypot(b[0] - a[0], b[1] - a[1]); }
+export function gap(p, [a, b]) { // from a point to a stroke, px
+  const dx = b[0] - a[0], dy = b[1] - a[1], n = dx * dx + dy * dy;
+  const t = n ? Math.max(0, Math.min(1, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / n)) : 0;
+  return Math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
+}
+export function union(a, b) {
+  return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])];
+}
+export function quantile(numbers, share) {
+  const sorted = [...numbers].sort((a, b) => a - b);
+  return sorted[Math.floor(share * (sorted.length - 1))];
+}
+export function clamp(v, a, b) { return Math.min(b, Math.max(a, Number.isFinite(v) ? v : a)); }

@@ -1,0 +1,13 @@
+// Names as a sheet has them: letters, and what stands low or high beside them.
+const LETTERS = JSON.parse(document.getElementById("letters").textContent);
+
+export function labelOf(mark) { return mark.slice(mark.lastIndexOf(":") + 1); }
+export function keyOf(mark) { return mark.slice(0, mark.lastIndexOf(":")); } // of its plan
+export function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: as a sheet has it
+  const own = LETTERS[document.documentElement.lang] || {}, first = Object.values(LETTERS)[0], full = `${plan}:${name}`;
+  return own[full] || first[full] || own[name] || first[name] || [[name, ""]];
+}
+export function safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); }
+export function html(name, plan) { // letters stand up, indices stay whole
+  return lettered(name, plan).map(([t, k]) => k ? `<${k}>${safe(t)}</${k}>` : safe(t)).join("");
+}

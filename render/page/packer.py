@@ -1,0 +1,61 @@
+"""Modules of the pages put into one script: each once, after those it imports, in one scope that is the page's own.
+
+As a module writes its names, so they stand: two modules of a page that give one name to two things are refused, and so
+are modules that import each other, or a name that nobody exports.
+"""
+
+import re
+from functools import cache
+from importlib.resources import files
+
+RE = re.M | re.S
+_IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.js";\n', re.M)
+_DECLARED = re.compile(r"^(export |)(?:(?:function|class) ([\w$]+)|(?:const|let) \[?(.*?;)( //[^\n]*)?$)", RE)
+_INNER = re.compile(r'"[^"]*"|`[^`]*`|\([^()]*\)|\{[^{}]*\}|(?<=[=,] )\[[^\[\]]*\]')
+_NAME = re.compile(r"(?:^|, )([\w$]+)(?=[ ,(;\]])")
+_REMARK = re.compile(r"^ *//[^\n]*\n|^ */\*\*.*?\*/\n| +// [^\n]*$|/\*\*.*?\*/ |^ +|^export ", RE)
+
+
+def packed(*entries: str) -> str:
+    """One script of modules and all they import, without indents and remarks."""
+    order: dict[str, str] = {}
+    for entry in entries:
+        _add(entry, (), order)
+    owners: dict[str, str] = {}
+    for module in order:
+        for name in _names(module):
+            if owners.setdefault(name, module) != module:
+                raise ValueError(f"{owners[name]}.js and {module}.js both call something {name}: give one another name")
+    return "".join(order.values())
+
+
+def _add(module: str, way: tuple[str, ...], order: dict[str, str]) -> None:
+    """A module after those it imports; ``way`` is who asked for it."""
+    if module in way:
+        raise ValueError(f"modules go round: {' → '.join((*way, module))}; move what both need to a third")
+    if module in order:
+        return
+    for named, other in _IMPORT.findall(_text(module)):
+        _add(other, (*way, module), order)
+        for name in filter(None, re.split(r"[\s,]+", named)):
+            if not _names(other).get(name):
+                raise ValueError(f"{module}.js imports {name} from {other}.js, which exports no {name}")
+    order[module] = _REMARK.sub("", _IMPORT.sub("", _text(module)))
+
+
+@cache
+def _text(module: str) -> str:
+    return (files("render") / "page" / f"{module}.js").read_text("utf-8")
+
+
+@cache
+def _names(module: str) -> dict[str, str]:
+    """What a module declares, and whether it exports it."""
+    found = {}
+    for export, named, told, _ in _DECLARED.findall(_text(module)):
+        shorter = _INNER.sub("", told)
+        while shorter != told:
+            told, shorter = shorter, _INNER.sub("", shorter)
+        for name in _NAME.findall(named + re.split(r"[({\[]", told)[0] + " "):
+            found[name] = export
+    return found

@@ -1,0 +1,24 @@
+// What the page brings along and where it stands: words, data, the program at work, the frame and the language in hand.
+import { $ } from "./dom.js";
+import { inflated } from "./inflate.js";
+import { LOOKS, Live } from "./live.js";
+
+export const [words, data] = JSON.parse(inflated(JSON.parse($("packed").textContent)));
+export const live = new Live(data, LOOKS); // the whole turn is looked at once the first picture is there
+export const state = {
+  frame: 0, lang: document.documentElement.lang, timer: 0, spin: 0, waiting: false, practising: false, seed: 0,
+};
+const kept = {};
+let painted = () => {};
+
+export function paintedBy(paint) { painted = paint; }
+export function draw() {
+  state.waiting = false;
+  painted();
+}
+export function later() { // with the next picture of the screen
+  if (!state.waiting) { state.waiting = true; requestAnimationFrame(draw); }
+}
+export function put(id, text) { // only what has changed
+  if (kept[id] !== text) $(id).innerHTML = kept[id] = text;
+}

@@ -1,0 +1,63 @@
+// The stepper: one frame after another, by buttons, keys or by itself, and what is told of each.
+import { writeAddress } from "./address.js";
+import { $, on } from "./dom.js";
+import { clamp } from "./geometry.js";
+import { kit } from "./kit.js";
+import { data, draw, put, state } from "./page.js";
+import { safe } from "./letters.js";
+import { typeset } from "./rows.js";
+import { say, sentence } from "./words.js";
+
+let faced = null;
+
+// on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
+export function facing(f) {
+  const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;
+  if (faced === f || panels.scrollWidth <= panels.clientWidth + 2) return;
+  faced = f;
+  panels.scrollLeft = on * panels.clientWidth;
+}
+const chapters = data.frames.map((f, k) => k).filter(k => !k ||
+  data.frames[k].chapter !== data.frames[k - 1].chapter);
+export function contents() { // the plans in their order, each by its title
+  const title = key => key === "position" ? say("scheme") : data.plans.find(p => p.key === key).title[state.lang];
+  $("chapter").innerHTML = chapters.map((k, n) =>
+    `<option value="${n}">${n + 1}. ${safe(title(data.frames[k].chapter))}</option>`).join("");
+}
+export function told(f) {
+  $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
+  put("sentence", typeset(f));
+  put("why", sentence(f.why[state.lang], f.plan));
+  $("back").disabled = state.frame === 0;
+  $("next").disabled = state.frame === data.frames.length - 1;
+  $("progress").value = String(state.frame + 1);
+  $("chapter").value = String(chapters.findLastIndex(k => k <= state.frame));
+  $("progress").setAttribute("aria-valuetext", $("number").textContent);
+}
+export function go(frame) { // one forward with the tools at work
+  const next = clamp(frame, 0, data.frames.length - 1), forward = next === state.frame + 1;
+  state.frame = next;
+  writeAddress();
+  draw();
+  if (forward) kit.show(data.frames[next], true);
+}
+export function play() {
+  if (state.timer) { clearInterval(state.timer); state.timer = 0; }
+  else state.timer = setInterval(() => state.frame + 1 < data.frames.length ? go(state.frame + 1) : play(), 3500);
+  $("play").textContent = state.timer ? "❚❚" : "▶▶";
+}
+$("back").onclick = () => state.practising || go(state.frame - 1);
+$("next").onclick = () => state.practising || go(state.frame + 1);
+$("play").onclick = play;
+$("chapter").onchange = () => go(chapters[+$("chapter").value]);
+$("progress").oninput = () => go(+$("progress").value - 1);
+on(window, "keydown", e => {
+  if (/^(INPUT|SELECT)$/.test(e.target.tagName) || e.altKey || e.ctrlKey || e.metaKey || state.practising) return;
+  if (e.key === "ArrowRight") go(state.frame + 1);
+  else if (e.key === "ArrowLeft") go(state.frame - 1);
+  else if (e.key === "Home") go(0);
+  else if (e.key === "End") go(data.frames.length - 1);
+  else if (e.key === " " && !/^(BUTTON|SUMMARY)$/.test(e.target.tagName)) play();
+  else return;
+  e.preventDefault();
+});

@@ -1,0 +1,86 @@
+"""Modules of the pages read by node, one at a time: their numbers are Python's, by changed givens and in sentences."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from planes.drafting.drawing import run
+from planes.lesson import value_of
+from planes.lesson.data import lesson_data
+from planes.lesson.formulas import LANGS, fill
+from planes.lesson.told import Told
+from planes.plans import plans_of
+from planes.plans.scales import fits_on, scales
+from planes.scene import load
+from planes.words.names import plan_of
+from planes.words.records import Json
+from planes.words.units import number
+from render.page import packer
+from render.page.lesson_page import page
+from tests.helpers import ROOT
+from tests.lessons_run import DrawnByEngine, numbers
+
+SCENE = ROOT / "samples" / "six-link.yaml"
+TESTS = Path(__file__).with_name("page_modules.test.mjs")
+HELD = re.compile(r'<script type="application/json" id="(\w+)">(.*?)</script>', re.DOTALL)
+NUMBERS = [0.0, -0.0, 1.0, 0.125, -12.345, 99999.5, 1234567.0, 12345678.9, 1e-5, 0.00012345, 2.5e-7, -3.14159, 2.00005]
+
+
+def drawn(data: Json, rng: random.Random) -> list[Json]:
+    """Marks by the engine, at other places of the drive and with other dimensions."""
+    engine, found = DrawnByEngine(SCENE), []
+    for given in numbers(data, 12, 12, rng):
+        flat = {**data["home"], **given}
+        for knob in data["knobs"]:
+            flat |= {n: flat[n] * flat[knob["given"]] / data["home"][knob["given"]] for n in knob["tied"]}
+        drawing = engine.drawn(flat)
+        marks = {m: drawing[m] for m in data["marks"] if m in drawing and plan_of(m) != "motion"} if drawing else {}
+        places = {m: [complex(z).real, complex(z).imag] for m, z in marks.items()}
+        found.append({"given": given, "marks": places, "failed": drawing is None})
+    return found
+
+
+def said(data: Json) -> list[Json]:
+    """What every frame says at other places of the drive."""
+    scene, found = load(str(SCENE)), []
+    plans, drive = plans_of(scene.mechanism), data["drive"]["given"]
+    mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
+    told = Told.of(scene)
+    for value in (150.0, 165.5, 201.7):
+        there = run(plans.program, {**plans.given, **mus, drive: value})
+        read = partial(value_of, teller=told.teller, drawing=there)
+        for lang in LANGS:
+            words = [fill(f.said[lang], read, lang) for f in told.frames]
+            found.append({"given": {drive: value}, "lang": lang, "said": words})
+    assert len(told.frames) == len(data["frames"])
+    return found
+
+
+def test_modules_of_the_pages_reckon_as_python_does(tmp_path: Path) -> None:
+    node = shutil.which("node")
+    if not node:
+        pytest.skip("no node here: apt-get install nodejs")
+    data = lesson_data(load(str(SCENE)))
+    told = {
+        "held": dict(HELD.findall(page(data, "en"))),
+        "drawn": drawn(data, random.Random(5)),
+        "said": said(data),
+        "numbers": NUMBERS,
+        "written": {lang: [number(v, lang) for v in NUMBERS] for lang in ("ru", "en")},
+    }
+    for file in Path(packer.__file__).parent.glob("*.js"):
+        shutil.copy(file, tmp_path)
+    (tmp_path / "package.json").write_text('{"type": "module"}', encoding="utf-8")
+    (tmp_path / "told.json").write_text(json.dumps(told), encoding="utf-8")
+    how = {**os.environ, "PAGE_MODULES": str(tmp_path)}
+    ran = subprocess.run([node, "--test", TESTS], capture_output=True, text=True, encoding="utf-8", env=how)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
