@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from planes.solving import Position
     from planes.words.errors import PlanesError
 
-__version__ = "0.9.1"
+__version__ = "0.10.0"
 
 _FROM = {
     "planes.scene": ("Scene", "load", "loads"),
