@@ -2,6 +2,7 @@
 import { svg } from "./figure.js";
 import { plan, scheme } from "./figures.js";
 import { distance } from "./geometry.js";
+import { labelOf } from "./letters.js";
 import { data, live } from "./page.js";
 export const ACT_MS = 600;
 const CARRIED_MS = 360, AIR = 14;
@@ -28,10 +29,15 @@ export const kit = {
     this.frame = frame;
     if (moving && frame.tools.length && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
       this.from = performance.now();
+      this.await(new Set([...frame.makes.map(labelOf), ...frame.terms]));
       if (!this.next) this.next = requestAnimationFrame(() => this.move());
     } else if (!moving && this.next && frame === this.moved) return;
     else this.rest();
     this.moved = frame;
+  },
+  await(names) { // letters of what is being drawn, which come when it is there
+    for (const f of [scheme, plan]) for (const [, , , label] of f.taken || [])
+      label?.node?.classList.toggle("awaited", label.names.some(n => names.has(n)));
   },
   move() {
     const acts = this.acts(), past = performance.now() - this.from, k = Math.floor(past / ACT_MS);

@@ -36,6 +36,18 @@ def test_each_tool_lies_on_what_it_draws_and_comes_off_what_it_is_laid_to(page: 
 
 
 @pytest.mark.slow
+def test_while_a_tool_travels_neither_the_vector_nor_its_letter_is_there(page: Any) -> None:
+    there = """() => { const k = data.frames.findIndex(f => f.makes[0] === 'velocity:c'); go(k - 1); go(k);
+        kit.move();
+        const seen = e => getComputedStyle(e).visibility !== 'hidden';
+        const all = [...document.querySelectorAll('#plan .arrow.lit, #plan .label')];
+        const during = all.filter(seen).length; kit.rest();
+        return [during, all.filter(seen).length, document.querySelectorAll('#plan .awaited').length]; }"""
+    during, after, awaited = page.evaluate(there)
+    assert awaited > 0 and during < after
+
+
+@pytest.mark.slow
 def test_a_step_of_a_tool_takes_six_tenths_of_a_second_and_none_where_motion_is_not_wanted(page: Any) -> None:
     cross = "data.frames.findIndex(f => f.makes[0] === 'velocity:c')"
     seen = """k => { go(k - 1); go(k); return new Promise(done => {
