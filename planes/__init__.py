@@ -5,9 +5,9 @@
 >>> planes.solve(scene, phi=150).omega["2"]  # rad/s
 8.122...
 
-Public names: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`check`, :func:`sheet`,
-:func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Linkage``, ``Position``,
-``Table``, ``Exact``, ``Pencil``, ``PlanesError``.
+Public names: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`extremes`, :func:`check`,
+:func:`sheet`, :func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Linkage``,
+``Position``, ``Table``, ``Exact``, ``Pencil``, ``PlanesError``.
 Each comes when it is first used, so that nothing is imported that is not needed.
 
 Packages, lowest level first: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from planes.batch.table import Table
-    from planes.documents.face import animate, check, cycle, lesson, picture, sheet, solve
+    from planes.documents.face import animate, check, cycle, extremes, lesson, picture, sheet, solve
     from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
     from planes.scene import Scene, load, loads
@@ -39,7 +39,7 @@ __version__ = "0.10.0"
 _FROM = {
     "planes.scene": ("Scene", "load", "loads"),
     "planes.scene.building": ("Linkage",),
-    "planes.documents.face": ("animate", "check", "cycle", "lesson", "picture", "sheet", "solve"),
+    "planes.documents.face": ("animate", "check", "cycle", "extremes", "lesson", "picture", "sheet", "solve"),
     "planes.drafting.instruments": ("Exact", "Pencil"),
     "planes.solving": ("Position",),
     "planes.batch.table": ("Table",),
@@ -62,6 +62,7 @@ __all__ = [
     "check",
     "crank",
     "cycle",
+    "extremes",
     "lesson",
     "load",
     "loads",

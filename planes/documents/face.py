@@ -25,13 +25,15 @@ from planes.scene.building import Linkage
 from planes.scene.ranges import asked_of_drive
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
-from planes.words import Lang, home_lang
+from planes.words import Lang, Phrase, home_lang
+from planes.words.errors import PlanesError
 from planes.words.names import kind_of
+from planes.words.records import Json
 from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet
 
-__all__ = ["animate", "check", "cycle", "lesson", "picture", "sheet", "solve"]
+__all__ = ["animate", "check", "cycle", "extremes", "lesson", "picture", "sheet", "solve"]
 
 Numbers = Iterable[float]
 
@@ -191,6 +193,31 @@ def lesson(scene: Scene | Linkage, output: str | Path | None = None, lang: Lang 
     if output is not None:
         page.write(str(output))
     return page
+
+
+def extremes(scene: Scene | Linkage) -> Json:
+    """Stroke, dead points, time ratio, and the extremes of every curve over the cycle, as ``planes cycle --json`` has
+    them: places of the driver in degrees (of a sliding driver, m), values in the unit beside them.
+
+    >>> import planes
+    >>> found = planes.extremes(planes.load("samples/kind-1-rrr.yaml"))
+    >>> [round(e["at"], 2) for e in found["driven"]["extreme_positions"]]  # dead points, degrees of the crank
+    [90.0, 257.32]
+    >>> round(found["driven"]["time_ratio"], 4)
+    1.1516
+    """
+    from planes.diagrams.curves import FULL
+    from planes.diagrams.summary import summary
+    from planes.diagrams.text import as_json
+    from planes.diagrams.turn import reach
+
+    scene = read(scene)
+    plans = scene_plans(scene)
+    ends = (0.0, FULL) if plans.mechanism.drive.kind == "phi" else reach(plans)
+    found = summary(scene, plans, *ends)
+    if not found.grid.works.any():
+        raise PlanesError(Phrase("cycle_never", first=f"{ends[0]:g}", last=f"{ends[1]:g}"))
+    return as_json(found)
 
 
 def animate(

@@ -28,7 +28,8 @@ function setLine(r, key) { // name = letters = numbers = value unit, each a piec
   const sign = r.turns ? `<span class="sense">${sentence(`(⟦s¦${r.name}⟧)`, key)}</span>` : "";
   const value = `<mo>=</mo>${added(filled(r.value), key)}${unit}`, name = `⟨${r.name}⟩`;
   if (!r.numbers) return math(`${added(name, key)}<mo>=</mo><mn>0</mn>`);
-  if (r.kind === "measured" && filled(r.letters) === "0") return math(added(name, key)) + `<span>${say("too_small")}</span>`;
+  if (r.kind === "measured" && filled(r.letters) === "0")
+    return math(added(name, key)) + `<span>${say("too_small")}</span>`;
   if (r.kind === "measured") {
     const mm = `${added(filled(r.letters), key)}<mspace width=".2em"/><mtext>${safe(say("mm"))}</mtext>`;
     const by = r.numbers.slice(2);
