@@ -9,19 +9,20 @@ import { crank, drag, heard, knobs, large, spin, turn, zones } from "./hands.js"
 import { handout } from "./handout.js";
 import { ACT_MS, KITS, kit } from "./kit.js";
 import { relight } from "./light.js";
-import { data, draw, later, live, paintedBy, put, state } from "./page.js";
+import { data, draw, later, live, paintedBy, state } from "./page.js";
 import { practice } from "./practice.js";
+import { put } from "./put.js";
 import { facing, go, told } from "./stepper.js";
 import { TOOLS, handed, task } from "./task.js";
+import { forget, rested } from "./undo.js";
 import { described, filled, number, say } from "./words.js";
 
-let alone = null, resized = false;
+let alone = /** @type {any} */ (null), resized = false;
 function paint() {
   const f = data.frames[state.frame], practising = practice.on;
   const seen = practising ? practice.seen() : seenAt(state.frame), key = planOf(state.frame);
   if (alone !== (key === "position") || resized) {
     alone = key === "position";
-    resized = false;
     document.querySelector(".panels").classList.toggle("alone", alone);
     scheme.measure(); plan.measure();
   }
@@ -35,7 +36,8 @@ function paint() {
   $("scheme").setAttribute("aria-label", described("position", seen));
   $("plan").setAttribute("aria-label", described(key, seen));
   if (!practising) told(f, key);
-  facing(f);
+  facing(f, resized);
+  resized = false;
   put("equations", written(f, key, state.frame, practising ? practice : null));
   crank();
   large(key);
@@ -56,11 +58,12 @@ function language() {
   $("lang").textContent = state.lang === "ru" ? "English" : "Русский";
 }
 $("lang").onclick = () => { state.lang = state.lang === "ru" ? "en" : "ru"; language(); writeAddress(); draw(); };
-on(window, "hashchange", () => { if (practice.on) practice.toggle(); readAddress(); language(); draw(); });
+on(window, "hashchange", () => { if (practice.on) practice.toggle(); readAddress(); rested(); language(); draw(); });
 on(window, "resize", () => { resized = true; later(); });
 on(window, "beforeprint", handout);
 paintedBy(paint);
 readAddress();
+forget();
 language();
 draw();
 if (practice.seed) practice.toggle();

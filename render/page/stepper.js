@@ -3,18 +3,23 @@ import { writeAddress } from "./address.js";
 import { $, on } from "./dom.js";
 import { clamp } from "./geometry.js";
 import { kit } from "./kit.js";
-import { data, draw, put, state } from "./page.js";
+import { data, draw, state } from "./page.js";
+import { put } from "./put.js";
 import { sentence } from "./words.js";
 
-let faced = null;
+let faced = /** @type {any} */ (null), roomy = true;
 
 // on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
-export function facing(f) {
+/** @type {(f: Frame, resized: boolean) => void} */
+export function facing(f, resized) {
   const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;
-  if (faced === f || panels.scrollWidth <= panels.clientWidth + 2) return;
+  if (faced === f && !(roomy && resized)) return; // to ask how wide it is lays the page out
   faced = f;
+  roomy = panels.scrollWidth <= panels.clientWidth + 2;
+  if (roomy) return;
   panels.scrollLeft = on * panels.clientWidth;
 }
+/** @type {(f: Frame, key: string) => void} */
 export function told(f, key) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
   put("sentence", sentence(f.said[state.lang], f.plan));
@@ -24,6 +29,7 @@ export function told(f, key) {
   $("progress").value = String(state.frame + 1);
   $("progress").setAttribute("aria-valuetext", $("number").textContent);
 }
+/** @type {(frame: number) => void} */
 export function go(frame) { // one forward with the tools at work
   const next = clamp(frame, 0, data.frames.length - 1), forward = next === state.frame + 1;
   state.frame = next;
