@@ -83,7 +83,7 @@ export class Figure { // millimetres y up -> pixels y down
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);
     this.dx = w / 2 - this.k * (box[0] + box[2]) / 2;
     this.dy = h / 2 + this.k * (box[1] + box[3]) / 2;
-   
+
     if (this.fixed_view) Object.assign(this, { k: this.fixed_view.k, dx: this.fixed_view.dx, dy: this.fixed_view.dy });
     this.w = w; this.h = h; this.strokes = []; this.taken = [];
     alter(this.node, { viewBox: `0 0 ${w} ${h}` });

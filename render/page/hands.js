@@ -37,7 +37,7 @@ export function crank() {
     local(v.toFixed(4)) + (state.lang !== "en" ? " м" : " m");
   $("value").textContent = `${symbol} = ${shown}`;
   $("crank").value = String(v);
-  if (document.activeElement !== $("exact")) 
+  if (document.activeElement !== $("exact"))
     $("exact").value = String(+(turning ? ((v % 360) + 360) % 360 : v).toFixed(6));
   $("crank").setAttribute("aria-valuetext", $("value").textContent);
   $("home").disabled = live.at_home;
@@ -48,14 +48,15 @@ export function crank() {
   const near = live.failed ? live.nearest() : null;
   const there = near !== null ? say("nearest").replace("{name}", symbol).replace("{value}",
     `${number(near)}${turning ? "°" : ""}`) : "";
-  put("zone", held ? held[state.lang] : live.failed ? `⚠ ${filled(live.failed[state.lang])}${there}` : zone &&
-    zone.mark ? "⚠ " + sentence(data.blunt[zone.mark][state.lang], "") : "");
-  put("rates", data.results.filter(r => found(r.value) <= state.frame).map(
-    r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(live.value(r.value))} ${r.unit[
-    state.lang]}</span>`).join(""));
+  const wrong = live.failed ? filled(live.failed[state.lang]) + there :
+    zone?.mark ? sentence(data.blunt[zone.mark][state.lang], "") : "";
+  put("zone", held ? held[state.lang] : wrong && `⚠ ${wrong}`);
+  const told = data.results.filter(r => found(r.value) <= state.frame).map(r =>
+    `<span><i class="name" data-name="${r.name}">${html(r.name)}</i>` +
+    ` = ${number(live.value(r.value))} ${r.unit[state.lang]}</span>`);
+  put("rates", told.join(""));
   document.querySelectorAll("#knobs input").forEach(e => {
-    const v = live.given[e.dataset.given];
-    const text = String(+v.toPrecision(6));
+    const text = String(+live.given[e.dataset.given].toPrecision(6));
     if (e.value !== text && (e !== document.activeElement || e.type === "range")) e.value = text;
     e.disabled = state.practising;
   });
@@ -73,15 +74,17 @@ function fitting(key) {
 /** @type {(key: string) => void} */
 export function large(key) { // what a draughtsman does near a dead point: another scale, and it is said why
   const fit = key === "position" || live.failed ? null : fitting(key);
-  put("large", fit ? `${say("large").replace("{mu}",
-    scaled(fit[1]))} <button type="button" data-mu="${fit[1]}" data-given="${fit[0]}">${say("large_fit")}</button>` :
-    "");
+  if (!fit) { put("large", ""); return; }
+  const button = `<button type="button" data-mu="${fit[1]}" data-given="${fit[0]}">${say("large_fit")}</button>`;
+  put("large", `${say("large").replace("{mu}", scaled(fit[1]))} ${button}`);
 }
 export function zones() { // positions that fail, and blunt ones, marked over the slider by pattern as well as colour
   const { from, to } = data.drive, long = to - from || 1;
   const said = (/** @type {Zone} */ z) => z.kind === "bad" ? say("zone_bad") : plain(data.blunt[z.mark][state.lang]);
-  $("zones").innerHTML = live.zones.map(z => `<i class="${z.kind}" title="${said(z)}" style="left:${100 *
-    (z.from - from) / long}%;width:${100 * (z.to - z.from) / long + 100 / TURN}%"></i>`).join("");
+  $("zones").innerHTML = live.zones.map(z => {
+    const left = 100 * (z.from - from) / long, width = 100 * (z.to - z.from) / long + 100 / TURN;
+    return `<i class="${z.kind}" title="${said(z)}" style="left:${left}%;width:${width}%"></i>`;
+  }).join("");
 }
 export function knobs() { // every given number, to be typed or slid
   const name = (/** @type {Knob} */ k) => k.plan ?

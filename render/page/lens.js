@@ -32,9 +32,9 @@ export class Lensed extends Drawing {
     for (let x = r + 6; x <= this.w - r - 6; x += 14) for (let y = r + 24; y <= this.h - r - 22; y += 14) {
       const near = Math.hypot(x - m[0], y - m[1]);
       if (near < r + 12 || (best && near >= best[0])) continue;
-      const free = this.strokes.every(s => gap([x, y], s) > r + 3) &&
-        this.taken.every(t => Math.max(Math.abs(x - t[0]) - t[2], 0) ** 2 + Math.max(Math.abs(y - t[1]) - 9,
-        0) ** 2 > (r + 2) ** 2);
+      const far = (/** @type {number[]} */ t) =>
+        Math.hypot(Math.max(Math.abs(x - t[0]) - t[2], 0), Math.max(Math.abs(y - t[1]) - 9, 0)) > r + 2;
+      const free = this.strokes.every(s => gap([x, y], s) > r + 3) && this.taken.every(far);
       if (free) best = [near, x, y];
     }
     return best && best.slice(1);
