@@ -6,7 +6,8 @@ import { data, live, state } from "./page.js";
 let timer = 0;
 
 export function readAddress() {
-  const q = new URLSearchParams(location.hash.length > 1 ? location.hash.slice(1) : location.search), numbers = {};
+  const q = new URLSearchParams(location.hash.length > 1 ? location.hash.slice(1) : location.search);
+  const numbers = /** @type {Record<string, any>} */ ({});
   state.seed = /^\d{1,6}$/.test(q.get("seed")) ? +q.get("seed") : 0;
   if (q.has("step")) state.frame = clamp(+q.get("step") - 1, 0, data.frames.length - 1);
   if (q.has("at") && Number.isFinite(+q.get("at"))) numbers[data.drive.given] = live.placed(+q.get("at"));

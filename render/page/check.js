@@ -1,21 +1,26 @@
 // The report of a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged
 // anew.
 import { $, on } from "./dom.js";
-import { Figure, letters, svg } from "./figure.js";
+import { Figure, letters } from "./figure.js";
 import { distance } from "./geometry.js";
 import { Judge } from "./judge.js";
 import { html, safe } from "./letters.js";
+import { end, svg } from "./svg.js";
+
 const data = JSON.parse(document.getElementById("data").textContent);
 
 class Sheet extends Figure { // the drawing under its marks, on one scale
+  /** @param {Element} node @param {any} data */
   constructor(node, data) {
     super(node, { ...data, marks: {} });
-    this.layers = { picture: true, own: true, next: true, truth: true };
+    this.own = /** @type {any} */ (null);
+    this.layers = /** @type {Record<string, boolean>} */ ({ picture: true, own: true, next: true, truth: true });
   }
+  /** @type {(at: There) => { vectors: any[][], at: There }} */
   laid(at) { // vectors with their names, and where the marks stand: a force polygon in the order its person laid it
-    const { order, rows, vectors, chained } = this.data, places = {};
-    if (!order.length) return { vectors: chained ? rows.map(([n, a, b]) => [at(a), at(b), n, b]) :
-      vectors.map(([a, b]) => [at(a), at(b)]), at };
+    const { order, rows, vectors, chained } = this.data, places = /** @type {Record<string, any>} */ ({});
+    if (!order.length) return { vectors: chained ? rows.map((/** @type {any} */ [n, a, b]) => [at(a), at(b), n, b]) :
+      vectors.map((/** @type {any} */ [a, b]) => [at(a), at(b)]), at };
     let z = [0, 0];
     const out = [];
     for (const [name, start, end] of order) {
@@ -28,12 +33,13 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     }
     return { vectors: out, at: name => name !== "p" && places[name] || at(name) };
   }
+  /** @type {(marks: Mark[], found: Found) => void} */
   draw(marks, found) {
     this.measure();
     this.data.marks = { p: [0, 0] };
     for (const m of marks) if (m.read) this.data.marks[m.name] = [m.x, m.y];
     this.start(this.data.box);
-    const on = this.layers, ghost = {};
+    const on = this.layers, ghost = /** @type {Record<string, any>} */ ({});
     if (on.picture) this.under();
     const own = this.own = this.laid(n => this.at(n)), truth = this.laid(n => this.data.truth[n]);
     if (on.truth) for (const [a, b] of truth.vectors) this.vector(a, b, "truth");
@@ -48,8 +54,10 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
       this.node);
     if (on.own) for (const [a, b] of own.vectors) this.vector(a, b, "own");
     const named = this.data.chained && on.own ? this.forces() : new Set(), pole = this.px([0, 0]);
-    if (this.data.kind !== "position" || original.every(m => !m.read)) this.pole(pole); // else a scheme has none
+    // else a scheme has none
+    if (this.data.kind !== "position" || original.every((/** @type {Mark} */ m) => !m.read)) this.pole(pole);
     marks.forEach((m, k) => this.handle(m, found.marks[m.name], k, named.has(m.name)));
+    end();
   }
   forces() { // the names of forces stand beside their vectors; of what ends where it begins, at the mark
     const named = new Set();
@@ -61,6 +69,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     }
     return named;
   }
+  /** @type {(a: Spot, b: Spot, cls: string) => void} */
   vector(a, b, cls) { // of a scheme a link, which has no arrowhead
     if (!a || !b) return;
     if (this.data.kind === "position") this.line(this.px(a), this.px(b), cls);
@@ -75,6 +84,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     }
     for (const [a, b, c, d] of strokes) this.line(this.px([a, b]), this.px([c, d]), "stroke", "", false);
   }
+  /** @type {(q: Spot) => void} */
   pole(q) { // on a picture it is put right like any mark; what was laid in another order does not hang on it alone
     const free = this.data.picture && !this.data.order.length;
     const g = free ? svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": "p", "aria-label": "p" },
@@ -83,25 +93,28 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     svg("circle", { cx: q[0], cy: q[1], r: 3.5, class: "pole" }, g);
     this.beside(q, ["p"], this.data.kind);
   }
+  /** @type {(k: number) => Spot} */
   parked(k) { return [this.w - 26, 30 + 34 * k]; } // marks nobody has read wait at the edge
+  /** @type {(m: Mark, found: Judged, k: number, named: boolean) => void} */
   handle(m, found, k, named) {
     const q = m.read ? this.px(this.own.at(m.name)) : this.parked(k);
-    const g = svg("g", { class: `handle ${found.verdict}`, tabindex: 0, role: "button", "data-mark": m.name },
-      this.node);
+    const place = m.read ? `x ${m.x.toFixed(1)}, y ${m.y.toFixed(1)}` : "";
+    const said = `${m.name}: ${data.words[found.verdict]}. ${place}`, cls = `handle ${found.verdict}`;
+    const how = { class: cls, tabindex: 0, role: "button", "data-mark": m.name, "aria-label": said };
+    const g = svg("g", how, this.node);
     svg("circle", { cx: q[0], cy: q[1], r: 14, class: "grip" }, g);
     svg("circle", { cx: q[0], cy: q[1], r: 6, class: "dot" }, g);
     if (found.verdict === "wrong") svg("path", { d: `M${q[0] - 3} ${q[1] - 3}l6 6m0 -6l-6 6`, class: "cross" }, g);
-    const place = m.read ? `x ${m.x.toFixed(1)}, y ${m.y.toFixed(1)}` : "";
-    g.setAttribute("aria-label", `${m.name}: ${data.words[found.verdict]}. ${place}`);
     if (m.read && named) return;
     if (m.read) this.beside(q, [m.name], this.data.kind, 9);
       else letters(this.node, [m.name], q[0] - 24, q[1] + 5, 15, this.data.kind);
   }
 }
 
-const original = data.marks.map(m => ({ ...m }));
+const original = data.marks.map((/** @type {Mark} */ m) => ({ ...m }));
 const sheet = new Sheet($("sheet"), data), judge = new Judge(data);
-let marks = original.map(m => ({ ...m })), found = null, held = null, moved = false, shifted = [0, 0];
+let marks = original.map((/** @type {Mark} */ m) => ({ ...m })), found = /** @type {any} */ (null);
+let held = /** @type {any} */ (null), moved = false, shifted = [0, 0];
 
 function draw() {
   const now = held; // drawing anew takes the focus away
@@ -110,6 +123,7 @@ function draw() {
   held = now;
   if (held) sheet.node.querySelector(`[data-mark="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
   if (!moved) return; // what was printed stands until something is moved
+  /** @type {(text: string) => void} */
   say(found.sentence);
   document.body.className = found.verdict;
   $("chance").style.visibility = "hidden"; // what is drawn stays where it is
@@ -117,7 +131,7 @@ function draw() {
   $("moved").hidden = false;
   table();
 }
-function say(text) { // names lettered as on the plan, commands unbroken
+function say(/** @type {string} */ text) { // names lettered as on the plan, commands unbroken
   let told = "", end = 0;
   for (const m of text.matchAll(new RegExp(data.sought, "g"))) {
     told += safe(text.slice(end, m.index)) + (m[1] ? `<span class="command">${safe(m[1])}</span>` :
@@ -128,6 +142,7 @@ function say(text) { // names lettered as on the plan, commands unbroken
 }
 function table() {
   const sign = document.documentElement.lang !== "en" ? "," : ".";
+  /** @type {(v: number) => string} */
   const mm = v => v === undefined || !Number.isFinite(v) ? "—" : v.toFixed(1).replace(".", sign);
   document.querySelectorAll("#marks tbody tr").forEach(row => {
     const one = found.marks[row.dataset.mark], [own, limit, off, word] = row.querySelectorAll("td");
@@ -140,13 +155,15 @@ function table() {
     word.textContent = data.words[one.verdict] + (more ? ` (${data.words[more]})` : "");
   });
 }
+/** @type {(name: string, x: number, y: number) => void} */
 function move(name, x, y) {
-  const m = marks.find(m => m.name === name);
+  const m = marks.find((/** @type {Mark} */ m) => m.name === name);
   Object.assign(m, { x, y, read: true });
   held = name;
   moved = true;
   draw();
 }
+/** @type {(x: number, y: number) => void} */
 function origin(x, y) { // the pole is elsewhere on the picture: all that is seen there stays
   for (const m of marks) if (m.read) { m.x -= x; m.y -= y; }
   for (const box of [data.box, data.picture.box]) for (let k = 0; k < 4; k++) box[k] -= k % 2 ? y : x;
@@ -156,34 +173,38 @@ function origin(x, y) { // the pole is elsewhere on the picture: all that is see
   draw();
 }
 // to where it is shown: of a polygon laid in another order only the two sides that meet there change
+/** @type {(name: string, x: number, y: number) => void} */
 function drag(name, x, y) {
   if (name === "p") return origin(x, y);
-  const k = data.order.findIndex(([, , end]) => end === name);
-  if (k < 0 || !marks.find(m => m.name === name).read) return move(name, x, y);
+  const k = data.order.findIndex((/** @type {any} */ [, , end]) => end === name);
+  if (k < 0 || !marks.find((/** @type {Mark} */ m) => m.name === name).read) return move(name, x, y);
   const [x0, y0] = sheet.own.at(name), next = data.order[k + 1];
-  const shift = (mark, sign) => { // with all that is reckoned from it
+  const shift = (/** @type {string} */ mark, /** @type {number} */ sign) => { // with all that is reckoned from it
     const after = new Set([mark]), placed = new Set(["p"]);
     for (const [, a, b] of data.rows) if (!placed.has(b)) { placed.add(b); if (after.has(a)) after.add(b); }
     for (const m of marks) if (m.read && after.has(m.name)) { m.x += sign * (x - x0); m.y += sign * (y - y0); }
   };
   shift(name, 1);
-  if (next && marks.some(m => m.name === next[2]) &&
-    data.order.findIndex(([, , end]) => end === next[2]) === k + 1) shift(next[2], -1);
-  const m = marks.find(m => m.name === name);
+  if (next && marks.some((/** @type {Mark} */ m) => m.name === next[2]) &&
+    data.order.findIndex((/** @type {any} */ [, , end]) => end === next[2]) === k + 1) shift(next[2], -1);
+  const m = marks.find((/** @type {Mark} */ m) => m.name === name);
   move(name, m.x, m.y);
 }
 function reset() {
   if (shifted.some(Math.abs)) origin(-shifted[0], -shifted[1]);
-  marks = original.map(m => ({ ...m })); moved = true; draw(); $("moved").hidden = true;
+  marks = original.map((/** @type {Mark} */ m) => ({ ...m })); moved = true; draw(); $("moved").hidden = true;
 }
 function csv() { // the marks as the table the program reads, and its command; a row "p" is where the pen is lifted to
   const rows = [`# ${document.querySelector("code").textContent}`, "mark,x_mm,y_mm,error_mm"];
-  const at = n => n === "p" ? { x: 0, y: 0, error: 0 } : marks.find(m => m.name === n);
+  const at = (/** @type {string} */ n) => n === "p" ? { x: 0, y: 0, error: 0 } :
+    marks.find((/** @type {Mark} */ m) => m.name === n);
+  /** @type {(name: string, m: Mark) => void} */
   const row = (name, m) => rows.push(`${name},${m.x.toFixed(3)},${m.y.toFixed(3)},${m.error}`);
   const { look, name } = $("save").dataset;
   if (look) rows.splice(1, 0, `# sheet ${look} ${name}`); // of what drawing the marks are
   // where the picture lies
-  if (data.picture) rows.splice(1, 0, `# box ${data.picture.box.map(v => v.toFixed(3)).join(" ")}`);
+  if (data.picture) rows.splice(1, 0,
+    `# box ${data.picture.box.map((/** @type {number} */ v) => v.toFixed(3)).join(" ")}`);
   let pen = "p";
   row("p", at("p"));
   for (const [name, start, end] of data.rows) {
@@ -197,10 +218,11 @@ function csv() { // the marks as the table the program reads, and its command; a
 function save() {
   const a = document.createElement("a");
   a.href = URL.createObjectURL(new Blob([csv()], { type: "text/csv" }));
-  a.download = $("save").dataset.name; // of the picture's own name: beside it the next run takes it up
+  a.download = $("save").dataset.name || ""; // of the picture's own name: beside it the next run takes it up
   a.click();
   setTimeout(() => URL.revokeObjectURL(a.href), 1000);
 }
+/** @type {(e: MouseEvent) => Spot} */
 function mm(e) {
   const box = sheet.node.getBoundingClientRect();
   return sheet.mm([(e.clientX - box.left) * sheet.w / box.width, (e.clientY - box.top) * sheet.h / box.height]);
@@ -214,15 +236,19 @@ on(sheet.node, "pointerdown", e => {
   e.preventDefault();
   e.target.closest("[data-mark]").focus({ preventScroll: true });
 });
-on(sheet.node, "pointermove", e => { if (sheet.node.dragged) drag(sheet.node.dragged, ...mm(e)); });
+on(sheet.node, "pointermove", e => { if (sheet.node.dragged) {
+  const [x, y] = mm(e);
+  drag(sheet.node.dragged, x, y);
+} });
 for (const end of ["pointerup", "pointercancel"]) on(sheet.node, end,
   () => { sheet.node.dragged = null; });
 on(sheet.node, "keydown", e => {
-  const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
+  const way = /** @type {Record<string, number[]>} */ ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1],
+    ArrowDown: [0, -1] })[e.key];
   const name = e.target.closest("[data-mark]")?.dataset.mark;
   if (!way || !name) return;
   e.preventDefault();
-  const m = marks.find(m => m.name === name), k = e.shiftKey ? 5 : e.altKey ? 0.1 : 0.5;
+  const m = marks.find((/** @type {Mark} */ m) => m.name === name), k = e.shiftKey ? 5 : e.altKey ? 0.1 : 0.5;
   const from = !m ? [0, 0] : m.read ? sheet.own.at(name) : sheet.mm(sheet.parked(marks.indexOf(m)));
   drag(name, from[0] + k * way[0], from[1] + k * way[1]);
 });

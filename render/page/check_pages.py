@@ -195,20 +195,20 @@ def _plan(place: Json, key: str) -> str:
 
 
 def _lines(place: Json, key: str, kind: str) -> str:
-    ends = ((a.real, a.imag, b.real, b.imag) for a, b in (_ends(place, v) for v in place[key]))
-    line = '<line class="{}" x1="{:.2f}" y1="{:.2f}" x2="{:.2f}" y2="{:.2f}"/>'
-    return "".join(line.format(kind, *four) for four in ends)
+    line = f'<line class="{kind}" x1="{{:.2f}}" y1="{{:.2f}}" x2="{{:.2f}}" y2="{{:.2f}}"/>'
+    return "".join(line.format(*_ends(place, v)) for v in place[key])
 
 
-def _ends(place: Json, vector: Sequence[float]) -> tuple[complex, complex]:
+def _ends(place: Json, vector: Sequence[float]) -> tuple[float, ...]:
     """The ends of a vector in its window, y down."""
     x0, _, _, y1 = place["box"]
     ax, ay, bx, by = vector
-    return complex(ax - x0, y1 - ay), complex(bx - x0, y1 - by)
+    return ax - x0, y1 - ay, bx - x0, y1 - by
 
 
 def _head(place: Json, vector: Sequence[float]) -> str:
-    a, b = _ends(place, vector)
+    ax, ay, bx, by = _ends(place, vector)
+    a, b = complex(ax, ay), complex(bx, by)
     length = HEAD * (place["box"][2] - place["box"][0])
     if abs(b - a) < length:
         return ""

@@ -1,7 +1,8 @@
 const heads = [...document.querySelectorAll("thead th")], choice = document.querySelector(".sort select");
+/** @type {(th: any) => void} */
 function sort(th) { // by its column, the other way round if it is sorted by that
   const down = th.ariaSort === "ascending", body = document.querySelector("tbody");
-  const key = row => row.children[th.cellIndex].textContent;
+  const key = (/** @type {any} */ row) => row.children[th.cellIndex].textContent;
   const rows = [...body.rows].sort((a, b) => Number(key(a) === "") - Number(key(b) === "") ||
     key(a).localeCompare(key(b),
     document.documentElement.lang, { numeric: true }) * (down ? -1 : 1));

@@ -1,31 +1,34 @@
 // The desk of practice: set square, compass, ruler; what is drawn by hand on a plan, and where strokes cross.
-import { svg } from "./figure.js";
 import { plan, scheme } from "./figures.js";
 import { distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { data, draw, live } from "./page.js";
+import { svg } from "./svg.js";
 import { fixed, local, say, spoken } from "./words.js";
 export const NEAR_PX = 18;
 const QUARTER = Math.PI / 2, ARROWS = "→↗↑↖←↙↓↘", SAME_MM = 0.3;
 
 export const desk = {
-  practice: null, tool: "vector", from: "", along: "", angle: "", back: false, mm: "", to: "", spot: 0, strokes: [],
+  practice: /** @type {any} */ (null), tool: "vector", from: "", along: "", angle: "", back: false, mm: "", to: "",
+    spot: 0, strokes: /** @type {Pencil[]} */ ([]),
   clear() { Object.assign(this, { strokes: [], mm: "", spot: 0, back: false }); },
   get panel() { return this.practice.frame.plan === "position" ? scheme : plan; },
   marks() { // one mark for those that stand together
-    const key = this.practice.frame.plan, found = [];
+    const key = this.practice.frame.plan, found = /** @type {any[]} */ ([]);
     for (const n of [...this.practice.seen()].sort((a, b) => +(a === "position:p") - +(b === "position:p"))) {
       const p = n.startsWith(key + ":") && !data.helpers.includes(n) && live.at(n);
       if (p && !found.some(m => Math.hypot(live.at(m)[0] - p[0], live.at(m)[1] - p[1]) < 0.01)) found.push(n);
     }
     return found;
   },
+  /** @type {() => string[][]} */
   lines() { // what a set square is laid to: lines of the drawing, marks of the plan
     const own = Object.keys(data.lines).filter(n => live.angle(n) !== null);
     const marks = this.marks().filter(m => m !== this.from);
     return [...own.flatMap(n => [[n + "|0", "∥ " + this.line(n)], [n + "|1", "⊥ " + this.line(n)]]),
       ...marks.map(m => [m, "→ " + spoken(labelOf(m), this.practice.frame.plan)]), ["angle", say("angle")]];
   },
+  /** @type {(name: string) => string} */
   line(name) { return spoken(data.lines[name]); },
   heading() { // radians
     if (this.along === "angle") { const a = parseFloat(String(this.angle).replace(",", "."));
@@ -47,6 +50,7 @@ export const desk = {
     });
   },
   length() { const v = parseFloat(String(this.mm).replace(",", ".")); return Number.isFinite(v) && v >= 0 ? v : null; },
+  /** @type {() => any} */
   draft() { // the stroke as the tools stand now
     const at = live.at(this.from), a = this.heading(), mm = this.length();
     if (!at) return null;
@@ -56,6 +60,7 @@ export const desk = {
     return this.tool === "vector" && mm !== null ?
       { at, a, mm, end: [at[0] + mm * Math.cos(a), at[1] + mm * Math.sin(a)] } : null;
   },
+  /** @type {(link: string) => void} */
   lay(link) { // the set square to a link of the scheme: along it, then across
     const l = data.scheme.links.find(l => l.name === link), pts = l.points.map(p => labelOf(p));
     const n = Object.keys(data.lines).find(n => { const at = data.lines[n];
@@ -64,18 +69,21 @@ export const desk = {
     this.along = this.along === n + "|0" ? n + "|1" : n + "|0";
     draw();
   },
+  /** @type {(stroke: Pencil, place: Spot) => number} */
   off(stroke, place) { // from a stroke to a place, mm
     const [x, y] = place;
     const dx = x - stroke.at[0], dy = y - stroke.at[1];
     return stroke.r ? Math.abs(Math.hypot(dx, dy) - stroke.r) :
       Math.abs(dx * Math.sin(stroke.a) - dy * Math.cos(stroke.a));
   },
+  /** @type {() => Spot[]} */
   crossings() { // where strokes cross, each place once, from left to right
-    const found = [], add = p => {
+    const found = /** @type {any[]} */ ([]), add = (/** @type {Spot} */ p) => {
       if (p.every(Number.isFinite) && this.inside(p) && found.every(q => distance(p, q) > SAME_MM)) found.push(p); };
     this.strokes.forEach((s, k) => this.strokes.slice(0, k).forEach(t => meet(s, t).forEach(add)));
     return found.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   },
+  /** @type {(p: Spot) => boolean} */
   inside(p) { const f = this.panel, [x, y] = f.px(p); return x > 0 && y > 0 && x < f.w && y < f.h; },
   paint() { // strokes as they were drawn, the one in hand, crossings to choose from
     const f = this.panel;
@@ -90,10 +98,11 @@ export const desk = {
     if (this.tool === "point") this.crossings().forEach((p, k) => {
       const [x, y] = f.px(p);
       svg("circle", { cx: x, cy: y, r: 6, class: "choice" + (k === this.spot ? " held" : "") }, f.node);
-      svg("text", { x: x + 10, y: y - 8, class: "choice-text" }, f.node).textContent = String(k + 1);
+      svg("text", { x: x + 10, y: y - 8, class: "choice-text" }, f.node, String(k + 1));
     });
     f.node.classList.toggle("place", this.practice.drawing);
   },
+  /** @type {(f: any, s: Pencil, cls: string) => void} */
   stroke(f, s, cls) {
     const q = f.px(s.at);
     if (s.r) { svg("circle", { cx: q[0], cy: q[1], r: s.r * f.k, class: cls }, f.node); return; }
@@ -107,10 +116,12 @@ export const desk = {
   },
   /** @type {(place: number[]) => string} */
   grip([x, y]) { // the mark under a hand
-    const f = this.panel, near = m => { const q = f.px(live.at(m)); return Math.hypot(q[0] - x, q[1] - y); };
+    const f = this.panel, near = (/** @type {string} */ m) => { const q = f.px(live.at(m));
+      return Math.hypot(q[0] - x, q[1] - y); };
     return this.marks().filter(m => near(m) < NEAR_PX).sort((a, b) => near(a) - near(b))[0];
   },
   // the free end of a stroke: its way by the set square that is laid, else by the hand; its length to half a millimetre
+  /** @type {(p: Spot) => void} */
   drag(p) {
     const at = live.at(this.from), dx = p[0] - at[0], dy = p[1] - at[1];
     if (this.tool === "ruler") { this.to = this.grip(this.panel.px(p)) || this.to; return; }
@@ -123,6 +134,7 @@ export const desk = {
     if (this.tool !== "line") this.mm = String(Math.round(2 * mm) / 2);
   },
 };
+/** @type {(s: Pencil, t: Pencil) => Spot[]} */
 function meet(s, t) { // of two strokes, lines or arcs
   if (s.r && !t.r) return meet(t, s);
   const dx = t.at[0] - s.at[0], dy = t.at[1] - s.at[1];

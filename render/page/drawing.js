@@ -1,16 +1,26 @@
 // A figure of the lesson's own marks: arrows about centres, forces and arms of a moment equation.
-import { Figure, svg } from "./figure.js";
+import { Figure } from "./figure.js";
 import { distance } from "./geometry.js";
 import { keyOf } from "./letters.js";
 import { live } from "./page.js";
+import { svg } from "./svg.js";
 
 export class Drawing extends Figure {
+  /** @param {Element} node @param {LessonData} data @param {number[]} [size] */
+  constructor(node, data, size) {
+    super(node, data, size);
+    this.data = data;
+  }
+  /** @type {(name: string) => Spot} */
   at(name) { return live.at(name); }
+  /** @type {(key: string) => string[]} */
   own(key) {
     return Object.keys(this.data.marks).filter(n => keyOf(n) === key && !this.data.helpers.includes(n));
   }
+  /** @type {(o: Spot, r: number, from: number, way: number, ends: number[], cls: string,
+   * name: string) => (t: number) => Spot} */
   turned(o, r, from, way, [first, last], cls, name) { // an arrow about a centre, from an angle onwards, radians
-    const at = t => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)];
+    const at = (/** @type {number} */ t) => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)];
     const [c, d] = [at(first), at(last)];
     svg("path", { class: cls,
       d: `M${c[0].toFixed(1)} ${c[1].toFixed(1)}A${r.toFixed(1)} ${r.toFixed(1)} 0 ${last - first > Math.PI ? 1 :
@@ -18,6 +28,7 @@ export class Drawing extends Figure {
     this.arrow(at(last - Math.min(0.4, 9 / r)), d, "force", name);
     return at;
   }
+  /** @type {(c: Couple, nth: number) => void} */
   couple(c, nth) { // about the middle of its link, each further one of it wider
     const l = this.data.scheme.links.find(l => l.name === c.link);
     const pts = l ? l.points.map(n => this.spot(n)).filter(Boolean) : [];
@@ -29,8 +40,10 @@ export class Drawing extends Figure {
     for (const t of [0.5, 1.4, 2.3, 3.2, 4.2]) this.strokes.push([at(t), at(t + 0.4)]);
     this.beside(o, [c.name], "force", r + 3);
   }
+  /** @type {(m: Moments, terms: string[]) => void} */
   forces(m, terms) { // each force where it acts, its arm to the point of the moments; not to scale
-    const about = this.spot(m.about), beside = {}, dropped = [];
+    const about = this.spot(m.about), beside = /** @type {Record<string, any>} */ ({});
+    const dropped = /** @type {any[]} */ ([]);
     for (const f of m.forces) {
       const p = this.spot(f.mark), angle = live.angle(f.along);
       if (!p || angle == null || !terms.includes(f.name)) continue;
@@ -51,8 +64,8 @@ export class Drawing extends Figure {
       this.arrow(a, b, "force", f.name);
       this.along(a, b, [f.name], "force");
     }
-    m.couples.filter(c => terms.includes(c.name)).forEach((c, k, all) => this.couple(c,
-      all.slice(0, k).filter(o => o.link === c.link).length));
+    const couples = m.couples.filter(c => terms.includes(c.name));
+    couples.forEach((c, k) => this.couple(c, couples.slice(0, k).filter(o => o.link === c.link).length));
     for (const d of dropped) if (distance(about, d.foot) > 8) this.along(about, d.foot, d.names, "force");
     if (about) svg("circle", { cx: about[0], cy: about[1], r: 8, class: "about" }, this.node);
   }

@@ -5,28 +5,32 @@ import { html } from "./letters.js";
 import { data, live } from "./page.js";
 import { say } from "./words.js";
 
+/** @type {(f: Frame, key: string, frame: number, asked: any) => string} */
 export function written(f, key, frame, asked) { // the equations of a plan: those begun, the one in hand framed
-  const stated = k => data.frames.findIndex(g => g.key === "equation" && g.equation === k);
-  const begun = (e, k) => key.startsWith("force") ? stated(k) <= frame :
+  const stated = (/** @type {number} */ k) => data.frames.findIndex(g => g.key === "equation" && g.equation === k);
+  const begun = (/** @type {Equation} */ e, /** @type {number} */ k) => key.startsWith("force") ? stated(k) <= frame :
     terms(e).some(t => t.action !== "=0" && born(t.name, key) <= frame);
-  const own = e => f.terms.length && terms(e).some(t => f.terms.includes(t.name));
+  const own = (/** @type {Equation} */ e) => f.terms.length && terms(e).some(t => f.terms.includes(t.name));
   const index = f.equation !== null ? f.equation : data.equations.findIndex(e => e.plan === key && own(e));
   return data.equations.map((e, k) => e.plan === key && key !== "position" && (begun(e, k) || k === f.equation) ?
     lines(e, !asked && k === index, f, frame, asked) : "").join("");
 }
+/** @type {(e: Equation) => Term[]} */
 export function terms(e) { return e.sides.flat(); }
+/** @type {(e: Equation, current: boolean, f: Frame, frame: number, asked?: any) => string} */
 export function lines(e, current, f, frame, asked) {
-  const one = t => term(t, e.plan, f, frame, asked);
-  const side = list => list.map((t, k) => (t.minus ? '<span class="sign">−</span>' : k ? '<span class="sign">+</span>' :
-    "") + one(t)).join("");
-  const first = e.total ? one(e.total) : "";
+  const one = (/** @type {Term} */ t) => term(t, e.plan, f, frame, asked);
+  const sign = (/** @type {string} */ s) => `<span class="sign">${s}</span>`;
+  /** @type {(list: Term[]) => string} */
+  const side = list => list.map((t, k) => (t.minus ? sign("−") : k ? sign("+") : "") + one(t)).join("");
+  const first = e.total ? one(e.total) + sign("=") : "";
   const rows = e.sides.filter(s => s.length).map((s,
-    k) => `<div class="side">${k ? '<span class="sign">=</span>' : first ? first + '<span class="sign">=</span>' :
-    ""}${side(s)}</div>`);
-  const body = e.closed ? `<div class="side">${side(e.sides.flat())}<span class="sign">= 0</span></div>` :
+    k) => `<div class="side">${k ? sign("=") : first}${side(s)}</div>`);
+  const body = e.closed ? `<div class="side">${side(e.sides.flat())}${sign("= 0")}</div>` :
     rows.join("");
   return `<div class="equation${current ? " current" : ""}">${body}</div>`;
 }
+/** @type {(t: Term, key: string, f: Frame, frame: number, asked: Asking) => string} */
 function term(t, key, f, frame, asked) { // a vector: its own small segment, its letters, underlines, line of action
   const lit = !asked && f.terms.includes(t.name), later = born(t.name, key) > frame - (asked ? 1 : 0);
   const secret = asked && later; // what the reader is to find
@@ -36,17 +40,20 @@ function term(t, key, f, frame, asked) { // a vector: its own small segment, its
     `${secret ? '<svg class="mini"></svg>' : mini(t, later)}<b>${html(t.name,
       key)}</b><span class="sr"> (${say("known" + known)})</span><small>${action}</small></span>`;
 }
+/** @type {(text: string) => string} */
 function acted(text) { return text.replace(/^([-+])([va]q?_\w+)$/,
   (_, s, v) => `${s === "-" ? "↑↓" : "↑↑"} ${html(v)}`); }
 // the segment itself, as small as a word: an arrow, or only its line while its length is sought
+/** @type {(t: Term, later: boolean) => string} */
 function mini(t, later) {
-  const s = t.start ? t : data.segments.find(s => s.names.includes(t.name)) || {};
-  const full = n => n && (n.includes(":") ? n : `${s.plan}:${n}`), a = live.at(full(s.start)), b = live.at(full(s.end));
+  const s = /** @type {any} */ (t.start ? t : data.segments.find(s => s.names.includes(t.name)) || {});
+  const full = (/** @type {string} */ n) => n && (n.includes(":") ? n : `${s.plan}:${n}`), a = live.at(full(s.start));
+  const b = live.at(full(s.end));
   const n = a && b ? distance(a, b) : 0;
   if (n < 1e-6) return '<svg class="mini"></svg>';
   const ux = (b[0] - a[0]) / n, uy = (a[1] - b[1]) / n;
   const h = Math.min(19 / Math.max(Math.abs(ux), 1e-6), 8 / Math.max(Math.abs(uy), 1e-6), 19);
-  const x = 22 + ux * h, y = 10 + uy * h, f = v => v.toFixed(1);
+  const x = 22 + ux * h, y = 10 + uy * h, f = (/** @type {number} */ v) => v.toFixed(1);
   const line = `<line x1="${f(22 - ux * h)}" y1="${f(10 - uy * h)}" x2="${f(x)}" y2="${f(y)}"`;
   if (later && t.known < 2) return `<svg class="mini" viewBox="0 0 44 20">${t.known ? line + ' class="ray"/>' :
     ""}</svg>`;

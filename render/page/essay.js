@@ -3,7 +3,7 @@
 import { $, on } from "./dom.js";
 import { written } from "./equations.js";
 import { seenAt } from "./frames.js";
-import { aimedAt, grips, pulled, span } from "./grips.js";
+import { aimedAt, grips, handlesOf, pulled, span } from "./grips.js";
 import { html } from "./letters.js";
 import { data, draw, later, live, paintedBy, state } from "./page.js";
 import { Plan } from "./plan.js";
@@ -16,7 +16,8 @@ document.documentElement.lang = state.lang;
 const turning = data.drive.symbol === "φ";
 const paragraphs = data.paragraphs.map((p, k) => {
   const section = document.createElement("section"), names = p.knobs.map(n => n === "phi" ? data.drive.given : n);
-  const slid = n => data.knobs.find(k => k.given === n) || { given: n, at: 1, drive: true };
+  const slid = (/** @type {string} */ n) => data.knobs.find(k => k.given === n) ||
+    /** @type {any} */ ({ given: n, at: 1, drive: true });
   section.className = "paragraph";
   section.innerHTML = `<p></p><figure><figcaption></figcaption><svg role="img"></svg><div class="slid">${names.map(
     n => `<label><span></span><input type="range" data-given="${n}"><output></output></label>`).join(
@@ -36,18 +37,20 @@ const paragraphs = data.paragraphs.map((p, k) => {
   });
   const marks = () => (p.view === "position" ? Object.keys(data.drags) :
     figure.own(p.view).filter(m => !m.endsWith(":p"))).filter(m => own.seen.has(m));
-  grips(figure, marks, (mark, target) => {
-    follow.innerHTML = pulled(mark, p.view === "position" ? data.drags[mark] : live.handles(mark, ""), target).text;
+  grips(figure, marks, (mark, shift) => handlesOf(mark, "", shift), (mark, names, target) => {
+    follow.innerHTML = pulled(mark, names, target).text;
     later();
   }, () => { live.scan(); later(); });
   return own;
 });
+/** @type {(knob: Knob) => string} */
 function shown(knob) { // a number under its slider
   const v = live.given[knob.given];
   if (knob.drive) return `${turning ? number(+(((v % 360) + 360) % 360).toFixed(1)) + "°" : number(v)}`;
   return knob.plan ? filled(data.plans.find(p => p.key === knob.plan).mu[state.lang]) :
     `${number(+v.toPrecision(4))} ${knob.unit[state.lang]}`.replace(" °", "°");
 }
+/** @type {(knob: Knob) => string} */
 function named(knob) { return knob.drive ? data.drive.symbol : knob.plan ? "μ" : html(knob.name); }
 function paint() {
   for (const p of paragraphs) {

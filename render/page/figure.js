@@ -2,32 +2,35 @@
 // labels.
 import { distance, gap, union } from "./geometry.js";
 import { labelOf, lettered } from "./letters.js";
-// what a label upon another one costs: more than any number of strokes
-const NS = "http://www.w3.org/2000/svg", UPON = 40, ROUNDS = 4;
+import { alter, begin, svg } from "./svg.js";
 
-export function svg(tag, attributes, parent) {
-  const e = document.createElementNS(NS, tag);
-  for (const k in attributes) e.setAttribute(k, attributes[k]);
-  if (parent) parent.appendChild(e);
-  return e;
-}
-const ruler = document.createElement("canvas").getContext("2d"), widths = new Map();
+// what a label upon another one costs: more than any number of strokes
+const UPON = 40, ROUNDS = 4;
+
+const ruler = /** @type {any} */ (document.createElement("canvas").getContext("2d")), widths = new Map();
+/** @type {(names: string[], plan: string, size: number) => number} */
 function wide(names, plan, size) { // how wide a label is, px
   const key = `${document.documentElement.lang} ${plan} ${size} ${names.join(" ")}`;
   if (!widths.has(key)) {
-    const one = (text, small) => { ruler.font = `italic ${small ? 0.7 * size : size}px "DejaVu Serif", Georgia, serif`;
-      return ruler.measureText(text).width; };
-    widths.set(key, names.reduce((w, n, i) => w + (i ? one(" = ") : 0) + lettered(n,
-      plan).reduce((s, [text, kind]) => s + one(text, kind), 0), 0));
+    /** @type {(text: string, small?: string) => number} */
+    const one = (text, small) => {
+      ruler.font = `italic ${small ? 0.7 * size : size}px "DejaVu Serif", Georgia, serif`;
+      return ruler.measureText(text).width;
+    };
+    const all = names.map(n => lettered(n, plan).reduce((s, [text, kind]) => s + one(text, kind), 0));
+    widths.set(key, all.reduce((w, own, i) => w + (i ? one(" = ") : 0) + own, 0));
   }
   return widths.get(key);
 }
-export function letters(parent, names, x, y, size, plan, joint = ", ") {
-  const t = svg("text", { x, y, "font-size": size, class: "label", "text-anchor": "middle" }, parent);
+/** @type {(parent: Element, names: string[], x: any, y: any, size: number, plan: string, joint?: string,
+ * as?: string) => any} */
+export function letters(parent, names, x, y, size, plan, joint = ", ", as = names.join(" ")) {
+  const t = svg("text", { x, y, "font-size": size, class: "label", "text-anchor": "middle", "data-name": as }, parent);
   let back = 0;
+  /** @type {(text: string, shift: number, small?: string) => void} */
   const put = (text, shift, small) => {
     svg("tspan", { dy: (shift - back).toFixed(2), ...(small ? { "font-size": (size * 0.7).toFixed(1) } : {}) },
-      t).textContent = text;
+      t, text);
     back = shift;
   };
   names.forEach((name, i) => {
@@ -35,23 +38,34 @@ export function letters(parent, names, x, y, size, plan, joint = ", ") {
     for (const [text, kind] of lettered(name, plan)) put(text,
       kind === "sub" ? 0.3 * size : kind === "sup" ? -0.42 * size : 0, kind);
   });
-  t.dataset.name = names.join(" ");
   return t;
 }
+/** @type {(a: any, b: any, size: number) => boolean} */
 function crowds(a, b, size) { // whether labels stand upon one another, [x, y, half the width]
   return a[2] + b[2] + 3 > Math.abs(a[0] - b[0]) && size * 1.32 > Math.abs(a[1] - b[1]);
 }
 
 export class Figure { // millimetres y up -> pixels y down
-  constructor(node, data, size) { this.node = node; this.data = data; this.size = size; this.real = [600, 380];
-    this.kept = new Map();
+  /** @param {any} node @param {any} data @param {number[]} [size] */
+  constructor(node, data, size) {
+    this.node = node;
+    this.data = data;
+    this.size = size;
+    this.real = [600, 380];
+    this.kept = /** @type {Map<string, number>} */ (new Map());
     this.more = 0; // of its edge, px
-    this.fixed_view = null; // while a hand holds it
+    this.fixed_view = /** @type {any} */ (null); // while a hand holds it
+    this.strokes = /** @type {Ends[]} */ ([]);
+    this.taken = /** @type {any[]} */ ([]);
+    this.view = /** @type {any} */ (null);
+    this.k = this.dx = this.dy = this.w = this.h = 0;
   }
   measure() { this.real = [this.node.clientWidth || 600, this.node.clientHeight || 380]; }
   get letter() { return this.size ? 13 : 17; }
+  /** @type {(name: string) => Spot} */
   at(name) { return this.data.marks[name] || null; }
-  box(names, at = n => this.at(n)) {
+  /** @type {(names: Iterable<string>, at?: There) => any} */
+  box(names, at = (/** @type {string} */ n) => this.at(n)) {
     let b = null;
     for (const n of names) {
       const p = at(n);
@@ -59,8 +73,9 @@ export class Figure { // millimetres y up -> pixels y down
     }
     return b;
   }
+  /** @type {(box: Box) => void} */
   start(box) {
-    this.node.textContent = "";
+    begin(this.node);
     this.view = box;
     const [w, h] = this.size || this.real;
     const pad = (this.size ? 26 : w < 520 ? 30 : 44) + (this.more || 0), bw = Math.max(box[2] - box[0], 1);
@@ -68,56 +83,62 @@ export class Figure { // millimetres y up -> pixels y down
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);
     this.dx = w / 2 - this.k * (box[0] + box[2]) / 2;
     this.dy = h / 2 + this.k * (box[1] + box[3]) / 2;
-   
+
     if (this.fixed_view) Object.assign(this, { k: this.fixed_view.k, dx: this.fixed_view.dx, dy: this.fixed_view.dy });
     this.w = w; this.h = h; this.strokes = []; this.taken = [];
-    this.node.setAttribute("viewBox", `0 0 ${w} ${h}`);
+    alter(this.node, { viewBox: `0 0 ${w} ${h}` });
     this.bar();
   }
+  /** @type {(p: Spot) => Spot} */
   px(p) { return [this.dx + this.k * p[0], this.dy - this.k * p[1]]; }
+  /** @type {(name: string) => Spot} */
   spot(name) { // where a mark stands, px; null where it is not
     const p = this.at(name);
     return p && this.px(p);
   }
+  /** @type {(q: Spot) => Spot} */
   mm(q) { return [(q[0] - this.dx) / this.k, (this.dy - q[1]) / this.k]; }
   bar() { // how long ten (or more) millimetres of the paper are here
     const mm = [5, 10, 20, 50, 100, 200].find(m => m * this.k > 46) || 500, y = this.h - 9, x = 12;
     const far = x + mm * this.k;
     svg("path", { class: "bar", d: `M${x} ${y - 4}v4H${far}v-4` }, this.node);
     svg("text", { class: "bar-text", x: far + 6, y: y + 1 },
-      this.node).textContent = `${mm} ${document.documentElement.lang !== "en" ? "мм" : "mm"}`;
+      this.node,
+      `${mm} ${document.documentElement.lang !== "en" ? "мм" : "mm"}`);
   }
+  /** @type {(a: Spot, b: Spot, cls: string, name?: string, solid?: boolean) => any} */
   line(a, b, cls, name, solid = true) { // pixels
     const l = svg("line", { x1: a[0].toFixed(1), y1: a[1].toFixed(1), x2: b[0].toFixed(1), y2: b[1].toFixed(1),
-      class: cls }, this.node);
-    if (name) l.dataset.name = name;
+      class: cls, ...(name && { "data-name": name }) }, this.node);
     if (solid) this.strokes.push([a, b]);
     return l;
   }
+  /** @type {(a: Spot, b: Spot, cls: string, name?: string) => any} */
   arrow(a, b, cls, name) { // heads of one size; of a tiny vector a smaller one; of a dot none
     const dx = b[0] - a[0], dy = b[1] - a[1], n = Math.hypot(dx, dy);
     if (n < 0.7) return null;
-    const g = svg("g", { class: "arrow " + cls }, this.node);
-    if (name) g.dataset.name = name;
+    const g = svg("g", { class: "arrow " + cls, ...(name && { "data-name": name }) }, this.node);
     const h = n < 3 ? 0 : Math.min(this.size ? 9 : 12, n * 0.6), w = h * 0.26, ux = dx / n, uy = dy / n;
-    const f = v => v.toFixed(1), c = [b[0] - ux * h, b[1] - uy * h];
+    const f = (/** @type {number} */ v) => v.toFixed(1), c = [b[0] - ux * h, b[1] - uy * h];
     svg("line", { x1: f(a[0]), y1: f(a[1]), x2: f(c[0] + ux), y2: f(c[1] + uy) }, g);
     if (h) svg("polygon", { points: `${f(b[0])},${f(b[1])} ${f(c[0] - uy * w)},${f(c[1] + ux * w)} ${f(c[0] + uy *
       w)},${f(c[1] - ux * w)}` }, g);
     this.strokes.push([a, b]);
     return g;
   }
-  put(names, spots, plan, joint) { // a label at the best of some places: clear of strokes and of other labels
+  /** @type {(names: string[], spots: Places, plan: string, joint?: string, as?: string) => any} */
+  put(names, spots, plan, joint, as) { // a label at the best of some places: clear of strokes and of other labels
     const size = this.letter, half = wide(names, plan, size) / 2;
-    const label = { names, half, size, all: spots(half, size * 0.5), key: names.join(" ") };
+    const label = /** @type {Label} */ ({ names, half, size, all: spots(half, size * 0.5), key: names.join(" ") });
     const [x, y] = this.best(label);
-    label.node = letters(this.node, names, x.toFixed(1), (y + size * 0.34).toFixed(1), size, plan, joint);
+    label.node = letters(this.node, names, x.toFixed(1), (y + size * 0.34).toFixed(1), size, plan, joint, as);
     this.taken.push([x, y, half, label]);
     return label.node;
   }
+  /** @type {(label: Label) => number[]} */
   best(label) { // where it was last time, unless another place is better: a label does not jump for little
     const { all, key } = label, kept = this.kept.get(key);
-    let best = null;
+    let best = /** @type {number[]} */ (/** @type {any} */ (null));
     for (let k = -1; k < all.length; k++) {
       const n = k < 0 ? kept : k;
       if (n === undefined || n >= all.length || (k >= 0 && n === kept)) continue;
@@ -131,6 +152,7 @@ export class Figure { // millimetres y up -> pixels y down
     return all[best[1]];
   }
   // what a place costs: strokes, other labels, the edge of the figure; no more than matters
+  /** @type {(label: Label, place: number[], own: number, most: number) => number} */
   price({ half, size }, [x, y], own, most) {
     const tall = size * 0.5, parts = Math.max(2, Math.ceil(1.6 * half / size)); // nothing crosses it between two places
     let cost = own;
@@ -151,14 +173,14 @@ export class Figure { // millimetres y up -> pixels y down
       for (const t of crowded) {
         this.taken.splice(this.taken.indexOf(t), 1);
         const { node, size, half } = t[3], [x, y] = this.best(t[3]);
-        node.setAttribute("x", x.toFixed(1));
-        node.setAttribute("y", (y + size * 0.34).toFixed(1));
+        alter(node, { x: x.toFixed(1), y: (y + size * 0.34).toFixed(1) });
         this.taken.push([x, y, half, t[3]]);
       }
       if (!crowded.length) return;
     }
   }
-  beside(p, names, plan, clear = 5) { // around a mark
+  /** @type {(p: Spot, names: string[], plan: string, clear?: number, as?: string) => any} */
+  beside(p, names, plan, clear = 5, as = names.join(" ")) { // around a mark
     return this.put(names, (half, tall) => {
       const found = [];
       for (const far of [0, 7, 15, 26, 40, 58]) for (let k = 0; k < 16; k++) {
@@ -166,8 +188,9 @@ export class Figure { // millimetres y up -> pixels y down
         found.push([p[0] + c * (half + clear + far), p[1] + s * (tall + clear + far), far * 0.06 + (k % 4 ? 0.05 : 0)]);
       }
       return found;
-    }, plan);
+    }, plan, undefined, as);
   }
+  /** @type {(a: Spot, b: Spot, names: string[], plan: string) => any} */
   along(a, b, names, plan) { // beside a vector
     const n = distance(a, b) || 1, ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
     return this.put(names, (half, tall) => {
@@ -180,8 +203,9 @@ export class Figure { // millimetres y up -> pixels y down
       return found;
     }, plan, " = ");
   }
+  /** @type {(marks: string[], reach: number) => { q: Spot, names: string[] }[]} */
   groups(marks, reach) { // marks that fall together share a label
-    const found = [];
+    const found = /** @type {any[]} */ ([]);
     for (const full of marks) {
       const p = this.at(full), name = labelOf(full);
       if (!p || this.data.helpers.includes(full)) continue;
@@ -191,6 +215,7 @@ export class Figure { // millimetres y up -> pixels y down
     return found;
   }
   // the other crossing of two arcs, or of an arc and a line: the mark mirrored in what both are symmetric about
+  /** @type {(t: Trace, c: Spot) => void} */
   ghost(t, c) {
     const [o, b] = [...(t.arcs || []), ...(t.lines || [])].map(n => this.at(n)), arcs = (t.arcs || []).length;
     if (!arcs || !o || !b) return;
@@ -200,6 +225,7 @@ export class Figure { // millimetres y up -> pixels y down
     const [u, v] = this.px([c[0] - 2 * off * y, c[1] + 2 * off * x]);
     svg("circle", { cx: u.toFixed(1), cy: v.toFixed(1), r: 5, class: "trace" }, this.node);
   }
+  /** @type {(t: Trace, made: string) => void} */
   trace(t, made) { // the lines or arcs that cross at a mark, a little past it
     const c = this.at(made);
     if (!t || !c) return;
@@ -217,7 +243,8 @@ export class Figure { // millimetres y up -> pixels y down
       const p = this.spot(n);
       if (!p) continue;
       const r = distance(p, q), a = Math.atan2(q[1] - p[1], q[0] - p[0]), w = Math.min(0.6, 60 / Math.max(r, 1));
-      const end = s => `${(p[0] + r * Math.cos(a + s)).toFixed(1)} ${(p[1] + r * Math.sin(a + s)).toFixed(1)}`;
+      const end = (/** @type {number} */ s) =>
+        `${(p[0] + r * Math.cos(a + s)).toFixed(1)} ${(p[1] + r * Math.sin(a + s)).toFixed(1)}`;
       svg("path", { class: "trace", d: `M${end(-w)}A${r.toFixed(1)} ${r.toFixed(1)} 0 0 1 ${end(w)}` }, this.node);
       this.line(p, q, "trace faint", "", false);
     }

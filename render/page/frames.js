@@ -1,24 +1,30 @@
 // The frames of the lesson: what is drawn so far, and the frame in which a value or a vector is first told.
 import { data } from "./page.js";
 
-const values = {}, births = {}, begun = {};
+const values = /** @type {Record<string, any>} */ ({}), births = /** @type {Record<string, any>} */ ({});
+const starts = /** @type {Record<string, number>} */ ({});
 
+/** @type {(frame: number) => Set<string>} */
 export function seenAt(frame) {
   const seen = new Set(["position:p"]);
   for (const f of data.frames.slice(0, frame + 1)) for (const m of f.makes) seen.add(m);
   return seen;
 }
+/** @type {(frame: number) => string} */
 export function planOf(frame) { // the plan on the right: of this frame, or the last one that was begun
-  const shown = p => p !== "position" && begunAt(p) <= frame;
+  const shown = (/** @type {string} */ p) => p !== "position" && begunAt(p) <= frame;
   for (let k = frame; k >= 0; k--) if (shown(data.frames[k].plan)) return data.frames[k].plan;
   return "position";
 }
+/** @type {(plan: string) => number} */
 function begunAt(plan) { // the frame that makes its first mark
-  return begun[plan] ??= data.frames.findIndex(f => f.plan === plan && f.makes.length);
+  return starts[plan] ??= data.frames.findIndex(f => f.plan === plan && f.makes.length);
 }
+/** @type {(name: string) => number} */
 export function found(name) { // the frame in which a value is first told
   return values[name] ??= data.frames.findIndex(f => f.tells.includes(name));
 }
+/** @type {(name: string, key: string) => number} */
 export function born(name, key) { // the frame of its plan in which a vector is first in hand
   return births[`${key} ${name}`] ?? -1;
 }

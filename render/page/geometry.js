@@ -1,16 +1,27 @@
 // Boxes, strokes and shares: what is reckoned of places without drawing anything.
 
+/** @type {(a: Spot, b: Spot) => number} */
 export function distance(a, b) { return Math.hypot(b[0] - a[0], b[1] - a[1]); }
+/** @type {(p: Spot, stroke: Ends) => number} */
 export function gap(p, [a, b]) { // from a point to a stroke, px
   const dx = b[0] - a[0], dy = b[1] - a[1], n = dx * dx + dy * dy;
   const t = n ? Math.max(0, Math.min(1, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / n)) : 0;
   return Math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
 }
+/** @type {(a: Box, b: Box) => Box} */
 export function union(a, b) {
   return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])];
 }
+/** @type {(numbers: number[], share: number) => number} */
 export function quantile(numbers, share) {
   const sorted = [...numbers].sort((a, b) => a - b);
   return sorted[Math.floor(share * (sorted.length - 1))];
 }
+/** @type {(v: number, a: number, b: number) => number} */
 export function clamp(v, a, b) { return Math.min(b, Math.max(a, Number.isFinite(v) ? v : a)); }
+/** @type {(a: ArrayLike<number>, b: ArrayLike<number>) => number} */
+export function dot(a, b) {
+  let sum = 0;
+  for (let k = 0; k < a.length; k++) sum += a[k] * b[k];
+  return sum;
+}

@@ -1,20 +1,21 @@
 // The lesson on paper: a page a plan, at the position shown, in its own millimetres where it fits; its steps beneath.
 import { $ } from "./dom.js";
 import { lines } from "./equations.js";
-import { svg } from "./figure.js";
 import { seenAt } from "./frames.js";
 import { html } from "./letters.js";
 import { data, live, state } from "./page.js";
 import { Plan } from "./plan.js";
 import { inWords } from "./rows.js";
 import { Scheme } from "./scheme.js";
+import { svg } from "./svg.js";
 import { filled, number, sentence } from "./words.js";
 const PAPER = 96 / 25.4, WIDE = 690, TALL = 269 * PAPER, BODY = [250, 215], ARMS = [300, 200];
 // how tall a figure, how large the type
 const FITS = [[400, 1], [400, 0.93], [330, 1], [330, 0.9], [270, 0.9], [230, 0.85], [200, 0.8], [200, 0.72]];
 
+/** @type {() => { key: string, frames: number[] }[]} */
 function parts() { // the frames of each plan; moments belong to the plan that needs them
-  const found = [];
+  const found = /** @type {any[]} */ ([]);
   data.frames.forEach((f, k) => {
     const last = found[found.length - 1];
     const links = f.plan === "position" && f.moments !== null ? data.moments[f.moments].links : [];
@@ -23,6 +24,8 @@ function parts() { // the frames of each plan; moments belong to the plan that n
   });
   return found;
 }
+/** @type {(key: string, k: number, most: number[], parent: Element, shown?: { full?: boolean,
+ * frame?: Frame }) => boolean} */
 function drawn(key, k, most, parent, shown = {}) { // a figure no larger than that, at 1:1 if it can be
   const node = svg("svg", { class: "figure" }, parent);
   const figure = key === "position" ? new Scheme(node, data, most) : new Plan(node, data, most), seen = seenAt(k);
@@ -53,6 +56,7 @@ export function handout() {
   }
   $("handout").className = "";
 }
+/** @type {(page: HTMLElement, part: { key: string, frames: number[] }, tall: number, own: string) => void} */
 function sheet(page, { key, frames }, tall, own) { // a plan, the group it is of, its steps
   const p = data.plans.find(p => p.key === key), last = frames[frames.length - 1];
   page.innerHTML = `<h2>${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])} <small>${$(
@@ -63,8 +67,9 @@ function sheet(page, { key, frames }, tall, own) { // a plan, the group it is of
   if (group) drawn("position", last, BODY, figures,
     { frame: data.frames[frames.filter(k => data.frames[k].plan === key).pop()] });
   page.insertAdjacentHTML("beforeend", `<ol${data.frames.length > 99 ? ' class="hundreds"' : ""}></ol>`);
-  frames.forEach(k => step(k, page.lastChild));
+  frames.forEach(k => step(k, /** @type {Element} */ (page.lastElementChild)));
 }
+/** @type {(k: number, list: Element) => void} */
 function step(k, list) { // what is said of a frame; the equation it begins; the arms of a moment equation
   const f = data.frames[k], item = document.createElement("li"), onScheme = f.plan === "position";
   item.value = k + 1;

@@ -9,12 +9,15 @@ const LENGTHS = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 1
 const COMMON = [Array.from({ length: 288 }, (_, k) => k < 144 ? 8 : k < 256 ? 9 : k < 280 ? 7 : 8),
   new Array(30).fill(5)];
 
+/** @type {(text: string) => string} */
 export function inflated(text) {
   const read = atob(text), bytes = new Uint8Array(read.length);
   for (let k = 0; k < bytes.length; k++) bytes[k] = read.charCodeAt(k);
   let out = new Uint8Array(8 * bytes.length), end = 0, held = 0, count = 0, at = 0;
-  const need = n => { for (; count < n; count += 8) held |= bytes[at++] << count; };
-  const bits = n => { need(n); const v = held & ((1 << n) - 1); held >>>= n; count -= n; return v; };
+  const need = (/** @type {number} */ n) => { for (; count < n; count += 8) held |= bytes[at++] << count; };
+  const bits = (/** @type {number} */ n) => { need(n); const v = held & ((1 << n) - 1); held >>>= n; count -= n;
+    return v; };
+  /** @param {number[]} lengths */
   const tree = lengths => { // by as many bits as the longest code has: a symbol and the length of its code
     const most = Math.max(...lengths), found = new Uint16Array(1 << most);
     for (let n = 1, code = 0; n <= most; n++, code <<= 1) lengths.forEach((long, s) => {
@@ -25,7 +28,7 @@ export function inflated(text) {
     });
     return { most, found };
   };
-  const symbol = ({ most, found }) => {
+  const symbol = (/** @type {any} */ { most, found }) => {
     need(most);
     const one = found[held & ((1 << most) - 1)], n = one & 15;
     if (!n || at > bytes.length + 2) throw new Error("packed data");
@@ -33,21 +36,24 @@ export function inflated(text) {
     count -= n;
     return one >> 4;
   };
-  const room = n => { if (end + n > out.length) { const more = new Uint8Array(2 * out.length + n); more.set(out);
+  const room = (/** @type {number} */ n) => {
+    if (end + n > out.length) { const more = new Uint8Array(2 * out.length + n); more.set(out);
     out = more; } };
   const table = () => { // the two trees of a block
     const literals = bits(5) + 257, all = literals + bits(5) + 1, own = bits(4) + 4, sizes = new Array(19).fill(0);
-    const lengths = [];
+    const lengths = /** @type {number[]} */ ([]);
     for (let k = 0; k < own; k++) sizes[LENGTHS[k]] = bits(3);
     for (const code = tree(sizes); lengths.length < all;) {
       const s = symbol(code);
-      if (s < 16) lengths.push(s);
-      else for (let last = s === 16 ? lengths[lengths.length - 1] : 0,
-        k = s === 16 ? 3 + bits(2) : s === 17 ? 3 + bits(3) : 11 + bits(7); k; k--) lengths.push(last);
+      if (s < 16) { lengths.push(s); continue; }
+      /** @type {number} */
+      const last = s === 16 ? lengths[lengths.length - 1] : 0;
+      for (let k = s === 16 ? 3 + bits(2) : s === 17 ? 3 + bits(3) : 11 + bits(7); k; k--) lengths.push(last);
     }
     return [tree(lengths.slice(0, literals)), tree(lengths.slice(literals))];
   };
-  for (let last = 0; !last;) {
+  let last = 0;
+  while (!last) {
     last = bits(1);
     const [letters, ways] = bits(2) === 1 ? COMMON.map(tree) : table();
     for (let s; (s = symbol(letters)) !== 256;) {

@@ -2,18 +2,21 @@
 import { Miss, Tape, givenBefore } from "./tape.js";
 
 export class Judge {
+  /** @param {any} data */
   constructor(data) { this.data = data; this.rule = data.rule; this.tape = new Tape(data.tape); }
+  /** @type {(marks: Mark[]) => Found} */
   judge(marks) { // marks: {name, x, y, read}; the same with verdicts and misses, what is first wrong, the sentence
     const given = {}, rule = this.rule;
     for (const m of marks) Object.assign(given, { [m.key + ".x"]: m.x, [m.key + ".y"]: m.y, [m.key + "?"]: +m.read });
     this.tape.run({ ...this.data.earlier, ...given });
-    const read = marks.filter(m => m.read), out = { marks: {}, first: null, named: null };
+    const read = marks.filter(m => m.read);
+    const out = /** @type {Found} */ (/** @type {any} */ ({ marks: {}, first: null, named: null }));
     out.limit = Math.sqrt(-2 * Math.log(rule.false_alarm / Math.max(read.length, 4)));
     const plain = new Map(read.map(m => [m.name, this.tape.miss(m.miss, rule.least)]));
     const misses = givenBefore(plain, rule.order, out.limit, rule.least);
     const free = new Map(read.map(m => [m.name,
       new Miss(m.x - m.true[0], m.y - m.true[1], m.free[0], m.free[1], m.free[2])]));
-    const fits = miss => miss.sigmas <= out.limit;
+    const fits = (/** @type {Miss} */ miss) => miss.sigmas <= out.limit;
     let wrong = read.filter(m => !fits(misses.get(m.name))).map(m => m.name);
     const near = read.filter(m => misses.get(m.name).sigmas > rule.near).map(m => m.name);
     const close = near.some(n => misses.get(n).sigmas > rule.warn);
@@ -31,12 +34,14 @@ export class Judge {
     out.sentence = this.said(out, read, misses, wrong);
     return out;
   }
+  /** @type {(miss: Miss) => number} */
   mixed(miss) { // logarithm of the density of a miss: normal, but for now and then a slip
     const { broad, slip } = this.rule, normal = Number.isFinite(miss.sigmas) ? miss.density : -Infinity;
     const high = Math.max(normal, broad), low = Math.min(normal, broad), likely = normal >= broad ? 1 - slip : slip;
     const a = high + Math.log(likely), b = low + Math.log(1 - likely), top = Math.max(a, b);
     return top + Math.log(Math.exp(a - top) + Math.exp(b - top));
   }
+  /** @type {(plain: Map<string, Miss>, misses: Map<string, Miss>, suspects: string[], limit: number) => any[]} */
   ranked(plain, misses, suspects, limit) { // the mistakes that touch a suspected mark, the likeliest first
     const rule = this.rule, drawn = new Set([...misses.keys()].filter(n => !rule.absent.includes(n)));
     const groups = new Map();
@@ -44,7 +49,8 @@ export class Judge {
       const at = Object.entries(v.under).filter(([n]) => misses.has(n));
       const touched = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
       if (!suspects.some(n => touched.has(n) && Number.isFinite(touched.get(n).sigmas))) continue;
-      const left_out = rule.left_out.some(end => v.mistake.endsWith(end)); // shows by not being there
+      // shows by not being there
+      const left_out = rule.left_out.some((/** @type {string} */ end) => v.mistake.endsWith(end));
       const own = touched.has(v.blames) ? [[v.blames, touched.get(v.blames)]] : [...touched];
       if (!left_out && !own.some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
       const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least);
@@ -58,19 +64,24 @@ export class Judge {
       groups.set(v.mistake, [...group, { score, v, under }]);
     }
     return [...groups.values()].map(group => {
-      const best = group.reduce((a, b) => b.score > a.score ? b : a);
-      return { ...best, score: best.score + Math.log(group.reduce((s, one) => s + Math.exp(one.score - best.score),
+      const best = group.reduce((/** @type {any} */ a, /** @type {any} */ b) => b.score > a.score ? b : a);
+      return { ...best, score: best.score +
+        Math.log(group.reduce((/** @type {number} */ s, /** @type {any} */ one) => s + Math.exp(one.score - best.score),
         0)) };
     }).sort((a, b) => b.score - a.score);
   }
+  /** @type {(best: any, limit: number) => any} */
   explained(best, limit) { // the mistake with the marks it explains
     return { ...best.v, explained: [...best.under].filter(([, miss]) => miss.sigmas <= limit).map(([n]) => n) };
   }
+  /** @type {(out: Found, marks: Mark[], misses: Map<string, Miss>, free: Map<string, Miss>,
+   * wrong: string[]) => void} */
   verdicts(out, marks, misses, free, wrong) {
     const explained = out.named ? out.named.explained : [];
     let upset = false;
     for (const m of marks) {
       upset ||= m.name === out.first;
+      /** @type {Judged} */
       const one = out.marks[m.name] = { verdict: "unread", close: false, own: misses.get(m.name),
         free: free.get(m.name) };
       if (!m.read) continue;
@@ -80,6 +91,7 @@ export class Judge {
       one.close = one.verdict === "right" && one.own.sigmas > this.rule.warn;
     }
   }
+  /** @type {(read: Mark[], misses: Map<string, Miss>, limit: number, size: number) => number} */
   chance(read, misses, limit, size) { // how likely marks put anywhere would be as right: see evidence.py
     const { gap, free, same } = this.rule, shares = gap ? [Math.min(gap * limit / size, 1) ** 2] : [], stand = [[0, 0]];
     for (const m of read) {
@@ -92,10 +104,13 @@ export class Judge {
     const all = shares.reduce((a, b) => a * b, 1), surest = Math.min(...shares);
     return free && shares.length ? all / surest * Math.min(Math.sqrt(surest) / Math.PI, 1) : all;
   }
+  /** @type {(out: Found, read: Mark[], misses: Map<string, Miss>, wrong: string[]) => string} */
   said(out, read, misses, wrong) { // the whole in a sentence, and its verdict
-    const { said, rule } = this.data, fill = (text, names) => text.replace(/⟦(\w+)⟧/g, (_, k) => names[k]);
-    const found = rule.key.filter(n => misses.has(n)), count = misses.size;
-    const missing = rule.key.filter(n => !misses.has(n)).join(", ");
+    const { said, rule } = this.data;
+    const fill = (/** @type {string} */ text, /** @type {any} */ names) => text.replace(/⟦(\w+)⟧/g,
+      (/** @type {string} */ _, /** @type {string} */ k) => names[k]);
+    const found = rule.key.filter((/** @type {string} */ n) => misses.has(n)), count = misses.size;
+    const missing = rule.key.filter((/** @type {string} */ n) => !misses.has(n)).join(", ");
     out.verdict = "unreadable";
     if (!count) return fill(said.nothing, { names: missing });
     if (found.length < rule.readable * rule.key.length) {
@@ -115,7 +130,9 @@ export class Judge {
     if (out.named) return out.named.said;
     if (wrong.length) return fill(said.unclear, { mark: wrong[0], off: misses.get(wrong[0]).size.toFixed(1) });
     if (strays) { out.first = left.first; return left.said; }
-    const hidden = rule.shown_by.filter(([, by]) => !by.some(way => way.every(n => misses.has(n)))).map(([n]) => n);
+    const hidden = rule.shown_by.filter((/** @type {any} */ [,
+      by]) => !by.some((/** @type {string[]} */ way) => way.every((/** @type {string} */ n) => misses.has(n)))).map(
+      (/** @type {any} */ [n]) => n);
     const unseen = [...new Set([...hidden, ...(out.asWell ? [out.asWell] : [])])].join(", ");
     out.verdict = unseen ? "right_as_seen" : "right";
     return unseen ? fill(said.as_seen, { names: unseen }) : said.right;

@@ -1,17 +1,20 @@
 // A draughtsman's tools at work: set square, compass, dividers, protractor; each carried to its place, then drawn with.
-import { svg } from "./figure.js";
 import { plan, scheme } from "./figures.js";
 import { distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { data, live } from "./page.js";
+import { svg } from "./svg.js";
+
 export const ACT_MS = 600;
 const CARRIED_MS = 360, AIR = 14;
 
 export const kit = {
   panels: document.querySelector(".panels"),
     over: svg("svg", { id: "kit", "aria-hidden": "true" }, document.querySelector(".panels")), from: 0, next: 0,
-    frame: null,
+    frame: /** @type {Frame} */ (/** @type {any} */ (null)), moved: /** @type {any} */ (null),
+  /** @type {(mark: string) => any} */
   figure(mark) { return mark.startsWith("position:") ? scheme : plan; },
+  /** @type {(mark: string) => Spot} */
   spot(mark) { // where a mark stands among the panels, px
     const p = live.at(mark), f = this.figure(mark);
     return p && this.among(f, f.px(p));
@@ -21,10 +24,13 @@ export const kit = {
     const r = f.node.getBoundingClientRect(), o = this.over.getBoundingClientRect();
     return [x + r.left - o.left, y + r.top - o.top];
   },
+  /** @type {(f: any) => Box} */
   box(f) { const [x, y] = this.among(f, [0, 0]); return [x, y, x + f.w, y + f.h]; },
+  /** @type {() => any[]} */
   acts() { // those whose marks stand apart
     return this.frame.tools.map(t => KITS[t.tool](t)).filter(Boolean);
   },
+  /** @type {(frame: any, moving: boolean) => void} */
   show(frame, moving) { // the tools of a frame: carried and drawn with, or as they were left
     this.frame = frame;
     if (moving && frame.tools.length && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
@@ -35,13 +41,14 @@ export const kit = {
     else this.rest();
     this.moved = frame;
   },
+  /** @type {(names: Set<string>) => void} */
   await(names) { // letters of what is being drawn, which come when it is there
     for (const f of [scheme, plan]) for (const [, , , label] of f.taken || [])
-      label?.node?.classList.toggle("awaited", label.names.some(n => names.has(n)));
+      label?.node?.classList.toggle("awaited", label.names.some((/** @type {string} */ n) => names.has(n)));
   },
   move() {
     const acts = this.acts(), past = performance.now() - this.from, k = Math.floor(past / ACT_MS);
-    const ease = s => s * s * (3 - 2 * s);
+    const ease = (/** @type {number} */ s) => s * s * (3 - 2 * s);
     if (k >= acts.length) { this.rest(); return; }
     this.panels.classList.toggle("moving", this.frame.makes.length > 0); // what was there before a measure stays
     this.over.textContent = "";
@@ -58,21 +65,27 @@ export const kit = {
     const acts = this.frame ? this.acts() : [];
     if (acts.length) this.pose(acts[acts.length - 1], 1, 1);
   },
+  /** @type {(act: Act, carried: number, drawn: number, held?: boolean) => void} */
   pose(act, carried, drawn, held = true) {
     if (held) act.show(carried, this.over);
     if (drawn && act.line && this.next) act.line(drawn, this.over);
   },
 };
+/** @type {(points: any[][], cls: string, shut: boolean, parent: Element) => any} */
 const path = (points, cls, shut, parent) => svg("path",
   { class: cls, d: "M" + points.map(p => p.map(v => v.toFixed(1)).join(" ")).join("L") + (shut ? "Z" : "") }, parent);
+/** @type {(a: Spot, b: Spot, t: number) => Spot} */
 const mixed = (a, b, t) => a.map((v, k) => v + (b[k] - v) * t);
+/** @type {(a: Spot, b: Spot) => (share: number, over: Element) => void} */
 const ruled = (a, b) => (share, over) => path([a, mixed(a, b, share)], "pencil-line", false, over);
+/** @type {(t: Tool) => any} */
 function apart(t) { // the ends of what is drawn, the way between them, their distance; null where there is none
   const [a, b] = t.to.map(m => kit.spot(m));
   if (!a || !b) return null;
   const n = distance(a, b);
   return n < 1.5 ? null : { a, b, n, u: [(b[0] - a[0]) / n, (b[1] - a[1]) / n] };
 }
+/** @type {(t: Tool) => any} */
 function laidTo(t) { // what a set square is slid from: a place of a link or of a guide, and its direction
   if (t.guide) {
     const l = data.scheme.links.find(l => l.slides === t.guide), g = data.scheme.guides.find(g => g.name === t.guide);
@@ -82,7 +95,9 @@ function laidTo(t) { // what a set square is slid from: a place of a link or of 
   const [a, b] = (t.from || []).map(m => kit.spot(m)), n = a && b ? distance(a, b) : 0;
   return n > 1.5 ? { m: mixed(a, b, 0.5), u: [(b[0] - a[0]) / n, (b[1] - a[1]) / n] } : null;
 }
+/** @type {Record<string, (t: Tool) => Act | null>} */
 export const KITS = {
+  /** @type {(t: Tool) => Act | null} */
   square(t) { // one edge to the link, slid without turning until an edge goes through the start of the line
     const w = apart(t);
     if (!w) return null;
@@ -102,7 +117,9 @@ export const KITS = {
     return {
       tool: "square", first, corner, u: w.u, v, long, wide,
       show(s, parent) {
-        const c = mixed(first, corner, s), p = (x, y) => [c[0] + x * w.u[0] + y * v[0], c[1] + x * w.u[1] + y * v[1]];
+        const c = mixed(first, corner, s);
+        const p = (/** @type {number} */ x, /** @type {number} */ y) => [c[0] + x * w.u[0] + y * v[0],
+          c[1] + x * w.u[1] + y * v[1]];
         const in_ = 0.2 * wide;
         const window_ = [p(in_, in_), p(long - 2.9 * in_, in_), p(in_, wide - 1.7 * in_)];
         svg("path", { class: "tool", "fill-rule": "evenodd",
@@ -112,16 +129,19 @@ export const KITS = {
       line: ruled(w.a, end),
     };
   },
+  /** @type {(t: Tool) => Act | null} */
   compass(t) { // opened to the radius, then an arc about its needle
     const w = apart(t);
     return w && { tool: "compass", at: w.a, end: w.b, ...legs(w, s => [w.a, mixed(w.a, w.b, 0.12 + 0.88 * s)]),
       line(share, over) {
         const a = Math.atan2(w.u[1], w.u[0]), half = Math.min(0.5, 70 / w.n);
-        const at = x => `${(w.a[0] + w.n * Math.cos(x)).toFixed(1)} ${(w.a[1] + w.n * Math.sin(x)).toFixed(1)}`;
+        const at = (/** @type {number} */ x) =>
+          `${(w.a[0] + w.n * Math.cos(x)).toFixed(1)} ${(w.a[1] + w.n * Math.sin(x)).toFixed(1)}`;
         svg("path", { class: "pencil-line",
           d: `M${at(a - half)}A${w.n.toFixed(1)} ${w.n.toFixed(1)} 0 0 1 ${at(a - half + 2 * half * share)}` }, over);
       } };
   },
+  /** @type {(t: Tool) => any} */
   dividers(t) { // a segment taken with two needles, and set down where it is wanted; off a scale, or to it
     const [from, to] = [t.from, t.to].map(ms => ms.map(m => kit.spot(m)));
     if ([...from, ...to].some(p => !p)) return null;
@@ -136,13 +156,15 @@ export const KITS = {
     return { tool: "dividers", first, goal,
       ...legs({ n: distance(goal[0], goal[1]) }, s => [mixed(first[0], goal[0], s), mixed(first[1], goal[1], s)]) };
   },
+  /** @type {(t: Tool) => Act | null} */
   protractor(t) { // its zero along the line there is, an angle set off
     const w = apart(t);
     if (!w) return null;
     const base = laidTo(t), u = base ? base.u : [1, 0], r = Math.min(72, 0.2 * kit.figure(t.to[0]).w);
     const up = u[0] * w.u[1] - u[1] * w.u[0] > 0 ? 1 : -1, v = [-up * u[1], up * u[0]];
     const away = [w.a[0] - 60 * v[0], w.a[1] - 60 * v[1]];
-    const at = (c, x, q) => [c[0] + q * (Math.cos(x) * u[0] + Math.sin(x) * v[0]),
+    const at = (/** @type {Spot} */ c, /** @type {number} */ x,
+      /** @type {number} */ q) => [c[0] + q * (Math.cos(x) * u[0] + Math.sin(x) * v[0]),
       c[1] + q * (Math.cos(x) * u[1] + Math.sin(x) * v[1])];
     return {
       tool: "protractor", at: w.a, u,
@@ -156,6 +178,7 @@ export const KITS = {
     };
   },
 };
+/** @type {(w: { n: number }, needles: (share: number) => Ends) => { show(s: number, parent: Element): void }} */
 function legs(w, needles) { // two legs from a joint above the middle, as a hand holds them
   const leg = Math.max(46, 0.66 * w.n);
   return {
@@ -167,8 +190,9 @@ function legs(w, needles) { // two legs from a joint above the middle, as a hand
       path([a, top, b], "tool-leg", false, parent);
       path([top, [top[0] + dx / high * 12, top[1] + dy / high * 12]], "tool-leg", false, parent);
       svg("circle", { cx: top[0].toFixed(1), cy: top[1].toFixed(1), r: 4, class: "tool-joint" }, parent);
-      for (const p of [a, b]) svg("circle", { cx: p[0].toFixed(1), cy: p[1].toFixed(1), r: 2, class: "needle-point" },
-        parent);
+      for (const [x, y] of [a, b]) {
+        svg("circle", { cx: x.toFixed(1), cy: y.toFixed(1), r: 2, class: "needle-point" }, parent);
+      }
     },
   };
 }

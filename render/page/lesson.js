@@ -5,27 +5,27 @@ import { $, on } from "./dom.js";
 import { written } from "./equations.js";
 import { plan, scheme } from "./figures.js";
 import { planOf, seenAt } from "./frames.js";
-import {
-  ahead, crank, drag, heard, holding, knobs, large, marks, past, restore, settle, spin, turn, zones,
-} from "./hands.js";
+import { crank, drag, heard, knobs, large, spin, turn, zones } from "./hands.js";
 import { handout } from "./handout.js";
 import { ACT_MS, KITS, kit } from "./kit.js";
 import { relight } from "./light.js";
-import { data, draw, later, live, paintedBy, put, state } from "./page.js";
+import { data, draw, later, live, paintedBy, state } from "./page.js";
 import { practice } from "./practice.js";
-import { contents, facing, go, told } from "./stepper.js";
+import { put } from "./put.js";
 import { inWords } from "./rows.js";
+import { contents, facing, go, told } from "./stepper.js";
 import { TOOLS, handed, task } from "./task.js";
+import { forget, rested } from "./undo.js";
 import { described, filled, number, say } from "./words.js";
 
 const READ_MS = 120;
-let alone = null, resized = false, read = 0;
+let read = 0;
+let alone = /** @type {any} */ (null), resized = false;
 function paint() {
   const f = data.frames[state.frame], practising = practice.on;
   const seen = practising ? practice.seen() : seenAt(state.frame), key = planOf(state.frame);
   if (alone !== (key === "position") || resized) {
     alone = key === "position";
-    resized = false;
     document.querySelector(".panels").classList.toggle("alone", alone);
     scheme.measure(); plan.measure();
   }
@@ -36,13 +36,16 @@ function paint() {
     const p = data.plans.find(p => p.key === key);
     $("plan-title").textContent = `${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])}`;
   }
-  // numbers are read eight times a second, figures move at every frame
-  if (state.spin && performance.now() - read < READ_MS) { relight(); return; }
+  if (state.spin && performance.now() - read < READ_MS) { // numbers are read eight times a second, figures move always
+    relight();
+    return;
+  }
   read = performance.now();
   $("scheme").setAttribute("aria-label", described("position", seen));
   $("plan").setAttribute("aria-label", described(key, seen));
   if (!practising) told(f);
-  facing(f);
+  facing(f, resized);
+  resized = false;
   put("equations", written(f, f.plan === "position" ? key : f.plan, state.frame, practising ? practice : null));
   crank();
   large(key);
@@ -64,18 +67,18 @@ function language() {
   $("lang").textContent = state.lang === "ru" ? "English" : "Русский";
 }
 $("lang").onclick = () => { state.lang = state.lang === "ru" ? "en" : "ru"; language(); writeAddress(); draw(); };
-on(window, "hashchange", () => { if (practice.on) practice.toggle(); readAddress(); language(); draw(); });
+on(window, "hashchange", () => { if (practice.on) practice.toggle(); readAddress(); rested(); language(); draw(); });
 on(window, "resize", () => { resized = true; later(); });
 on(window, "beforeprint", handout);
 paintedBy(paint);
 readAddress();
+forget();
 language();
 draw();
 if (practice.seed) practice.toggle();
 else setTimeout(() => { live.scan(); zones(); later(); }, 60);
 globalThis.planes = { // by which a page is asked from outside
-  $, ACT_MS, KITS, TOOLS, ahead, data, desk, drag, draw, filled, go, handed, handout, holding, inWords, kit,
-  live, marks, number, past, plan, planOf,
-    practice, restore, settle,
+  $, ACT_MS, KITS, TOOLS, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live, number, plan, planOf,
+    practice,
   scheme, spin, state, task, turn,
 };

@@ -45,13 +45,12 @@ def essay_page(data: Json, lang: str) -> str:
 def _whole(data: Json, lang: str, name: str, modules: tuple[str, ...], parts: dict[str, str]) -> str:
     """A page with the template of its name, its data and its modules."""
     told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
-    words = {key: {of: one[key] for of, one in told.items()} for key in told["en"]}
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
     title = data["title"].get(lang, "")
     parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
     body = web_page.filled(web_page.part(f"{name}.html"), parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
-    held = {"packed": pressed([words, data]), "letters": written(_names(data), data["lettering"])}
+    held = {"packed": pressed([told, data]), "letters": written(_names(data), data["lettering"])}
     return web_page.page(title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held)
 
 

@@ -1,13 +1,18 @@
 // Names as a sheet has them: letters, and what stands low or high beside them.
 const LETTERS = JSON.parse(document.getElementById("letters").textContent);
 
+/** @type {(mark: string) => string} */
 export function labelOf(mark) { return mark.slice(mark.lastIndexOf(":") + 1); }
+/** @type {(mark: string) => string} */
 export function keyOf(mark) { return mark.slice(0, mark.lastIndexOf(":")); } // of its plan
+/** @type {(name: string, plan?: string) => string[][]} */
 export function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: as a sheet has it
   const own = LETTERS[document.documentElement.lang] || {}, first = Object.values(LETTERS)[0], full = `${plan}:${name}`;
   return own[full] || first[full] || own[name] || first[name] || [[name, ""]];
 }
+/** @type {(text: any) => string} */
 export function safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); }
+/** @type {(name: string, plan?: string) => string} */
 export function html(name, plan) { // letters stand up, indices stay whole
   return lettered(name, plan).map(([t, k]) => k ? `<${k}>${safe(t)}</${k}>` : safe(t)).join("");
 }

@@ -2,7 +2,8 @@
 import { on } from "./dom.js";
 import { data } from "./page.js";
 
-let lit = [];
+let lit = /** @type {any[]} */ ([]);
+/** @type {(names: string[], on: boolean) => void} */
 function light(names, on) {
   lit = on ? names : [];
   const all = new Set(names);
@@ -12,11 +13,14 @@ function light(names, on) {
       n.startsWith("position:")) for (const k in data.related) if (data.related[k].includes(n)) all.add(k);
   }
   document.querySelectorAll("main [data-name]").forEach(e => {
-    if (e.dataset.name.split(" ").some(n => all.has(n))) e.classList.toggle("hover", on);
+    if (e.dataset.name.split(" ").some((/** @type {string} */ n) => all.has(n))) e.classList.toggle("hover", on);
   });
 }
-export function relight() { if (lit.length) light(lit, true); } // on a page drawn anew
-on(window, "mouseover",
-  e => { const t = e.target.closest("[data-name]"); if (t) light(t.dataset.name.split(" "), true); });
-on(window, "mouseout",
-  e => { const t = e.target.closest("[data-name]"); if (t) light(t.dataset.name.split(" "), false); });
+export function relight() {
+  document.querySelectorAll(".hover").forEach(e => e.classList.remove("hover"));
+  light(lit, true);
+} // on a page drawn anew
+for (const kind of ["mouseover", "mouseout"]) on(window, kind, e => {
+  const t = e.target.closest("[data-name]");
+  if (t) light(t.dataset.name.split(" "), kind === "mouseover");
+});

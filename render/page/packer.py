@@ -13,7 +13,8 @@ _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.js";\n', re.M)
 _DECLARED = re.compile(r"^(export |)(?:(?:function|class) ([\w$]+)|(?:const|let) \[?(.*?;)( //[^\n]*)?$)", RE)
 _INNER = re.compile(r'"[^"]*"|`[^`]*`|\([^()]*\)|\{[^{}]*\}|(?<=[=,] )\[[^\[\]]*\]')
 _NAME = re.compile(r"(?:^|, )([\w$]+)(?=[ ,(;\]])")
-_REMARK = re.compile(r"^ *//[^\n]*\n|^ */\*\*.*?\*/\n| +// [^\n]*$|/\*\*.*?\*/ |^ +|^export ", RE)
+_TOLD = r"/\*\*(?:(?!\*/).)*\*/"  # types, which a browser does not ask for
+_REMARK = re.compile(rf"^ *//[^\n]*\n|^ *{_TOLD}\n| +// [^\n]*$|{_TOLD} |^ +|^export ", RE)
 
 
 def packed(*entries: str) -> str:

@@ -3,14 +3,15 @@ import { $ } from "./dom.js";
 import { inflated } from "./inflate.js";
 import { LOOKS, Live } from "./live.js";
 
+/** @type {[Record<string, Said>, LessonData]} */
 export const [words, data] = JSON.parse(inflated(JSON.parse($("packed").textContent)));
 export const live = new Live(data, LOOKS); // the whole turn is looked at once the first picture is there
 export const state = {
   frame: 0, lang: document.documentElement.lang, timer: 0, spin: 0, waiting: false, practising: false, seed: 0,
 };
-const kept = {};
 let painted = () => {};
 
+/** @type {(paint: () => void) => void} */
 export function paintedBy(paint) { painted = paint; }
 export function draw() {
   state.waiting = false;
@@ -18,7 +19,4 @@ export function draw() {
 }
 export function later() { // with the next picture of the screen
   if (!state.waiting) { state.waiting = true; requestAnimationFrame(draw); }
-}
-export function put(id, text) { // only what has changed
-  if (kept[id] !== text) $(id).innerHTML = kept[id] = text;
 }

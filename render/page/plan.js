@@ -1,12 +1,15 @@
 // A plan of velocities, accelerations or forces, or Zhukovsky's lever, as far as it is drawn.
-import { svg } from "./figure.js";
 import { born } from "./frames.js";
 import { distance, union } from "./geometry.js";
 import { Lensed } from "./lens.js";
 import { live, state } from "./page.js";
+import { end, svg } from "./svg.js";
 import { say } from "./words.js";
 
 export class Plan extends Lensed {
+  places = /** @type {Ends[]} */ ([]);
+  drawn = /** @type {Shown[]} */ ([]);
+  /** @type {(key: string) => Box} */
   frame(key) { // the plan in its own position fills the panel; one that grows is followed, up to three times
     const marks = this.own(key), now = this.box(marks), own = this.box(marks, n => live.home(n)) || now || [0, 0, 1, 1];
     if (!now || live.at_home) return own;
@@ -16,20 +19,23 @@ export class Plan extends Lensed {
       Math.min(now[3], my + far)];
     return Math.hypot(now[2] - now[0], now[3] - now[1]) < 0.2 * far ? own : union(own, held);
   }
+  /** @type {(key: string, seen: Set<string>, frame: any, hidden?: boolean) => void} */
   show(key, seen, frame, hidden) {
     const lit = new Set(frame ? frame.terms : []), force = !["velocity", "acceleration", "lever"].includes(key);
     const lever = key === "lever";
     this.more = lever || hidden ? (this.size ? 14 : 44) : 0;
     this.start(this.frame(key));
+    /** @type {(n: string) => any} */
     const there = n => seen.has(n) && this.spot(n);
-    for (const m of frame && !hidden ? frame.makes : []) if (m.startsWith(key + ":")) this.trace(this.data.traces[m],
-      m);
-    const names = [];
+    const made = frame && !hidden ? frame.makes.filter((/** @type {string} */ m) => m.startsWith(key + ":")) : [];
+    for (const m of made) this.trace(this.data.traces[m], m);
+    const names = /** @type {any[]} */ ([]);
     this.places = [];
     this.shifted = false;
     this.drawn = [];
     const upto = frame ? this.data.frames.indexOf(frame) - (hidden ? 1 : 0) : this.data.frames.length;
-    const begun = s => !force || s.names.some(n => born(n, key) <= upto);
+    const begun = (/** @type {Segment} */ s) => !force ||
+      s.names.some((/** @type {string} */ n) => born(n, key) <= upto);
     for (const s of this.data.segments) if (s.plan === key && begun(s)) this.segment(s, there, lit, force, names);
     if (lever) this.lever(there);
     if (this.shifted) this.remark();
@@ -46,14 +52,17 @@ export class Plan extends Lensed {
       this.fixed(g.names, key), key);
     this.settle();
     if (!hidden && !state.spin) this.lenses(key, this.drawn);
+    end();
   }
   remark() {
-    const text = svg("text", { class: "bar-text", x: this.w - 8, y: this.h - 8, "text-anchor": "end" }, this.node);
-    text.textContent = say("shifted");
+    const how = { class: "bar-text", x: this.w - 8, y: this.h - 8, "text-anchor": "end" };
+    svg("text", how, this.node, say("shifted"));
   }
+  /** @type {(names: string[], key: string) => string[]} */
   fixed(names, key) { // fixed points of the scheme end at the pole
     return names.includes("p") ? [...names, ...this.data.plans.find(p => p.key === key).fixed] : names;
   }
+  /** @type {(s: Segment, there: There, lit: Set<string>, force: boolean, names: any[]) => void} */
   segment(s, there, lit, force, names) {
     let a = there(`${s.plan}:${s.start}`), b = there(`${s.plan}:${s.end}`);
     if (!a || !b) return;
@@ -65,6 +74,7 @@ export class Plan extends Lensed {
     this.arrow(a, b, kind, s.names.join(" "));
     if (force && distance(a, b) > 1) names.push([a, b, s.names]);
   }
+  /** @type {(a: Spot, b: Spot) => Ends} */
   aside(a, b) { // a force that would lie upon another one of the same line is drawn beside it
     const n = distance(a, b);
     if (n < 1) return [a, b];
@@ -79,16 +89,18 @@ export class Plan extends Lensed {
     }
     return [a, b];
   }
+  /** @type {(there: There) => void} */
   lever(there) {
     const pole = there("lever:p");
     for (const n of this.own("lever")) { const q = there(n);
       if (pole && q && n !== "lever:p") this.line(pole, q, "link"); }
   }
 }
+/** @type {(p: Spot, q: Spot, stroke: Ends) => boolean} */
 function upon(p, q, [a, b]) { // whether two strokes of one line share more than a few pixels
   const n = distance(a, b), ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
-  const along = r => (r[0] - a[0]) * ux + (r[1] - a[1]) * uy;
-  const off = r => Math.abs((r[0] - a[0]) * uy - (r[1] - a[1]) * ux);
+  const along = (/** @type {Spot} */ r) => (r[0] - a[0]) * ux + (r[1] - a[1]) * uy;
+  const off = (/** @type {Spot} */ r) => Math.abs((r[0] - a[0]) * uy - (r[1] - a[1]) * ux);
   if (Math.max(off(p), off(q)) > 3) return false;
   return Math.min(Math.max(along(p), along(q)), n) - Math.max(Math.min(along(p), along(q)), 0) > 4;
 }

@@ -9,11 +9,14 @@ import { spin, zones } from "./hands.js";
 import { keyOf, labelOf } from "./letters.js";
 import { data, draw, live, state } from "./page.js";
 import { play } from "./stepper.js";
+import { forget } from "./undo.js";
 import { say } from "./words.js";
 const TRIES = 3, JUDGING = data.judging;
 
 export const practice = {
-  index: 0, after: () => {}, tries: 0, answers: [], done: new Set(), marks: {}, said: null, over: false, name: "",
+  index: 0, after: () => {}, tries: 0, answers: /** @type {any[]} */ ([]), done: /** @type {Set<number>} */ (new Set()),
+    marks: /** @type {Numbers} */ ({}), said: /** @type {any} */ (null), over: false, name: "",
+  kept: /** @type {any} */ (null),
   get on() { return state.practising; },
   set on(on) { state.practising = on; },
   get seed() { return state.seed; },
@@ -35,8 +38,10 @@ export const practice = {
     if (state.spin) spin(false);
     for (const id of ["play", "progress"]) $(id).disabled = this.on;
     if (this.on) this.begin(); else { live.reset(); zones(); draw(); }
+    forget();
   },
-  begin(seed = this.seed) { // from the first question, with the scene's numbers or with fresh ones
+  /** @type {(seed?: number) => void} */
+  begin(seed = state.seed) { // from the first question, with the scene's numbers or with fresh ones
     live.reset();
     this.seed = seed && fresh(seed) ? seed : 0;
     live.scan();
@@ -45,6 +50,7 @@ export const practice = {
     if (!this.over) this.take(0);
     writeAddress();
   },
+  /** @type {(index: number) => void} */
   take(index) { // a question in hand: the drawing as far as it is
     Object.assign(this, { index, tries: 0, marks: {} });
     state.frame = this.item.frame;
@@ -59,8 +65,8 @@ export const practice = {
   },
   get laid() { return !data.traces[this.item.what]; },
   seen() { // what is drawn: what was asked and done, and what needs nothing else
-    if (this.kept?.done === this.done && this.kept.size === this.done.size) return this.kept.seen.add(this.frame.plan +
-      ":p");
+    const pole = this.frame.plan + ":p";
+    if (this.kept?.done === this.done && this.kept.size === this.done.size) return this.kept.seen.add(pole);
     const asked = new Set(this.items.filter(t => t.kind === "mark").map(t => t.what)), seen = new Set(["position:p"]);
     this.items.forEach((t, k) => { if (t.kind === "mark" && this.done.has(k)) seen.add(t.what); });
     for (let more = true; more;) {
@@ -69,8 +75,9 @@ export const practice = {
         f.uses.every(n => seen.has(n) || n.endsWith(":p"))) { seen.add(m); more = true; }
     }
     this.kept = { done: this.done, size: this.done.size, seen };
-    return seen.add(this.frame.plan + ":p");
+    return seen.add(pole);
   },
+  /** @type {(k: number) => boolean} */
   free(k) { // whether a question may be answered now
     if (this.done.has(k)) return false;
     const t = this.items[k], f = data.frames[t.frame], seen = this.seen(), trace = data.traces[t.what] || {};
@@ -81,18 +88,22 @@ export const practice = {
   },
   open() { // the questions of the plan in hand that may be answered, and the first of each other
     const all = this.items.map((_, k) => k).filter(k => this.free(k));
-    const plan = k => data.frames[this.items[k].frame].plan;
+    const plan = (/** @type {number} */ k) => data.frames[this.items[k].frame].plan;
     return all.filter((k, i) => plan(k) === this.frame.plan || all.findIndex(o => plan(o) === plan(k)) === i);
   },
+  /** @type {(key: string) => number} */
   size(key) { // how large a plan is: the farthest of its marks
     return Math.max(0, ...this.items.filter(t => t.kind === "mark" &&
       t.what.startsWith(key + ":")).map(t => live.at(t.what) ? Math.hypot(...live.at(t.what)) : 0));
   },
+  /** @type {(mark: string) => number} */
   allowed(mark) { return Math.max(JUDGING.fits_mm, JUDGING.fits_share * this.size(keyOf(mark))); },
+  /** @type {(mark: string) => number} */
   fits(mark) { // nearer to its place than to where any mistake puts it, as far as a hand can
     const p = live.at(mark), wrong = this.slips(mark).map(s => distance(p, s.place));
     return Math.max(JUDGING.least_mm, Math.min(this.allowed(mark), ...wrong.map(d => d / 2)));
   },
+  /** @type {(t: Question) => any} */
   truth(t) {
     if (t.kind === "known") return this.goal(data.equations[t.what]).map(g => g.known).join("");
     if (t.kind === "mark") return live.at(t.what);
@@ -100,6 +111,7 @@ export const practice = {
       return /⟦i/.test(data.plans.find(p => p.key === t.what).mu.en) ? 1 / k : k; }
     return t.kind === "sense" ? Math.sign(live.value(t.what)) : live.value(t.what);
   },
+  /** @type {(t: Question, a: any) => boolean} */
   right(t, a) {
     const true_ = this.truth(t);
     if (a === null || true_ === null) return false;
@@ -110,11 +122,14 @@ export const practice = {
     return Math.abs(seen - due) <= Math.max(JUDGING.number_share * Math.abs(true_),
       t.mu ? JUDGING.ruler_mm / live.given[t.mu] : 0);
   },
+  /** @type {(e: Equation) => Term[]} */
   goal(e) { return [...terms(e), ...(e.total.known ? [e.total] : [])].filter(t => t.action !== "=0"); },
-  answer(given, said, shown) {
+  /** @type {(given: any, said?: string, shown?: boolean) => void} */
+  answer(given, said = "", shown = false) {
     this.judged(given, said, shown);
     this.after();
   },
+  /** @type {(given: any, said: string, shown: boolean) => void} */
   judged(given, said, shown) { // the first answer counts
     if (this.answers[this.index] === undefined) this.answers[this.index] = given;
     if (this.right(this.item, given)) { this.said = ["yes", say("right")]; this.move(); return; }
@@ -130,19 +145,23 @@ export const practice = {
     const open = this.open(), next = open.find(k => k > this.index) ?? open[0];
     if (next === undefined) { this.over = true; desk.clear(); draw(); } else this.take(next);
   },
+  /** @type {(fit: any[]) => string} */
   named(fit) { // every mistake that leads to this answer: told apart only where the tolerance allows
     return [...new Set(fit.map(([m, names]) => this.sentence(m, names)))].join(`; ${say("or_else")} `);
   },
+  /** @type {(mistake: string, names: any[]) => string} */
   sentence(mistake, names) {
     const { said, parts } = data.mistakes[mistake], own = Object.fromEntries(parts.map((p, k) => [p, names[k]]));
     return said[state.lang].replace(/\{(\w+)\}/g,
       (_, p) => typeof own[p] === "object" ? own[p][state.lang] : own[p] ? `⟨${own[p]}⟩` : "");
   },
+  /** @type {(mark: string) => (Omit<Slip, "place"> & { place: Spot })[]} */
   slips(mark) { return data.slips.filter(s => s.at === mark).map(s => ({ ...s, place: live.pair(s.place) })).filter(
     s => s.place); },
+  /** @type {(p: Spot, stroke?: any) => void} */
   place(p, stroke) { // a mark put here
     const t = this.item, fits = this.allowed(t.what), at = p.map(v => +v.toFixed(2));
-    const near = q => distance(at, q) <= fits;
+    const near = (/** @type {Spot} */ q) => distance(at, q) <= fits;
     if (this.right(t, at)) { this.answer(at); return; }
     const fit = this.slips(t.what).filter(s => near(s.place)).map(s => [s.m, s.names]), mark = [labelOf(t.what)];
     const true_ = live.at(t.what);
@@ -150,7 +169,7 @@ export const practice = {
     const mu = live.given["mu_" + this.frame.plan];
     if (way !== null && Math.abs(Math.sin(stroke.a - way)) < 0.05 && Math.cos(stroke.a - way) > 0) {
       const long = distance(stroke.at, true_);
-      const as = mm => Math.abs(stroke.mm - mm) <= Math.max(0.005, Math.min(fits, 0.05 * mm));
+      const as = (/** @type {number} */ mm) => Math.abs(stroke.mm - mm) <= Math.max(0.005, Math.min(fits, 0.05 * mm));
       if (as(long / mu)) fit.push(["value_for_mm", mark]);
       if (as(long / mu / mu)) fit.push(["value_over_mu", mark]);
     }
@@ -159,6 +178,7 @@ export const practice = {
     if (stroke) desk.strokes.push({ ...stroke, wrong: true });
     this.answer(at, other ? say("other_mark").replace("{mark}", `⟨${labelOf(other.what)}⟩`) : this.named(fit));
   },
+  /** @type {(s: Pencil) => void} */
   stroke(s) { // a line or an arc on the way to a mark of this plan; the mistakes it may come from
     const open = this.open().map(k => this.items[k]).filter(t => t.kind === "mark" &&
       t.what.startsWith(this.frame.plan + ":"));
@@ -171,15 +191,20 @@ export const practice = {
       w.names]);
     this.answer(null, this.named(fit));
   },
+  /** @type {(mark: string) => string[]} */
   starts(mark) { const t = data.traces[mark] || {};
     return [...(t.lines || []), ...(t.arcs || []),
     this.frame.plan + ":p"].map(n => live.at(n)).filter(Boolean).map(p => p.map(v => v.toFixed(1)).join()); },
+  /** @type {(s: Pencil) => string} */
   stood(s) { return s.at.map(v => v.toFixed(1)).join(); },
+  /** @type {(text: string) => void} */
   number(text) { // a value, or a scale
     const given = parseFloat(String(text).replace(",", ".").replace("−", "-")), t = this.item;
     if (!Number.isFinite(given)) return;
     const true_ = Math.abs(this.truth(t));
-    const as = v => Math.abs(Math.abs(given) - Math.abs(v)) <= JUDGING.number_share * Math.abs(v), fit = [];
+    const as = (/** @type {number} */ v) => Math.abs(Math.abs(given) - Math.abs(v)) <= JUDGING.number_share *
+      Math.abs(v), fit = [];
+    /** @type {(m: string, v: number) => void} */
     const add = (m, v) => { if (v && as(v)) fit.push([m, [t.kind === "mu" ? "μ" : t.what.replace(/[‖|]/g, "")]]); };
     if (t.signed && given * this.truth(t) < 0) add("sense_wrong", true_);
     if (t.kind === "mu") add("mu_inverted", 1 / true_);
@@ -195,10 +220,13 @@ export const practice = {
     }
     this.answer(+given.toPrecision(6), this.named(fit));
   },
+  /** @type {(name: string) => boolean} */
   asking(name) { return this.on && !this.over && this.item.kind === "known" &&
     this.goal(this.equation).some(t => t.name === name); },
+  /** @type {(name: string) => number} */
   given(name) { return this.marks[name] || 0; },
 };
+/** @type {(seed: number) => () => number} */
 function random(seed) { // a stream of numbers from 0 to 1: mulberry32
   let a = seed >>> 0;
   return () => {
@@ -209,12 +237,13 @@ function random(seed) { // a stream of numbers from 0 to 1: mulberry32
   };
 }
 // other numbers near the scene's, with which everything is drawn as well; false where there are none
+/** @type {(seed: number) => boolean} */
 function fresh(seed) {
   const { given, symbol, held, at, from, to } = data.drive, sizes = () => data.plans.map(p => practice.size(p.key));
   const blunt = () => Math.min(...Object.keys(data.sharp).map(m => live.sharpness(m)));
   const home = sizes(), sharp = blunt();
   for (let k = 0; k < JUDGING.draws; k++) {
-    const draw = random(seed * JUDGING.draws + k), numbers = {};
+    const draw = random(seed * JUDGING.draws + k), numbers = /** @type {Record<string, any>} */ ({});
     for (const n of data.knobs) if (!n.plan &&
       !n.stays) numbers[n.given] = +(n.at * (1 + JUDGING.fresh * (2 * draw() - 1))).toPrecision(3);
     if (!held) numbers[given] = symbol === "φ" ? Math.round(at + JUDGING.swing * (2 * draw() - 1)) :

@@ -3,18 +3,22 @@ import { html, safe } from "./letters.js";
 import { data, state } from "./page.js";
 import { filled, say, sentence } from "./words.js";
 
+/** @type {(f: Frame) => string} */
 export function inWords(f) { // a frame's sentence with its lines in words
   return f.said[state.lang].replace(/⟪(\d+)⟫/g, (_, k) => rowText(f.rows[k]));
 }
+/** @type {(r: Row) => string} */
 function unitOf(r) { return r.unit ? data.reckoned.units[r.unit][state.lang] : ""; }
+/** @type {(r: Row) => string} */
 function rowText(r) { // as the engine words it
   if (!r.numbers) return `⟨${r.name}⟩ = 0`;
   const head = r.head || `⟨${r.name}⟩`, found = head.includes("·") ? `; ⟨${r.name}⟩` : "", unit = unitOf(r);
   const arm = r.arm ? ` (⟨${r.arm}⟩ = ⟦a¦${r.arm}⟧ ${data.reckoned.units.m[state.lang]})` : "";
-  const places = { ...r, head, found, unit, arm };
+  const places = /** @type {Record<string, any>} */ ({ ...r, head, found, unit, arm });
   const text = data.reckoned.words[r.kind || "formula"][state.lang].replace(/{(\w+)}/g, (_, k) => places[k]);
   return text + (r.turns ? ` (⟦s¦${r.name}⟧)` : "");
 }
+/** @type {(f: Frame) => string} */
 export function typeset(f) { // what is done, the lines beneath each other, what is said of them
   if (!f.rows.length) return sentence(f.said[state.lang], f.plan);
   const [lead, ...tail] = f.said[state.lang].split(/⟪\d+⟫(?:; ⟪\d+⟫)*/);
@@ -23,6 +27,7 @@ export function typeset(f) { // what is done, the lines beneath each other, what
   const many = f.rows.length > 3 ? " many" : "";
   return `${sentence(lead, f.plan)}<div class="rows${many}">${rows}</div>${sentence(rest, f.plan)}`;
 }
+/** @type {(r: Row, key: string) => string} */
 function setLine(r, key) { // name = letters = numbers = value unit, each a piece that may go to the next line
   const unit = `<mspace width=".2em"/><mtext>${safe(unitOf(r))}</mtext>`;
   const sign = r.turns ? `<span class="sense">${sentence(`(⟦s¦${r.name}⟧)`, key)}</span>` : "";
@@ -42,12 +47,16 @@ function setLine(r, key) { // name = letters = numbers = value unit, each a piec
   const again = head !== name ? `<b></b>${math(added(name, key))}` : "";
   return math(added(head, key)) + sides + arm + again + math(value) + sign;
 }
+/** @type {(text: string, key: string) => string} */
 function wrapped(text, key) { // a side, each of its terms a piece
   const found = pieces(text, [" + ", " − "]);
-  const one = (t, k) => math(`<mo form="infix">${k ? found[2 * k - 1].trim() : "="}</mo>${added(t, key)}`);
+  const one = (/** @type {string} */ t, /** @type {number} */ k) =>
+    math(`<mo form="infix">${k ? found[2 * k - 1].trim() : "="}</mo>${added(t, key)}`);
   return found.filter((_, k) => k % 2 === 0).map(one).join("");
 }
+/** @type {(inner: string) => string} */
 function math(inner) { return `<math displaystyle="true"><mrow>${inner}</mrow></math>`; }
+/** @type {(text: string, by: string[]) => string[]} */
 function pieces(text, by) { // at a sign that stands in no brackets
   const found = [""];
   let deep = 0;
@@ -57,19 +66,25 @@ function pieces(text, by) { // at a sign that stands in no brackets
   }
   return found;
 }
+/** @type {(text: string, key: string) => string} */
 function added(text, key) {
-  const signed = t => t[0] === "−" && t.length > 1 ? `<mo form="prefix">−</mo>${quotient(t.slice(1), key)}` :
+  const minus = '<mo form="prefix">−</mo>';
+  const signed = (/** @type {string} */ t) => t[0] === "−" && t.length > 1 ? minus + quotient(t.slice(1), key) :
     quotient(t, key);
   return pieces(text, [" + ", " − ", " = "]).map((t, k) => k % 2 ? `<mo>${t.trim()}</mo>` : signed(t)).join("");
 }
+/** @type {(text: string, key: string) => string} */
 function quotient(text, key) {
-  const bare = t => /^\([^()]*\)$/.test(t) && t.includes(" ") ? t.slice(1, -1) : t;
-  const [above, , below] = pieces(text, [" / "]), all = t => `<mrow>${multiplied(t, key)}</mrow>`;
+  const bare = (/** @type {string} */ t) => /^\([^()]*\)$/.test(t) && t.includes(" ") ? t.slice(1, -1) : t;
+  const [above, , below] = pieces(text, [" / "]);
+  const all = (/** @type {string} */ t) => `<mrow>${multiplied(t, key)}</mrow>`;
   return below ? `<mfrac>${all(above)}${all(bare(below))}</mfrac>` : multiplied(above, key);
 }
+/** @type {(text: string, key: string) => string} */
 function multiplied(text, key) {
   return pieces(text, [" · "]).map((t, k) => k % 2 ? "<mo>·</mo>" : factorOf(t, key)).join("");
 }
+/** @type {(text: string, key: string) => string} */
 function factorOf(text, key) {
   const m = /^(∣?)⟨([^⟩]*)⟩(∣?)([²³]?)$/.exec(text);
   if (!m) return /[0-9—]/.test(text) ? `<mn>${safe(text)}</mn>` : `<mtext>${sentence(text, key)}</mtext>`;

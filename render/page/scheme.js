@@ -1,20 +1,22 @@
 // The scheme of the mechanism: links, hinges, guides, sliders, and what acts on them.
 import { Drawing } from "./drawing.js";
-import { svg } from "./figure.js";
 import { born } from "./frames.js";
 import { distance, union } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { live, state } from "./page.js";
+import { end, svg } from "./svg.js";
 
 export class Scheme extends Drawing {
+  /** @param {Element} node @param {LessonData} data @param {number[]} [size] */
   constructor(node, data, size) {
     super(node, data, size);
-    this.first = {};
+    this.first = /** @type {Numbers} */ ({});
     this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" &&
       !data.helpers.includes(n));
     this.centres = data.scheme.links.flatMap(l => l.round ? [l.round.centre] : []);
     this.special = data.frames ? data.frames.filter(f => f.key === "special").flatMap(f => f.makes) : [];
   }
+  /** @type {(key: string, seen: Set<string>, frame: any) => void} */
   show(key, seen, frame) {
     const { scheme } = this.data, common = live.usual, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
     const body = frame && ["free_body", "split"].includes(frame.key) ? this.data.bodies[frame.plan] : null;
@@ -22,10 +24,11 @@ export class Scheme extends Drawing {
     const feet = told ? told.forces.filter(f => f.foot && frame.terms.includes(f.name)).map(f => f.foot) : [];
     const now = this.box([...this.names.filter(n => seen.has(n)), ...feet]);
     this.start(now ? union(common, now) : common);
+    /** @type {(n: string) => any} */
     const there = n => seen.has(n) && this.spot(n);
     for (const g of scheme.guides) this.guide(g, there(g.mark), live.angle("∥" + g.name), there);
     const own = frame ? this.data.plans.find(p => p.key === frame.plan).links : [];
-    const apart = l => own.length && !own.includes(l.name);
+    const apart = (/** @type {Link} */ l) => own.length && !own.includes(l.name);
     for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");
     for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), live.angle("∥" + l.slides));
     for (const l of scheme.links) if (l.round) this.rounded(l, there(l.points[0]), there(l.round.centre));
@@ -36,16 +39,17 @@ export class Scheme extends Drawing {
     if (frame && frame.turns) this.carried(frame);
     if (own.length) this.loaded(frame);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots, ...this.centres])];
-    for (const n of this.special) if (there(n)) this.beside(there(n), [labelOf(n)], "position", 9).dataset.name = n;
+    for (const n of this.special) if (there(n)) this.beside(there(n), [labelOf(n)], "position", 9, n);
     for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
       const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n &&
         state.frame >= this.introduced(n));
-      this.beside(g.q, [...g.names, ...under], "position",
-        9).dataset.name = g.names.map(n => "position:" + n).join(" ");
+      this.beside(g.q, [...g.names, ...under], "position", 9, g.names.map(n => "position:" + n).join(" "));
     }
     this.settle();
+    end();
   }
   // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
+  /** @type {(frame: Frame) => void} */
   loaded(frame) {
     const upto = this.data.frames.indexOf(frame);
     for (const s of this.data.segments) for (const name of s.plan === frame.plan ? s.names : []) {
@@ -61,9 +65,11 @@ export class Scheme extends Drawing {
       this.along(q, [q[0] + (e[0] - q[0]) * far, q[1] + (e[1] - q[1]) * far], [name], frame.plan);
     }
   }
+  /** @type {(name: string) => number} */
   introduced(name) { // the frame that tells of the point under a slider
     return this.first[name] ??= this.data.frames.findIndex(f => f.key === "equation" && f.why.en.includes(`⟨${name}⟩`));
   }
+  /** @type {(frame: Frame) => void} */
   carried(frame) { // a relative vector at its point, and which way it turns the link
     const { vector, rate, point, about } = frame.turns;
     const s = this.data.segments.find(s => s.plan === frame.plan && s.names.includes(vector));
@@ -78,12 +84,13 @@ export class Scheme extends Drawing {
     const from = Math.atan2(p[1] - o[1], p[0] - o[0]), r = Math.min(0.55 * distance(o, p), 70);
     const way = live.value(rate) > 0 ? -1 : 1;
     const at = this.turned(o, r, from, way, [-0.1, 0.75], "about turning", rate);
-    this.put([rate], (half, tall) => [0.33, 0.05, 0.6, 0.9, -0.3,
-      1.3].flatMap((t, k) => [6, 16,
-      -2 * half - 6].map((far, j) => { const m = at(t), u = distance(o, m) || 1;
-      return [m[0] + (m[0] - o[0]) / u * (half + far), m[1] + (m[1] - o[1]) / u * (tall + far), 0.2 * (k + j)]; })),
-      frame.plan);
+    this.put([rate], (half, tall) => [0.33, 0.05, 0.6, 0.9, -0.3, 1.3].flatMap((t, k) => {
+      const m = at(t), n = distance(o, m) || 1, u = [(m[0] - o[0]) / n, (m[1] - o[1]) / n];
+      return [6, 16, -2 * half - 6].map((far, j) => [m[0] + u[0] * (half + far), m[1] + u[1] * (tall + far),
+        0.2 * (k + j)]);
+    }), frame.plan);
   }
+  /** @type {(g: Guide, p: Spot, angle: number, there: There) => void} */
   guide(g, p, angle, there) {
     if (!p || angle == null) return;
     const c = Math.cos(angle * Math.PI / 180), s = -Math.sin(angle * Math.PI / 180), fixed = g.link === "0";
@@ -97,6 +104,7 @@ export class Scheme extends Drawing {
       hi + over].map(t => [p[0] + t * this.k * c, p[1] + t * this.k * s]);
     this.line(ends[0], ends[1], fixed ? "axis" : "rail", fixed ? "" : "link:" + g.link, true);
   }
+  /** @type {(l: Link, there: There, away: string) => void} */
   link(l, there, away) {
     const pts = l.points.map(there).filter(Boolean);
     const cls = "link" + (l.name === this.data.scheme.driver ? " driver" : "") + away;
@@ -111,12 +119,14 @@ export class Scheme extends Drawing {
       if (n > 34) this.number(l.name, pts[0], pts[1], m, n);
     }
   }
+  /** @type {(name: string, a: Spot, b: Spot, m: Spot, n: number) => void} */
   number(name, a, b, m, n) {
     const x = m[0] - (b[1] - a[1]) / n * 13, y = m[1] + (b[0] - a[0]) / n * 13;
     svg("text", { class: "number", x, y: y + 4, "text-anchor": "middle", "data-name": "link:" + name },
-      this.node).textContent = name;
+      this.node, name);
     this.taken.push([x, y, 6]);
   }
+  /** @type {(l: Link, p: Spot, angle: number) => void} */
   slider(l, p, angle) {
     if (!p || angle == null) return;
     const u = this.size ? 0.75 : 1, turn = `translate(${p[0].toFixed(1)} ${p[1].toFixed(1)}) rotate(${-angle})`;
@@ -127,11 +137,12 @@ export class Scheme extends Drawing {
     for (const k of [1, -1]) this.strokes.push([[p[0] - c + k * w[0], p[1] - s + k * w[1]],
       [p[0] + c + k * w[0], p[1] + s + k * w[1]]]);
   }
+  /** @type {(l: Link, p: Spot, o: Spot) => void} */
   rounded(l, p, o) { // a block on an arc, and the arc on its outer side, hatched where it is the frame's
     if (!p || !o) return;
     const u = this.size ? 0.75 : 1, r = distance(o, p) + 11 * u, here = Math.atan2(p[1] - o[1], p[0] - o[0]);
     const half = Math.min(62 * u / r, Math.PI);
-    const at = (t, far = 0) => [o[0] + (r + far) * Math.cos(here + t),
+    const at = (/** @type {number} */ t, far = 0) => [o[0] + (r + far) * Math.cos(here + t),
       o[1] + (r + far) * Math.sin(here + t)].map(v => v.toFixed(1));
     const ways = [-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1].map(k => at(k * half).map(Number));
     svg("path", { class: "rail arc",
@@ -144,6 +155,7 @@ export class Scheme extends Drawing {
       this.node);
     this.slider(l, p, 90 - here * 180 / Math.PI);
   }
+  /** @type {(there: There, lit: Set<string>) => void} */
   hinges(there, lit) {
     const hinges = new Set(this.data.scheme.links.flatMap(l => l.hinges));
     for (const n of new Set([...this.data.scheme.links.flatMap(l => l.points), ...this.centres, ...this.special])) {
@@ -154,6 +166,7 @@ export class Scheme extends Drawing {
         "data-name": n }, this.node);
     }
   }
+  /** @type {(p: Spot) => void} */
   ground(p) {
     const [x, y] = p, u = this.size ? 0.75 : 1;
     svg("path", { class: "ground", d: `M${x} ${y}l${-11 * u} ${19 * u}h${22 * u}z` }, this.node);
@@ -164,11 +177,13 @@ export class Scheme extends Drawing {
       [[x - 11 * u, y + 19 * u], [x + 11 * u, y + 19 * u]]);
   }
 }
+/** @type {(points: Spot[]) => Spot[]} */
 function hull(points) { // the outline of a link of three points or more; of points in line, the two ends
   const p = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   if (p.length < 3) return p;
-  const turn = (o, a, b) => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-  const half = list => {
+  const turn = (/** @type {Spot} */ o, /** @type {Spot} */ a, /** @type {Spot} */ b) => (a[0] - o[0]) * (b[1] - o[1]) -
+    (a[1] - o[1]) * (b[0] - o[0]);
+  const half = (/** @type {Spot[]} */ list) => {
     const h = [];
     for (const q of list) { while (h.length > 1 && turn(h[h.length - 2], h[h.length - 1], q) <= 1) h.pop(); h.push(q); }
     return h.slice(0, -1);

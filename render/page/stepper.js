@@ -3,27 +3,33 @@ import { writeAddress } from "./address.js";
 import { $, on } from "./dom.js";
 import { clamp } from "./geometry.js";
 import { kit } from "./kit.js";
-import { data, draw, put, state } from "./page.js";
 import { safe } from "./letters.js";
+import { data, draw, state } from "./page.js";
+import { put } from "./put.js";
 import { typeset } from "./rows.js";
 import { say, sentence } from "./words.js";
 
-let faced = null;
+let faced = /** @type {any} */ (null), roomy = true;
 
 // on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
-export function facing(f) {
+/** @type {(f: Frame, resized: boolean) => void} */
+export function facing(f, resized) {
   const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;
-  if (faced === f || panels.scrollWidth <= panels.clientWidth + 2) return;
+  if (faced === f && !(roomy && resized)) return; // to ask how wide it is lays the page out
   faced = f;
+  roomy = panels.scrollWidth <= panels.clientWidth + 2;
+  if (roomy) return;
   panels.scrollLeft = on * panels.clientWidth;
 }
 const chapters = data.frames.map((f, k) => k).filter(k => !k ||
   data.frames[k].chapter !== data.frames[k - 1].chapter);
 export function contents() { // the plans in their order, each by its title
-  const title = key => key === "position" ? say("scheme") : data.plans.find(p => p.key === key).title[state.lang];
+  const title = (/** @type {string} */ key) => key === "position" ? say("scheme") :
+    data.plans.find(p => p.key === key).title[state.lang];
   $("chapter").innerHTML = chapters.map((k, n) =>
     `<option value="${n}">${n + 1}. ${safe(title(data.frames[k].chapter))}</option>`).join("");
 }
+/** @type {(f: Frame) => void} */
 export function told(f) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
   put("sentence", typeset(f));
@@ -31,9 +37,10 @@ export function told(f) {
   $("back").disabled = state.frame === 0;
   $("next").disabled = state.frame === data.frames.length - 1;
   $("progress").value = String(state.frame + 1);
-  $("chapter").value = String(chapters.findLastIndex(k => k <= state.frame));
+  $("chapter").value = String(chapters.filter(k => k <= state.frame).length - 1);
   $("progress").setAttribute("aria-valuetext", $("number").textContent);
 }
+/** @type {(frame: number) => void} */
 export function go(frame) { // one forward with the tools at work
   const next = clamp(frame, 0, data.frames.length - 1), forward = next === state.frame + 1;
   state.frame = next;

@@ -7,12 +7,13 @@ import { html, labelOf, safe } from "./letters.js";
 import { data, draw, later, live, state } from "./page.js";
 import { practice } from "./practice.js";
 import { filled, number, say, sentence, spoken } from "./words.js";
+const fields = /** @type {Record<string, any>} */ (desk); // by the ids of their inputs
 export const TOOLS = ["vector", "line", "arc", "point", "ruler"];
 
 export const task = {
   last: "",
   paint() {
-    const box = $("task"), p = practice, text = t => sentence(t, p.frame?.plan);
+    const box = $("task"), p = practice, text = (/** @type {string} */ t) => sentence(t, p.frame?.plan);
     for (const id of ["scheme", "plan"]) $(id).classList.remove("place");
     $("number").textContent = `${p.done.size} / ${p.items.length}`;
     $("back").disabled = $("next").disabled = p.over || p.open().length < 2;
@@ -25,7 +26,7 @@ export const task = {
     if (!p.over) desk.paint();
     const same = now.replace(/(<input[^>]*) value="[^"]*"/g, "$1");
     if (same === this.last) { // the same question: where one was and what was typed stay
-      for (const n of ["mm", "angle"]) if ($(n) && $(n).value !== String(desk[n])) $(n).value = desk[n];
+      for (const n of ["mm", "angle"]) if ($(n) && $(n).value !== String(fields[n])) $(n).value = fields[n];
       return;
     }
     this.last = same;
@@ -35,7 +36,7 @@ export const task = {
     (again && !again.disabled ? again : box.querySelector("#mm, #figure, button[data-do], #h")).focus();
   },
   question() {
-    const t = practice.item, f = practice.frame, own = n => `⟨${n}⟩`;
+    const t = practice.item, f = practice.frame, own = (/** @type {string} */ n) => `⟨${n}⟩`;
     const unit = (data.units[t.what] || {})[state.lang] || "";
     if (t.kind === "known") return say("ask_known");
     if (t.kind === "sense" && !f.turns) return say("ask_turning").replace("{force}",
@@ -48,16 +49,18 @@ export const task = {
       o.what.startsWith((t.kind === "mu" ? t.what : f.plan) + ":"));
     const name = own(t.kind === "mu" ? data.frames[mark.frame].terms[0] || labelOf(mark.what) : labelOf(t.what));
     if (t.kind === "mark") return say(practice.laid && f.terms[0] ? "ask_vector" : "ask_mark").replace("{name}",
-      f.terms.slice(0, 1).map(own)).replace("{mark}", name);
+      f.terms.slice(0, 1).map(own).join("")).replace("{mark}", name);
     const start = live.at(data.frames[mark.frame].uses[0]) || [0, 0], end = live.at(mark.what);
     const mm = distance(start, end);
     return say("ask_mu").replace("{name}", name).replace("{value}",
       `${number(mm / live.given["mu_" + t.what])} ${this.unit(t.what).replace(/^[мm]+\/|\/[мm]+$/g, "").replace(/[()]/g,
       "")}`).replace("{mm}", number(mm)).replace("{unit}", this.unit(t.what));
   },
+  /** @type {(key: string) => string} */
   unit(key) { return filled(data.plans.find(p => p.key === key).mu[state.lang]).replace(/^\S+ /, ""); },
   fields() {
-    const t = practice.item, open = practice.open(), row = inner => `<div class="answers">${inner}</div>`;
+    const t = practice.item, open = practice.open();
+    const row = (/** @type {string} */ inner) => `<div class="answers">${inner}</div>`;
     const choose = open.length > 1 ?
       `<label>${say("now")} ${this.select("now", open.map(k => [k, this.short(k)]), practice.index)}</label>` : "";
     const last = row(`${choose}${this.button("show", say("show"))}`);
@@ -76,7 +79,7 @@ export const task = {
       this.ruler() + last;
   },
   tools() {
-    const one = n => `<button type="button" id="tool-${n}" data-do="tool" data-tool="${n}"` +
+    const one = (/** @type {string} */ n) => `<button type="button" id="tool-${n}" data-do="tool" data-tool="${n}"` +
       ` aria-pressed="${desk.tool === n}">${say("tool_" + n)}</button>`;
     return TOOLS.map(one).join("");
   },
@@ -93,7 +96,7 @@ export const task = {
     const marks = desk.marks().map(m => [m, spoken(labelOf(m), practice.frame.plan)]);
     const from = `<label>${say("from")} ${this.select("from", marks, desk.from)}</label>`;
     const draw_ = this.button("draw", say("draw"));
-    const mm = name => `<label>${say(
+    const mm = (/** @type {string} */ name) => `<label>${say(
       name)} <input id="mm" type="text" inputmode="decimal" autocomplete="off" value="${safe(desk.mm)}"> ${say(
       "millimetres")}</label>`;
     if (desk.tool === "ruler") return this.measures(marks);
@@ -114,6 +117,7 @@ export const task = {
   },
   ruler() { return `<div class="answers">${this.measures(desk.marks().map(m => [m,
     spoken(labelOf(m), practice.frame.plan)]))}</div>`; },
+  /** @type {(marks: string[][]) => string} */
   measures(marks) {
     const m = practice.frame.moments;
     const feet = m === null ? [] :
@@ -125,15 +129,19 @@ export const task = {
       desk.to)}</label> <output>${desk.ruler()} ${say("millimetres")}</output>` : "";
   },
   erase() { return desk.strokes.length ? this.button("erase", say("erase")) : ""; },
+  /** @type {(k: number) => string} */
   short(k) { const t = practice.items[k], key = data.frames[t.frame].plan;
     return `${t.kind === "mu" ? "μ" : t.kind === "known" ? say("equation") :
     spoken(t.kind === "mark" ? labelOf(t.what) : t.what.replace(/[‖|↺]/g, ""), key)}${t.kind === "mark" ? "" :
     t.kind === "sense" ? " ↺" : t.kind === "known" ?
     " " + practice.goal(data.equations[t.what]).map(g => spoken(g.name)).slice(0, 3).join(" ") : " ="}`; },
+  /** @type {(id: string, options: any[][], chosen: any) => string} */
   select(id, options, chosen) {
     return `<select id="${id}">${options.map(([v, text]) => `<option value="${safe(v)}"${String(v) === String(chosen) ?
     " selected" : ""}>${safe(text)}</option>`).join("")}</select>`; },
+  /** @type {(what: string, label: string) => string} */
   button(what, label) { return `<button type="button" id="do-${what}" data-do="${what}">${label}</button>`; },
+  /** @type {(said: string) => string} */
   end(said) { // the result, and the code a teacher's planes reads
     const code = handed(), name = safe(practice.name || "practice");
     return `${said}<h2 id="h" tabindex="-1">${say("over")} ${practice.good} / ${practice.items.length}.</h2><p>${say(
@@ -144,6 +152,7 @@ export const task = {
         "code")}">${code}</textarea>` +
       `<div class="answers">${this.button("again", say("again"))}${this.button("fresh", say("fresh"))}</div>`;
   },
+  /** @type {(what: string, e: any) => void} */
   pick(what, e) {
     const p = practice;
     if (what === "again") p.begin();
@@ -165,12 +174,13 @@ export const task = {
     desk.mm = "";
     if (s.end) practice.place(s.end, s); else practice.stroke(s);
   },
+  /** @type {(id: string, value: string) => void} */
   change(id, value) {
     if (id === "now") { practice.said = null; practice.take(+value); return; }
     if (id === "student") practice.name = value.slice(0, 80);
     else if (id === "spot") desk.spot = +value;
     else if (id === "way") desk.back = value === "1";
-    else desk[id] = value;
+    else fields[id] = value;
     if (id === "from" && desk.along === value) desk.along = desk.lines()[0][0];
     draw();
   },
@@ -189,22 +199,23 @@ on($("task"), "click",
   e => { const b = e.target.closest("[data-do]"); if (b) task.pick(b.dataset.do, b); });
 on($("task"), "change", e => task.change(e.target.id, e.target.value));
 on($("task"), "input",
-  e => { if (e.target.id === "mm" || e.target.id === "angle") { desk[e.target.id] = e.target.value; later(); } });
+  e => { if (e.target.id === "mm" || e.target.id === "angle") { fields[e.target.id] = e.target.value; later(); } });
 on($("task"), "keydown", e => {
   if (e.key !== "Enter" || e.target.tagName !== "INPUT" || e.target.id === "student") return;
-  if (e.target.id !== "figure") desk[e.target.id] = e.target.value;
+  if (e.target.id !== "figure") fields[e.target.id] = e.target.value;
   task.pick(e.target.id === "figure" ? "number" : "draw", e.target);
 });
 for (const figure of [scheme, plan]) {
   const { node } = figure;
   let drawing = false;
-  const place = e => { const r = node.getBoundingClientRect();
+  const place = (/** @type {any} */ e) => { const r = node.getBoundingClientRect();
     return [e.clientX - r.left, e.clientY - r.top]; };
   on(node, "pointerdown", e => {
     if (!practice.on || practice.over || e.button) return;
     const line = e.target.closest("[data-name^='link:']"), on = figure === desk.panel;
     if (on && desk.tool === "point") { // the nearest crossing
-      const q = place(e), near = p => { const [x, y] = figure.px(p); return Math.hypot(x - q[0], y - q[1]); };
+      const q = place(e), near = (/** @type {Spot} */ p) => { const [x, y] = figure.px(p);
+        return Math.hypot(x - q[0], y - q[1]); };
       const spots = desk.crossings(), k = spots.findIndex(p => near(p) < NEAR_PX);
       if (k >= 0) { desk.spot = k; task.draw(); }
       return;

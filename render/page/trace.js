@@ -1,15 +1,21 @@
 // Tracing paper: the right plan over a picture of a drawing, moved by its pole, turned and resized by one of its marks.
 import { $, on } from "./dom.js";
-import { Figure, svg } from "./figure.js";
+import { Figure } from "./figure.js";
+import { svg } from "./svg.js";
+
 const data = JSON.parse(document.getElementById("data").textContent);
 // a place of the plan (mm, y up) lies at pole + turn · its mirror image, in pixels of the picture (y down)
-const state = { plan: data.plans[0], pole: [0, 0], turn: [1, 0], size: [1200, 800], file: "", drag: null, held: null };
+const state = { plan: data.plans[0], pole: [0, 0], turn: [1, 0], size: [1200, 800], file: "",
+  drag: /** @type {any} */ (null), held: /** @type {any} */ (null) };
 
 class Tracing extends Figure {
+  zoom = 1;
+  /** @type {(p: Spot) => Spot} */
   px([x, y]) {
     const [a, b] = state.turn, k = this.zoom;
     return [k * (state.pole[0] + a * x + b * y), k * (state.pole[1] + b * x - a * y)];
   }
+  /** @type {(name: string) => Spot} */
   at(name) { return state.plan.marks[name]; }
   draw() {
     const view = this.node.getBoundingClientRect(), { plan } = state;
@@ -28,12 +34,15 @@ class Tracing extends Figure {
     this.node = whole;
     for (const n of ["p", $("by").value]) this.handle(n);
   }
+  /** @type {(plan: any) => void} */
   names(plan) {
     for (const [name, a, b] of plan.names) this.along(this.px(this.at(a)), this.px(this.at(b)), [name], plan.kind);
     const marks = Object.keys(plan.marks).filter(n => !plan.names.length || n === "p");
-    for (const n of marks) if (plan.kind !== "position" || n !== "p") this.beside(this.px(this.at(n)), [n], plan.kind,
-      8);
+    for (const n of marks) if (plan.kind !== "position" || n !== "p") {
+      this.beside(this.px(this.at(n)), [n], plan.kind, 8);
+    }
   }
+  /** @type {(name: string) => void} */
   handle(name) {
     const q = this.px(this.at(name));
     const g = svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": name }, this.node);
@@ -44,7 +53,9 @@ class Tracing extends Figure {
 }
 const sheet = new Tracing($("sheet"), data);
 
+/** @type {(name: string) => Spot} */
 function place(name) { return sheet.px(sheet.at(name)).map(v => Math.round(v / sheet.zoom)); }
+/** @type {(v: number, digits: number) => string} */
 function shown(v, digits) { const t = v.toFixed(digits);
   return document.documentElement.lang !== "en" ? t.replace(".", ",") : t; }
 function draw() {
@@ -62,6 +73,7 @@ function draw() {
   $("command").textContent = state.plan.command.replace("⟦file⟧", file).replace("⟦pole⟧",
     place("p").join(",")).replace("⟦mark⟧", mark + place(by).join(",") + end);
 }
+/** @type {(name: string, x: number, y: number) => void} */
 function move(name, x, y) { // pixels of the picture
   if (name === "p") state.pole = [x, y];
   else {
@@ -72,14 +84,15 @@ function move(name, x, y) { // pixels of the picture
   draw();
 }
 function home() { // the plan in the middle, filling half of the sheet
-  const all = Object.values(state.plan.marks), side = k => all.map(z => z[k]), [w, h] = state.size;
+  const all = Object.values(state.plan.marks), side = (/** @type {number} */ k) => all.map(z => z[k]);
+  const [w, h] = state.size;
   const low = [0, 1].map(k => Math.min(...side(k))), high = [0, 1].map(k => Math.max(...side(k)));
   const k = 0.55 * Math.min(w / Math.max(high[0] - low[0], 1), h / Math.max(high[1] - low[1], 1));
   state.turn = [k, 0];
   state.pole = [w / 2 - k * (low[0] + high[0]) / 2, h / 2 + k * (low[1] + high[1]) / 2];
 }
 function choose() { // another plan keeps its scale and its pole: they are of one sheet
-  state.plan = data.plans.find(p => p.key === $("plan").value);
+  state.plan = data.plans.find((/** @type {any} */ p) => p.key === $("plan").value);
   const marks = Object.keys(state.plan.marks).filter(n => Math.hypot(...state.plan.marks[n]) > 1);
   $("by").replaceChildren(...marks.map(n => new Option(n, n, false, n === state.plan.far)));
   home();
@@ -91,6 +104,7 @@ function lay() { // the paper as wide as the window, or wider
   paper.style.height = `${width * state.size[1] / state.size[0]}px`;
   draw();
 }
+/** @type {(file: File) => void} */
 function open(file) {
   if (!file) return;
   const image = /** @type {any} */ ($("image")), url = URL.createObjectURL(file);
@@ -105,6 +119,7 @@ function open(file) {
     };
   image.src = url;
 }
+/** @type {(e: MouseEvent) => Spot} */
 function spot(e) {
   const box = sheet.node.getBoundingClientRect();
   return [(e.clientX - box.left) / sheet.zoom, (e.clientY - box.top) / sheet.zoom];
@@ -116,10 +131,14 @@ on(sheet.node, "pointerdown", e => {
   sheet.node.setPointerCapture(e.pointerId);
   e.preventDefault();
 });
-on(sheet.node, "pointermove", e => { if (state.drag) move(state.drag, ...spot(e)); });
+on(sheet.node, "pointermove", e => { if (state.drag) {
+  const [x, y] = spot(e);
+  move(state.drag, x, y);
+} });
 for (const end of ["pointerup", "pointercancel"]) on(sheet.node, end, () => { state.drag = null; });
 on(sheet.node, "keydown", e => {
-  const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
+  const way = /** @type {Record<string, number[]>} */ ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
+    ArrowDown: [0, 1] })[e.key];
   const name = e.target.closest("[data-mark]")?.dataset.mark;
   if (!way || !name) return;
   e.preventDefault();
@@ -130,8 +149,8 @@ on(sheet.node, "focusin", e => { state.held = e.target.closest("[data-mark]")?.d
 on(sheet.node, "focusout", () => { state.held = null; });
 on(document, "dragover", e => e.preventDefault());
 on(document, "drop", e => { e.preventDefault(); open(e.dataTransfer.files[0]); });
-$("file").onchange = () => open($("file").files[0]);
-$("plan").replaceChildren(...data.plans.map(p => new Option(p.title, p.key)));
+$("file").onchange = () => open(/** @type {FileList} */ ($("file").files)[0]);
+$("plan").replaceChildren(...data.plans.map((/** @type {any} */ p) => new Option(p.title, p.key)));
 $("plan").onchange = choose;
 $("by").onchange = $("ink").onchange = $("names").onchange = $("paper").oninput = draw;
 $("picture").oninput = () => { $("image").style.opacity = String(+$("picture").value / 100); };

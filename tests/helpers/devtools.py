@@ -398,11 +398,11 @@ class Mouse:
     """The pointer and its left button."""
 
     def __init__(self, page: Page) -> None:
-        self.page, self.at, self.held = page, (0.0, 0.0), 0
+        self.page, self.at, self.held, self.shift = page, (0.0, 0.0), 0, 0
 
     def _send(self, kind: str, **more: Any) -> None:
         x, y = self.at
-        self.page.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, buttons=self.held, **more)
+        self.page.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, buttons=self.held, modifiers=self.shift, **more)
 
     def move(self, x: float, y: float, steps: int = 1) -> None:
         """To a place in the window, in so many steps."""
@@ -411,15 +411,16 @@ class Mouse:
             self.at = x0 + (x - x0) * k / steps, y0 + (y - y0) * k / steps
             self._send("mouseMoved", button="left" if self.held else "none")
 
-    def down(self) -> None:
-        """Press the button."""
-        self.held = 1
+    def down(self, shift: bool = False) -> None:
+        """Press the button, the key Shift held or not."""
+        self.held, self.shift = 1, MODIFIERS["Shift"] * shift
         self._send("mousePressed", button="left", clickCount=1)
 
     def up(self) -> None:
         """Let it go."""
         self.held = 0
         self._send("mouseReleased", button="left", clickCount=1)
+        self.shift = 0
 
     def click(self, x: float, y: float) -> None:
         """Press and let go at a place."""

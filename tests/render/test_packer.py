@@ -30,9 +30,10 @@ def test_a_module_stands_once_after_those_it_imports(monkeypatch: pytest.MonkeyP
         main='import { a } from "./one.js";\nimport {\n  b, c,\n} from "./two.js";\n/** told */\nb(a, c); // so\n',
         one="export const a = [1, 2], z = {\n  y: 3,\n};\n",
         two='// told\nimport { a } from "./one.js";\n'
-        "export let c = 1; // so\nexport function b(x) {\n  return x + a;\n}\n",
+        "export let c = 1; // so\n/** @type {any} */\n"
+        "export function b(x,\n  /** @type {any} */ y) {\n  return x + a;\n}\n",
     )
-    assert found == "const a = [1, 2], z = {\ny: 3,\n};\nlet c = 1;\nfunction b(x) {\nreturn x + a;\n}\nb(a, c);\n"
+    assert found == "const a = [1, 2], z = {\ny: 3,\n};\nlet c = 1;\nfunction b(x,\ny) {\nreturn x + a;\n}\nb(a, c);\n"
 
 
 @pytest.mark.parametrize(
