@@ -114,10 +114,11 @@ class MomentLines:
 
     def product(self, name: str, lever: str) -> str:
         """A force times its arm, a couple, either times its rate."""
-        return self.sized(name) + self.by(name, lever)
+        force = self.naming.vector(name) if lever in self.arms else self.sized(name)
+        return force + self.by(name, lever)
 
     def sized(self, name: str) -> str:
-        """The letter of a value, in bars where that is negative: its sign stands before the product."""
+        """The letter of a couple or a rate, in bars where it is negative: its sign stands before the product."""
         letter = self.naming.vector(name)
         return f"|{letter}|" if name in self.position.drawing and float(self.position.drawing[name]) < 0 else letter
 
