@@ -153,10 +153,13 @@ class Note:
     def loaded(self, plan: str) -> Iterator[Block]:
         """What a force polygon is of: once the mechanism with its loads, the links with their forces and arms; the
         lever with its own."""
-        plans, mu = self.position.plans, f", μ = {self.mu('velocity' if plan == 'lever' else 'position')}"
+        plans = self.position.plans
+        if not plans.moves:
+            return
+        mu = f", μ = {self.mu('velocity' if plan == 'lever' else 'position')}"
         if plan == "lever":
             yield self.figure("lever", self.say("lever") + mu)
-        if kind_of(plan) == "force" and plans.moves:
+        if kind_of(plan) == "force":
             if plan == next(p for p in plans.drawn if kind_of(p) == "force"):
                 yield self.figure("loaded", self.say("loaded") + mu)
             links = links_of(plan)

@@ -46,7 +46,8 @@ function paint() {
   if (!practising) told(f);
   facing(f, resized);
   resized = false;
-  put("equations", written(f, f.plan === "position" ? key : f.plan, state.frame, practising ? practice : null));
+  const stated = f.moments !== null ? f.chapter : f.plan === "position" ? key : f.plan;
+  put("equations", written(f, stated, state.frame, practising ? practice : null));
   crank();
   large(key);
   if (practising) task.paint();
