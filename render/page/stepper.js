@@ -4,7 +4,7 @@ import { $, on } from "./dom.js";
 import { clamp } from "./geometry.js";
 import { kit } from "./kit.js";
 import { safe } from "./letters.js";
-import { data, draw, state } from "./page.js";
+import { data, draw, live, state } from "./page.js";
 import { put } from "./put.js";
 import { typeset } from "./rows.js";
 import { say, sentence } from "./words.js";
@@ -32,8 +32,8 @@ export function contents() { // the plans in their order, each by its title
 /** @type {(f: Frame) => void} */
 export function told(f) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
-  put("sentence", typeset(f));
-  put("why", sentence(f.why[state.lang], f.plan));
+  put("sentence", live.failed ? say("zone_bad") : typeset(f)); // what is not there is not told
+  put("why", live.failed ? "" : sentence(f.why[state.lang], f.plan));
   $("back").disabled = state.frame === 0;
   $("next").disabled = state.frame === data.frames.length - 1;
   $("progress").value = String(state.frame + 1);

@@ -297,3 +297,10 @@ def test_a_turn_of_the_crank_draws_little(browser: Any, lesson: str) -> None:
     }""")
     page.close()
     assert 0 < made < MOST_CHANGES
+
+
+def test_where_nothing_can_be_drawn_no_step_is_told(page: Any) -> None:
+    page.evaluate("go(40); turn(40); draw()")
+    assert "не собирается" in page.inner_text("#sentence") and not page.inner_text("#why")
+    page.evaluate("turn(150); draw()")
+    assert page.inner_text("#why")
