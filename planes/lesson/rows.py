@@ -5,7 +5,7 @@ from functools import partial
 
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import LANGS, SLOT, UNITS, formula, in_both, slot, unit
-from planes.words import Lang, say, table
+from planes.words import Lang, say, under
 from planes.words.frozen import frozen
 from planes.words.names import parts_of
 from planes.words.records import Json
@@ -70,7 +70,7 @@ def reckoned(step: Calculate, called: str = "", unit_key: str = "", turns: bool 
 
 def templates(rows: Iterable[Row]) -> Json:
     """What a page words rows by: the sentence of every kind with its places, and the units."""
-    kinds = {key.removeprefix("lesson_row_") for key in table("en") if key.startswith("lesson_row_")}
     units = dict.fromkeys(["m", *(row.unit_said for row in rows if row.unit_said)])
-    words = {kind: {lang: table(lang)[f"lesson_row_{kind}"] for lang in LANGS} for kind in sorted(kinds)}
+    told = in_both(partial(under, "lesson_row_"))
+    words = {kind: {lang: told[lang][kind] for lang in LANGS} for kind in told["en"]}
     return {"words": words, "units": {key: in_both(partial(say, key)) for key in units}}

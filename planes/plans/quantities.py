@@ -225,8 +225,13 @@ def _lettered(plans: Plans) -> Iterator[Quantity]:
     for rate, unit in zip(plans.mechanism.drive.rates, ("rad/s", "rad/s²"), strict=True):
         if plans.mechanism.drive.on != FRAME and rate in plans.given:
             yield Quantity(rate, (Column(rate, unit, rate),), "drive", rate)
-    for part in (n for n in plans.program.made if n.startswith("F_") and parts_of(n)[2]):
-        yield Quantity(part, (Column(part, "N", part),), "reactions", part)
+    for name in plans.program.made:
+        letter, _, part = parts_of(name)
+        if letter == "F" and part:
+            yield Quantity(name, (Column(name, "N", name),), "reactions", name)
+    for rate in (f"omega_{key}" for key in plans.reactions):  # of a hinge that rubs
+        if rate in plans.program.made:
+            yield Quantity(rate, (Column(rate, "rad/s", rate),), "friction", rate)
 
 
 def _from_the_other_link(plans: Plans, known: Iterable[Quantity]) -> list[Quantity]:

@@ -37,6 +37,7 @@ function paint() {
     $("plan-title").textContent = `${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])}`;
   }
   if (state.spin && performance.now() - read < READ_MS) { // numbers are read eight times a second, figures move always
+    kit.show(null, false);
     relight();
     return;
   }

@@ -24,10 +24,10 @@ def test_the_scheme_with_loads_is_the_largest_figure(name):
 @pytest.mark.few(0)
 @pytest.mark.parametrize("name", ["assignments/55", "assignments/13"])
 def test_where_the_scheme_would_not_be_the_largest_the_next_format_is_taken(name):
-    """On A2 a force plan is longer than the one, the other's group has arms that reach farther."""
+    """On A2 a force plan is longer than the one; of the other plans do not fit at the task's scales."""
     found, named = sheet(name, number=2), sheet(name, number=2, format="A2")
     assert (found.paper.name, [*out_of_rank(found)], found.warnings) == ("A1", [], ())
-    assert [*out_of_rank(named)]
+    assert [*out_of_rank(named)] or named.warnings
 
 
 def test_a_scheme_grows_by_scales_of_the_standard_and_not_where_its_scale_is_stated():
