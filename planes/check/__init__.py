@@ -111,12 +111,16 @@ class Outcome(Described):
         scored = (s.figure.name for t in (self.segments, self.results) if t for s in t.scored)
         return self.bench.naming.retold(text, {*map(label_of, self.bench.marks), *scored})
 
+    @property
+    def alone(self) -> bool:
+        """Whether these are results with nothing drawn."""
+        return bool(self.results) and not (self.grading or self.segments)
+
     def right(self, unseen: str) -> Phrase:
         """What is said of a right drawing of the plan, or of right results alone; marks ``unseen`` nobody looked at."""
-        alone = self.results and not (self.grading or self.segments)
-        plan = Phrase("check_results") if alone else plan_phrase(self.bench.asked.plan)
-        key = "check_right_as_seen" if unseen else "check_right_results" if alone else "check_right"
-        return Phrase(key, plan=plan, names=unseen)
+        key = "check_right_as_seen" if unseen else "check_right_results" if self.alone else "check_right"
+        what = Phrase("check_results") if self.alone else plan_phrase(self.bench.asked.plan)
+        return Phrase(key, plan=what, names=unseen)
 
 
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
@@ -232,12 +236,10 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
 
 def _results(out: Outcome) -> None:
     bench, known = out.bench, catalogue(out.bench.plans)
-    names = bench.naming.names(known, poles=False)
-    alone = not (out.paper.spots or out.paper.segments)  # a table of answers: what is asked and not in it was not seen
-    asked = (bench.asked.answers or bench.asked.scene.find or ()) if alone else ()
-    figures, unread, notes = read_results(known, names, out.paper.results, asked)
+    asked = () if out.paper.spots or out.paper.segments else bench.asked.answers or bench.asked.scene.find or ()
+    figures, unread, notes = read_results(known, bench.naming.names(known, poles=False), out.paper.results, asked)
     out.notes += notes
-    out.unknown += [name for name in unread if name not in out.paper.left]
+    out.unknown += [name for name in unread if name not in out.paper.left]  # a table of answers lacks one
     if not figures:
         return
     wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]

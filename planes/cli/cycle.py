@@ -131,19 +131,11 @@ def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
 
 
 def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
-    from planes.diagrams.curves import FULL
-    from planes.diagrams.summary import summary
+    from planes.diagrams.summary import of_cycle
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
-    from planes.diagrams.turn import reach
-    from planes.plans.statements.of_scene import scene_plans
 
-    plans = scene_plans(scene)
-    turning = plans.mechanism.drive.kind == "phi"
-    ends = span.ends if span else (0.0, FULL) if turning else reach(plans)
-    found = summary(scene, plans, *ends, _names(args))
-    if not found.grid.works.any():
-        raise PlanesError(Phrase("cycle_never", first=f"{ends[0]:g}", last=f"{ends[1]:g}"))
+    found = of_cycle(scene, span.ends if span else None, _names(args))
     print(as_json(plain(found)) if args.json else report(found, args.lang), end="\n" if args.json else "")
     return 0
 

@@ -7,10 +7,13 @@ import numpy as np
 
 from planes.diagrams.curves import FULL, Curve, driven
 from planes.diagrams.extremes import Extreme, extremes, varies
-from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
+from planes.diagrams.turn import Grid, grid, in_one_piece, reach, turn_of
 from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
+from planes.words import Phrase
+from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
 from planes.words.names import component_of, index_of, letter_of
 
@@ -179,6 +182,17 @@ def _same(y: Array, other: Array, curve: Curve, row: CurveSummary) -> bool:
         return False
     size = np.nanmax(np.abs(other))
     return bool(np.array_equal(np.isnan(y), np.isnan(other)) and np.nanmax(np.abs(y - other)) <= SAME * size)
+
+
+def of_cycle(scene: Scene, ends: tuple[float, float] | None = None, names: Iterable[str] | None = None) -> Summary:
+    """The cycle of a scene between two places of the driver, or its own: a turn, a slider's reach.
+    :class:`PlanesError` where the mechanism assembles nowhere."""
+    plans = scene_plans(scene)
+    start, end = ends or ((0.0, FULL) if plans.mechanism.drive.kind == "phi" else reach(plans))
+    found = summary(scene, plans, start, end, names)
+    if not found.grid.works.any():
+        raise PlanesError(Phrase("cycle_never", first=f"{start:g}", last=f"{end:g}"))
+    return found
 
 
 def summary(

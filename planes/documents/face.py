@@ -25,8 +25,7 @@ from planes.scene.building import Linkage
 from planes.scene.ranges import asked_of_drive
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
-from planes.words import Lang, Phrase, home_lang
-from planes.words.errors import PlanesError
+from planes.words import Lang, home_lang
 from planes.words.names import kind_of
 from planes.words.records import Json
 from planes.words.units import read_mu
@@ -206,18 +205,10 @@ def extremes(scene: Scene | Linkage) -> Json:
     >>> round(found["driven"]["time_ratio"], 4)
     1.1516
     """
-    from planes.diagrams.curves import FULL
-    from planes.diagrams.summary import summary
+    from planes.diagrams.summary import of_cycle
     from planes.diagrams.text import as_json
-    from planes.diagrams.turn import reach
 
-    scene = read(scene)
-    plans = scene_plans(scene)
-    ends = (0.0, FULL) if plans.mechanism.drive.kind == "phi" else reach(plans)
-    found = summary(scene, plans, *ends)
-    if not found.grid.works.any():
-        raise PlanesError(Phrase("cycle_never", first=f"{ends[0]:g}", last=f"{ends[1]:g}"))
-    return as_json(found)
+    return as_json(of_cycle(read(scene)))
 
 
 def animate(

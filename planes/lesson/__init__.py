@@ -122,13 +122,12 @@ class Teller:
         numbers = (*scale, *own, *(n for row in rows for n in row.slots()))
         names = {**names, "mu": partial(mu_said, plan, convention=self.convention)}
 
-        def told(lang: Lang, marks: bool = False) -> str:
-            return say(f"lesson_{key}", lang, **{k: worded(v, lang, rows, marks) for k, v in names.items()})
+        def marked(lang: Lang) -> str:
+            return say(f"lesson_{key}", lang, **{k: worded(v, lang, rows) for k, v in names.items()})
 
         why = in_both(reason if callable(reason) else partial(say, f"why_{reason or key}"))
         in_hand = found if terms is None else terms
-        words = in_both(told), why, moments, None, in_both(partial(told, marks=True))
-        return Frame(key, plan, makes, uses, index, in_hand, *words, rows, numbers)
+        return Frame(key, plan, makes, uses, index, in_hand, in_both(marked), why, moments, rows=rows, numbers=numbers)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""

@@ -50,7 +50,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "traces": _traces(drawing),
         "scheme": scheme(plans, drawing),
         "moments": arms(plans),
-        "bodies": told.teller.bodies.drawn(),
+        "bodies": told.teller.bodies.drawn,
         "related": related(plans),
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
         "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
@@ -66,8 +66,8 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
 
 def _shown(frame: Frame, kit: Kit) -> Json:
     tells = [name for how, name in frame.numbers if how in ("v", "a")]
-    own = {k: z for k, z in vars(frame).items() if k not in ("marked", "numbers")}
-    own |= {"said": frame.marked or frame.said, "rows": [row.json() for row in frame.rows]}
+    own = {k: z for k, z in vars(frame).items() if k not in ("marked", "numbers", "said")}
+    own |= {"said": frame.marked, "rows": [row.json() for row in frame.rows]}
     return {**own, "values": told_values(frame), "tells": tells, "tools": kit.of_frame(frame)}
 
 
@@ -81,7 +81,7 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     fails = live.failures(plans.drive_given, "φ" if plans.mechanism.drive.kind == "phi" else "s")
     # directions of guides, and of the forces in moment equations
     ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
-    loaded = [*arms(plans), *told.teller.bodies.drawn().values()]
+    loaded = [*arms(plans), *told.teller.bodies.drawn.values()]
     ways += [f["along"] for one in loaded for f in one["forces"]]
     sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
     sharp = {n: z for n, z in drawn.sharpness.items() if n not in plans.program.trials and plan_of(n) != "motion"}

@@ -1,20 +1,24 @@
 """One frame of a lesson, told in every language of lessons."""
 
+import re
 from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
 
 from planes.lesson.formulas import SIGNS, own
 from planes.lesson.rows import Row
 from planes.words import Lang
 from planes.words.frozen import frozen, replace
 
+ROW = re.compile(r"⟪(\d+)⟫")
+
 
 @frozen
 class Frame:
     """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
-    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by
+    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``marked`` and ``why`` its words by
     language; ``moments`` the index of the moment equation it states, or leads to; ``turns`` the vector carried to a
     point of the scheme to see which way it turns about another, and the rate found so. ``rows`` are its lines of
-    reckoning, each ⟪k⟫ where its words are ``marked``; ``numbers`` are all that it tells: how (see
+    reckoning, each ⟪k⟫ where it stands in the words; ``numbers`` are all that it tells: how (see
     :mod:`planes.lesson.formulas`) and of which value. ``chapter`` is the plan it serves: of moments, that of their
     group.
     """
@@ -25,14 +29,18 @@ class Frame:
     uses: tuple[str, ...]
     equation: int | None
     terms: tuple[str, ...]
-    said: Mapping[Lang, str]
+    marked: Mapping[Lang, str]
     why: Mapping[Lang, str]
     moments: int | None = None
     turns: Mapping[str, str] | None = None
-    marked: Mapping[Lang, str] | None = None
     rows: tuple[Row, ...] = ()
     numbers: tuple[tuple[str, str], ...] = ()
     chapter: str = ""
+
+    @cached_property
+    def said(self) -> dict[Lang, str]:
+        """Its words by language, with its lines in them."""
+        return {lang: ROW.sub(lambda k: self.rows[int(k[1])].text(lang), text) for lang, text in self.marked.items()}  # noqa: B023
 
     @property
     def used(self) -> list[str]:

@@ -2,25 +2,25 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Term
 from planes.lesson.frame import Frame, Make
 from planes.lesson.steps import Names
 from planes.plans import Plans
-from planes.plans.force.loads import force_name
 from planes.plans.force.reactions import Reaction
+from planes.plans.position.bodies import SCHEME
 from planes.words import Lang, say
 from planes.words.frozen import frozen
-from planes.words.names import force_plan, kind_of, label_of, links_of, parts_of
+from planes.words.names import at, force_plan, kind_of, label_of, links_of, parts_of
 from planes.words.records import Json
 
 
 @frozen
 class Split:
     """A reaction whose direction is unknown, by its part along a line and that across it, which moments find ``about``
-    a point; ``mark`` is where it acts."""
+    a point."""
 
     force: str
     normal: Term
@@ -60,7 +60,7 @@ class FreeBodies:
             "unknown": lambda lang: ", ".join(_unknown(n, r, lang) for n, r in sought.items()) + _also(balancing, lang),
             "count": str(2 * len(sought) + bool(balancing)),
         }
-        carried = [n for n in known if n in self.carried]
+        carried = [n for n in known if any(n in r.names for r in self.plans.reactions.values())]
         key = "driver" if balancing else "next" if carried else "first"
         forces = ", ".join(f"⟨{n}⟩" for n in carried)
         why = partial(say, f"why_free_body_{key}", forces=forces)
@@ -72,8 +72,8 @@ class FreeBodies:
 
     def known(self, plan: str) -> Iterator[tuple[str, Json]]:
         """The forces and couples on the links of a polygon that are given or found before, and how each is drawn."""
-        links, own = links_of(plan), self.outer(plan) | self.inner(plan)
-        for link in links:
+        own = self.own(plan)
+        for link in links_of(plan):
             for f in self.plans.acting.forces.get(link, ()):
                 outside = f.quantity in ("weight", "inertia", "load")
                 if f.size in self.drawing and (outside or (f.quantity == "reaction" and f.name not in own)):
@@ -82,27 +82,14 @@ class FreeBodies:
                 if not c.handed and c.value in self.drawing:
                     yield c.name, {"link": link, "size": c.value, "sign": c.sign}
 
-    @property
-    def carried(self) -> set[str]:
-        """Every reaction by the name it has on the other link."""
-        pairs = [r.pair for r in self.plans.reactions.values()]
-        return {force_name(*ends) for p in pairs for ends in ((p.link, p.other), (p.other, p.link))}
+    def own(self, plan: str) -> dict[str, Reaction]:
+        """The reactions found by a polygon, by their names on its links: those inside have both."""
+        found = [(r, r.names.items()) for r in self.plans.reactions.values() if r.plan == plan]
+        return {name: r for r, names in found for name, link in names if link in links_of(plan)}
 
     def outer(self, plan: str) -> dict[str, Reaction]:
-        """The reactions found by a polygon that act on its links from others, by their names on these links."""
-        links, found = links_of(plan), dict[str, Reaction]()
-        for r in (r for r in self.plans.reactions.values() if r.plan == plan):
-            if (r.pair.link in links) != (r.pair.other in links):
-                ends = (r.pair.link, r.pair.other) if r.pair.link in links else (r.pair.other, r.pair.link)
-                found[force_name(*ends)] = r
-        return found
-
-    def inner(self, plan: str) -> dict[str, Reaction]:
-        """Those between its links, by both their names."""
-        links, reactions = links_of(plan), self.plans.reactions.values()
-        both = [r for r in reactions if r.plan == plan and r.pair.link in links and r.pair.other in links]
-        ends = [(r, e) for r in both for e in ((r.pair.link, r.pair.other), (r.pair.other, r.pair.link))]
-        return {force_name(*e): r for r, e in ends}
+        """Those of them that act from other links."""
+        return {name: r for name, r in self.own(plan).items() if not {*r.names.values()} <= {*links_of(plan)}}
 
     def balancing(self, plan: str) -> str:
         """What balances the driver, if it is the link of the polygon."""
@@ -120,16 +107,18 @@ class FreeBodies:
                 line = self.plans.means[normal.direction].line
                 yield Split(force, normal, tangential, line, about[name])
 
+    @cached_property
     def drawn(self) -> Json:
         """For a page: by polygon what acts on its links, and both parts of the reactions that are split."""
         found: Json = {}
         for plan in (p for p in self.plans.drawn if kind_of(p) == "force"):
-            forces = [{"name": n, **how, "foot": None} for n, how in self.known(plan) if "mark" in how]
-            couples = [{"name": n, **how} for n, how in self.known(plan) if "link" in how]
+            known = [{"name": n, **how} for n, how in self.known(plan)]
+            forces = [{**how, "foot": None} for how in known if "mark" in how]
+            couples = [how for how in known if "link" in how]
             for one in self.splits(plan):
                 reaction = self.plans.reactions.get(one.force)
                 if reaction:
-                    mark = f"position:{reaction.pair.point}"
+                    mark = at(SCHEME, reaction.pair.point)
                     for t in (one.normal, one.tangential):
                         forces.append({"name": t.name, "mark": mark, "along": t.direction, "size": "", "foot": None})
             found[plan] = {"about": "", "forces": forces, "couples": couples}

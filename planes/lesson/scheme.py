@@ -9,7 +9,6 @@ from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
 from planes.plans import Plans
-from planes.plans.force.loads import force_name
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words.names import at, parts_of, plan_of
 from planes.words.records import Json
@@ -101,8 +100,7 @@ def acting(plans: Plans) -> dict[str, str]:
     found = {f.name: f.point for forces in plans.acting.forces.values() for f in forces}
     for r in plans.reactions.values():
         point = at("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
-        ends = (r.pair.link, r.pair.other), (r.pair.other, r.pair.link)
-        found |= {f"{force_name(*two)}{part}": point for two in ends for part in ("", "^t", "^n")}
+        found |= {f"{name}{part}": point for name in r.names for part in ("", "^t", "^n")}
     return found
 
 
@@ -110,8 +108,7 @@ def related(plans: Plans) -> dict[str, list[str]]:
     """Links and points of the scheme by the names of vectors and values that are theirs."""
     names = {s.name for s in plans.segments} | {t.name for e in plans.equations for t in e.terms}
     names |= {*plans.links, *plans.program.made}
-    pairs = [r.pair for r in plans.reactions.values()]
-    acted_on = {force_name(*ends): ends[0] for p in pairs for ends in ((p.link, p.other), (p.other, p.link))}
+    acted_on = {name: link for r in plans.reactions.values() for name, link in r.names.items()}
     found = {name: _owner(plans, name, acted_on) for name in sorted(names)}
     return {name: [owner] for name, owner in found.items() if owner}
 

@@ -192,10 +192,10 @@ def apart_words(one: LinkApart, key: str) -> Names:
     return {"link": one.link, "force": force, "sum": " + ".join(f"⟨{name}⟩" for name in (*one.known, one.force))}
 
 
-def worded(said: Said | tuple[Row, ...], lang: Lang, rows: tuple[Row, ...], marked: bool) -> str:
-    """What a name of a sentence stands for, in words; its ``rows`` by their numbers where they are ``marked``."""
+def worded(said: Said | tuple[Row, ...], lang: Lang, rows: tuple[Row, ...]) -> str:
+    """What a name of a sentence stands for, in words; a line of reckoning by its number among the ``rows``."""
     if isinstance(said, tuple):
-        return "; ".join(f"⟪{rows.index(row)}⟫" if marked else row.text(lang) for row in said)
+        return "; ".join(f"⟪{rows.index(row)}⟫" for row in said)
     return said(lang) if callable(said) else said
 
 

@@ -1,12 +1,12 @@
 """What can be asked of a mechanism: quantities by name, their numbers, and how each is taken from what is drawn."""
 
 from collections.abc import Iterable, Iterator
+from itertools import permutations
 from typing import NamedTuple
 
 from planes.plans import Plans
 from planes.plans.columns import Column
 from planes.plans.force.derived import Derived, derived, of_laws
-from planes.plans.force.loads import force_name
 from planes.plans.force.reactions import Reaction
 from planes.plans.transfers import transfers
 from planes.scene.mechanism import FRAME
@@ -182,7 +182,7 @@ def _of_slides(plans: Plans) -> Iterator[Quantity]:
 def _of_reactions(plans: Plans) -> Iterator[Quantity]:
     for key, r in plans.reactions.items():
         columns = _reaction(plans, r)
-        for name in (key, force_name(r.pair.other, r.pair.link)):
+        for name in r.names:
             yield Quantity(name, columns, "reactions", key)
 
 
@@ -236,9 +236,7 @@ def _lettered(plans: Plans) -> Iterator[Quantity]:
 
 def _from_the_other_link(plans: Plans, known: Iterable[Quantity]) -> list[Quantity]:
     """Parts of reactions named from the other link of their pair, F_12^t of F_21^t."""
-    pairs = [r.pair for r in plans.reactions.values()]
-    ends = [e for p in pairs for e in ((p.link, p.other), (p.other, p.link))]
-    turned = {force_name(on, by): force_name(by, on) for on, by in ends}
+    turned = {one: two for r in plans.reactions.values() for one, two in permutations(r.names, 2)}
     parts = ((q, *parts_of(q.name)) for q in known)
     own = ((q, turned.get(f"{letter}_{index}"), part) for q, letter, index, part in parts if part)
     return [q._replace(name=f"{name}^{part}") for q, name, part in own if name]

@@ -13,7 +13,7 @@ from planes.words.records import Json
 from render.page import packer, web_page
 from render.paper.letters import NAME, written
 
-SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest", "mm")} | {
+SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
     key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad")
 }
 """Words of the page that stand in other tables."""

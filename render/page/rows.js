@@ -36,7 +36,7 @@ function setLine(r, key) { // name = letters = numbers = value unit, each a piec
   if (r.kind === "measured" && filled(r.letters) === "0")
     return math(added(name, key)) + `<span>${say("too_small")}</span>`;
   if (r.kind === "measured") {
-    const mm = `${added(filled(r.letters), key)}<mspace width=".2em"/><mtext>${safe(say("mm"))}</mtext>`;
+    const mm = `${added(filled(r.letters), key)}<mspace width=".2em"/><mtext>${safe(say("millimetres"))}</mtext>`;
     const by = r.numbers.slice(2);
     const read = r.numbers[0] === "/" ? `<mfrac><mrow>${mm}</mrow><mrow>${added(filled(by), key)}</mrow></mfrac>`
       : `${mm}<mo>·</mo>${added(filled(by), key)}`;

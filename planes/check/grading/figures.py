@@ -32,9 +32,9 @@ Written = tuple[str, float, str]  # a name, a value and its unit, as written
 Figures = tuple[list[WrittenNumber], list[str]]  # those of a table, and the names that mean nothing here
 
 
-def result_figures(known: Mapping[str, Quantity], names: Names, written: Iterable[tuple[str, float, str]]) -> Figures:
-    """Figures of a table of results; a name of two that are one quantity means that."""
-    read = [(names.meant(text), text, value * (unit_factor(unit) or 1.0)) for text, value, unit in written]
+def result_figures(known: Mapping[str, Quantity], names: Names, written: Iterable[tuple[str, float]]) -> Figures:
+    """Figures of a table of results, in SI; a name of two that are one quantity means that."""
+    read = [(names.meant(text), text, value) for text, value in written]
     sure = {text: n[0] for n, text, _ in read if len({known[one].path for one in n}) == 1}
     figures = [figure(n, known[n], value) for _, text, value in read if (n := sure.get(text))]
     return figures, [text for _, text, _ in read if text not in sure]
@@ -45,8 +45,9 @@ def read_results(
 ) -> tuple[list[WrittenNumber], list[str], list[Phrase]]:
     """The figures of a table of results; the names of what could not be understood, or is asked and not there; and
     what is said of the former."""
-    strange = {name: unit for name, _, unit in written if unit_factor(unit) is None}
-    figures, unknown = result_figures(known, names, [row for row in written if row[0] not in strange])
+    read = [(name, value, unit, unit_factor(unit)) for name, value, unit in written]
+    strange = {name: unit for name, _, unit, factor in read if factor is None}
+    figures, unknown = result_figures(known, names, [(name, value * by) for name, value, _, by in read if by])
     notes = [Phrase("check_unit", name=name, unit=unit) for name, unit in strange.items()]
     notes += [Phrase("check_unknown_results", names=", ".join(unknown))] if unknown else []
     given = {known[f.name].path for f in figures}

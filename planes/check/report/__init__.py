@@ -164,8 +164,8 @@ def redo_told(found: Outcome, lang: Lang) -> str:
 
 def title(found: Outcome, lang: Lang) -> str:
     """The plan (or that these are results) and the scene."""
-    scene, of_plan = found.bench.asked.scene, found.grading or found.segments or not found.results
-    head = title_of(found.bench.asked.plan, lang) if of_plan else say("check_numbers", lang)
+    scene = found.bench.asked.scene
+    head = say("check_numbers", lang) if found.alone else title_of(found.bench.asked.plan, lang)
     return f"{head}: {scene.title.get(lang, '') or scene.file}"
 
 

@@ -95,8 +95,7 @@ class ClassRow:
 
 
 def _plan_said(found: Outcome, lang: Lang) -> str:
-    alone = found.results and not (found.grading or found.segments)
-    return say("check_numbers", lang) if alone else say_plan(found.bench.asked.plan, lang)
+    return say("check_numbers", lang) if found.alone else say_plan(found.bench.asked.plan, lang)
 
 
 def rank(one: Checked) -> int:

@@ -37,6 +37,12 @@ class Reaction:
     friction: str = ""
     power: str = ""
 
+    @property
+    def names(self) -> dict[str, str]:
+        """Both its names, each with the link it acts on."""
+        one, two = self.pair.link, self.pair.other
+        return {force_name(one, two): one, force_name(two, one): two}
+
 
 @dataclass
 class Statics:
