@@ -26,12 +26,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from planes.batch.table import Table
-    from planes.documents.face import animate, check, cycle, extremes, lesson, picture, sheet, solve
+    from planes.documents.face import animate, check, cycle, extremes, lesson, picture, sheet
     from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
     from planes.scene import Scene, load, loads
     from planes.scene.building import Linkage
     from planes.solving import Position
+    from planes.solving.of_scene import solve
     from planes.words.errors import PlanesError
 
 __version__ = "0.10.0"
@@ -39,7 +40,8 @@ __version__ = "0.10.0"
 _FROM = {
     "planes.scene": ("Scene", "load", "loads"),
     "planes.scene.building": ("Linkage",),
-    "planes.documents.face": ("animate", "check", "cycle", "extremes", "lesson", "picture", "sheet", "solve"),
+    "planes.documents.face": ("animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"),
+    "planes.solving.of_scene": ("solve",),
     "planes.drafting.instruments": ("Exact", "Pencil"),
     "planes.solving": ("Position",),
     "planes.batch.table": ("Table",),

@@ -45,7 +45,8 @@ from typing import Any
 import numpy as np
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle, compiled
+from planes.batch import compiled
+from planes.batch.cycle import Cycle
 from planes.batch.error_bounds import Claims
 from planes.batch.tracing import given_values
 from planes.drafting.drawing import run

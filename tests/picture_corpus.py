@@ -17,8 +17,8 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from planes.check import Outcome, check
 from planes.check.blank import blank_pole
+from planes.check.outcome import Outcome, check
 from planes.check.vision.photograph import paper_of_picture
 from planes.words.names import label_of
 from tests import confusion

@@ -8,8 +8,8 @@ import numpy as np
 
 from planes.accuracy.baselines import Loops, differences
 from planes.accuracy.digits import Digits
-from planes.batch import CHUNK, Cycle
-from planes.batch.tape import read
+from planes.batch.array_ops import read
+from planes.batch.cycle import CHUNK, Cycle
 from planes.batch.tracing import given_values
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Instrument

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.batch.error_bounds import Margins
 from planes.batch.slopes import SLOPES, STIFF, Carrying, Values
 from planes.batch.table import Ready

@@ -12,10 +12,11 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from planes.batch.array_ops import read
 from planes.batch.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
 from planes.batch.slopes import STIFF, Carrying, Parts, Values, times
 from planes.batch.table import Ready, sides_of
-from planes.batch.tape import Tape, read
+from planes.batch.tape import Tape
 from planes.batch.tracing import Trace, given_values, trace
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.plans.position.decimals import Lost

@@ -7,7 +7,8 @@ from itertools import count
 
 import numpy as np
 
-from planes.batch.tape import OPS, TESTS, read
+from planes.batch.array_ops import OPS, read
+from planes.batch.tape import TESTS
 from planes.batch.tracing import Trace
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Booleans, Floats, Indices

@@ -1,16 +1,57 @@
 """A tape as a page reads it: plain data, in the arithmetic of a page, with nothing that no wanted number depends on."""
 
 import math
-from collections.abc import Iterable
+import operator
+from collections.abc import Callable, Iterable, Mapping
 
 from planes.batch.symbols import Num, Vec
-from planes.batch.tape import Tape
+from planes.batch.tape import Op, Tape
 from planes.batch.tracing import Recording, Source
-from planes.geometry.arithmetic import Real
+from planes.geometry.arithmetic import Real, gap
+from planes.geometry.listed import greater, less
 from planes.words.records import Json
 
 DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
 """Of numbers as a page reads them: five bits each, the lowest first, 32 more where another follows."""
+
+
+def _tried(act: Callable[..., float]) -> Callable[..., float]:
+    """A function, NaN where it has no value."""
+
+    def value(*numbers: float) -> float:
+        try:
+            return act(*numbers)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return math.nan
+
+    return value
+
+
+PLAIN: Mapping[str, Op] = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "inv": _tried(lambda a: 1 / a),
+    "neg": operator.neg,
+    "abs": abs,
+    "sqrt": lambda a: math.sqrt(a) if a > 0 else a * 0,
+    "hypot": math.hypot,
+    "sin": _tried(math.sin),
+    "cos": _tried(math.cos),
+    "atan2": math.atan2,
+    "floor": _tried(math.floor),
+    "gap": gap,
+    "max": greater,
+    "min": less,
+    "sel": lambda ok, a, b: a if ok else b,
+    "lt": operator.lt,
+    "le": operator.le,
+    "eq": operator.eq,
+    "and": lambda a, b: bool(a) and bool(b),
+    "or": lambda a, b: bool(a) or bool(b),
+    "not": operator.not_,
+}
+"""The operations of a tape by Python's own floats, a position at a time."""
 
 
 class PlainRecording(Recording):

@@ -9,7 +9,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from planes.batch import Block, Reason
+from planes.batch.cycle import Block, Reason
 from planes.geometry.arrays import Array
 from planes.scene.files import sayable, whole
 from planes.words import Phrase

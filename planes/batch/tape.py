@@ -6,9 +6,7 @@ numbers: floats, numpy arrays, or any an arithmetic knows. Others compile it (``
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-
-from planes.geometry.arithmetic import Real, gap
+from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Floats
 
 Args = tuple[int, ...]
@@ -64,54 +62,25 @@ class Tape:
         return frozenset(moved)
 
 
-Number = Real  # of a tape being read: an array, or a longer number
+Number = Real  # of a tape being read: a float, an array, or a longer number
 Op = Callable[..., Number]
-OPS: dict[str, Op] = {  # of numpy's own, which can be told where to leave what they make, but for three
-    "add": np.add,
-    "sub": np.subtract,
-    "mul": np.multiply,
-    "inv": np.reciprocal,
-    "neg": np.negative,
-    "abs": np.abs,
-    "sqrt": lambda a: np.sqrt(np.maximum(a, 0.0)),
-    "hypot": np.hypot,
-    "sin": np.sin,
-    "cos": np.cos,
-    "atan2": np.arctan2,
-    "floor": np.floor,
-    "gap": gap,
-    "max": np.maximum,
-    "min": np.minimum,
-    "sel": np.where,
-    "lt": np.less,
-    "le": np.less_equal,
-    "eq": np.equal,
-    "and": np.logical_and,
-    "or": np.logical_or,
-    "not": np.logical_not,
-}
 
 
-def read(
+def reckoned(
     tape: Tape,
     order: Iterable[int],
     given: Mapping[str, Floats],
-    real: Callable[[Floats], Number] = np.float64,
-    ops: Mapping[str, Op] = OPS,
+    real: Callable[[Floats], Number],
+    ops: Mapping[str, Op],
 ) -> dict[int, Number]:
     """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
     are 0."""
     found: dict[int, Number] = {}
-    with np.errstate(all="ignore"):
-        for place in order:
-            op, args = tape.ops[place]
-            if op == "given":
-                found[place] = real(given[tape.values[place]])
-            elif op == "source":
-                found[place] = real(0.0)
-            elif op == "const":
-                value = tape.values[place]
-                found[place] = np.bool_(value) if isinstance(value, bool) else real(value)
-            else:
-                found[place] = ops[op](*(found[a] for a in args))
+    for place in order:
+        op, args = tape.ops[place]
+        if op in LEAVES:
+            leaf = tape.values[place]
+            found[place] = real(given[leaf] if op == "given" else leaf if op == "const" else 0.0)
+        else:
+            found[place] = ops[op](*(found[a] for a in args))
     return found

@@ -6,11 +6,11 @@ from argparse import Namespace
 from dataclasses import replace
 from itertools import chain
 
-from planes.check import STATUS, Outcome
-from planes.check import check as judge
 from planes.check.grading.paper import Known, read_table
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare
 from planes.check.handed_in import read_paper
+from planes.check.outcome import STATUS, Outcome
+from planes.check.outcome import check as judge
 from planes.check.report import as_json, chance_told, heads, numbers_of, rows_of
 from planes.drafting.skill import HAND, cad
 from planes.plans.statements.of_scene import scene_plans

@@ -3,9 +3,9 @@
 from argparse import Namespace
 from pathlib import Path
 
-from planes.check import check as judge
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import LINES, PICTURES, PRACTICE, TABLES, HandedSheet, read_paper, sheets_in
+from planes.check.outcome import check as judge
 from planes.cli.asking import ask, judge_results, known_of, mu_asked, said
 from planes.cli.class_check import check_class
 from planes.cli.commands import scene_of

@@ -9,9 +9,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planes.check import Outcome
-from planes.check import check as judge
 from planes.check.handed_in import HandedSheet, marks_of
+from planes.check.outcome import Outcome
+from planes.check.outcome import check as judge
 from planes.check.report import Checked
 from planes.cli.asking import ask, known_of, mu_asked, said
 from planes.cli.options import value_of

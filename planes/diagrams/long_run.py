@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.batch import Block, Cycle, Reason
+from planes.batch.cycle import Block, Cycle, Reason
 from planes.batch.streams import TableHead, opened
 from planes.diagrams.curves import Curve
 from planes.diagrams.turn import WholeTurn

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from planes.batch import CHUNK, Block, Cycle, Reason, pays
+from planes.batch.cycle import CHUNK, Block, Cycle, Reason, pays
 from planes.batch.table import columns_of
 from planes.diagrams.curves import FULL, UNIT, Curve, CycleVector, WorkingRange, arrows_of, curves_of, named, needs_of
 from planes.geometry.arrays import Array, Booleans, Indices

@@ -5,10 +5,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from planes.check import Outcome, report
+from planes.check import report
 from planes.check.blank import blank_pole, roomy
 from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare
+from planes.check.outcome import Outcome
 from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark

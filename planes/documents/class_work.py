@@ -16,8 +16,9 @@ from os.path import relpath
 from pathlib import Path
 from urllib.parse import quote
 
-from planes.check import STATUS, report
+from planes.check import report
 from planes.check.handed_in import HandedSheet
+from planes.check.outcome import STATUS
 from planes.check.report import Checked
 from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns, typed
 from planes.course.handed_out import Task, of_several

@@ -3,28 +3,26 @@
 from collections.abc import Iterable, Mapping
 from itertools import product
 from pathlib import Path
-from typing import Any, overload
+from typing import Any
 
 import numpy as np
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.batch.table import SWEPT, Table
-from planes.check import Outcome
-from planes.check import check as judge
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import read_paper
+from planes.check.outcome import Outcome
+from planes.check.outcome import check as judge
 from planes.documents import animation, picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
-from planes.drafting.instruments import Instrument
 from planes.plans.quantities import asked as asked_for
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.building import Linkage
 from planes.scene.ranges import asked_of_drive
-from planes.solving import Position, Solved, plans_of, position
-from planes.solving import solve as solve_each
+from planes.solving.of_scene import read
 from planes.words import Lang, home_lang
 from planes.words.names import kind_of
 from planes.words.records import Json
@@ -32,52 +30,7 @@ from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet
 
-__all__ = ["animate", "check", "cycle", "extremes", "lesson", "picture", "sheet", "solve"]
-
-Numbers = Iterable[float]
-
-
-def read(scene: Scene | Linkage) -> Scene:
-    """A scene, or the scene of a mechanism built in Python."""
-    return scene.scene() if isinstance(scene, Linkage) else scene
-
-
-@overload
-def solve(
-    scene: Scene | Linkage, phi: float | None = None, *, s: float | None = None, instrument: Instrument | None = None
-) -> Position: ...
-@overload
-def solve(
-    scene: Scene | Linkage,
-    phi: Numbers | None = None,
-    *,
-    s: Numbers | None = None,
-    instrument: Instrument | None = None,
-) -> Solved: ...
-def solve(
-    scene: Scene | Linkage, phi: Any = None, *, s: Any = None, instrument: Instrument | None = None
-) -> Position | Solved:
-    """Draw and measure one position, or each of several.
-
-    ``phi`` (degrees; ``s``, in m, where the driver slides) is one value or an iterable of them; left out, it is the
-    scene's own. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give a
-    :class:`Solved`: ``positions`` are those that could be drawn, ``failed`` says why the others could not.
-
-    >>> import planes
-    >>> scene = planes.load("samples/kind-1-rrr.yaml")
-    >>> here = planes.solve(scene, phi=60)
-    >>> round(abs(here.v["C"]), 4)  # m/s
-    1.2077
-    >>> [round(p.value("omega_2"), 3) for p in planes.solve(scene, range(0, 90, 30)).positions]  # rad/s
-    [-0.902, 0.684, 2.553]
-    """
-    scene = read(scene)
-    at = asked_of_drive(scene, phi, s)
-    if isinstance(at, Iterable):
-        return solve_each(scene, [float(x) for x in at], instrument, home_lang())
-    plans, wanted = plans_of(scene)
-    value = plans.mechanism.drive.position if at is None else float(at)
-    return position(scene, plans, wanted, value, instrument, home_lang())
+__all__ = ["animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"]
 
 
 def cycle(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from planes.batch.table import Table
-from planes.check import Outcome
+from planes.check.outcome import Outcome
 from planes.check.report import heads, numbers_of, rows_of
 from planes.documents import picture, shown
 from planes.plans import structure_of

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.batch.table import columns_of
 from planes.diagrams.curves import FULL, WorkingRange, curves_of, driven, output_curves
 from planes.diagrams.motion import dead_points, driven_grid

@@ -77,9 +77,7 @@ def reached(
     shapes = [v.shape for v in given.values() if hasattr(v, "shape") and v.shape]
     tool = by.tool(bool(shapes))
     if shapes:
-        import numpy
-
-        tool.shape = numpy.broadcast_shapes(*shapes)
+        tool.shape = tool.ar.shape_of(shapes)
     drawing = Drawing(program, {name: tool.spread(tool.given(value)) for name, value in given.items()}, tool)
     try:
         draw_steps(program.steps, drawing.things, tool)
@@ -97,7 +95,7 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
     """
     name, made = "", {}
     try:
-        with tool.quiet():
+        with tool.ar.quiet():
             for step in steps:
                 name = step.makes
                 made[name] = tool.make(step, instead.get(name, (step,)), things)
@@ -125,7 +123,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]
     """Refuse, or mask, what is apart by more than drawings a thousand times blunter can tell."""
     tool, blunter = drawing.tool, None
     apart, shown = [], Facts(drawing.things, tool.ar)
-    with tool.quiet():
+    with tool.ar.quiet():
         for proof in proofs:
             gap, size = proof.compared(shown)
             wrong = tool.spread(gap > TOLD_APART * size + LEAST)
@@ -151,7 +149,7 @@ def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Mapping[str, 
 
 def _doubt(blunter: list[Mapping[str, Thing]], proof: Proof, gap: Real, size: Real, tool: Tool) -> Real:
     """How much they move a gap; without end where there are none, or where they are of another size altogether."""
-    with tool.quiet():
+    with tool.ar.quiet():
         drawn = [proof.compared(Facts(things, tool.ar)) for things in blunter]
         moved = [tool.ar.where(abs(big - size) > size / 2, math.inf, abs(off - gap)) for off, big in drawn]
         return reduce(tool.ar.maximum, moved) if moved else math.inf

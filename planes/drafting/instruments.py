@@ -12,6 +12,7 @@ from typing import Any, Protocol
 from planes.drafting.skill import PENCIL, RULER_MM
 from planes.drafting.tools import Env, Step, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real
+from planes.geometry.listed import ListArithmetic
 from planes.words.frozen import frozen
 
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
@@ -34,6 +35,15 @@ class Exact:
 
     def tool(self, many: bool) -> Tool:
         return Tool(_arithmetic(many), many)
+
+
+@frozen
+class InLists:
+    """No error but rounding, many positions in lists of Python's own numbers (:mod:`planes.geometry.listed`): slower
+    than numpy, and there without it. What is drawn is not proved."""
+
+    def tool(self, many: bool) -> Tool:
+        return Tool(ListArithmetic() if many else Arithmetic(), many)
 
 
 def is_exact(instrument: Instrument | None) -> bool:

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -66,23 +65,13 @@ class Tool:
         method."""
         if not self.shape or getattr(thing, "shape", None) == self.shape:
             return thing
-        import numpy
-
-        return numpy.broadcast_to(thing, self.shape)
+        return self.ar.spread(thing, self.shape)
 
     def masked(self, thing: Thing, step: Step, before: int) -> Thing:
         """What a step made of many drawings, NaN in those that failed since there were ``before`` failures."""
         for _, _, ok, _ in self.failures[before:]:
             thing = self.ar.where(ok, thing, math.nan if step.kind == "value" else NOWHERE)
         return thing
-
-    def quiet(self) -> AbstractContextManager[None]:
-        """Where arrays say nothing of numbers that are none: masks tell of them."""
-        if not self.many:
-            return nullcontext()
-        import numpy
-
-        return numpy.errstate(all="ignore")
 
     def mark(self, place: Point) -> Point:
         """A mark made on the paper: exact, or off by a pencil's width."""

@@ -7,7 +7,8 @@ is itself a float (D. E. Knuth; T. J. Dekker, A floating-point technique for ext
 
 import cmath
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from contextlib import AbstractContextManager, nullcontext
 from typing import Any, TypeVar
 
 from planes.geometry.arrays import Array
@@ -113,6 +114,18 @@ class Arithmetic:
         """(r + s)² - |d - c|², with all its digits."""
         return float(gap(c.real, c.imag, d.real, d.imag, r, s))
 
+    def shape_of(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
+        """The shape of all that is drawn at once."""
+        return max(shapes)
+
+    def spread(self, thing: Any, shape: tuple[int, ...]) -> Any:
+        """A constant, as many times as there are positions."""
+        return thing
+
+    def quiet(self) -> AbstractContextManager[None]:
+        """Where nothing is said of numbers that are none."""
+        return nullcontext()
+
 
 class Many(Arithmetic):
     """numpy arrays: many positions at once, the same formulas."""
@@ -157,6 +170,15 @@ class Many(Arithmetic):
 
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         return gap(c.real, c.imag, d.real, d.imag, r, s)
+
+    def shape_of(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
+        return self.np.broadcast_shapes(*shapes)
+
+    def spread(self, thing: Any, shape: tuple[int, ...]) -> Any:
+        return self.np.broadcast_to(thing, shape)
+
+    def quiet(self) -> AbstractContextManager[None]:
+        return self.np.errstate(all="ignore")
 
 
 def two_sum(a: N, b: N) -> tuple[N, N]:

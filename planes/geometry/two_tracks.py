@@ -8,18 +8,21 @@ counted exactly.
 """
 
 import cmath
+import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import pairwise
+from functools import reduce
+from itertools import pairwise, product
 from math import comb, gcd, lcm
 
-from planes.geometry.arrays import Array
+from planes.geometry.arithmetic import EPS
 from planes.geometry.real_roots import Line, caught, isolated
 from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced
 
 SLANT = (53, 31)  # u = 53x + 31y is what is left: no two crossings of a symmetrical figure have the same
 STEPS = 40
+SETTLING = 200  # rounds, of which a pair of near roots needs fifty
 Plane = dict[tuple[int, int], int]  # a polynomial in x and y: whole coefficients by powers
 
 
@@ -152,12 +155,9 @@ def _determinant(rows: list[list[int]]) -> int:
 
 def _posed(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> Iterator[Pose]:
     """The pose where both tracks have the same u, by Newton's steps; nothing where they do not settle there."""
-    import numpy
-
     one, two = (_roots(_in_y(track, u), unit) for track in tracks)
-    apart = numpy.abs(one[:, None] - two[None, :])
-    k, m = numpy.unravel_index(int(apart.argmin()), apart.shape)
-    y = float((one[k] + two[m]).real) / 2
+    a, b = min(product(one, two), key=lambda pair: abs(pair[0] - pair[1]))
+    y = (a + b).real / 2
     at, size = float(u / unit), max(abs(t.place) + abs(t.local) + abs(t.reach) for t in ties)
     hinge = complex((at - SLANT[1] * y) / SLANT[0], y)
     pose: Pose = (hinge, *(_axis([t for t in ties if t.link == side], hinge) for side in (0, 1)))
@@ -172,12 +172,26 @@ def _posed(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> 
         yield pose
 
 
-def _roots(poly: list[int | Fraction], unit: int) -> Array:
-    import numpy
-
+def _roots(poly: list[int | Fraction], unit: int) -> list[complex]:
+    """All roots, near enough to begin Newton's steps (Weierstrass; Durand, Solutions numériques, 1960)."""
     scaled = [Fraction(q) * unit**k for k, q in enumerate(poly)]
     most = max(map(abs, scaled))
-    return numpy.asarray(numpy.roots([float(q / most) for q in reversed(scaled)]))
+    shares = [float(q / most) for q in scaled]
+    while shares and not shares[-1]:
+        shares.pop()
+    size = 1 + max(abs(q / shares[-1]) for q in shares)
+    found = [size * cmath.rect(0.5, 0.4 + 2 * math.pi * k / (len(shares) - 1)) for k in range(len(shares) - 1)]
+    for _ in range(SETTLING):
+        most_moved = 0.0
+        for k, z in enumerate(found):
+            value = reduce(lambda sum_, q: sum_ * z + q, reversed(shares), 0j)
+            apart = math.prod((z - other for j, other in enumerate(found) if j != k), start=complex(shares[-1]))
+            step = value / apart if apart else 0j
+            found[k] = z - step
+            most_moved = max(most_moved, abs(step) / size)
+        if most_moved < EPS:
+            break
+    return found
 
 
 def _axis(ties: Sequence[Tie], hinge: complex) -> complex:

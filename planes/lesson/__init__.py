@@ -14,7 +14,7 @@ from planes.geometry.arrays import Floats
 from planes.lesson.formulas import SLOT, UNITS, in_both, mu_said, slot
 from planes.lesson.frame import Frame, in_chapters
 from planes.lesson.free_bodies import FreeBodies
-from planes.lesson.moments import moment_words
+from planes.lesson.moments import many, moment_words
 from planes.lesson.reckoning import Reckoning
 from planes.lesson.rows import Row, reckoned
 from planes.lesson.stated import StatedWords, last_marks
@@ -91,11 +91,8 @@ class Teller:
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
-        import numpy
-
         own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and shown_on(s) == plan]
-        sizes = [numpy.abs(numpy.atleast_1d(self.cycle[m])) for m in own]
-        return all(float(numpy.nanmax(z)) < 1e-6 for z in sizes if not numpy.all(numpy.isnan(z)))
+        return all(not size >= 1e-6 for mark in own for size in many(abs(self.cycle[mark])))
 
     def shown(self, step: s.Step) -> bool:
         """Whether a step has a frame of its own."""

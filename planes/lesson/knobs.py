@@ -1,16 +1,14 @@
 """Which given numbers of a lesson a reader may change, how far, and what a dragged mark changes."""
 
+import random
 from collections.abc import Mapping
 from functools import cached_property, partial
-
-import numpy
 
 from planes.drafting.steps import LayOff, Put, Similar, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.tracks import CutTrack
 from planes.drafting.tools import Thing
-from planes.geometry.arithmetic import Many
-from planes.geometry.arrays import Array, Complexes
+from planes.geometry.listed import ListArithmetic, Listed
 from planes.lesson.dimensions import FreeNumbers
 from planes.lesson.formulas import in_both, unit
 from planes.plans import Plans
@@ -71,18 +69,18 @@ class Knobs:
         same = [mu_of(p) for p in CARRIED if mu_of(p) in self.given]
         return [mu for mu in same if mu != given] if given in same else []
 
-    def shaken(self, count: int, leaning: bool = False) -> dict[str, Array | Complexes]:
-        """Given numbers by many others near them: an array for each, every second as it is, since what hangs together
+    def shaken(self, count: int, leaning: bool = False) -> dict[str, Listed]:
+        """Given numbers by many others near them: a list for each, every second as it is, since what hangs together
         by many links may have no place with others. Guides keep their directions, but where they are ``leaning``."""
-        moved = numpy.arange(count) % 2
-        draw, flat = numpy.random.default_rng(1), {n: numpy.full(count, v) for n, v in self.free.home.items()}
+        draw, flat = random.Random(1), {n: Listed([v] * count) for n, v in self.free.home.items()}
         for knob in self.all:
-            times = 1 + SHAKEN * moved * draw.uniform(-1, 1, count) * (leaning or "stays" not in knob)
+            most = SHAKEN * (leaning or "stays" not in knob)
+            times = Listed(1 + most * draw.uniform(-1, 1) * (k % 2) for k in range(count))
             flat[knob["given"]] = flat[knob["given"]] + (times - 1) * knob.get("reach", 0.0)
             for name in (knob["given"], *knob["tied"]):
                 flat[name] = flat[name] * times
-        whole = self.free.given_by(flat, Many())
-        return {n: z for n, z in whole.items() if numpy.ptp(abs(z)) > 0}
+        given = self.free.given_by(flat, ListArithmetic())
+        return {n: z for n, z in given.items() if isinstance(z, Listed) and max(abs(z)) > min(abs(z))}
 
     def told(self, given: str, axis: str) -> str:
         """The name a number is told by, "" where it is not offered."""

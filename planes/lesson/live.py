@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 from functools import partial
 from types import MappingProxyType
 
-from planes.batch.plain_tape import PlainRecording, exported
+from planes.batch.plain_tape import PLAIN, PlainRecording, exported
 from planes.batch.symbols import place_of
-from planes.batch.tape import Tape, read
+from planes.batch.tape import Tape, reckoned
 from planes.batch.tracing import TracingTool
 from planes.drafting.drawing import Drawing, draw_steps
 from planes.drafting.steps import Step
@@ -57,7 +57,9 @@ class Live:
     def numbers_of(self, things: Mapping[str, Thing], given: Mapping[str, Floats]) -> dict[str, complex]:
         """Marks and values of the tape with those numbers."""
         places = {n: self._places(z) for n, z in things.items()}
-        numbers = read(self.tape, self.tape.needed([p for own in places.values() for p in own]), given)
+        numbers = reckoned(
+            self.tape, self.tape.needed([p for own in places.values() for p in own]), given, float, PLAIN
+        )
         return {n: complex(*(float(numbers[p]) for p in own)) for n, own in places.items()}
 
     def failures(self, drive: str, symbol: str) -> list[tuple[Thing, dict[Lang, str]]]:

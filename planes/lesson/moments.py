@@ -1,11 +1,13 @@
 """The words of a moment equation: its terms with their arms and numbers, without those that are nothing."""
 
-import numpy
+import math
+from functools import partial, reduce
+from typing import Any
 
 from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Calculate, Product
-from planes.geometry.arrays import Floats
+from planes.geometry.listed import Listed, each, greater
 from planes.lesson.formulas import by_sense, slot
 from planes.lesson.rows import Row
 from planes.lesson.steps import Names
@@ -32,7 +34,7 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
 
     def size(name: str) -> str:
         told = f"⟨{forces.get(name, name)}⟩"
-        return f"∣{told}∣" if parts_of(name)[0] not in ARMS and numpy.any(cycle[name] < 0) else told
+        return f"∣{told}∣" if parts_of(name)[0] not in ARMS and any(x < 0 for x in many(cycle[name])) else told
 
     reaction = m.unknown if over and over == m.arm else ""  # a force is positive as it acts, a couple to the left
     letters, numbers = by_sense(step, size, over, m.arm, dropped, reaction)
@@ -45,22 +47,24 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
 def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
     """Which terms are nothing beside the largest, in every position."""
     sizes = [_size(term, cycle) for term in step.terms]
-    most = NOISE * numpy.maximum.reduce(numpy.broadcast_arrays(0.0, *sizes))
-    return frozenset(i for i, size in enumerate(sizes) if numpy.all((size <= most) | numpy.isnan(most)))
+    most = NOISE * reduce(partial(each, greater), sizes, 0.0)
+    return frozenset(i for i, size in enumerate(sizes) if many((size <= most) | (most != most)).all())
 
 
 def passes(arm: str, cycle: Drawing) -> bool:
     """Whether a force passes through the point of its moments in every position: its arm there is nothing."""
-    found = numpy.abs(cycle[arm]) if arm else numpy.array([])
-    known = found[numpy.isfinite(found)]
-    return known.size > 0 and float(known.max()) <= NOISE
+    known = [x for x in many(abs(cycle[arm])) if math.isfinite(x)] if arm else []
+    return bool(known) and max(known) <= NOISE
 
 
-def _size(term: Product, cycle: Drawing) -> Floats:
+def many(thing: Any) -> Listed:
+    """A thing of many positions, or of one."""
+    return thing if isinstance(thing, Listed) else Listed([thing])
+
+
+def _size(term: Product, cycle: Drawing) -> Any:
     """How large a term is, but for what it is divided by."""
-    above = [numpy.asarray(cycle[name], float) ** power for name, power in term.factors if power > 0]
-    size: Floats = abs(term.coefficient * numpy.prod(numpy.broadcast_arrays(1.0, *above), axis=0))
-    return size
+    return abs(math.prod((cycle[name] ** power for name, power in term.factors if power > 0), start=term.coefficient))
 
 
 def _links(m: Moments, lang: Lang) -> str:

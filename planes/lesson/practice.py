@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from hashlib import sha256
 
-from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
 from planes.check.grading.prepared_plan import catalogue, known_plans
+from planes.check.grading.variants import Variant
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import Image, LayOff, Similar, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs

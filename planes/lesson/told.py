@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from functools import cached_property
 
-import numpy
-
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
+from planes.drafting.instruments import InLists
 from planes.drafting.tools import Thing
+from planes.geometry.listed import Listed
 from planes.lesson import Teller, value_of
 from planes.lesson.formulas import in_both
 from planes.lesson.frame import Frame, needed
@@ -84,8 +84,9 @@ def _cycle(knobs: Knobs, leaning: bool = False) -> Drawing:
     """The drawing of many positions and of numbers near those of the scene."""
     plans = knobs.plans
     drive = drive_of(plans)
-    values = numpy.linspace(drive["from"], drive["to"], TRIED, endpoint=False)
-    return run(plans.program, {**knobs.given, **knobs.shaken(TRIED, leaning), plans.drive_given: values})
+    start, reach = drive["from"], drive["to"] - drive["from"]
+    values = Listed(start + reach * k / TRIED for k in range(TRIED))
+    return run(plans.program, {**knobs.given, **knobs.shaken(TRIED, leaning), plans.drive_given: values}, InLists())
 
 
 def drive_of(plans: Plans) -> Json:
@@ -97,7 +98,7 @@ def drive_of(plans: Plans) -> Json:
     if not plans.moves:
         return {**told, "from": drive.position, "to": drive.position}
     try:
-        plans.at(drive.position + numpy.ones(1))
+        plans.at(drive.position + 1.0)
     except SceneError as law:  # a number that holds where the drive stands in the file alone
         return {**told, "from": drive.position, "to": drive.position, "held": in_both(PlanesError(law.phrase).told)}
     return {**told, "from": start - reach, "to": start + (reach or 360.0)}

@@ -14,7 +14,8 @@ from types import MappingProxyType
 from typing import Any, TypeVar
 
 from planes.drafting.drawing import run
-from planes.geometry.arrays import Array
+from planes.drafting.instruments import InLists
+from planes.geometry.listed import Listed
 from planes.scene.mechanism import FRAME, Assembly, Link, Mechanism
 from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
@@ -79,8 +80,6 @@ def _without(mechanism: Mechanism, gone: Sequence[Link]) -> Mechanism:
 
 def _held(plans: Any, link: Link) -> bool:
     """Whether what a link held keeps its distance without it."""
-    import numpy
-
     drive, points = plans.mechanism.drive, [p for p in link.points if p in plans.mechanism.names]
     if len(points) != (1 if link.slides else 2):  # it hangs on another that is left out
         return False
@@ -88,22 +87,18 @@ def _held(plans: Any, link: Link) -> bool:
     reach = NEAR_DEG if drive.kind == "phi" else NEAR * plans.reach
     held = False
     for side in (1.0, -1.0):  # a dead point, beyond which it is assembled otherwise, may be near
-        values = drive.position + side * numpy.linspace(0.0, reach, PLACES)
-        drawn = run(program, {**plans.given, "mu_position": 1.0, plans.drive_given: values})
-        spots = [numpy.broadcast_to(numpy.asarray(drawn[at("position", p)]), values.shape) for p in points]
-        off = _off(plans.mechanism, link, spots)
-        works = numpy.isfinite(off)
-        held |= bool(works.sum() >= LEAST and (abs(off[works]) <= SAME * plans.reach).all())
+        values = Listed(drive.position + side * reach * k / (PLACES - 1) for k in range(PLACES))
+        drawn = run(program, {**plans.given, "mu_position": 1.0, plans.drive_given: values}, InLists())
+        apart = [x for x in _off(plans.mechanism, link, [drawn[at("position", p)] for p in points]) if x == x]
+        held |= len(apart) >= LEAST and max(map(abs, apart)) <= SAME * plans.reach
     return held
 
 
-def _off(mechanism: Mechanism, link: Link, spots: Sequence[Array]) -> Array:
+def _off(mechanism: Mechanism, link: Link, spots: Sequence[Listed]) -> Listed:
     """How far what a link held is from where it held it."""
     if link.slides:
         guide = mechanism.guide(link.slides.guide)
         along = cmath.rect(1.0, math.radians(guide.angle_deg))
-        across: Array = ((spots[0] - guide.through) * along.conjugate()).imag.astype(float)
-        return across - (link.slides.offset or 0.0)
+        return ((spots[0] - guide.through) * along.conjugate()).imag - (link.slides.offset or 0.0)
     one, other = (link.points[p] for p in link.points if p in mechanism.names)
-    apart: Array = abs(spots[1] - spots[0])
-    return apart - abs(other - one)
+    return abs(spots[1] - spots[0]) - abs(other - one)

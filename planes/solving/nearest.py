@@ -2,6 +2,7 @@
 
 import math
 from decimal import Decimal
+from importlib.util import find_spec
 
 from planes.geometry.arrays import Array
 from planes.plans import Plans
@@ -38,7 +39,10 @@ class Nearest:
         self.gaps: list[tuple[float, float, tuple[float, ...]]] = []  # between what nothing works, and the ends that do
 
     def to(self, value: float) -> float | None:
-        """The nearest to this one, with few decimals and working when it is typed so; None if there is none."""
+        """The nearest to this one, with few decimals and working when it is typed so; None if there is none, or where
+        numpy, which looks at a thousand places at once, is not."""
+        if not find_spec("numpy"):
+            return None
         turning = self.plans.mechanism.drive.kind == "phi"
         for low, high, ends in self.gaps:
             turns = (value - low) // 360.0 if turning else 0.0

@@ -65,7 +65,7 @@ def _doubts(
         return [], []
     import numpy as np
 
-    from planes.batch import Cycle
+    from planes.batch.cycle import Cycle
 
     asked = results_of(stated, wanted)
     cycle = Cycle(stated, known=given, columns=[c for q in asked for c in q.columns])

@@ -13,10 +13,11 @@ import pytest
 from planes.accuracy.digits import Digits
 from planes.accuracy.errors import Spread
 from planes.accuracy.stability import approach
-from planes.batch import Cycle, compiled
+from planes.batch import compiled
+from planes.batch.array_ops import OPS, read
+from planes.batch.cycle import Cycle
 from planes.batch.error_bounds import Claims
 from planes.batch.rounding import EXACT, LARGEST, USUAL, bent, rounding, whole_numbers
-from planes.batch.tape import OPS, read
 from planes.batch.tracing import given_values
 from planes.cli import main
 from planes.drafting.drawing import run

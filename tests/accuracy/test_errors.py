@@ -12,7 +12,7 @@ import pytest
 
 from planes.accuracy.digits import Digits
 from planes.accuracy.errors import add_errors
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.cli import main
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Pencil

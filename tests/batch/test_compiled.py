@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from planes.batch import compiled
+from planes.batch.array_ops import read
 from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.symbols import Num, Vec, number, place_of
-from planes.batch.tape import Tape, read
+from planes.batch.tape import Tape
 from planes.batch.tracing import Recording, Trace
 from tests.helpers import ROOT
 
@@ -92,7 +93,7 @@ def test_a_loop_does_what_the_tape_says(loop: type[Loop]) -> None:
 
 @needs_compiler
 def test_a_structure_is_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    from planes.batch import Cycle
+    from planes.batch.cycle import Cycle
     from planes.plans import plans_of
     from planes.scene import load
 

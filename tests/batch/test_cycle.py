@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.batch.error_bounds import Claims
 from planes.cli import main
 from planes.drafting.drawing import run

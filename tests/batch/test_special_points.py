@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from planes.accuracy.comparison import Comparison
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.batch.error_bounds import Claims
 from planes.drafting.steps import Through
 from planes.geometry.arrays import Array, Indices

@@ -14,9 +14,9 @@ import pytest
 from conftest import peak_of
 from PIL import Image
 
-from planes.check import check
 from planes.check.grading.paper import Known
 from planes.check.handed_in import read_paper
+from planes.check.outcome import check
 from planes.cli import main
 from planes.words.errors import PlanesError
 from tests import confusion

@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 from conftest import SAMPLES, SCENES, angles, peak, plans
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.plans.quantities import MOTION, catalogue
@@ -110,7 +110,7 @@ def bench_length(benchmark, count: int, way: str) -> None:
 def memory(way: str, count: int) -> str:
     """Of a process that goes through so many positions."""
     return peak(
-        "from planes.scene.ranges import Span\nfrom planes.batch import Cycle\n"
+        "from planes.scene.ranges import Span\nfrom planes.batch.cycle import Cycle\n"
         "from planes.plans import plans_of\nfrom planes.scene import load\n"
         f"cycle = Cycle(plans_of(load({str(SAMPLES / 'six-link.yaml')!r}).mechanism))\n"
         f"for _ in cycle.blocks(Span(145.0, {10 / count}, {count}), fast={way == 'fused'}): pass\n"

@@ -12,7 +12,7 @@ import numpy as np
 from conftest import angles, plans
 
 from planes.accuracy.comparison import Comparison
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from tests.helpers.other_programs import Pylinkage, kinepy_run, near_of, pylinkage_run
 
 COLUMNS = {

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from planes.check import Outcome, check
 from planes.check.grading.evidence import SURE
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import MISREAD, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
+from planes.check.outcome import Outcome, check
 from planes.check.report import Checked, as_json, page_data
 from planes.cli import main
 from planes.documents.class_work import ClassWork

@@ -14,9 +14,9 @@ from typing import Any
 
 import pytest
 
-from planes.check import check
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.outcome import check
 from planes.check.reading.matching import paper_of
 from planes.check.reading.svg import read_svg
 from planes.check.report import as_json

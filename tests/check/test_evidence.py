@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from planes.check import check
 from planes.check.grading.paper import Known, ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.check.handed_in import read_paper
+from planes.check.outcome import check
 from planes.check.reading.matching import paper_of
 from planes.check.reading.strokes import ReadDrawing, Words
 from planes.check.reading.svg import read_svg

@@ -8,8 +8,8 @@ import pytest
 
 pytest.importorskip("cv2")
 
-from planes.check import check
 from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.outcome import check
 from planes.check.vision.image.lens import Lens
 from planes.check.vision.marks.from_aside import as_sure, tilt_told
 from planes.words.names import POLE, label_of

@@ -12,7 +12,7 @@ import pytest
 pytest.importorskip("cv2")
 import cv2
 
-from planes.check.grading.handwork import Variant
+from planes.check.grading.variants import Variant
 from planes.check.vision.image.picture import by_scale
 from planes.check.vision.marks.handwritten import HandWord, HandWords, words_on
 from planes.check.vision.marks.places import sheet_of

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from planes.check import Outcome, check
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, Begun, prepare, redrawn, variants_of
 from planes.check.handed_in import read_paper
+from planes.check.outcome import Outcome, check
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.crossings import Cross
 from planes.scene import load

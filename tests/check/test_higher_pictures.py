@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 pytest.importorskip("cv2")
-from planes.check.grading.handwork import Variant
+from planes.check.grading.variants import Variant
 from planes.check.vision.search.plan_search import Search
 from tests.physical import higher
 

@@ -12,9 +12,9 @@ from typing import Any
 
 import pytest
 
-from planes.check import Outcome, check
 from planes.check.grading.paper import Known
 from planes.check.handed_in import read_paper
+from planes.check.outcome import Outcome, check
 from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.matching import paper_of

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 import planes
-from planes.check import Outcome, check
 from planes.check.grading.by_hand import unsure
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.outcome import Outcome, check
 from planes.check.report import as_json, chance_told
 from planes.cli import main
 from planes.drafting.instruments import Pencil

@@ -11,10 +11,10 @@ import pytest
 from PIL import Image
 
 pytest.importorskip("cv2")
-from planes.check import Outcome, check
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import read_paper
+from planes.check.outcome import Outcome, check
 from planes.check.vision.match.match_printed import shapes
 from planes.documents.sheets import sheet_of
 from planes.scene.carried import carried, carrying

@@ -11,11 +11,12 @@ from pathlib import Path
 import numpy
 import pytest
 
-from planes.check import Outcome, check
-from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare, variants_of
+from planes.check.grading.variants import Variant
 from planes.check.handed_in import read_paper
+from planes.check.outcome import Outcome, check
 from planes.check.reading.arrowheads import settle
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.parts import joined, parts, without_letters

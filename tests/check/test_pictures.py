@@ -21,10 +21,10 @@ from tests.helpers.drawings import Mistake
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
-from planes.check import Outcome, check  # noqa: E402
 from planes.check.fiducials import SHEET_MM  # noqa: E402
 from planes.check.grading.paper import Known, ReadPaper  # noqa: E402
 from planes.check.grading.prepared_plan import Asked  # noqa: E402
+from planes.check.outcome import Outcome, check  # noqa: E402
 from planes.check.report import as_json  # noqa: E402
 from planes.check.vision.image.decoding import plainest  # noqa: E402
 from planes.check.vision.image.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402

@@ -14,9 +14,9 @@ from tests.confusion import SAMPLES
 from tests.sample_oracle import HIGHER, SKETCHES
 
 cv2 = pytest.importorskip("cv2")
-from planes.check import Outcome, check  # noqa: E402
 from planes.check.blank import blank_pole, roomy  # noqa: E402
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare  # noqa: E402
+from planes.check.outcome import Outcome, check  # noqa: E402
 from planes.check.vision.photograph import paper_of_picture  # noqa: E402
 from planes.scene import load  # noqa: E402
 from tests.helpers import photographs  # noqa: E402

@@ -20,8 +20,8 @@ from tests.helpers import ROOT
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
-from planes.check import check  # noqa: E402
 from planes.check.blank import blank_pole, roomy  # noqa: E402
+from planes.check.outcome import check  # noqa: E402
 from planes.check.sheet_mark import mark_on  # noqa: E402
 from planes.check.vision.image.decoding import load as picture_of  # noqa: E402
 from planes.check.vision.image.picture import Flat, flatten  # noqa: E402

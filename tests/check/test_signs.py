@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from planes.check import Outcome, check
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
+from planes.check.outcome import Outcome, check
 from render.files import Page
 from render.paper.marks import Arrow, Line, Text
 from tests.check.test_own_sheets import drawn, view

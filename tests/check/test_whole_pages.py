@@ -14,9 +14,9 @@ cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 from PIL import Image  # noqa: E402
 
-from planes.check import check  # noqa: E402
 from planes.check.grading.paper import Known  # noqa: E402
 from planes.check.handed_in import read_paper, sheets_of  # noqa: E402
+from planes.check.outcome import check  # noqa: E402
 from planes.check.vision.image.decoding import load  # noqa: E402
 from planes.check.vision.image.picture import Flat, flatten  # noqa: E402
 from planes.check.vision.marks.print_scale import by_ruler, likely_shares, printed_share  # noqa: E402

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes import batch
 from planes.batch import compiled
+from planes.batch import cycle as batch_cycle
 from planes.cli import main
 from planes.diagrams.motion import Runs
 from planes.diagrams.turn import turn_of
@@ -107,7 +107,7 @@ def test_a_long_table_of_curves_goes_through_the_compiled_loop(scene: str, tmp_p
     """Its numbers and the positions it refuses are those of arrays; ``--plain`` keeps to arrays."""
     loops: list[int] = []
     run = compiled.CompiledLoop.__call__
-    monkeypatch.setattr(batch, "PAYS", 700)
+    monkeypatch.setattr(batch_cycle, "PAYS", 700)
     monkeypatch.setattr(compiled.CompiledLoop, "__call__", lambda loop, rows: loops.append(1) or run(loop, rows))
     found = []
     for plain, file in (([], tmp_path / "loop.npz"), (["--plain"], tmp_path / "arrays.npz")):

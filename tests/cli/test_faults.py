@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.batch.streams import TableHead, opened
 from planes.cli import main
 from planes.plans import plans_of

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.cli import main
 from planes.documents.sheets import sheet_of
 from planes.plans import plans_of

@@ -9,12 +9,12 @@ from typing import Any
 
 import pytest
 
-from planes.check import check
 from planes.check.blank import blank_pole, roomy
 from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
+from planes.check.outcome import check
 from planes.check.sheet_mark import SheetMark
 from planes.cli import main
 from planes.documents.check import blank_marks

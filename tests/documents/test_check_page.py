@@ -11,10 +11,10 @@ from typing import Any
 import pytest
 
 from planes.batch.tape import LEAVES, TESTS
-from planes.check import Outcome, check
 from planes.check.grading.grading import Grading, empty
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
+from planes.check.outcome import Outcome, check
 from planes.check.report import Checked, places, told_all
 from planes.check.report.places import wrong_places
 from planes.check.report.regrading import SURELY_MM, retrace

@@ -12,9 +12,9 @@ from typing import Any
 
 import pytest
 
-from planes.check import check
 from planes.check.grading.paper import Known, ReadPaper
 from planes.check.handed_in import HandedSheet, opened, read_paper
+from planes.check.outcome import check
 from planes.check.report.class_rows import ClassRow
 from planes.check.saved_marks import corrected
 from planes.check.sheet_mark import SheetMark

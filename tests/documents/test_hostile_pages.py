@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from planes.check import check
 from planes.check.grading.paper import read_table
 from planes.check.grading.prepared_plan import Asked
+from planes.check.outcome import check
 from planes.check.report import page_data
 from planes.check.report.class_rows import WRONG, ClassRow
 from planes.check.report.shown import tracing_data

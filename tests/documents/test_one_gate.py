@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 import planes
-from planes.check import check
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, known_plans
+from planes.check.outcome import check
 from planes.course.numbers import main_answers
 from planes.diagrams.curves import curves_of, named
 from planes.documents.lesson import note

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from planes.accuracy.digits import Long
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.batch.tracing import given_values
 from planes.plans import plans_of
 from planes.plans.position import reckoned

@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from planes.batch import Cycle
+from planes.batch.array_ops import OPS, read
+from planes.batch.cycle import Cycle
 from planes.batch.rounding import REST
-from planes.batch.tape import OPS, Op, read
+from planes.batch.tape import Op
 from planes.batch.tracing import trace
 from planes.geometry.arithmetic import Real, Truth, two_product, two_sum
 from planes.geometry.arrays import Array, Floats

@@ -13,7 +13,8 @@ from unittest.mock import patch
 import numpy as np
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle, compiled
+from planes.batch import compiled
+from planes.batch.cycle import Cycle
 from planes.drafting.drawing import run
 from planes.drafting.steps import tracks
 from planes.scene import loads

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.cli import main
 from planes.plans import plans_of
 from planes.scene import loads

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from planes.check import Outcome, check
 from planes.check.grading.paper import Known
 from planes.check.handed_in import read_paper
+from planes.check.outcome import Outcome, check
 from planes.words.errors import PlanesError
 from planes.words.names import label_of
 from tests import confusion, picture_corpus

@@ -15,12 +15,12 @@ from collections.abc import Container, Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
-from planes.check import Outcome, check
-from planes.check.grading.handwork import Variant
 from planes.check.grading.paper import Known
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, prepare, redrawn, variants_of
+from planes.check.grading.variants import Variant
 from planes.check.handed_in import read_paper
+from planes.check.outcome import Outcome, check
 from planes.drafting.steps import Step
 from planes.geometry.arithmetic import Point
 from planes.words.errors import PlanesError

@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.drafting.drawing import prove_many, run
 from planes.geometry.assemblies import all_assemblies
 from planes.geometry.tracks import Tie

@@ -11,9 +11,8 @@ import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.course.papers import conditions
-from planes.documents.face import solve as solve_one
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Pencil
 from planes.lesson.note import Note
@@ -25,6 +24,7 @@ from planes.scene.mechanism import LoadLaw, StrokeLoad
 from planes.solving import solve as planes_solve
 from planes.solving.document import DocumentTable
 from planes.solving.given import GivenTable
+from planes.solving.of_scene import solve as solve_one
 from planes.words import say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.naming import Naming

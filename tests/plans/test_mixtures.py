@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.cli import main
 from planes.plans import plans_of
 from planes.plans.scales import drawn_in_si

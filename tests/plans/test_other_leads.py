@@ -7,7 +7,8 @@ import random
 import numpy as np
 import pytest
 
-from planes.batch import Cycle, compiled
+from planes.batch import compiled
+from planes.batch.cycle import Cycle
 from planes.drafting.drawing import run
 from planes.geometry import plane
 from planes.geometry.arrays import Array

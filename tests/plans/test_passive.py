@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from planes import solve
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.documents.lesson import note
 from planes.documents.sheets import sheet_of
 from planes.plans.statements.of_scene import scene_plans

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.cli import main
 from planes.drafting.drawing import proved, run
 from planes.drafting.instruments import Pencil

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from flint import fmpq, fmpq_poly
 
-from planes.batch import Cycle
+from planes.batch.cycle import Cycle
 from planes.drafting.tools import Thing
 from planes.geometry import plane
 from planes.geometry.sextic import assemblies

@@ -7,13 +7,14 @@ one early mistake is blamed once. A variant of some steps (a mistake supposed) r
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 import numpy
 
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.perturbing import Nudged, columns_of
+from planes.check.grading.variants import Variant
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.skill import Skill
@@ -21,7 +22,6 @@ from planes.drafting.steps import Aim, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point, Truth
-from planes.words import Phrase, Told, Written
 from planes.words.frozen import field, frozen, replace
 from planes.words.names import POLE, label_of, plan_of
 
@@ -71,29 +71,6 @@ class Miss:
         """Logarithm of the normal density per mm²."""
         xx, xy, yy = self.cov
         return -0.5 * self.sigmas**2 - math.log(2 * math.pi) - 0.5 * math.log(xx * yy - xy * xy)
-
-
-@frozen
-class Variant:
-    """Some steps done another way: ``swaps`` puts steps in the place of the one that makes the name (the last of
-    them makes it too); ``givens`` are values changed or added. ``blames`` is the mark the mistake is made at."""
-
-    mistake: str
-    blames: str
-    swaps: Mapping[str, tuple[Step, ...]] = field(default_factory=dict)
-    givens: Mapping[str, Point] = field(default_factory=dict)
-    weight: float = 1.0
-    about: Mapping[str, Told | Written] = field(default_factory=dict)  # names for the sentence
-
-    @property
-    def sentence(self) -> Phrase:
-        """What the mistake is, and how to mend it."""
-        return Phrase(f"mistake_{self.mistake}", **{"mark": self.blames, **self.about})
-
-    def drawn(self, program: Program, things: Env, tool: Tool, fixed: Container[str]) -> Env:
-        """What the steps it touches make of things drawn without it; marks that are ``fixed`` stay where they are."""
-        steps = program.touched(self.givens, self.swaps, fixed)
-        return draw_steps(steps, {**things, **self.givens}, tool, self.swaps)
 
 
 def by_protractor(step: Step, given: Mapping[str, Point]) -> bool:

@@ -15,7 +15,8 @@ from dataclasses import dataclass, field, replace
 import numpy
 
 from planes.check.grading.evidence import SLIP, all_drawn, breadth, chance_wrong, density, misread, mixed
-from planes.check.grading.handwork import LEAST_MM, Hand, Miss, Variant
+from planes.check.grading.handwork import LEAST_MM, Hand, Miss
+from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
 from planes.words.frozen import frozen

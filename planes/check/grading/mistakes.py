@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
+from planes.check.grading.variants import Variant
 from planes.drafting.steps import Carry, Image, LayOff, Read, Same, Similar, Step
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure

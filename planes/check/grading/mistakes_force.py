@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
+from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Same, Step, Through
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product

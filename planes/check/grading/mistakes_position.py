@@ -4,9 +4,9 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from planes.check.grading.handwork import Variant
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.plan_steps import PlanSteps
+from planes.check.grading.variants import Variant
 from planes.drafting.drawing import run
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from planes.check.grading.handwork import Variant
+from planes.check.grading.variants import Variant
 from planes.drafting.program import Program
 from planes.drafting.steps import LayOff, Step, Turn
 from planes.drafting.steps.reckoning import Calculate, Product

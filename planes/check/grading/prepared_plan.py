@@ -7,12 +7,12 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
-from planes.check.grading.handwork import Variant
 from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.plan_steps import PlanSteps
+from planes.check.grading.variants import Variant
 from planes.drafting.drawing import draw_steps, run
 from planes.drafting.program import Program
 from planes.drafting.skill import HAND, Skill

@@ -6,9 +6,10 @@ from dataclasses import dataclass, field
 
 from planes.check.grading.evidence import chance_off
 from planes.check.grading.figures import WrittenNumber, first_of
-from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.handwork import Hand
 from planes.check.grading.judging import MARGIN
 from planes.check.grading.slips import SHARE, number_mistake, number_of
+from planes.check.grading.variants import Variant
 from planes.drafting.skill import SIGMAS, too_near
 from planes.words import Phrase, Written
 from planes.words.names import mu_of

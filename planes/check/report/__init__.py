@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from planes.check import Outcome
 from planes.check.grading.evidence import SURE
 from planes.check.grading.grading import empty
 from planes.check.grading.judging import WARN
 from planes.check.grading.remedies import Reader, told_to
 from planes.check.grading.written_numbers import Scored
+from planes.check.outcome import Outcome
 from planes.check.report.moved_marks import moved_marks
 from planes.check.report.places import wrong_places
 from planes.check.report.shown import shown_plans

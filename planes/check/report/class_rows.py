@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import field, fields, replace
 
-from planes.check import STATUS, Outcome
+from planes.check.outcome import STATUS, Outcome
 from planes.check.report import Checked
 from planes.check.report.places import address, thumb, wrong_places
 from planes.plans.measuring import lettering, say_plan

@@ -4,17 +4,18 @@ import base64
 from collections.abc import Mapping
 from dataclasses import astuple
 
-from planes.check import Outcome
 from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading import evidence, judging
 from planes.check.grading.grading import Grading
-from planes.check.grading.handwork import LEAST_MM, Variant
+from planes.check.grading.handwork import LEAST_MM
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
 from planes.check.grading.readable import READABLE, key_marks
 from planes.check.grading.remedies import asking, told_to
+from planes.check.grading.variants import Variant
+from planes.check.outcome import Outcome
 from planes.check.report.regrading import SURELY_MM, retrace
 from planes.check.report.shown import own_marks, own_order, pair, shown_plans, vectors
 from planes.drafting.steps import Same

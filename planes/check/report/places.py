@@ -5,9 +5,9 @@ import io
 from collections.abc import Iterable, Sequence
 from itertools import islice
 
-from planes.check import Outcome
 from planes.check.grading.grading import Grading
 from planes.check.grading.paper import Box
+from planes.check.outcome import Outcome
 from planes.check.report.shown import Vector, pair, shown_plans, true_marks
 from planes.geometry.plane import corners
 from planes.words.names import POLE, kind_of, label_of

@@ -14,7 +14,8 @@ from planes.batch.symbols import Num, Vec, place_of
 from planes.batch.tape import Tape
 from planes.batch.tracing import Source, TracingTool
 from planes.check.grading.grading import Grading
-from planes.check.grading.handwork import Person, Variant
+from planes.check.grading.handwork import Person
+from planes.check.grading.variants import Variant
 from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Same
 from planes.drafting.tools import Env

@@ -4,11 +4,11 @@ import shlex
 from collections.abc import Collection, Mapping, Sequence
 from itertools import accumulate, pairwise
 
-from planes.check import Outcome
 from planes.check.grading.judging import WARN
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
+from planes.check.outcome import Outcome
 from planes.plans.measuring import lettering, title_of
 from planes.words import Lang
 from planes.words.frozen import frozen, replace

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from planes.check.grading.handwork import Variant
 from planes.check.grading.prepared_plan import Begun
+from planes.check.grading.variants import Variant
 from planes.check.vision.strokes.line_places import Place
 from planes.words.names import POLE, label_of
 

@@ -9,8 +9,8 @@ measure, so no place is read.
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-from planes.check.grading.handwork import Variant
 from planes.check.grading.prepared_plan import redrawn, variants_of
+from planes.check.grading.variants import Variant
 from planes.check.vision.marks.handwritten import AROUND_MM, HandWord, HandWords, words_on
 from planes.check.vision.marks.places import HEADED_MM
 from planes.check.vision.search.costs import slip

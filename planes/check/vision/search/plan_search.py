@@ -8,9 +8,10 @@ from itertools import accumulate
 from types import MappingProxyType
 from typing import Any, Self
 
-from planes.check.grading.handwork import Hand, Miss, Variant
+from planes.check.grading.handwork import Hand, Miss
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import GivenUp, PreparedPlan, redrawn
+from planes.check.grading.variants import Variant
 from planes.check.vision.marks.places import Seen
 from planes.check.vision.marks.print_scale import UNLIKELY
 from planes.check.vision.search.costs import ANYWHERE, DOUBTFUL, GATE, NO_END, NO_LINE, NO_MARK, VAGUE, sigmas_of

@@ -8,10 +8,11 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple, Self
 
-from planes.check.grading.handwork import Hand, Miss, Variant
+from planes.check.grading.handwork import Hand, Miss
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.grading.variants import Variant
 from planes.check.vision.marks.handwritten import HandWords
 from planes.check.vision.marks.places import Seen, rounded
 from planes.check.vision.marks.print_scale import seen_from

@@ -1,0 +1,46 @@
+"""The operations of a tape by numpy, and a tape read with arrays."""
+
+from collections.abc import Callable, Iterable, Mapping
+
+import numpy as np
+
+from planes.batch.tape import Number, Op, Tape, reckoned
+from planes.geometry.arithmetic import gap
+from planes.geometry.arrays import Floats
+
+OPS: dict[str, Op] = {  # of numpy's own, which can be told where to leave what they make, but for three
+    "add": np.add,
+    "sub": np.subtract,
+    "mul": np.multiply,
+    "inv": np.reciprocal,
+    "neg": np.negative,
+    "abs": np.abs,
+    "sqrt": lambda a: np.sqrt(np.maximum(a, 0.0)),
+    "hypot": np.hypot,
+    "sin": np.sin,
+    "cos": np.cos,
+    "atan2": np.arctan2,
+    "floor": np.floor,
+    "gap": gap,
+    "max": np.maximum,
+    "min": np.minimum,
+    "sel": np.where,
+    "lt": np.less,
+    "le": np.less_equal,
+    "eq": np.equal,
+    "and": np.logical_and,
+    "or": np.logical_or,
+    "not": np.logical_not,
+}
+
+
+def read(
+    tape: Tape,
+    order: Iterable[int],
+    given: Mapping[str, Floats],
+    real: Callable[[Floats], Number] = np.float64,
+    ops: Mapping[str, Op] = OPS,
+) -> dict[int, Number]:
+    """The numbers at the places of ``order``, as :func:`planes.batch.tape.reckoned`; doubles unless told otherwise."""
+    with np.errstate(all="ignore"):
+        return reckoned(tape, order, given, lambda x: np.bool_(x) if isinstance(x, bool) else real(x), ops)

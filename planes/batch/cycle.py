@@ -1,0 +1,238 @@
+"""Many positions of a mechanism at once: one program over blocks of the drive's values, from positions to forces.
+
+Memory is that of one block, however many values there are. A position that cannot be drawn has its reason, and NaN
+in what depends on what failed. A program is recorded once and gone through by arrays (``loops``), long runs by the
+compiled loop (``compiled``) where it is installed; what a loop suspects of a contradiction is drawn, and proved.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import TypeVar
+
+import numpy as np
+
+from planes.batch import compiled as compiled_loop
+from planes.batch.error_bounds import Claims
+from planes.batch.loops import ArrayLoop, Loop
+from planes.batch.other_leads import OtherLeads
+from planes.batch.table import Block, Ready, Reason, columns_of, sides_of
+from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
+from planes.drafting.clearness import clear, far_apart
+from planes.drafting.drawing import prove_many, run
+from planes.drafting.link_proofs import Rigid, Slid
+from planes.drafting.program import Program
+from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Array, Floats, Indices
+from planes.plans import Plans
+from planes.plans.columns import Column
+from planes.plans.quantities import asked
+from planes.plans.scales import unit_scales
+from planes.scene.ranges import Span
+from planes.words import Phrase
+from planes.words.errors import ProgramError, choices
+
+CHUNK = 4096
+PAYS = 200_000
+"""From how many positions on a compiled loop is worth compiling."""
+
+
+def pays(count: int) -> bool:
+    """Whether to compile a loop for so many positions; one that is compiled is always quicker."""
+    return compiled_loop.available() and count >= PAYS
+
+
+AnyLoop = TypeVar("AnyLoop", bound=Loop)
+Places = Iterable[float] | Span | Array  # values of the drive
+
+
+class Cycle(Ready):
+    """A mechanism ready for any number of positions, cut down to what is asked (``names``; None: everything).
+
+    ``known`` overrides givens by name; those with an array, a number for each position, move with the drive.
+    ``columns`` may be given as such, in place of ``names``.
+    """
+
+    def __init__(
+        self,
+        plans: Plans,
+        names: Iterable[str] | None = None,
+        known: Mapping[str, Floats] | None = None,
+        columns: Iterable[Column] | None = None,
+    ) -> None:
+        quantities = None if names is None else asked(plans, names)
+        self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
+        self.program = plans.program.sliced([n for c in self.columns for n in c.needs])
+        self.mus, self.known = unit_scales(plans), frozenset(known or ())
+        self.given = {**plans.given, **self.mus}
+        if self.known - {*self.mus, plans.drive_given, *plans.mechanism.drive.rates}:
+            # what is not the scene's own number is no fault of the links it was said of
+            proofs = tuple(p for p in self.program.proofs if not isinstance(p, Rigid | Slid))
+            self.program = Program(self.program.steps, proofs)
+        for name in self.known - {*self.given}:
+            raise ProgramError(Phrase("no_given", name=name, valid=choices(name, self.given)))
+        self.given |= known or {}
+        self.moved = {name: np.asarray(v, float) for name, v in (known or {}).items() if np.ndim(v)}
+        self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
+        self.overrides, self.others = known, OtherLeads(self)
+
+    @cached_property
+    def trace(self) -> Trace:
+        """The program on a tape, drawn in SI, or at the scales that are given."""
+        must = [not c.beside for c in self.columns]  # an arm ends where its force does
+        takes = [c.take for c in self.columns]
+        return trace(self.program, self.given, takes, self.folded, must=must, forces=self.forces)
+
+    @cached_property
+    def forces(self) -> list[tuple[str, str]]:
+        """The ends of the forces among the columns, but of those that are reckoned of nothing: no load reaches them."""
+        if not (sides := sides_of(self.columns)):
+            return []
+        own = np.array([self.plans.mechanism.drive.position])
+        things = run(self.program, {**self.given, **self.moving(own, slice(0, 1))}).things
+        if not (still := [s for s in sides if (things[s[0]] == things[s[1]]).all()]):
+            return sides
+        exact = self.claims.bounds(own)[:, 0] == 0
+        rough = {(c.start, c.end) for c, sure in zip(self.columns, exact, strict=True) if not sure}
+        return [s for s in sides if s not in still or s in rough]
+
+    @cached_property
+    def reasons(self) -> tuple[Reason, ...]:
+        """What each code means: code k is the reason k - 1."""
+        return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires if r != UNCLEAR)
+
+    @cached_property
+    def claims(self) -> Claims:
+        """How far off every number may be."""
+        return Claims(self)
+
+    @cached_property
+    def rough(self) -> Claims:
+        """The same, what is given being as off as decimals are."""
+        return Claims(self, {n: lost for n, lost in self.plans.lost.items() if n not in self.known})
+
+    @cached_property
+    def compiled(self) -> compiled_loop.CompiledLoop:
+        """The compiled loop."""
+        return self._loop(compiled_loop.CompiledLoop)
+
+    @cached_property
+    def arrays(self) -> ArrayLoop:
+        """The loop by arrays."""
+        return self._loop(ArrayLoop)
+
+    def _loop(self, kind: type[AnyLoop]) -> AnyLoop:
+        return kind(self.trace, (self.plans.drive_given, *self.moved), given_values(self.given))
+
+    def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
+        """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
+        beside = {name: v[at] for name, v in self.moved.items()}
+        return {**self.plans.at(values, self.program, self.known), **beside}
+
+    def blocks(
+        self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False
+    ) -> Iterator[Block]:
+        """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
+
+        Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
+        """
+        places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
+        if fast is None:
+            fast = "compiled" in self.__dict__ or pays(len(places))
+        size = min(chunk, self.loop(fast).row)
+        for start in range(0, len(places), size):
+            part = np.asarray(places[start : start + size], float)
+            yield self.block(part, np.arange(start, start + len(part)), fast, bare)
+
+    def loop(self, fast: bool) -> Loop:
+        """The loop, compiled or by arrays."""
+        return self.compiled if fast else self.arrays
+
+    def block(self, part: Array, at: Indices, fast: bool, bare: bool) -> Block:
+        """The block of the positions numbered ``at``; where leads cross flatly, by plans in which others meet."""
+        block = self._looked_at(self._whole(part, *self._run(self.loop(fast), part, at)), at, bare)
+        self.others.draw(block, at, fast, bare)
+        return block
+
+    def table(self, values: Array, fast: bool) -> Array:
+        """A row of all values for each column, however few digits they have."""
+        return np.hstack([b.table for b in self.blocks(values, fast=fast, bare=True)])
+
+    def _run(self, loop: Loop, part: Array, at: Indices) -> tuple[Array, Indices | None]:
+        """The table by a loop, and the codes (None: nothing failed); what it only suspects is drawn."""
+        moving = self.moving(part, at)
+        table, codes = loop(np.array([moving[name] for name in loop.inputs]))
+        undecided = [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
+        if codes is None or not (suspect := np.isin(codes, undecided)).any():
+            return table, codes
+        some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
+        table[:, suspect], found = self._drawn(some, int(suspect.sum()))
+        codes[suspect] = 0 if found is None else found
+        return table, codes if codes.any() else None
+
+    def _drawn(self, moving: Mapping[str, Floats], count: int) -> tuple[Array, Indices | None]:
+        """The same, drawn step by step and proved."""
+        given = {**self.given, **moving}
+        drawing = run(self.program, given)
+        prove_many(drawing, given)
+        table = np.empty((len(self.columns), count))
+        with np.errstate(all="ignore"):
+            for row, column in zip(table, self.columns, strict=True):
+                row[:] = column.take(drawing.things, drawing.tool.ar)
+        numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
+        whole = np.array([not c.beside for c in self.columns])
+        plain = clear(self.program, drawing.things, drawing.tool, self.forces)
+        codes = np.where(plain, 0, numbered.get((UNCLEAR, ""), 0))
+        codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
+        for reason, step, ok, _ in reversed(drawing.tool.failures):
+            codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
+        return table, codes.astype(np.int16) if codes.any() else None
+
+    def _whole(self, part: Array, table: Array, codes: Indices | None) -> Block:
+        """The block with NaN in everything that depends on what failed; and where it is not clear, that code."""
+        if codes is None:
+            return Block(part, table, np.zeros(len(part), np.int16))
+        for code in np.unique(codes[(codes != 0) & (codes <= len(self.reasons))]):
+            table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
+        return Block(part, table, codes)
+
+    def _looked_at(self, block: Block, at: Indices, bare: bool) -> Block:
+        """The block with NaN for numbers without digits, where it is not clear."""
+        dim = far_apart(self.plans.given, self.plans.means)  # no position is clear of rounding
+        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & dim)
+        block.codes[where] = 0
+        if len(where) and not bare:
+            found = self.claims.bounds(block.values[where], at[where])
+            table = block.table[:, where]
+            doubtful = self.claims.doubtful(table, found) | self.claims.faint(table, found)
+            block.table[:, where] = np.where(doubtful, np.nan, table)
+            block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
+        return block
+
+    def beside(self, blocks: Iterable[Block]) -> Iterator[Block]:
+        """Blocks of successive positions, with a row of ± after the rows of results."""
+        start = 0
+        for block in blocks:
+            claimed = self.claimed(block.values, start + np.arange(len(block.values)))
+            start += len(block.values)
+            both = np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)])
+            yield Block(block.values, both, block.codes)
+
+    def claimed(self, values: Array, at: Indices) -> Array:
+        """± of every column, what is given being as off as decimals are."""
+        return self.others.claimed(self.rough.bounds(values, at), values, at)
+
+    def codes(self, values: Array, at: Indices) -> Indices | None:
+        """Which reason each position fails for, by arrays; None: none does."""
+        return self._run(self.arrays, values, at)[1]
+
+    @cached_property
+    def _after(self) -> dict[str, list[int]]:
+        """The columns that depend on each thing that may fail."""
+        found: dict[str, list[int]] = {makes: [] for _, makes, _ in self.trace.requires}
+        for k, column in enumerate(self.columns):
+            for made in self.program.sliced(column.needs).made & found.keys():
+                found[made].append(k)
+        return {**found, "": list(range(len(self.columns)))}
+
+
+__all__ = ["Block", "Column", "Cycle", "Reason"]

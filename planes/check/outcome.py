@@ -1,0 +1,250 @@
+"""The outcome of a check: what was handed in, judged, as the object for programs and as words for people."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+
+from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
+from planes.check.grading.figures import WrittenNumber, read_results, segment_figures
+from planes.check.grading.grading import Grading, grade
+from planes.check.grading.handwork import Hand
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
+from planes.check.grading.readable import doubts_of, readable
+from planes.check.grading.remedies import asking, told_to
+from planes.check.grading.sign_faults import SignFault
+from planes.check.grading.signs import exchanged
+from planes.check.grading.written_numbers import Account, account
+from planes.plans.quantities import catalogue
+from planes.plans.scales import fitting
+from planes.words import Phrase, Written, under
+from planes.words.errors import PlanesError
+from planes.words.lettering import plan_phrase
+from planes.words.names import POLE, kind_of, label_of, mu_of
+from planes.words.records import Described
+
+# what is so far, and half as far as it is long, from where steps lead is not called right, if errors may be so large
+ASTRAY_MM = 4.0
+NEAR = 0.02  # how near a scale told by vectors is to a standard one that is meant
+STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
+
+
+@dataclass
+class Outcome(Described):
+    """Everything found in one drawing."""
+
+    bench: PreparedPlan
+    paper: ReadPaper
+    grading: Grading | None = None
+    segments: Account | None = None
+    results: Account | None = None
+    unreadable: Phrase | None = None
+    notes: list[Phrase] = field(default_factory=list)
+    unknown: list[str] = field(default_factory=list)  # names in tables that mean nothing here
+
+    def __repr__(self) -> str:
+        return f"<Outcome {self.verdict}: {self.sentence.told()}>"
+
+    @property
+    def verdict(self) -> str:
+        """right, wrong or unreadable; right_as_seen where nobody has looked at some of its marks."""
+        if self.unreadable:
+            return "unreadable"
+        return "wrong" if self.wrong else "right_as_seen" if self.unseen else "right"
+
+    @property
+    def wrong(self) -> Grading | SignFault | Account | None:
+        """What goes wrong: the drawing, its letters and arrows, else the lengths or the results."""
+        every = (self.grading, *self.paper.signs, self.segments, self.results)
+        return next((one for one in every if one and one.fault), None)
+
+    @property
+    def chance(self) -> float | None:
+        """How likely the verdict is true; None where there is none."""
+        if self.unreadable:
+            return None
+        every = [t.first.chance_wrong for t in (self.segments, self.results) if t and t.first]
+        every += [one.chance_wrong for one in self.paper.signs]
+        wrong = max(self.grading.chance_wrong if self.grading else 0.0, *every, 0.0)
+        return wrong if self.verdict == "wrong" else 1 - wrong
+
+    @property
+    def first_wrong(self) -> str | None:
+        """The mark (or segment, or result) where the work goes wrong."""
+        return self.wrong.first_wrong if self.wrong else None
+
+    @property
+    def mistake(self) -> str | None:
+        """The named mistake, None when none explains the work best."""
+        said = self.sentence.key
+        return next((name for name in under("mistake_", "en") if said == f"mistake_{name}"), None)
+
+    @property
+    def runner_up(self) -> str | None:
+        """The mistake that explains the work next best."""
+        return self.wrong.runner_up if self.wrong and not self.unreadable else None
+
+    @property
+    def sentence(self) -> Phrase:
+        """What is wrong and how to mend it."""
+        wrong = self.wrong.fault if self.wrong else None
+        return self.unreadable or wrong or self.right(", ".join(self.unseen))
+
+    @property
+    def unseen(self) -> list[str]:
+        """Marks of the plan that nobody has looked at, or that may as well be drawn with a mistake; so may those that
+        are far from where the steps before them lead, if these hardly tell where that is; and names and columns of
+        tables that mean nothing here."""
+        if self.unreadable:
+            return []
+        left = [*(self.results.unsure if self.results else ()), *self.unknown, *self.paper.left]
+        if self.grading is None:
+            return left
+        misses = {} if self.wrong else self.grading.judgement.misses
+        far = (label_of(m) for m, miss in misses.items() if abs(miss.off) > max(ASTRAY_MM, self.grading.laid_mm(m) / 2))
+        untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
+        closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
+        hidden = (n for n in self.grading.unseen if n not in self.paper.named)
+        return list(dict.fromkeys([*hidden, *untold, *closing, *far, *left]))
+
+    def typed(self, text: str) -> str:
+        """What is told of the work, in names as people type them."""
+        scored = (s.figure.name for t in (self.segments, self.results) if t for s in t.scored)
+        return self.bench.naming.retold(text, {*map(label_of, self.bench.marks), *scored})
+
+    @property
+    def alone(self) -> bool:
+        """Whether these are results with nothing drawn."""
+        return bool(self.results) and not (self.grading or self.segments)
+
+    def right(self, unseen: str) -> Phrase:
+        """What is said of a right drawing of the plan, or of right results alone; marks ``unseen`` nobody looked at."""
+        key = "check_right_as_seen" if unseen else "check_right_results" if self.alone else "check_right"
+        what = Phrase("check_results") if self.alone else plan_phrase(self.bench.asked.plan)
+        return Phrase(key, plan=what, names=unseen)
+
+
+def check(asked: Asked, paper: ReadPaper) -> Outcome:
+    """Check one paper. :class:`PlanesError` where the scene or the question is wrong."""
+    bench = prepare(asked)
+    bench = bench.at(paper.mu, told=True) if paper.mu and not asked.mu else bench
+    out = Outcome(bench, paper, notes=list(paper.notes))
+    try:
+        _look(out)
+        if paper.mu and not asked.mu and not out.mistake and (said := _at_another_scale(asked, out)):
+            out.unreadable, out.notes = (said, out.notes) if out.unreadable else (None, [*out.notes, said])
+    except PlanesError as error:
+        out.unreadable = error.phrase if isinstance(error.phrase, Phrase) else asking("check_nothing_read", names="")
+    return out
+
+
+def _at_another_scale(asked: Asked, out: Outcome) -> Phrase | None:
+    """At which scale a drawing is right that is not so at its sheet's: what all its vectors show, a standard one if it
+    is near to that."""
+    paper = out.paper.rescaled or out.paper
+    free = grade(prepare(asked), paper) if paper.spots and out.verdict in ("wrong", "unreadable") else None
+    if free is None or abs(free.mu / out.bench.said_mu - 1) <= NEAR or free.fault or readable(free):
+        return None
+    near = fitting(asked.plan, 1.0, free.mu * (1 + NEAR))
+    for mu in (near, free.mu):
+        if abs(mu / free.mu - 1) <= NEAR and check(replace(asked, mu=mu), paper).verdict in ("right", "right_as_seen"):
+            drawn, said = (out.bench.mu_said(float(f"{one:.3g}")) for one in (mu, out.bench.said_mu))
+            return Phrase("check_other_scale", drawn=drawn, said=said)
+    return None
+
+
+def _look(out: Outcome) -> None:
+    bench, paper = out.bench, out.paper
+    if paper.scale_mark and all(n.key != "check_scale_vector" for n in out.notes):
+        out.notes.append(Phrase("check_scale_vector", mark=paper.scale_mark))
+    if paper.spots:
+        out.grading = grade(bench, paper)
+    if out.grading and (mended := exchanged(bench, paper, out.grading)):
+        out.grading, paper.signs = mended[0], [mended[1]]
+    if out.grading:
+        out.unreadable = readable(out.grading, paper.named)
+        out.notes += out.grading.notes + _scale_notes(out)
+    if paper.segments:
+        _segments(out)
+    if paper.results:
+        _results(out)
+    if not (out.grading or (out.segments and out.segments.scored) or (out.results and out.results.scored)):
+        out.unreadable = _nothing(out)
+    elif not paper.pole_told and out.grading and not out.grading.sure_by_itself:
+        out.unreadable = out.unreadable or asking("check_unsure", "pole")
+    elif out.grading:
+        out.unreadable = out.unreadable or doubts_of(out.grading)
+
+
+def _nothing(out: Outcome) -> Phrase:
+    """Why no mark could be read; marks can be put right on a report only where it has a picture."""
+    said = out.paper.reason or asking("check_nothing_read", names=", ".join(map(label_of, out.bench.marks)))
+    return said if out.paper.picture else told_to("table", said)
+
+
+def _scale_notes(out: Outcome) -> list[Phrase]:
+    g, bench = out.grading, out.bench
+    if g is None or g.said_mu:
+        return []
+    found, said = bench.mu_said(float(f"{g.mu:.3g}")), bench.asked.scene.mu.get(kind_of(bench.asked.plan))
+    return [Phrase("check_mu", mu=found, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=found)]
+
+
+def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
+    """The true plan with the errors of drafting carried through it, all its mistakes may read, and the wanted names."""
+    program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
+    return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
+
+
+def _segments(out: Outcome) -> None:
+    bench, (figures, unknown) = out.bench, segment_figures(out.bench, out.paper.segments)
+    out.notes += [Phrase("check_unknown_results", names=", ".join(unknown))] if unknown else []
+    out.unknown += unknown
+    if not figures:
+        return
+    tried: list[tuple[int, bool, Account]] = []
+    for k, mu in enumerate(_segment_scales(bench, figures)):
+        free = _free(bench, [], mu, {})
+        found = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
+        wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first is not None and not found.named)
+        tried.append((wrong, k > 0, found))
+    _, rescaled, out.segments = min(tried, key=lambda one: one[:2])
+    if out.segments.first is None and not out.grading:
+        out.unreadable = _shown_by(out.segments, rescaled)
+
+
+def _shown_by(lengths: Account, free: bool) -> Phrase | None:
+    """None when right lengths show that the plan is right, else a sentence that says they are too few or too short."""
+    longest = max(s.figure.given for s in lengths.scored)
+    shares = (6 * s.sigma / longest if longest else 1.0 for s in lengths.scored)
+    if lengths_by_chance(shares, free) <= SURE_LENGTHS:
+        return None
+    return Phrase("check_by_chance", count=len(lengths.scored), size=Written(f"{longest:.1f}"))
+
+
+def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[float]:
+    """The stated scale and those the lengths themselves show."""
+    found = [bench.said_mu]
+    if bench.asked.mu:
+        return found
+    free = _free(bench, [], bench.said_mu, {})
+    for f in figures:
+        true = float(abs(f.read(free.things)[0]))
+        if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in found):
+            found.append(bench.said_mu * f.given / true)
+    return found[:6]
+
+
+def _results(out: Outcome) -> None:
+    bench, known = out.bench, catalogue(out.bench.plans)
+    asked = () if out.paper.spots or out.paper.segments else bench.asked.answers or bench.asked.scene.find or ()
+    figures, unread, notes = read_results(known, bench.naming.names(known, poles=False), out.paper.results, asked)
+    out.notes += notes
+    out.unknown += [name for name in unread if name not in out.paper.left]  # a table of answers lacks one
+    if not figures:
+        return
+    wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]
+    mu = out.grading.mu if out.grading else bench.said_mu
+    free = _free(bench, wanted, mu, {})
+    own = _free(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
+    ways = replace(bench, program=free.program)
+    out.results = account(figures, free, own, [] if own else variants_of(ways, free.taken, mu))
