@@ -21,7 +21,12 @@ from planes.cli.options import COMPLETED, EITHER, OF_SCENE, OPTIONS, POSITIONED,
 from planes.words import Lang, Phrase, home_lang, langs, say, table, under
 from planes.words.errors import PlanesError
 
-APART = {"check": "check", "blank": "check", "cycle": "cycle"} | dict.fromkeys(("new", "schema", "completion"), "start")
+APART = {
+    "check": "check",
+    "blank": "check",
+    "cycle": "cycle",
+    **dict.fromkeys(("new", "studio", "schema", "completion"), "start"),
+}
 """Commands with a module of their own; the others are together in ``commands``."""
 
 

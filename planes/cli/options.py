@@ -23,7 +23,7 @@ POSITIONED = ("solve", "sheet", "note", "cycle", "check", "blank")
 EITHER = {"sheet": ("--sheet", "--view"), "course": ("--jobs", "--scheduler")}
 """Options of which one alone may be given."""
 
-WITHOUT_SCENE = ("essay", "course", "new", "schema", "completion")
+WITHOUT_SCENE = ("essay", "studio", "course", "new", "schema", "completion")
 SHELLS = ("bash", "zsh", "tcsh")
 _FILES = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}  # as shtab's FILE and DIRECTORY
 _FOLDERS = {"bash": "_shtab_compgen_dirs", "zsh": "_files -/", "tcsh": "d"}
@@ -53,6 +53,14 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
     "lesson": (("-o --output", "lesson_output", OUTPUT),),
     "essay": (("-o --output", "essay_output", {"metavar": "FOLDER", "required": True}),),
     "note": (("-o --output", "note_output", OUTPUT),),
+    "studio": (
+        ("scene", "studio_scene", {"nargs": "?", "metavar": "SCENE"}),
+        ("-o --output", "studio_output", {"metavar": "FOLDER"}),
+        ("--pyodide", "pyodide", {"metavar": "FOLDER|ADDRESS"}),
+        ("--scenes", "studio_scenes", {"action": "append", "default": [], "metavar": "FOLDER"}),
+        ("--port", "port", {"type": int, "metavar": "N"}),
+        ("--no-browser", "no_browser", FLAG),
+    ),
     "cycle": (
         ("-o --output", "cycle_output", FILE),
         ("--show", "cycle_show", {"metavar": "NAMES"}),

@@ -1,4 +1,4 @@
-"""The commands one begins with: ``planes new``, ``planes schema``, ``planes completion``."""
+"""The commands one begins with: ``planes new``, ``studio``, ``schema``, ``completion``."""
 
 import json
 import os
@@ -66,6 +66,24 @@ def _listed(lang: Lang) -> list[str]:
         title = say("course_work", lang) if file.stem == "course" else load(file).title[lang]
         rows.append(f"{file.stem:15} {kinds.get(file.stem, ''):5} {title}")
     return rows
+
+
+def studio(args: Namespace) -> int:
+    """The studio, in a browser or as files."""
+    from planes.scene.source import read
+
+    first = read(args.scene) if args.scene else ""
+    if args.output:
+        from planes.documents.studio import write_studio
+
+        write_studio(args.output, args.lang, args.pyodide or "", args.scenes, first)
+        return 0
+    try:
+        from planes.documents.studio_server import serve
+    except ImportError:
+        raise PlanesError(Phrase("studio_needs_server")) from None
+    serve(args.lang, first, tuple(args.scenes), args.port or 0, not args.no_browser)
+    return 0
 
 
 def schema(args: Namespace) -> int:

@@ -24,7 +24,7 @@ from planes.words.frozen import frozen
 from planes.words.names import at
 from planes.words.records import Json
 
-TRIED = 360  # positions, by which it is told which terms are nothing
+TRIED = 180  # positions, by which it is told which terms are nothing
 
 
 @frozen

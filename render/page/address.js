@@ -1,7 +1,7 @@
 // The place of a reader kept in the address: the frame, the drive, the language, every number that is not the scene's.
 import { clamp } from "./geometry.js";
 import { allowed } from "./grips.js";
-import { data, live, state } from "./page.js";
+import { data, live, state, words } from "./page.js";
 
 let timer = 0;
 
@@ -15,7 +15,7 @@ export function readAddress() {
   live.back(data.home);
   live.set(numbers);
   if (live.altered.length) live.scan();
-  if (["ru", "en"].includes(q.get("lang"))) state.lang = q.get("lang");
+  if (q.get("lang") in words) state.lang = q.get("lang");
 }
 export function writeAddress() {
   clearTimeout(timer);

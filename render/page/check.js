@@ -1,10 +1,10 @@
 // The report of a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged
 // anew.
-import { $, on } from "./dom.js";
+import { $, on, safe } from "./dom.js";
 import { Figure, letters } from "./figure.js";
 import { distance } from "./geometry.js";
 import { Judge } from "./judge.js";
-import { html, safe } from "./letters.js";
+import { html } from "./letters.js";
 import { end, svg } from "./svg.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);

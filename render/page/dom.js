@@ -4,3 +4,5 @@
 export const $ = id => /** @type {HTMLInputElement} */ (document.getElementById(id));
 /** @type {(node: EventTarget, kind: string, act: (e: any) => void, how?: AddEventListenerOptions | boolean) => void} */
 export const on = (node, kind, act, how) => node.addEventListener(kind, act, how);
+/** @type {(text: any) => string} */
+export function safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); }

@@ -9,7 +9,7 @@ import { crank, drag, heard, knobs, large, spin, turn, zones } from "./hands.js"
 import { handout } from "./handout.js";
 import { ACT_MS, KITS, kit } from "./kit.js";
 import { relight } from "./light.js";
-import { data, draw, later, live, paintedBy, state } from "./page.js";
+import { data, draw, later, live, own, paintedBy, state } from "./page.js";
 import { practice } from "./practice.js";
 import { put } from "./put.js";
 import { inWords } from "./rows.js";
@@ -56,6 +56,11 @@ function paint() {
   heard();
   relight();
 }
+$("formula").textContent = data.formula;
+$("progress").max = String(data.frames.length);
+const { from, to, at } = data.drive;
+Object.assign($("crank"), { min: from, max: to, step: (to - from) / 360, value: at });
+if (!own) document.body.classList.add("within"); // the studio has title and language
 if (!data.moves) document.body.classList.add("still"); // vectors alone: no scheme, no crank
 function language() {
   zones();
@@ -72,6 +77,13 @@ $("lang").onclick = () => { state.lang = state.lang === "ru" ? "en" : "ru"; lang
 on(window, "hashchange", () => { if (practice.on) practice.toggle(); readAddress(); rested(); language(); draw(); });
 on(window, "resize", () => { resized = true; later(); });
 on(window, "beforeprint", handout);
+function renewed() { // the studio has changed numbers of the scene: the crank stays where it is
+  live.back({ ...data.home, [data.drive.given]: live.drive });
+  live.scan();
+  forget();
+  language();
+  draw();
+}
 paintedBy(paint);
 readAddress();
 forget();
@@ -82,5 +94,5 @@ else setTimeout(() => { live.scan(); zones(); later(); }, 60);
 globalThis.planes = { // by which a page is asked from outside
   $, ACT_MS, KITS, TOOLS, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live, number, plan, planOf,
     practice,
-  scheme, spin, state, task, turn,
+  renewed, scheme, spin, state, task, turn,
 };

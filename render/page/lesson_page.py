@@ -27,14 +27,18 @@ def page(data: Json, lang: str, given: str = "") -> str:
 
     ``data`` is what :func:`planes.lesson.data.lesson_data` exports.
     """
-    parts = {
-        "formula": html.escape(data["formula"]),
-        "given": given and f'<section id="given">{given}</section>\n',
-        "frames": str(len(data["frames"])),
-        **{key: str(data["drive"][key]) for key in ("from", "to", "at")},
-        "by": str((data["drive"]["to"] - data["drive"]["from"]) / 360),
-    }
+    parts = {"given": given and f'<section id="given">{given}</section>\n'}
     return _whole(data, lang, "lesson", ("lesson", *["scorm"] * bool(given)), parts)
+
+
+def living_page(lang: str) -> str:
+    """The page without a lesson: it shows that of the page it stands in, ``planes.lesson``."""
+    return _whole(None, lang, "lesson", ("lesson",), {"given": ""})
+
+
+def letters_of(data: Json) -> Json:
+    """How every name of a lesson is lettered, by language."""
+    return written(_names(data), data["lettering"])
 
 
 def essay_page(data: Json, lang: str) -> str:
@@ -42,15 +46,15 @@ def essay_page(data: Json, lang: str) -> str:
     return _whole(data, lang, "essay", ("essay",), {})
 
 
-def _whole(data: Json, lang: str, name: str, modules: tuple[str, ...], parts: dict[str, str]) -> str:
+def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], parts: dict[str, str]) -> str:
     """A page with the template of its name, its data and its modules."""
     told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
-    title = data["title"].get(lang, "")
+    title = data["title"].get(lang, "") if data else ""
     parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
     body = web_page.filled(web_page.part(f"{name}.html"), parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
-    held = {"packed": pressed([told, data]), "letters": written(_names(data), data["lettering"])}
+    held = {"packed": pressed([told, data]), "letters": data and letters_of(data)}
     return web_page.page(title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held)
 
 

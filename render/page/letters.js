@@ -1,5 +1,7 @@
 // Names as a sheet has them: letters, and what stands low or high beside them.
-const LETTERS = JSON.parse(document.getElementById("letters").textContent);
+import { safe } from "./dom.js";
+
+const LETTERS = JSON.parse(document.getElementById("letters").textContent) ?? parent.planes.lesson.letters;
 
 /** @type {(mark: string) => string} */
 export function labelOf(mark) { return mark.slice(mark.lastIndexOf(":") + 1); }
@@ -10,8 +12,6 @@ export function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: 
   const own = LETTERS[document.documentElement.lang] || {}, first = Object.values(LETTERS)[0], full = `${plan}:${name}`;
   return own[full] || first[full] || own[name] || first[name] || [[name, ""]];
 }
-/** @type {(text: any) => string} */
-export function safe(text) { return String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`); }
 /** @type {(name: string, plan?: string) => string} */
 export function html(name, plan) { // letters stand up, indices stay whole
   return lettered(name, plan).map(([t, k]) => k ? `<${k}>${safe(t)}</${k}>` : safe(t)).join("");

@@ -10,7 +10,9 @@ from importlib.resources import files
 
 RE = re.M | re.S
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.js";\n', re.M)
-_DECLARED = re.compile(r"^(export |)(?:(?:function|class) ([\w$]+)|(?:const|let) \[?(.*?;)( //[^\n]*)?$)", RE)
+_DECLARED = re.compile(
+    r"^(export |)(?:(?:async )?(?:function|class) ([\w$]+)|(?:const|let) \[?(.*?;)( //[^\n]*)?$)", RE
+)
 _INNER = re.compile(r'"[^"]*"|`[^`]*`|\([^()]*\)|\{[^{}]*\}|(?<=[=,] )\[[^\[\]]*\]')
 _NAME = re.compile(r"(?:^|, )([\w$]+)(?=[ ,(;\]])")
 _TOLD = r"/\*\*(?:(?!\*/).)*\*/"  # types, which a browser does not ask for

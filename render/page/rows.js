@@ -1,5 +1,6 @@
 // Lines of reckoning as mathematics: fractions as fractions, names that light what they name, numbers of the position.
-import { html, safe } from "./letters.js";
+import { safe } from "./dom.js";
+import { html } from "./letters.js";
 import { data, state } from "./page.js";
 import { filled, say, sentence } from "./words.js";
 

@@ -1,9 +1,8 @@
 // The stepper: one frame after another, by buttons, keys or by itself, and what is told of each.
 import { writeAddress } from "./address.js";
-import { $, on } from "./dom.js";
+import { $, on, safe } from "./dom.js";
 import { clamp } from "./geometry.js";
 import { kit } from "./kit.js";
-import { safe } from "./letters.js";
 import { data, draw, live, state } from "./page.js";
 import { put } from "./put.js";
 import { typeset } from "./rows.js";

@@ -1,9 +1,9 @@
 // The panel of practice: the question with its fields, the same for hand and keyboard; the code that is handed in.
 import { NEAR_PX, desk } from "./desk.js";
-import { $, on } from "./dom.js";
+import { $, on, safe } from "./dom.js";
 import { plan, scheme } from "./figures.js";
 import { distance } from "./geometry.js";
-import { html, labelOf, safe } from "./letters.js";
+import { html, labelOf } from "./letters.js";
 import { data, draw, later, live, state } from "./page.js";
 import { practice } from "./practice.js";
 import { filled, number, say, sentence, spoken } from "./words.js";

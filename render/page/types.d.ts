@@ -3,7 +3,7 @@ interface ParentNode {
   querySelector(selectors: string): any;
   querySelectorAll(selectors: string): NodeListOf<any>;
 }
-interface Window { opener: any; }
+interface Window { opener: any; planes: any; }
 // what is sought is there: Python has seen to it, or the page asks before
 interface Array<T> { find(sought: (one: T, k: number) => unknown): T; pop(): T; }
 interface Map<K, V> { get(key: K): V; }
@@ -56,7 +56,7 @@ interface TapeData {
 }
 interface Drive { symbol: string; given: string; at: number; held: Said; from: number; to: number; }
 interface LessonData {
-  title: Said; moves: boolean; drive: Drive; home: Numbers; knobs: Knob[]; drags: Record<string, string[]>; id: string;
+  title: Said; moves: boolean; formula: string; drive: Drive; home: Numbers; knobs: Knob[]; drags: Record<string, string[]>; id: string;
   plans: PlanOf[]; segments: Segment[]; traces: Record<string, Trace>; moments: Moments[]; acts: Said; under: Said;
   bodies: Record<string, Moments>; reckoned: { words: Record<string, Said>; units: Record<string, Said> };
   scheme: { links: Link[]; guides: Guide[]; pivots: string[]; driver: string }; helpers: string[]; equations: Equation[];
@@ -86,3 +86,15 @@ interface Found {
   marks: Record<string, Judged>; first: string; named: any; asWell?: string; limit: number; sentence: string;
   verdict: string;
 }
+
+interface Sketch {
+  title: string; points: Record<string, Spot>; fixed: string[]; loads: { link: string; point: string }[];
+  guides: Record<string, { at: Spot; angle: number; link: string }>;
+  links: Record<string, { points: string[]; slides: string | null; centre: string | null }>;
+  drive: { link: string; kind: string; rate: number; kept?: boolean } | null;
+  motion?: Record<string, Spot[]>; round?: boolean;
+}
+interface View { k: number; px(p: Spot): Spot; m(p: Spot): Spot; }
+interface Shelved { name: string; title: Said; formula: string; text: string; sketch: Sketch; }
+interface Help { label: string; from: string; to: string; path?: string[]; value?: string; sketch?: Sketch; act?: string; }
+interface Problem { line: number; column: number; said: string; help: Help[]; doubt?: boolean; }

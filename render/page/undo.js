@@ -5,8 +5,13 @@ const past = /** @type {any[]} */ ([]), future = /** @type {any[]} */ ([]);
 let last = { ...live.given };
 
 const same = () => Object.keys(last).every(n => last[n] === live.given[n]);
+function announced() { // the studio writes it into the scene
+  const detail = Object.fromEntries(Object.entries(live.given).filter(([n, v]) => last[n] !== v));
+  dispatchEvent(new CustomEvent("rested", { detail }));
+}
 export function rested() { // a move has ended: what it changed is one step
   if (same()) return;
+  announced();
   past.push(last);
   future.length = 0;
   last = { ...live.given };
@@ -20,8 +25,9 @@ function went(from, to) {
   rested();
   if (!from.length) return false;
   to.push(last);
-  last = from.pop();
-  live.back(last);
+  live.back(from.pop());
+  announced();
+  last = { ...live.given };
   return true;
 }
 export const undo = () => went(past, future), redo = () => went(future, past);

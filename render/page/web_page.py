@@ -18,22 +18,31 @@ _ACTIVE = re.compile("[<>&\u2028\u2029]")
 
 
 def page(
-    title: str, lang: str, style: str, body: str, *, code: str = "", data: Mapping[str, object] = NONE, kind: str = ""
+    title: str,
+    lang: str,
+    style: str,
+    body: str,
+    *,
+    code: str = "",
+    data: Mapping[str, object] = NONE,
+    kind: str = "",
+    allowed: str = "",
 ) -> str:
-    """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them."""
+    """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them;
+    ``allowed`` is what a browser may do besides (a part of the page's policy)."""
     held = (f'<script type="application/json" id="{key}">{embedded(one)}</script>\n' for key, one in data.items())
-    parts = {"lang": lang, "policy": policy(code), "title": html.escape(title), "style": style, "body": body}
+    parts = {"lang": lang, "policy": policy(code, allowed), "title": html.escape(title), "style": style, "body": body}
     parts["kind"] = f' class="{html.escape(kind)}"' if kind else ""
     parts["scripts"] = "".join(held) + (f'<script type="module">{code}</script>\n' if code else "")
     return filled(part("shell.html"), parts)
 
 
-def policy(code: str) -> str:
+def policy(code: str, more: str = "") -> str:
     """What a browser may do with a page: styles and pictures that stand in it, a picture a person opens, its script."""
     hashed = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode()
     script = f"script-src 'sha256-{hashed}'; " if code else ""
     allowed = "default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; "
-    return f"{allowed}{script}base-uri 'none'; form-action 'none'"
+    return f"{allowed}{script}{more}base-uri 'none'; form-action 'none'"
 
 
 def filled(template: str, parts: Mapping[str, str]) -> str:

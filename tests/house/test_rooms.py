@@ -17,7 +17,7 @@ LAYERS = (  # a room imports from the layers above its own in this list, and fro
     "words",
     "geometry scene drafting plans batch solving",  # the engine; drafting knows no mechanism
     "accuracy diagrams",  # many positions looked at
-    "check lesson course crank_slider",  # readers
+    "check lesson studio course crank_slider",  # readers
     "render",  # draws, computes no mechanics
     "documents cli",
 )

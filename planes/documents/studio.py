@@ -1,0 +1,73 @@
+"""The command ``planes studio``: the studio as files for any web server, with or without the engine for a browser."""
+
+import io
+import json
+import shutil
+import zipfile
+from collections.abc import Iterable
+from importlib.resources import files
+from pathlib import Path
+
+from planes.scene.files import keep, sayable
+from planes.studio.gallery import OWN, scenes_in, shelved
+from planes.words import Lang, Phrase
+from planes.words.errors import PlanesError
+from planes.words.records import Json
+from render.page.lesson_page import pressed
+from render.page.studio_page import answered, files_of
+
+RUNTIME = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
+"""The files of the npm package that a browser asks for."""
+ENGINE = ("words", "geometry", "scene", "drafting", "plans", "solving", "batch", "lesson", "studio")
+"""The rooms a browser's worker runs, and with them the grading's catalogue of mistakes."""
+BESIDE = ("planes/__init__.py", "planes/check/__init__.py", "planes/check/grading", "planes/check/reading")
+PAGES = ("__init__.py", "packer.py", "web_page.py", "lesson_page.py", "studio_page.py")
+LETTERS = ("__init__.py", "letters.py")
+
+
+def write_studio(folder: str, lang: Lang, runtime: str = "", scenes: Iterable[str] = (), first: str = "") -> None:
+    """The studio in a folder: pages, gallery, the lessons of its scenes; with a ``runtime`` (the folder of the npm
+    package pyodide, or an address) the engine too."""
+    own = Path(runtime)
+    local = bool(runtime) and "://" not in runtime
+    if local and not (own / RUNTIME[0]).is_file():
+        raise PlanesError(Phrase("studio_no_runtime", folder=runtime))
+    address = runtime.rstrip("/") + "/" if runtime and not local else "runtime/"
+    way: Json = {"kind": "worker" if runtime else "none", "address": address, "native": False}
+    shelf = shelved(scenes_in([*OWN, *map(Path, scenes)]))
+    parts = files_of(lang, way, first) | {"gallery.json": _json(shelf)}
+    for one in shelf:
+        answer = answered({"ask": "lesson", "text": one["text"], "lang": lang})
+        if "data" in answer:
+            parts[f"lessons/{one['name']}.txt"] = pressed(answer).encode()
+    if runtime:
+        parts["planes.zip"] = engine()
+    with sayable(folder):
+        (Path(folder) / "lessons").mkdir(parents=True, exist_ok=True)
+        if local:
+            (Path(folder) / "runtime").mkdir(exist_ok=True)
+            for name in RUNTIME:
+                shutil.copyfile(own / name, Path(folder) / "runtime" / name)
+    for name, data in parts.items():
+        keep(data, Path(folder) / name)
+
+
+def engine() -> bytes:
+    """The packages a worker needs, as they are, in one archive; of other people's, PyYAML alone, which is pure."""
+    planes, render, own = (Path(str(files(name))) for name in ("planes", "render", "yaml"))
+    parts = [planes / room for room in ENGINE] + [planes.parent / name for name in BESIDE] + [render / "__init__.py"]
+    parts += [render / "page" / name for name in PAGES] + [render / "paper" / name for name in LETTERS]
+    held = io.BytesIO()
+    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for part in (*parts, own):
+            for path in sorted(part.rglob("*")) if part.is_dir() else [part]:
+                if path.suffix in (".py", ".json") and "__pycache__" not in path.parts:
+                    root = own.parent if part == own else planes.parent
+                    entry = zipfile.ZipInfo(path.relative_to(root).as_posix(), (2000, 1, 1, 0, 0, 0))
+                    entry.compress_type = zipfile.ZIP_DEFLATED
+                    archive.writestr(entry, path.read_bytes())
+    return held.getvalue()
+
+
+def _json(thing: object) -> bytes:
+    return json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode()

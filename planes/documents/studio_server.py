@@ -1,0 +1,211 @@
+"""The studio on this machine: a server for one person's browser, the engine behind it.
+
+It listens to this machine alone, and answers only a browser that came with its token, from its own page: so no other
+page that is open can ask it anything. What takes long, or opens a stranger's file, runs in a process of its own.
+"""
+
+import asyncio
+import base64
+import binascii
+import json
+import secrets
+import sys
+import tempfile
+import webbrowser
+from collections.abc import Awaitable, Callable
+from functools import partial
+from pathlib import Path
+
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, RedirectResponse, Response
+from starlette.routing import Route
+
+from planes.scene.files import keep
+from planes.studio.gallery import OWN, scenes_in, shelved
+from planes.words import Lang, langs, say
+from render.page.studio_page import carried, files_of
+
+HOST, COOKIE = "127.0.0.1", "planes"
+MOST_BYTES, MOST_DRAWING = 300_000, 40_000_000
+SECONDS, AT_ONCE = 90, 2  # of a file that is made, how long and how many beside each other
+MADE = {
+    "pdf": "application/pdf",
+    "svg": "image/svg+xml",
+    "dxf": "image/vnd.dxf",
+    "png": "image/png",
+    "html": "text/html",
+    "docx": "application/vnd.openxmlformats-officedocument.wordprocessingml.document",
+    "csv": "text/csv",
+}
+COMMANDS = ("sheet", "lesson", "note", "blank", "cycle")
+KINDS = {"html": "text/html", "js": "text/javascript", "json": "application/json"}
+SAFE = {
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cache-Control": "no-store",
+}
+"""What every answer tells a browser."""
+
+
+class StudioServer:
+    """The routes, and what they share: the token, the pages, the places where files are made."""
+
+    def __init__(self, lang: Lang, first: str = "", scenes: tuple[str, ...] = ()) -> None:
+        self.lang, self.token = lang, secrets.token_urlsafe(24)
+        way = {"kind": "server", "address": "", "native": True}
+        self.pages = files_of(lang, way, first)
+        self.scenes = scenes
+        self.shelf = b""
+        self.busy = asyncio.Semaphore(AT_ONCE)
+        self.reports: dict[str, bytes] = {}
+
+    def routes(self) -> Starlette:
+        """The application."""
+        return Starlette(
+            routes=[
+                Route("/", self.guarded(self.page)),
+                Route("/ask", self.guarded(self.ask), methods=["POST"]),
+                Route("/file", self.guarded(self.file), methods=["POST"]),
+                Route("/check", self.guarded(self.check), methods=["POST"]),
+                Route("/gallery.json", self.guarded(self.gallery)),
+                Route("/reports/{name}", self.guarded(self.report)),
+                Route("/{name}", self.guarded(self.page)),
+            ]
+        )
+
+    def guarded(self, act: Callable[[Request], Awaitable[Response]]) -> Callable[[Request], Awaitable[Response]]:
+        """A route for the browser that has the token, asked for by this name of the machine and from this page."""
+
+        async def answered(request: Request) -> Response:
+            here = {f"{name}:{request.url.port}" for name in (HOST, "localhost")}
+            origin = request.headers.get("origin")
+            if request.headers.get("host") not in here or origin not in (None, *(f"http://{one}" for one in here)):
+                return self.refused("studio_not_here", 421)
+            if secrets.compare_digest(request.query_params.get("token", ""), self.token):
+                found: Response = RedirectResponse("/", 303)
+                found.set_cookie(COOKIE, self.token, httponly=True, samesite="strict")
+            elif secrets.compare_digest(request.cookies.get(COOKIE, ""), self.token):
+                found = await act(request)
+            else:
+                found = self.refused("studio_no_token", 403)
+            found.headers.update(SAFE)
+            return found
+
+        return answered
+
+    def refused(self, key: str, status: int, **parts: object) -> Response:
+        """A sentence in the studio's language."""
+        return PlainTextResponse(say(key, self.lang, **parts), status)
+
+    async def page(self, request: Request) -> Response:
+        """One of the studio's own files."""
+        name = request.path_params.get("name", "index.html")
+        if name not in self.pages:
+            return self.refused("studio_no_page", 404)
+        return Response(self.pages[name], media_type=KINDS[name.rpartition(".")[2]])
+
+    async def gallery(self, _: Request) -> Response:
+        """The scenes of the gallery, made when they are first asked for."""
+        if not self.shelf:
+            found = await run_in_threadpool(shelved, list(scenes_in([*OWN, *map(Path, self.scenes)])))
+            self.shelf = json.dumps(found, ensure_ascii=False).encode()
+        return Response(self.shelf, media_type=KINDS["json"])
+
+    async def body(self, request: Request, most: int) -> dict[str, object] | None:
+        """The message of a request, no longer than ``most`` bytes; None of anything else."""
+        data = b""
+        async for chunk in request.stream():
+            data += chunk
+            if len(data) > most:
+                return None
+        try:
+            found = json.loads(data)
+        except (ValueError, RecursionError):
+            return None
+        return found if isinstance(found, dict) else None
+
+    async def ask(self, request: Request) -> Response:
+        """A message and its answer."""
+        if (message := await self.body(request, MOST_BYTES)) is None:
+            return self.refused("studio_bad_message", 400)
+        return Response(await run_in_threadpool(carried, json.dumps(message)), media_type=KINDS["json"])
+
+    async def file(self, request: Request) -> Response:
+        """A file as the command line writes it."""
+        message = await self.body(request, MOST_BYTES)
+        command, _, suffix = str((message or {}).get("file", "")).partition(".")
+        if message is None or command not in COMMANDS or suffix not in MADE:
+            return self.refused("studio_bad_message", 400)
+        extra = ("--plan", "velocity") if command == "blank" else ()
+        made = await self.made(message, [command, "scene.yaml", *extra, "-o", f"made.{suffix}"], f"made.{suffix}")
+        return made if isinstance(made, Response) else Response(made, media_type=MADE[suffix])
+
+    async def check(self, request: Request) -> Response:
+        """The address of the report on a drawing."""
+        message = await self.body(request, MOST_DRAWING)
+        try:
+            drawing = base64.b64decode(str((message or {})["drawing"]), validate=True)
+        except (KeyError, binascii.Error):
+            return self.refused("studio_bad_message", 400)
+        assert message is not None
+        suffix = "".join(c for c in Path(str(message.get("name", ""))).suffix if c.isalnum() or c == ".")[:6]
+        plan = ("--plan", str(message.get("plan", ""))) if message.get("plan") else ()
+        line = ["check", "scene.yaml", f"drawing{suffix}", *plan, "-o", "report.html"]
+        made = await self.made(message, line, "report.html", {f"drawing{suffix}": drawing})
+        if isinstance(made, Response):
+            return made
+        name = secrets.token_urlsafe(8)
+        self.reports = {**dict(list(self.reports.items())[-7:]), name: made}
+        return PlainTextResponse(f"reports/{name}")
+
+    async def report(self, request: Request) -> Response:
+        """A report that was made."""
+        found = self.reports.get(request.path_params["name"])
+        return Response(found, media_type=KINDS["html"]) if found else self.refused("studio_no_page", 404)
+
+    async def made(
+        self, message: dict[str, object], line: list[str], output: str, beside: dict[str, bytes] | None = None
+    ) -> bytes | Response:
+        """What a command writes of the message's scene, in a process of its own; or why it does not."""
+        lang = str(message.get("lang", ""))
+        with tempfile.TemporaryDirectory() as folder:
+            for name, data in {"scene.yaml": str(message.get("text", "")).encode(), **(beside or {})}.items():
+                keep(data, Path(folder) / name)
+            argv = [sys.executable, "-m", "planes", *line, "--lang", lang if lang in langs() else self.lang]
+            async with self.busy:
+                pipe = asyncio.subprocess.PIPE
+                child = await asyncio.create_subprocess_exec(*argv, cwd=folder, stdout=pipe, stderr=pipe)
+                try:
+                    _, said = await asyncio.wait_for(child.communicate(), SECONDS)
+                except TimeoutError:
+                    child.kill()
+                    await child.wait()
+                    return self.refused("studio_too_long", 504, seconds=SECONDS)
+            file = Path(folder) / output
+            if file.is_file():
+                return file.read_bytes()
+            return PlainTextResponse(said.decode("utf-8", "replace")[-2000:].strip() or str(child.returncode), 422)
+
+
+def serve(lang: Lang, first: str = "", scenes: tuple[str, ...] = (), port: int = 0, browse: bool = True) -> None:
+    """The server, until it is stopped; ``port`` 0 is any that is free."""
+    import socket
+
+    import uvicorn
+
+    studio = StudioServer(lang, first, scenes)
+    with socket.socket() as door:
+        door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        door.bind((HOST, port))
+        address = f"http://{HOST}:{door.getsockname()[1]}/?token={studio.token}"
+        print(say("studio_opened", lang, address=address), flush=True)
+        if browse:
+            from threading import Timer
+
+            Timer(0.5, partial(webbrowser.open, address)).start()
+        config = uvicorn.Config(studio.routes(), log_level="warning", timeout_keep_alive=30)
+        uvicorn.Server(config).run([door])

@@ -1,0 +1,106 @@
+"""The one message of the studio, and its answers: what a carrier brings in as data, it takes back as data.
+
+``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme), "numbers" (a hand has
+changed some), "sketch" (a mechanism as it is drawn), "drawn" (a sketch has changed), "put", "append", "leave out" (a
+part of the text).
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from planes.lesson.data import lesson_data
+from planes.scene import loads
+from planes.studio.numbers_back import with_numbers
+from planes.studio.sketch_texts import drawn, offers_of
+from planes.studio.sketches import sketch_of
+from planes.studio.text_edits import FILE, Edited
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError, SceneError
+from planes.words.records import Json
+
+LONGEST = 200_000  # letters of a scene
+QUOTES = ("name", "word", "value", "key")
+"""Parts of a sentence that quote the text."""
+LACKS, TOOLS = ("part_missing", "part_empty"), {"frame": "fix", "links": "link", "drive": "drive"}
+"""Sentences of what a mechanism lacks, and the tool of the canvas that draws it."""
+
+
+def answer(message: Json) -> Json:
+    """The answer to a message; whatever is wrong in the text stands in its ``problems``."""
+    text, lang = str(message.get("text", ""))[:LONGEST], str(message.get("lang", "en"))
+    act = ACTS.get(str(message.get("ask")))
+    own: Json = {"id": message.get("id"), "ask": message.get("ask"), "problems": []}
+    if act is None:
+        return {**own, "problems": [{"line": 1, "said": say("studio_unknown", lang), "help": []}]}
+    try:
+        return {**own, **act(text, message)}
+    except PlanesError as error:
+        more = {"text": found} if (found := getattr(error, "text", "")) else {}
+        return {**own, **more, "problems": [problem(error, more.get("text", text), lang)]}
+    except ImportError as error:
+        return {**own, "problems": [{"line": 1, "said": say("studio_needs", lang, name=error.name), "help": []}]}
+
+
+def problem(error: PlanesError, text: str, lang: Lang) -> Json:
+    """What is wrong: its line and column, the sentence, and what would be right instead, each as a part to be put."""
+    line = getattr(error, "line", None) or 1
+    said = error.phrase.told(lang) if isinstance(error.phrase, Phrase) else str(error.phrase)
+    found: Json = {"line": line, "column": 1, "said": said, "help": []}
+    parts = error.phrase.parts if isinstance(error.phrase, Phrase) else {}
+    row = (text.splitlines() or [""])[min(line, text.count("\n") + 1) - 1 : line]
+    quoted = next((str(parts[q]) for q in QUOTES if q in parts and row and str(parts[q]) in row[0]), "")
+    if quoted:
+        found["column"] = row[0].index(quoted) + 1
+        found["help"] = [{"label": name, "from": quoted, "to": name} for name in _valid(parts)]
+    if isinstance(error.phrase, Phrase) and error.phrase.key in LACKS and (act := TOOLS.get(str(parts.get("key", "")))):
+        found["help"].append({"label": say(f"studio_add_{act}", lang), "act": act})
+    if isinstance(error, SceneError):
+        found["help"] += [_offer(text, path, value) for path, value in offers_of(error)]
+    return found
+
+
+def _valid(parts: dict[str, object]) -> list[str]:
+    """The names that would have been valid, the nearest first."""
+    valid = parts.get("valid")
+    told = valid.parts if isinstance(valid, Phrase) else {}
+    names = told.get("names", ())
+    near = told.get("near")
+    first = [str(near.parts["name"])] if isinstance(near, Phrase) and "name" in near.parts else []
+    return [*first, *(n for n in map(str, names if isinstance(names, tuple) else ()) if n not in first)][:6]
+
+
+def _offer(text: str, path: tuple[str, ...], value: str) -> Json:
+    """One of several assemblies, with its picture."""
+    own: Json = {"label": f"{path[-1]}: {value}", "path": path, "value": value}
+    try:
+        return {**own, "sketch": sketch_of(loads(Edited(text).put(path, value).text))}
+    except PlanesError:
+        return own
+
+
+def _lesson(text: str, message: Json) -> Json:
+    scene = loads(text, FILE)
+    lang = str(message.get("lang", "en"))
+    plain: Json = {"column": 1, "help": [], "doubt": True}
+    doubts = [{**plain, "line": d.line, "said": d.phrase.told(lang)} for d in scene.doubts]
+    return {"data": lesson_data(scene), "problems": doubts}
+
+
+def _edited(edited: Edited) -> Json:
+    return {"text": edited.text, "lines": edited.lines}
+
+
+def _path(message: Json) -> tuple[str, ...]:
+    return tuple(map(str, message["path"]))
+
+
+ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
+    "lesson": _lesson,
+    "numbers": lambda text, m: _edited(with_numbers(text, {str(n): float(v) for n, v in m["numbers"].items()})),
+    "sketch": lambda text, _: {"sketch": sketch_of(loads(text, FILE))},
+    "drawn": lambda text, m: _edited(drawn(text, m["sketch"])),
+    "put": lambda text, m: _edited(Edited(text).put(_path(m), str(m["value"]))),
+    "append": lambda text, m: _edited(Edited(text).appended(_path(m), str(m["value"]))),
+    "leave out": lambda text, m: _edited(Edited(text).without(_path(m))),
+}
+"""What may be asked, by its name."""

@@ -1,0 +1,142 @@
+"""Numbers a hand has changed, written back where the text has them: in a parameter, or in the place itself.
+
+Which number of the text moves which number of the mechanism is found by trying: each is changed a little and the scene
+read again. So a length that an expression makes of parameters is reached through them.
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+
+from planes.drafting.steps.settling import eliminated
+from planes.lesson.knobs import Knobs
+from planes.scene import loads
+from planes.scene.source import SourceScalar, parse, walk
+from planes.solving import plans_of
+from planes.studio.text_edits import Edited
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+from planes.words.frozen import frozen
+from planes.words.names import is_scale
+from planes.words.units import mu_text
+
+STEP = 1e-3  # of itself: how much a number is changed to see what it moves
+ROUNDS, CLOSE = 8, 1e-9
+DIGITS = 5  # that are written of what a hand has set
+NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?")
+PARTS = ("parameters", "frame", "links", "drive", "loads", "gravity", "vectors", "friction")
+
+
+@frozen
+class NumberInText:
+    """A number as it stands in the text, with the unit it was written in."""
+
+    path: tuple[str, ...]
+    value: float
+    unit: str = ""
+
+    def written(self, value: float) -> str:
+        """Another number in its place: as many digits as a hand sets, and the unit."""
+        return f"{value:.{DIGITS}g}".removesuffix(".0") + self.unit
+
+
+def home_of(text: str) -> dict[str, float]:
+    """The numbers of a scene that a reader may change, by name, SI and degrees."""
+    plans, _ = plans_of(loads(text), shown=True)
+    given = {**plans.given, **plans.at(plans.mechanism.drive.position)}
+    knobs = Knobs(plans, given)
+    names = {plans.drive_given, *(knob["given"] for knob in knobs.all)}
+    return {name: value for name, value in knobs.free.home.items() if name in names}
+
+
+def with_numbers(text: str, wanted: Mapping[str, float]) -> Edited:
+    """The text with numbers of the mechanism as they are wanted; :class:`PlanesError` where none of the text's own
+    makes them so."""
+    edited = Edited(text)
+    for name, value in wanted.items():
+        if is_scale(name):
+            plan = name.removeprefix("mu_")
+            edited = edited.put(("plans", plan, "mu"), mu_text(value, plan))
+    rest = {name: value for name, value in wanted.items() if not is_scale(name)}
+    return _solved(edited, rest) if rest else edited
+
+
+def _figures(text: str) -> list[NumberInText]:
+    """The numbers of the text that a mechanism is made of, in the order of the text."""
+    found = []
+    for path, node, _ in walk(parse(text, "")):
+        if path and path[0] in PARTS and isinstance(node, SourceScalar) and (told := NUMBER.fullmatch(node.text)):
+            found.append(NumberInText(path, float(told[1]), told[2] or ""))
+    return found
+
+
+def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
+    """By Newton's steps in the numbers of the text that move what is wanted, and least besides."""
+    home = home_of(edited.text)
+    wanted = {n: v for n, v in wanted.items() if n in home and abs(v - home[n]) > CLOSE * max(abs(v), abs(home[n]))}
+    if not wanted:
+        return edited
+    figures = _figures(edited.text)
+    own = [f for f in figures if f.path[-1] in wanted or f.path[-1] in map(_said, wanted)]
+    for tried in (own, figures):
+        chosen = _chosen(edited, tried, home, [*wanted])
+        if chosen:
+            return _reached(edited, chosen, wanted)
+    raise PlanesError(Phrase("studio_no_number", names=", ".join(map(_said, wanted))))
+
+
+def _chosen(
+    edited: Edited, figures: Sequence[NumberInText], home: Mapping[str, float], names: Sequence[str]
+) -> list[NumberInText]:
+    """For each name a figure that moves it: those that move fewest others, the parameters first."""
+    slopes = {}
+    for figure in figures:
+        if moved := _moved(edited, figure, home):
+            slopes[figure] = moved
+    found: list[NumberInText] = []
+    for name in names:
+        able = [f for f in slopes if slopes[f].get(name) and f not in found]
+        # what is nothing stays so; then those that move fewest others
+        rank = {f: (not f.value, len(slopes[f].keys() - {*names}), f.path[0] != "parameters") for f in able}
+        found += sorted(able, key=rank.__getitem__)[:1]
+    return found if len(found) == len(names) else []
+
+
+def _moved(edited: Edited, figure: NumberInText, home: Mapping[str, float]) -> dict[str, float]:
+    """Which numbers of the mechanism move with one of the text, and by how much of it."""
+    step = STEP * (abs(figure.value) or 1.0)
+    try:
+        there = home_of(edited.put(figure.path, f"{figure.value + step!r}{figure.unit}").text)
+    except PlanesError:
+        return {}
+    return {n: (there[n] - v) / step for n, v in home.items() if n in there and abs(there[n] - v) > 1e-9 * abs(step)}
+
+
+def _reached(edited: Edited, chosen: Sequence[NumberInText], wanted: Mapping[str, float]) -> Edited:
+    """The text where the figures make what is wanted, as near as their digits allow."""
+    values = [f.value for f in chosen]
+
+    def text_of(numbers: Sequence[float]) -> Edited:
+        text = edited
+        for figure, value in zip(chosen, numbers, strict=True):
+            text = text.put(figure.path, f"{value!r}{figure.unit}")
+        return text
+
+    for _ in range(ROUNDS):
+        home = home_of(text_of(values).text)
+        miss = [v - home[n] for n, v in wanted.items()]
+        if all(abs(m) <= CLOSE * max(abs(v), 1.0) for m, v in zip(miss, wanted.values(), strict=True)):
+            break
+        columns = []
+        for k, value in enumerate(values):
+            step = STEP * (abs(value) or 1.0)
+            there = home_of(text_of([v + step * (j == k) for j, v in enumerate(values)]).text)
+            columns.append([(there[n] - home[n]) / step for n in wanted])
+        values = [v + by for v, by in zip(values, eliminated(columns, miss)[0], strict=True)]
+    for figure, value in zip(chosen, values, strict=True):
+        edited = edited.put(figure.path, figure.written(value))
+    return edited
+
+
+def _said(name: str) -> str:
+    """A number's name without what the program adds to it."""
+    return name.removesuffix("_given")

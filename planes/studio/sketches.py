@@ -1,0 +1,90 @@
+"""A mechanism as it is drawn on a canvas: points in their places, links by their points.
+
+A sketch is plain data. ``points`` are places, m; ``fixed`` those of the frame; ``guides`` have a place ``at``, an
+``angle`` and their ``link`` ("0": the frame); ``links`` have ``points`` and the guide they slide on; ``drive`` is a
+link with its speed. What a scene says besides (masses, loads, friction, scales) stays in its text.
+"""
+
+import cmath
+import math
+
+from planes.drafting.drawing import run
+from planes.scene import Scene
+from planes.scene.mechanism import FRAME, Guide, Link, Mechanism
+from planes.solving import plans_of
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+from planes.words.names import at
+from planes.words.records import Json
+
+NEAR_M = 1e-7  # places this near are one
+
+
+def sketch_of(scene: Scene) -> Json:
+    """The sketch of a scene in its own position; :class:`PlanesError` where it has none."""
+    m = scene.mechanism
+    if m is None:
+        raise PlanesError(Phrase("no_structure", file=scene.file))
+    plans, _ = plans_of(scene, shown=True)
+    names = [at("position", p) for x in (m.frame, *m.links.values()) for p in x.points]
+    program = plans.program.sliced([n for n in dict.fromkeys(names) if n in plans.program.made])
+    drawn = run(program, {**plans.given, **plans.at(m.drive.position, program), "mu_position": 1.0})
+    places = {n: complex(drawn[at("position", n)]) for n in m.names if at("position", n) in drawn}
+    places |= m.frame.points
+    guides = {
+        g.name: _guide(g, x, _axis(x, m, places), places)
+        for x in (m.frame, *m.links.values())
+        for g in x.guides.values()
+    }
+    return {
+        "title": scene.title.get("en", "") or next(iter(scene.title.values()), ""),
+        "points": {p: [z.real, z.imag] for p, z in places.items()},
+        "fixed": [*m.frame.points],
+        "guides": {n: g for n, g in guides.items() if g},
+        "links": {n: _link(x) for n, x in m.links.items()},
+        "drive": _drive_of(m),
+        "loads": [{"link": x.link, "point": x.point} for x in m.loads if x.point],
+    }
+
+
+def _drive_of(m: Mechanism) -> Json:
+    """The drive; one between moving links stays as it is written."""
+    link = m.links[m.drive.link]
+    between = m.drive.on != FRAME or (link.slides is not None and m.owner(link.slides.guide) != FRAME)
+    own: Json = {"link": m.drive.link, "kind": m.drive.kind, "rate": m.drive.velocity}
+    return own | ({"kept": True} if between else {})
+
+
+def _link(x: Link) -> Json:
+    return {"points": [*x.points], "slides": x.slides.guide if x.slides else None, "centre": x.centre}
+
+
+def _guide(g: Guide, x: Link, axis: complex, places: dict[str, complex]) -> Json:
+    first = x.first_point if x.points else ""
+    start = places.get(first, 0j) - x.points[first] * axis if x.name != FRAME and first else 0j
+    z = start + g.through * axis
+    return {"at": [z.real, z.imag], "angle": g.angle_deg + math.degrees(cmath.phase(axis)), "link": x.name}
+
+
+def _axis(x: Link, m: Mechanism, places: dict[str, complex]) -> complex:
+    """The direction of a link's own x axis."""
+    if x.name == FRAME:
+        return 1 + 0j
+    if x.slides:
+        owner = m.owner(x.slides.guide)
+        guide = m.guide(x.slides.guide)
+        body = m.frame if owner == FRAME else m.links[owner]
+        turn = math.radians(guide.angle_deg + (x.slides.angle_deg or 0.0))
+        return _axis(body, m, places) * cmath.rect(1.0, turn)
+    base = x.first_point
+    for p, z in x.points.items():
+        if abs(z - x.points[base]) > NEAR_M and p in places:
+            turned = (places[p] - places[base]) / (z - x.points[base])
+            return turned / abs(turned)
+    for other in m.links.values():  # a lever seen by what slides on it alone
+        if other.slides and other.slides.guide in x.guides and other.first_point in places:
+            guide = x.guides[other.slides.guide]
+            way = places[other.first_point] - places[base]
+            if abs(way) > NEAR_M:
+                return way / abs(way) * cmath.rect(1.0, -math.radians(guide.angle_deg))
+    return 1 + 0j

@@ -1,0 +1,121 @@
+"""A scene's text with one part changed, everything else left as it was written: comments, order, line breaks."""
+
+from collections.abc import Sequence
+
+import yaml
+
+from planes.scene.source import parse
+from planes.words.frozen import frozen
+
+Path = Sequence[str]
+FILE = "scene.yaml"
+
+
+@frozen
+class Edited:
+    """The text after a change, and the lines that were changed, from 1."""
+
+    text: str
+    lines: tuple[int, ...] = ()
+
+    def put(self, path: Path, value: str) -> "Edited":
+        """The same with a value at a path of keys (numbers in lists); keys that are not there are added."""
+        node, depth = _reached(_tree(self.text), path)
+        if depth == len(path):
+            start = node.start_mark
+            return self._with(start.index, _end(node).index, value, start.line)
+        return self._added(node, path[depth], _nested(path[depth + 1 :], value))
+
+    def appended(self, path: Path, value: str) -> "Edited":
+        """The same with one more item in the list at a path, which is made if it is not there."""
+        node, depth = _reached(_tree(self.text), path)
+        if depth < len(path):
+            return self.put(path, f"[{value}]")
+        if isinstance(node, yaml.SequenceNode) and node.flow_style is False and node.value:
+            first, last = node.value[0].start_mark, _end(node.value[-1])
+            at = self._line_end(last.index)
+            return self._with(at, at, f"\n{' ' * (first.column - 2)}- {value}", last.line + 1)
+        at = node.end_mark.index - 1
+        return self._with(at, at, f", {value}" if node.value else value, node.end_mark.line)
+
+    def without(self, path: Path) -> "Edited":
+        """The same without a key and what it says, or an item of a list; one that is not there is left out already."""
+        parent, depth = _reached(_tree(self.text), path[:-1])
+        if depth < len(path) - 1 or not isinstance(parent, yaml.CollectionNode):
+            return self
+        parts = [(p[0], p[1]) if isinstance(p, tuple) else (p, p) for p in parent.value]
+        keys = (
+            [p[0].value for p in parts] if isinstance(parent, yaml.MappingNode) else list(map(str, range(len(parts))))
+        )
+        if path[-1] not in keys:
+            return self
+        k = keys.index(path[-1])
+        if len(parts) == 1:
+            return self.without(path[:-1]) if len(path) > 1 else Edited("", (1,))
+        start, end = parts[k][0].start_mark, parts[k][1].end_mark
+        if not parent.flow_style:
+            begin, last = self.text.rfind("\n", 0, start.index) + 1, self._line_end(_end(parts[k][1]).index)
+            return self._with(begin, min(last + 1, len(self.text)), "", start.line)
+        if k + 1 < len(parts):
+            return self._with(start.index, parts[k + 1][0].start_mark.index, "", start.line)
+        return self._with(parts[k - 1][1].end_mark.index, end.index, "", start.line)
+
+    def _added(self, node: yaml.Node, key: str, value: str) -> "Edited":
+        """With one more key of a mapping; one that is empty, or no mapping at all, becomes one."""
+        if node.start_mark is None:  # there is no text
+            return Edited(f"{key}: {value}\n", (1,))
+        if not isinstance(node, yaml.MappingNode) or not node.value:
+            start, end = node.start_mark.index, node.end_mark.index
+            line = self.text[self.text.rfind("\n", 0, start) + 1 : start]
+            if line[:1].strip():  # the value of a key of the file itself: a line for each of its own
+                return self._with(start - (line[-1:] == " "), end, f"\n  {key}: {value}", node.start_mark.line + 1)
+            space = " " * (self.text[start - 1 : start] not in ("", " ", "\n"))
+            return self._with(start, end, f"{space}{{{key}: {value}}}", node.start_mark.line)
+        if node.flow_style:
+            end = node.end_mark
+            return self._with(end.index - 1, end.index - 1, f", {key}: {value}", end.line)
+        last = _end(node.value[-1][1])
+        at, indent = self._line_end(last.index), " " * node.value[0][0].start_mark.column
+        return self._with(at, at, f"\n{indent}{key}: {value}", self.text.count("\n", 0, at) + 1)
+
+    def _line_end(self, at: int) -> int:
+        found = self.text.find("\n", at)
+        return len(self.text) if found < 0 else found
+
+    def _with(self, start: int, end: int, value: str, line: int) -> "Edited":
+        text = self.text[:start] + value + self.text[end:]
+        return Edited(text, tuple(sorted({*self.lines, line + 1})))
+
+
+def _tree(text: str) -> yaml.Node:
+    """The text as nodes that know where they stand; no text is an empty mapping."""
+    if text.strip():
+        parse(text, FILE)  # refuses in words what is no plain document
+    found: yaml.Node | None = yaml.compose(text, yaml.SafeLoader)
+    return found or yaml.MappingNode("tag:yaml.org,2002:map", [])
+
+
+def _reached(node: yaml.Node, path: Path) -> tuple[yaml.Node, int]:
+    """The node at a path as far as there is one, and how many of the keys lead to it."""
+    for depth, key in enumerate(path):
+        if isinstance(node, yaml.MappingNode):
+            inner = next((value for k, value in node.value if k.value == key), None)
+        else:
+            items = node.value if isinstance(node, yaml.SequenceNode) else []
+            inner = items[int(key)] if key.isdigit() and int(key) < len(items) else None
+        if inner is None:
+            return node, depth
+        node = inner
+    return node, len(path)
+
+
+def _end(node: yaml.Node) -> yaml.Mark:
+    """Where the last thing of a node ends: a block's own end is the beginning of what follows."""
+    while isinstance(node, yaml.CollectionNode) and not node.flow_style and node.value:
+        last = node.value[-1]
+        node = last[1] if isinstance(last, tuple) else last
+    return node.end_mark
+
+
+def _nested(keys: Path, value: str) -> str:
+    return value if not keys else f"{{{keys[0]}: {_nested(keys[1:], value)}}}"

@@ -1,0 +1,47 @@
+// Who brings a message to the engine and its answer back: the server this page came from, or a worker that holds the
+// engine itself. An answer to what was asked before the last of its kind is dropped.
+import { $ } from "./dom.js";
+
+/** @type {{ kind: string, address: string, native: boolean }} */
+export const way = JSON.parse($("way").textContent);
+const waiting = /** @type {Map<number, (answer: any) => void>} */ (new Map());
+const latest = /** @type {Record<string, number>} */ ({});
+let count = 0, worker = /** @type {Worker | null} */ (null);
+export const engine = { ready: way.kind === "server", said: /** @type {(step: string) => void} */ (() => {}) };
+
+/** @type {(answer: any) => void} */
+function heard(answer) {
+  if (answer.step) {
+    engine.ready = answer.step === "ready";
+    engine.said(answer.step);
+    return;
+  }
+  waiting.get(answer.id)?.(answer);
+  waiting.delete(answer.id);
+}
+/** @type {(message: any) => Promise<any>} */
+async function carried(message) {
+  if (way.kind === "server") {
+    const found = await fetch("ask", { method: "POST", headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(message) });
+    return found.json();
+  }
+  if (way.kind === "none") return { id: message.id, none: true, problems: [] };
+  if (!worker) {
+    worker = new Worker("worker.js", { type: "module" });
+    worker.onmessage = e => heard(typeof e.data === "string" ? JSON.parse(e.data) : e.data);
+    worker.onerror = () => engine.said("failed");
+    worker.postMessage(JSON.stringify({ runtime: way.address }));
+  }
+  worker.postMessage(JSON.stringify(message));
+  return new Promise(resolve => waiting.set(message.id, resolve));
+}
+export function wake() { if (way.kind === "worker" && !worker) void carried({ id: 0, ask: "ready" }); }
+
+/** The answer, or null where something else of its kind was asked meanwhile. @type {(message: any) => Promise<any>} */
+export async function ask(message) {
+  const id = ++count;
+  latest[message.ask] = id;
+  const answer = await carried({ ...message, id });
+  return latest[message.ask] === id ? answer : null;
+}

@@ -1,0 +1,37 @@
+// The gallery: mechanisms that move, each a link to itself; the last scenes on this machine before them.
+import { bench, say } from "./bench.js";
+import { $, on, safe } from "./dom.js";
+import { moving } from "./moving.js";
+import { kept } from "./share.js";
+
+/** @type {Shelved[] | null} */
+let scenes = null, laid = "";
+export async function shelf() { // asked for once
+  scenes ??= await fetch("gallery.json").then(r => r.json(), () => []);
+  return scenes ?? [];
+}
+/** @type {(scene: Shelved) => string} */
+const titled = scene => scene.title[bench.lang] || scene.title.en || scene.title.ru || scene.name;
+
+export async function gallery() {
+  const all = await shelf(), sought = $("sought").value.trim().toLowerCase(), own = kept();
+  const key = [bench.lang, sought, own.length, own[0]?.when].join("|");
+  if (key === laid) return;
+  laid = key;
+  $("kept").innerHTML = own.slice(0, 6).map((one, k) => `<button type="button" class="card" data-kept="${k}">` +
+    `<b>${safe(one.title)}</b><small>${safe(say("kept"))}</small></button>`).join("");
+  const some = all.filter(s => !sought || `${titled(s)} ${s.formula} ${s.name}`.toLowerCase().includes(sought));
+  $("scenes").innerHTML = some.map(s => `<button type="button" class="card" data-scene="${safe(s.name)}">` +
+    `<svg role="img" aria-label="${safe(titled(s))}"></svg><b>${safe(titled(s))}</b><small>${safe(s.formula)}</small>` +
+    "</button>").join("");
+  $("scenes").querySelectorAll("svg").forEach((/** @type {any} */ node, k) => moving(node, some[k].sketch));
+}
+on($("scenes"), "click", async e => {
+  const name = e.target.closest("[data-scene]")?.dataset.scene, found = (await shelf()).find(s => s.name === name);
+  if (found) bench.open(found.text, found.name);
+});
+on($("kept"), "click", e => {
+  const one = kept()[e.target.closest("[data-kept]")?.dataset.kept];
+  if (one) bench.open(one.text, "own");
+});
+on($("sought"), "input", gallery);

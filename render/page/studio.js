@@ -1,0 +1,203 @@
+// The studio: one text, seen as a lesson, drawn on a canvas, shared as a link; whatever changes it, it is asked anew.
+import { bench, say, words } from "./bench.js";
+import { canvas, fit, HOLDS, listen, NOTHING, paint, show } from "./canvas.js";
+import { ask, engine, wake, way } from "./carrier.js";
+import { $, on } from "./dom.js";
+import { gallery, shelf } from "./gallery.js";
+import { problems, touched } from "./problems.js";
+import { asked, keep, pressed, unpressed } from "./share.js";
+import { offered } from "./take.js";
+
+const REST_MS = 250, FIRST_TOOLS = ["move", "fix", "link", "plate", "guide", "slide", "drive", "load", "mass", "remove"];
+const past = /** @type {string[]} */ ([]), future = /** @type {string[]} */ ([]);
+let typing = 0;
+const frame = /** @type {any} */ ($("lesson"));
+let shown = /** @type {any} */ (null);
+
+/** @type {(view: string) => void} */
+function turnTo(view) {
+  bench.view = document.body.dataset.view = view;
+  document.querySelectorAll("#views button").forEach(b => b.setAttribute("aria-pressed", String(b.dataset.view === view)));
+  if (view === "draw") fit();
+  if (view === "gallery") gallery();
+}
+/** A text in hand, and from where: what is told anew. @type {(text: string, from?: string) => Promise<void>} */
+async function take(text, from = "") {
+  if (text !== bench.text && bench.text) { past.push(bench.text); future.length = 0; }
+  bench.text = text;
+  if (from !== "scene") $("scene").value = text;
+  touched([]);
+  await renewal(from);
+}
+/** @type {(from: string) => Promise<void>} */
+async function renewal(from) {
+  const { text, lang } = bench;
+  [$("undo").disabled, $("redo").disabled] = [!past.length, !future.length];
+  if (way.kind === "worker" && !engine.ready) {
+    wake();
+    if (!shown) await prepared();
+  }
+  const answer = await ask({ ask: "lesson", text, lang });
+  if (!answer) return;
+  problems(answer.problems);
+  if (answer.data) {
+    seen(answer);
+    keep(titleOf(answer.data), text);
+    offered(answer.data);
+    if (from !== "canvas") sketched();
+  } else if (answer.none) await prepared();
+  void address();
+}
+async function sketched() { // what the canvas shows of a text
+  const answer = await ask({ ask: "sketch", text: bench.text, lang: bench.lang });
+  if (answer) show(answer.sketch ?? null);
+}
+async function prepared() { // a lesson of the gallery as it was made beforehand, while the engine comes or is not there
+  if (!bench.name) return;
+  const found = await fetch(`lessons/${bench.name}.txt`).then(async r =>
+    r.ok ? JSON.parse(await unpressed(await r.text())) : null).catch(() => null);
+  if (found && !shown) seen(found);
+}
+/** @type {(data: LessonData) => string} */
+const titleOf = data => data.title[bench.lang] || data.title.en || data.title.ru || "planes";
+
+/** @type {(answer: any) => void} */
+function seen(answer) {
+  const shape = (/** @type {any} */ d) => JSON.stringify([d.tape.ops, d.tape.names, Object.keys(d.home), d.frames]);
+  const own = frame.contentWindow?.planes, same = shown && own?.live && shape(shown.data) === shape(answer.data);
+  $("title").textContent = document.title = titleOf(answer.data);
+  $("nothing").hidden = true;
+  frame.hidden = false;
+  shown = answer;
+  globalThis.planes.lesson = answer;
+  if (same) { // the tape that is there already, with other numbers
+    Object.assign(own.data.home, answer.data.home);
+    own.data.knobs.forEach((/** @type {Knob} */ k, /** @type {number} */ n) => { k.at = answer.data.knobs[n].at; });
+    own.renewed();
+    return;
+  }
+  const stays = own?.state && own.data.frames.length === answer.data.frames.length;
+  const told = stays ? own.state.frame : answer.data.frames.findLastIndex((/** @type {Frame} */ f) =>
+    f.plan === "velocity"); // first the velocity plan as it is when it is done
+  const step = (told < 0 ? answer.data.frames.length - 1 : told) + 1;
+  frame.src = `lesson.html?${Date.now()}#step=${step}&lang=${bench.lang}`;
+}
+on(frame, "load", () => { // a hand in the lesson changes numbers: they are written back
+  const inner = frame.contentWindow;
+  if (!inner?.planes?.live) return;
+  on(inner, "rested", async e => {
+    const { given } = shown.data.drive, numbers = { ...e.detail };
+    delete numbers[given];
+    if (!Object.keys(numbers).length) return;
+    const answer = await ask({ ask: "numbers", text: bench.text, lang: bench.lang, numbers });
+    if (answer?.text) { await take(answer.text, "lesson"); touched(answer.lines); }
+    else if (answer) problems(answer.problems);
+  });
+});
+async function address() { // the scene in the address
+  history.replaceState(null, "", `#s=${await pressed(bench.text)}&lang=${bench.lang}`);
+}
+/** @type {(from: string[], to: string[]) => void} */
+function back(from, to) {
+  if (!from.length) return;
+  to.push(bench.text);
+  bench.text = from.pop();
+  $("scene").value = bench.text;
+  void renewal("undo");
+}
+canvas.changed = async (what, more) => {
+  const { text, lang } = bench;
+  const load = more?.load && `{link: ${linkOf(more.load)}, point: ${more.load}, force: 100, against: motion}`;
+  if (!Object.keys(canvas.sketch.links).length) return; // nothing to be said yet
+  const answer = await ask(load ? { ask: "append", text, lang, path: ["loads"], value: load } :
+    more?.mass ? { ask: "put", text, lang, path: ["links", more.mass, "mass"], value: "1" } :
+      { ask: "drawn", text, lang, sketch: canvas.sketch });
+  if (!answer) return;
+  if (answer.text !== undefined && answer.text !== text) {
+    await take(answer.text, load || more?.mass ? "" : "canvas");
+    touched(answer.lines ?? []);
+  }
+  if (answer.problems.length) problems(answer.problems);
+};
+/** @type {(point: string) => string} */
+const linkOf = point => Object.keys(canvas.sketch.links).reverse().find(n =>
+  canvas.sketch.links[n].points.includes(point)) ?? "1";
+
+/** @type {(tool: string) => void} */
+function tool(name) {
+  canvas.tool = name;
+  document.querySelectorAll("#tools button").forEach(b => b.setAttribute("aria-pressed", String(b.dataset.tool === name)));
+  $("hint").textContent = say(`hint_${name}`);
+}
+function spoken() {
+  document.documentElement.lang = bench.lang;
+  document.querySelectorAll("[data-word]").forEach(e => { e.textContent = say(e.dataset.word); });
+  document.querySelectorAll("[data-title]").forEach(e => { e.setAttribute("aria-label", say(e.dataset.title));
+    if (e.tagName !== "SECTION") e.title = say(e.dataset.title); });
+  $("tools").innerHTML = FIRST_TOOLS.map(t => `<button type="button" data-tool="${t}">${say(`tool_${t}`)}</button>`).join("");
+  tool(canvas.tool);
+  $("lang").innerHTML = Object.keys(words).map(l => `<option value="${l}"${l === bench.lang ? " selected" : ""}>${
+    words[l].language}</option>`).join("");
+}
+/** A scene of the gallery, or one of its own. @type {(text: string, name: string) => void} */
+function open(text, name) {
+  bench.name = name;
+  past.length = future.length = 0;
+  bench.text = "";
+  turnTo(name ? "see" : "draw");
+  if (text) { void take(text); return; }
+  shown = null;
+  frame.removeAttribute("src");
+  frame.hidden = true;
+  $("title").textContent = say("fresh");
+  $("scene").value = "";
+  $("nothing").hidden = false;
+  $("nothing").textContent = say("nothing");
+  show({ ...NOTHING, title: say("fresh") });
+  problems([]);
+  tool("fix");
+}
+async function started() {
+  const q = asked(), name = q.get("scene"), own = q.get("s");
+  if (q.get("lang") in words) bench.lang = q.get("lang");
+  spoken();
+  const found = name && (await shelf()).find(s => s.name === name);
+  const text = own ? await unpressed(own).catch(() => "") : found ? found.text : JSON.parse($("first").textContent);
+  if (text) { open(text, name || "own"); return; }
+  turnTo("gallery");
+}
+engine.said = step => { $("state").textContent = say(`engine_${step}`); if (step === "ready" && bench.text) void renewal(""); };
+on($("views"), "click", e => { if (e.target.dataset.view) turnTo(e.target.dataset.view); });
+on($("tools"), "click", e => { if (e.target.dataset.tool in HOLDS) tool(e.target.dataset.tool); });
+on($("scene"), "input", () => {
+  clearTimeout(typing);
+  typing = setTimeout(() => take($("scene").value, "scene"), REST_MS);
+  touched([]);
+});
+on($("scene"), "scroll", () => { $("lines").scrollTop = $("scene").scrollTop; });
+$("undo").onclick = () => back(past, future);
+$("redo").onclick = () => back(future, past);
+$("fresh").onclick = () => open("", "");
+$("share").onclick = async () => {
+  await address();
+  await navigator.clipboard?.writeText(location.href).catch(() => {});
+  $("state").textContent = say("shared");
+};
+$("lang").onchange = () => { bench.lang = $("lang").value; spoken(); shown = null; if (bench.text) void renewal("lang"); gallery(); };
+on($("underlay"), "change", () => {
+  const file = $("underlay").files?.[0];
+  if (!file) return;
+  const picture = new Image();
+  picture.onload = () => {
+    canvas.under = { href: picture.src, at: canvas.view.m([20, 20]), width: +$("width").value || 0.6,
+      ratio: picture.height / picture.width };
+    paint();
+  };
+  picture.src = URL.createObjectURL(file);
+});
+on($("width"), "change", () => { if (canvas.under) { canvas.under.width = +$("width").value.replace(",", ".") || 0.6; paint(); } });
+on(window, "hashchange", () => { if (asked().has("scene")) void started(); });
+Object.assign(bench, { take, open, act: (/** @type {string} */ name) => { turnTo("draw"); tool(name); } });
+globalThis.planes = { lesson: null, bench, canvas, ask, engine, tool };
+listen();
+void started();

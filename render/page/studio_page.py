@@ -1,0 +1,43 @@
+"""The page of the studio, and what carries its messages: the answers of ``planes.studio`` with letters to show them by.
+
+Needs neither numpy nor what draws on paper: a browser's worker runs it as it is.
+"""
+
+import json
+
+from planes.studio.answers import answer
+from planes.words import langs, stand_ins, table, under
+from planes.words.records import Json
+from render.page import packer, web_page
+from render.page.lesson_page import NOSCRIPT, letters_of, living_page
+
+ALLOWED = "connect-src 'self'; frame-src 'self' blob:; worker-src 'self'; font-src data:; "
+"""What the studio asks besides: its own server or folder, the lesson in a frame, the worker."""
+
+
+def answered(message: Json) -> Json:
+    """The answer to one message, a lesson with the letters of its names."""
+    found = answer(message)
+    return {**found, "letters": letters_of(found["data"])} if "data" in found else found
+
+
+def carried(text: str) -> str:
+    """A message and its answer, both as JSON."""
+    return json.dumps(answered(json.loads(text)), ensure_ascii=False, allow_nan=False)
+
+
+def studio_page(lang: str, way: Json, first: str = "") -> str:
+    """The page; ``way`` says who answers: ``{"kind": "server" | "worker" | "none", "address": …, "native": …}``,
+    ``first`` is the text of the scene it opens with."""
+    words = {of: {**under("studio_", of, "studio"), "language": table(of)["language_name"]} for of in langs("studio")}
+    lang = next(one for one in stand_ins(lang) if one in words)
+    body = web_page.filled(web_page.part("studio.html"), {"noscript": NOSCRIPT})
+    data = {"words": words, "way": way, "first": first}
+    style = web_page.part("lesson.css", "studio.css")
+    return web_page.page("planes", lang, style, body, code=packer.packed("studio"), data=data, allowed=ALLOWED)
+
+
+def files_of(lang: str, way: Json, first: str = "") -> dict[str, bytes]:
+    """What the studio is made of, by the names of its files."""
+    pages = {"index.html": studio_page(lang, way, first), "lesson.html": living_page(lang)}
+    return {name: text.encode() for name, text in (pages | {"worker.js": web_page.part("worker.js")}).items()}

@@ -1,0 +1,51 @@
+// What is taken away: files as the command line writes them, a drawing checked; where no server is, the command itself.
+import { bench, say } from "./bench.js";
+import { way } from "./carrier.js";
+import { $, on, safe } from "./dom.js";
+
+const FILES = [["sheet", "pdf"], ["sheet", "svg"], ["sheet", "dxf"], ["sheet", "png"], ["lesson", "html"], ["note", "pdf"],
+  ["note", "docx"], ["blank", "pdf"], ["cycle", "csv"]];
+
+/** @type {(name: string, data: BlobPart, kind: string) => void} */
+function download(name, data, kind) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([data], { type: kind }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+/** @type {(data: LessonData) => void} */
+export function offered(data) {
+  const own = data.moves ? FILES : FILES.filter(([act]) => act !== "cycle");
+  $("files").innerHTML = `<button type="button" data-file="yaml">scene.yaml</button>` + own.map(([act, kind]) =>
+    `<button type="button" data-file="${act}.${kind}">${safe(say(`file_${act}`))}, ${kind.toUpperCase()}</button>`).join("");
+  $("plan").innerHTML = data.plans.filter(p => p.key !== "lever").map(p =>
+    `<option value="${p.key}">${safe(p.title[bench.lang] ?? p.key)}</option>`).join("");
+  $("checking").hidden = !way.native;
+}
+on($("files"), "click", async e => {
+  const file = e.target.dataset.file;
+  if (!file) return;
+  if (file === "yaml") { download("scene.yaml", bench.text, "text/yaml"); return; }
+  const command = `planes ${file.split(".")[0]} scene.yaml -o ${file}`;
+  if (!way.native) { $("state").textContent = `${say("by_command")} ${command}`; return; }
+  $("state").textContent = say("making");
+  const found = await fetch("file", { method: "POST", headers: { "Content-Type": "application/json" },
+    body: JSON.stringify({ text: bench.text, lang: bench.lang, file }) });
+  $("state").textContent = found.ok ? "" : await found.text();
+  if (found.ok) download(file, await found.arrayBuffer(), found.headers.get("Content-Type") ?? "");
+});
+on($("drawing"), "change", async () => {
+  const drawing = $("drawing").files?.[0];
+  if (!drawing) return;
+  const bytes = new Uint8Array(await drawing.arrayBuffer()), letters = [];
+  for (let k = 0; k < bytes.length; k += 32768) letters.push(String.fromCharCode(...bytes.subarray(k, k + 32768)));
+  $("state").textContent = say("making");
+  const found = await fetch("check", { method: "POST", headers: { "Content-Type": "application/json" }, body:
+    JSON.stringify({ text: bench.text, lang: bench.lang, plan: $("plan").value, name: drawing.name,
+      drawing: btoa(letters.join("")) }) });
+  const text = await found.text();
+  $("state").textContent = found.ok ? "" : text;
+  $("verdict").hidden = !found.ok;
+  if (found.ok) /** @type {any} */ ($("verdict")).src = text;
+});

@@ -1,0 +1,109 @@
+"""A scene, its sketch, and the scene that is written of it; numbers written back where the text has them."""
+
+import math
+import random
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from planes.scene import load, loads
+from planes.studio.answers import answer
+from planes.studio.numbers_back import home_of, with_numbers
+from planes.studio.sketch_texts import drawn
+from planes.studio.sketches import sketch_of
+from planes.words import langs
+from planes.words.errors import PlanesError
+from tests.sample_oracle import SAMPLES
+
+SCENES = [p for p in sorted(SAMPLES.rglob("*.yaml")) if "\nlinks:" in p.read_text("utf-8")]
+NEW = 3e-4  # m: as fine as a sketch is written, through the links of a group
+HARD = ("three-basic-links", "two-basic-links", "truss")  # whose assemblies move far with little
+
+
+@pytest.mark.few(20, slow=60)
+@pytest.mark.parametrize("path", SCENES, ids=lambda p: f"{p.parent.name}-{p.stem}")
+def test_a_sketch_is_written_as_the_scene_it_was_made_of(path: Path) -> None:
+    """From nothing, or into the text it came from, which stays as it is to the last letter."""
+    text = path.read_text("utf-8")
+    sketch = sketch_of(loads(text))
+    assert drawn(text, sketch).text == text
+    if sketch["drive"].get("kept"):
+        return
+    again = sketch_of(loads(drawn("", sketch).text))
+    apart = max(math.dist(z, sketch["points"][p]) for p, z in again["points"].items())
+    assert apart < NEW * (20 if path.stem in HARD else 1)
+    assert again["links"].keys() == sketch["links"].keys() and again["drive"] == sketch["drive"]
+
+
+@pytest.mark.few(12, slow=40)
+@pytest.mark.parametrize("path", SCENES, ids=lambda p: f"{p.parent.name}-{p.stem}")
+def test_a_number_a_hand_sets_is_that_of_the_text(path: Path) -> None:
+    """One number after another, three of each scene: the text says it, and the scene has it."""
+    text, draw = path.read_text("utf-8"), random.Random(path.stem)
+    home = home_of(text)
+    tried = 0
+    for name in draw.sample(sorted(home), len(home)):
+        value = float(f"{home[name] * 1.02 or 0.0:.4g}")
+        if tried == 3 or not value or value == home[name]:
+            continue
+        try:
+            edited = with_numbers(text, {name: value})
+        except PlanesError:
+            continue  # a number that another one of the text makes, or a place where nothing assembles
+        tried += 1
+        now = home_of(edited.text)
+        assert math.isclose(now[name], value, rel_tol=2e-4), (name, value, now[name])
+        assert len(edited.lines) == 1 and len(edited.text.splitlines()) == len(text.splitlines())
+    assert tried
+
+
+def test_a_hinge_that_is_dragged_changes_the_numbers_that_place_it() -> None:
+    """The six-link's rocker hinge D goes up: the parameter c_1 says so, and comments and all others stay."""
+    text = (SAMPLES / "six-link.yaml").read_text("utf-8")
+    sketch = sketch_of(loads(text))
+    sketch["points"]["D"][1] += 0.02
+    edited = drawn(text, sketch)
+    assert home_of(edited.text)["place_D.y"] == pytest.approx(-0.25)
+    assert "c_1: 0.25" in edited.text and edited.text.count("#") == text.count("#")
+
+
+def test_a_link_that_is_added_is_written_and_the_others_stay() -> None:
+    text = (SAMPLES / "six-link.yaml").read_text("utf-8")
+    sketch = sketch_of(loads(text))
+    sketch["fixed"].append("K")
+    sketch["points"] |= {"K": [0.3, 0.0], "M": [0.2, 0.2]}
+    sketch["links"] |= {"6": {"points": ["C", "M"], "slides": None, "centre": None}}
+    sketch["links"] |= {"7": {"points": ["K", "M"], "slides": None, "centre": None}}
+    found = loads(drawn(text, sketch).text)
+    assert {*found.mechanism.links} == {*"1234567"} if found.mechanism else False
+    now = sketch_of(found)["points"]
+    assert math.dist(now["M"], [0.2, 0.2]) < NEW and math.dist(now["H"], sketch["points"]["H"]) < NEW
+
+
+def ask(what: str, text: str, **more: Any) -> Any:
+    return answer({"id": 1, "ask": what, "text": text, "lang": "en", **more})
+
+
+def test_what_is_wrong_has_its_place_and_what_would_be_right() -> None:
+    text = (SAMPLES / "six-link.yaml").read_text("utf-8")
+    (found,) = ask("lesson", text.replace("slides: CL", "slides: CLL"))["problems"]
+    line = text.splitlines().index(next(x for x in text.splitlines() if "slides: CL" in x)) + 1
+    assert found["line"] == line and found["help"][0]["to"] == "CL"
+    (open_,) = ask("lesson", text.replace("assembly: {C: right}", "assembly: {}"))["problems"]
+    assert [h["path"] for h in open_["help"]] == [("assembly", "C")] * 2
+    assert {h["value"] for h in open_["help"]} == {"left", "right"} and all("sketch" in h for h in open_["help"])
+    told = ask("put", text.replace("assembly: {C: right}", "assembly: {}"), path=("assembly", "C"), value="right")
+    assert ask("lesson", told["text"])["problems"] == []
+    (bare,) = ask("lesson", text.replace("drive: {link: 1, phi: phi_1, omega: -20, epsilon: 80}", ""))["problems"]
+    assert bare["help"][0]["act"] == "drive"
+
+
+@pytest.mark.parametrize("text", ["", "planes: 1", "{", "a: [1", "- 1", "planes: 1\nlinks: 3", "\0", "x" * 300_000])
+@pytest.mark.parametrize("what", ["lesson", "sketch", "drawn", "numbers", "put", "append", "leave out", "nothing"])
+def test_whatever_is_sent_is_answered_with_a_sentence(what: str, text: str) -> None:
+    sketch = sketch_of(load(SAMPLES / "six-link.yaml"))
+    more = {"sketch": sketch, "numbers": {"l_BC": 1.0}, "path": ["links", "1", "mass"], "value": "1"}
+    for lang in langs("studio"):
+        found = answer({"id": 7, "ask": what, "text": text, "lang": lang, **more})
+        assert found["id"] == 7 and ("text" in found or all(p["said"] and p["line"] for p in found["problems"]))
