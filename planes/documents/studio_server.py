@@ -201,6 +201,7 @@ def serve(lang: Lang, first: str = "", scenes: tuple[str, ...] = (), port: int =
     with socket.socket() as door:
         door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         door.bind((HOST, port))
+        door.listen(128)  # who reads the address finds it open
         address = f"http://{HOST}:{door.getsockname()[1]}/?token={studio.token}"
         print(say("studio_opened", lang, address=address), flush=True)
         if browse:

@@ -6,39 +6,45 @@ part of the text).
 """
 
 from collections.abc import Callable
+from difflib import SequenceMatcher
 from typing import Any
 
 from planes.lesson.data import lesson_data
 from planes.scene import loads
+from planes.studio.message_shapes import checked
 from planes.studio.numbers_back import with_numbers
 from planes.studio.sketch_texts import drawn, offers_of
 from planes.studio.sketches import sketch_of
 from planes.studio.text_edits import FILE, Edited
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, langs, say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.records import Json
 
 LONGEST = 200_000  # letters of a scene
-QUOTES = ("name", "word", "value", "key")
-"""Parts of a sentence that quote the text."""
 LACKS, TOOLS = ("part_missing", "part_empty"), {"frame": "fix", "links": "link", "drive": "drive"}
 """Sentences of what a mechanism lacks, and the tool of the canvas that draws it."""
 
 
 def answer(message: Json) -> Json:
     """The answer to a message; whatever is wrong in the text stands in its ``problems``."""
-    text, lang = str(message.get("text", ""))[:LONGEST], str(message.get("lang", "en"))
+    text, lang = str(message.get("text", ""))[:LONGEST], lang_of(message)
     act = ACTS.get(str(message.get("ask")))
     own: Json = {"id": message.get("id"), "ask": message.get("ask"), "problems": []}
     if act is None:
         return {**own, "problems": [{"line": 1, "said": say("studio_unknown", lang), "help": []}]}
     try:
-        return {**own, **act(text, message)}
+        return {**own, **act(text, checked(message))}
     except PlanesError as error:
         more = {"text": found} if (found := getattr(error, "text", "")) else {}
         return {**own, **more, "problems": [problem(error, more.get("text", text), lang)]}
     except ImportError as error:
         return {**own, "problems": [{"line": 1, "said": say("studio_needs", lang, name=error.name), "help": []}]}
+
+
+def lang_of(message: Json) -> Lang:
+    """The language of a message; English where it names none."""
+    said = message.get("lang")
+    return said if isinstance(said, str) and said in langs() else "en"
 
 
 def problem(error: PlanesError, text: str, lang: Lang) -> Json:
@@ -48,15 +54,22 @@ def problem(error: PlanesError, text: str, lang: Lang) -> Json:
     found: Json = {"line": line, "column": 1, "said": said, "help": []}
     parts = error.phrase.parts if isinstance(error.phrase, Phrase) else {}
     row = (text.splitlines() or [""])[min(line, text.count("\n") + 1) - 1 : line]
-    quoted = next((str(parts[q]) for q in QUOTES if q in parts and row and str(parts[q]) in row[0]), "")
+    valid = _valid(parts)
+    quoted = [str(part) for part in parts.values() if isinstance(part, str) and part and row and part in row[0]]
     if quoted:
-        found["column"] = row[0].index(quoted) + 1
-        found["help"] = [{"label": name, "from": quoted, "to": name} for name in _valid(parts)]
+        meant = max(quoted, key=lambda part: max((alike(part, name) for name in valid), default=0.0))
+        found["column"] = row[0].rindex(meant) + 1
+        found["help"] = [{"label": name, "from": meant, "to": name} for name in valid]
     if isinstance(error.phrase, Phrase) and error.phrase.key in LACKS and (act := TOOLS.get(str(parts.get("key", "")))):
         found["help"].append({"label": say(f"studio_add_{act}", lang), "act": act})
     if isinstance(error, SceneError):
         found["help"] += [_offer(text, path, value) for path, value in offers_of(error)]
     return found
+
+
+def alike(one: str, other: str) -> float:
+    """How much of one name the other has, 0 to 1."""
+    return SequenceMatcher(None, one, other).ratio()
 
 
 def _valid(parts: dict[str, object]) -> list[str]:
@@ -80,7 +93,7 @@ def _offer(text: str, path: tuple[str, ...], value: str) -> Json:
 
 def _lesson(text: str, message: Json) -> Json:
     scene = loads(text, FILE)
-    lang = str(message.get("lang", "en"))
+    lang = lang_of(message)
     plain: Json = {"column": 1, "help": [], "doubt": True}
     doubts = [{**plain, "line": d.line, "said": d.phrase.told(lang)} for d in scene.doubts]
     return {"data": lesson_data(scene), "problems": doubts}

@@ -6,8 +6,9 @@ import { $ } from "./dom.js";
 export const way = JSON.parse($("way").textContent);
 const waiting = /** @type {Map<number, (answer: any) => void>} */ (new Map());
 const latest = /** @type {Record<string, number>} */ ({});
-let count = 0, worker = /** @type {Worker | null} */ (null);
-export const engine = { ready: way.kind === "server", said: /** @type {(step: string) => void} */ (() => {}) };
+let count = 0, pending = 0, worker = /** @type {Worker | null} */ (null);
+export const engine = { ready: way.kind === "server", said: /** @type {(step: string) => void} */ (() => {}),
+  idle: () => pending === 0 };
 
 /** @type {(answer: any) => void} */
 function heard(answer) {
@@ -42,6 +43,7 @@ export function wake() { if (way.kind === "worker" && !worker) void carried({ id
 export async function ask(message) {
   const id = ++count;
   latest[message.ask] = id;
-  const answer = await carried({ ...message, id });
+  pending++;
+  const answer = await carried({ ...message, id }).finally(() => { pending--; });
   return latest[message.ask] === id ? answer : null;
 }

@@ -94,5 +94,5 @@ else setTimeout(() => { live.scan(); zones(); later(); }, 60);
 globalThis.planes = { // by which a page is asked from outside
   $, ACT_MS, KITS, TOOLS, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live, number, plan, planOf,
     practice,
-  renewed, scheme, spin, state, task, turn,
+  renewed, rested, scheme, spin, state, task, turn,
 };

@@ -45,7 +45,10 @@ async function renewal(from) {
     keep(titleOf(answer.data), text);
     offered(answer.data);
     if (from !== "canvas") sketched();
-  } else if (answer.none) await prepared();
+  } else if (answer.none) {
+    await prepared();
+    if (text !== (await shelf()).find(s => s.name === bench.name)?.text) $("state").textContent = say("engine_none");
+  }
   void address();
 }
 async function sketched() { // what the canvas shows of a text
