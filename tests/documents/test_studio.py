@@ -51,7 +51,8 @@ def test_from_the_gallery_to_a_changed_dimension_to_a_link_opened_elsewhere(brow
     before = page.evaluate(f"{INNER}.live.given.l_AB")
     page.evaluate(f"(() => {{ {INNER}.live.set({{ l_AB: 0.38 }}); {INNER}.rested(); }})()")
     until(page, "/l_AB: 0.38/.test(bench.text)")
-    assert before == 0.35 and page.evaluate("document.querySelectorAll('#lines .touched').length") == 1
+    until(page, "document.querySelectorAll('#lines .touched').length === 1")
+    assert before == 0.35
     page.locator("#share").click()
     until(page, "/#s=/.test(location.href)")
     link = page.evaluate("location.href")
