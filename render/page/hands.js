@@ -8,6 +8,7 @@ import { html } from "./letters.js";
 import { TURN } from "./live.js";
 import { data, draw, later, live, state } from "./page.js";
 import { put } from "./put.js";
+import { typed } from "./typed.js";
 import { nothing, redo, rested, undo } from "./undo.js";
 import { filled, local, number, plain, say, scaled, sentence } from "./words.js";
 const LOOK_MS = 180, REST_MS = 400;
@@ -182,8 +183,8 @@ $("home").onclick = () => { rested(); live.reset(); rested(); put("follow", "");
 on($("large"), "click",
   e => { if (e.target.dataset.mu) change({ [e.target.dataset.given]: +e.target.dataset.mu }); rested(); });
 on($("knobs"), "input", e => {
-  const k = data.knobs.find(k => k.given === e.target.dataset.given), text = e.target.value.replace(",", ".");
-  const v = e.target.type === "range" ? +(+text).toPrecision(4) : +text;
+  const k = data.knobs.find(k => k.given === e.target.dataset.given), text = e.target.value;
+  const v = e.target.type === "range" ? +(+text).toPrecision(4) : typed(text);
   e.target.setAttribute("aria-invalid", !allowed(k, v));
   if (allowed(k, v)) change({ [k.given]: v });
 });

@@ -199,6 +199,19 @@ on($("underlay"), "change", () => {
   picture.src = URL.createObjectURL(file);
 });
 on($("width"), "change", () => { if (canvas.under) { canvas.under.width = +$("width").value.replace(",", ".") || 0.6; paint(); } });
+on(window, "keydown", e => {
+  const key = (e.ctrlKey || e.metaKey) && !e.altKey ? e.code : "";
+  if (e.target === $("scene") || !["KeyZ", "KeyY"].includes(key)) return; // a field of text has its own
+  e.preventDefault();
+  if (key === "KeyY" || e.shiftKey) back(future, past); else back(past, future);
+});
+on($("files-in"), "change", async () => { // scenes of a folder: the first is opened, all are kept
+  const files = [...$("files-in").files ?? []].filter(f => /\.ya?ml$/i.test(f.name));
+  const texts = await Promise.all(files.map(f => f.text()));
+  texts.forEach((text, k) => keep(files[k].name.replace(/\.ya?ml$/i, ""), text));
+  if (texts[0]) open(texts[0], "own");
+  $("files-in").value = "";
+});
 on(window, "hashchange", () => { if (asked().has("scene")) void started(); });
 Object.assign(bench, { take, open, act: (/** @type {string} */ name) => { turnTo("draw"); tool(name); } });
 globalThis.planes = { lesson: null, bench, canvas, ask, engine, tool };

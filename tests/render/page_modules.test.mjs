@@ -80,3 +80,20 @@ test("a tape reads its letters, and a miss what is known before it", () => {
     ["a", "b"], 3, 0.1);
   assert.ok(Math.abs(after.get("b").x) < 0.02, "the same error is not counted twice");
 });
+
+test("a number is read as people type it, in SI", async () => {
+  const { typed } = await of("typed");
+  const right = { "0,31": 0.31, "310 mm": 0.31, "12 in": 0.3048, "120 rpm": 4 * Math.PI, "90 °/s": Math.PI / 2, "0.3 + 0.01": 0.31,
+    "2*(0.1+0.05)": 0.3, "-1/4": -0.25, "1e-3 m": 0.001, "60 об/мин": 2 * Math.PI, ".5": 0.5 };
+  for (const [text, value] of Object.entries(right)) near(typed(text), value, 1e-12, text);
+  for (const text of ["", "abc", "3 parsec", "1+", "(2", "alert(1)", "1..2", "2 2", "*3"]) assert.ok(Number.isNaN(typed(text)), text);
+});
+
+test("a link holds a scene, and gives it back to the last letter", async () => {
+  const { pressed, unpressed } = await of("share");
+  for (const text of [told.held.packed.slice(0, 3000), "planes: 1\n# Пример ё\n", ""]) {
+    const link = await pressed(text);
+    assert.match(link, /^[\w-]*$/);
+    assert.equal(await unpressed(link), text);
+  }
+});
