@@ -9,6 +9,7 @@ from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
 from planes.drafting.tools import Thing
 from planes.lesson import Teller, value_of
+from planes.lesson.choices import Choices
 from planes.lesson.formulas import in_both
 from planes.lesson.frame import Frame, needed
 from planes.lesson.knobs import Knobs
@@ -77,7 +78,9 @@ class Told:
     def practice(self) -> Practice:
         """What a reader is asked."""
         values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}
-        return Practice(self.plans, self.given, self.drawing, self.frames, self.equations, values, self.teller.spans)
+        own = self.plans, self.drawing, self.frames, self.equations
+        choices = Choices(*own, fits_on(self.scene.sheet, self.plans))
+        return Practice(self.plans, self.given, *own[1:], values, self.teller.spans, choices)
 
 
 def _cycle(knobs: Knobs, leaning: bool = False) -> Drawing:

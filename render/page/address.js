@@ -22,7 +22,7 @@ export function writeAddress() {
   const own = live.altered.map(n => `&${encodeURIComponent(n)}=${+live.given[n].toPrecision(9)}`).join("");
   const seeded = state.practising && state.seed;
   const text = `#${seeded ? `seed=${state.seed}` :
-    `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${seeded ? "" : own}`;
+    `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${state.practising ? "" : own}`;
   timer = setTimeout(() => { try { history.replaceState(null, "", text);
     } catch { /* a page inside a page has no address */ } }, 120);
 }

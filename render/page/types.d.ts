@@ -49,7 +49,11 @@ interface Guide { name: string; link: string; mark: string; }
 interface Term { name: string; action: string; known: number; start?: string; end?: string; at?: string; minus?: boolean; }
 interface Equation { plan: string; total: Term; closed: boolean; sides: Term[][]; }
 interface PlanOf { key: string; links: string[]; mu: Said; title: Said; fixed: string[]; }
-interface Question { frame: number; kind: string; what: any; mu?: string; signed?: boolean; }
+interface Offer { value: any; said: Said; why?: Said; }
+interface Question {
+  frame: number; kind: string; what: any; mu?: string; signed?: boolean; offered: Offer[]; marks: string[]; most: number;
+  name: string; unit: Said;
+}
 interface Slip { m: string; at: string; names: (string | Said)[]; place: number[]; }
 interface TapeData {
   names: Numbers; ops: string; consts: Record<string, number | null>; givens: Numbers; sources?: number[][];
