@@ -17,6 +17,7 @@ from planes.lesson.free_bodies import FreeBodies
 from planes.lesson.moments import moment_words
 from planes.lesson.reckoning import Reckoning
 from planes.lesson.rows import Row, reckoned
+from planes.lesson.standing import standing
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
 from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole, worded
@@ -87,7 +88,7 @@ class Teller:
                 found.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
             reckoning.tell(f)
             found.append(f)
-        return in_chapters(found)
+        return in_chapters(standing(found, self.plans))
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""

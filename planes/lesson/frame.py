@@ -20,7 +20,7 @@ class Frame:
     point of the scheme to see which way it turns about another, and the rate found so. ``rows`` are its lines of
     reckoning, each ⟪k⟫ where it stands in the words; ``numbers`` are all that it tells: how (see
     :mod:`planes.lesson.formulas`) and of which value. ``chapter`` is the plan it serves: of moments, that of their
-    group.
+    group. ``still`` is what is said where its mark lies at the pole.
     """
 
     key: str
@@ -36,6 +36,7 @@ class Frame:
     rows: tuple[Row, ...] = ()
     numbers: tuple[tuple[str, str], ...] = ()
     chapter: str = ""
+    still: Mapping[str, str] | None = None
 
     @cached_property
     def said(self) -> dict[Lang, str]:

@@ -14,7 +14,8 @@ from render.page import packer, web_page
 from render.paper.letters import NAME, written
 
 SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
-    key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad")
+    key: f"lesson_{key}"
+    for key in ("ccw", "cw", "still", "zone_bad", *map("still_{}".format, ("velocity", "acceleration", "special")))
 }
 """Words of the page that stand in other tables."""
 NOSCRIPT = (

@@ -6,7 +6,7 @@ import { kit } from "./kit.js";
 import { safe } from "./letters.js";
 import { data, draw, live, state } from "./page.js";
 import { put } from "./put.js";
-import { typeset } from "./rows.js";
+import { stands, typeset } from "./rows.js";
 import { say, sentence } from "./words.js";
 
 let faced = /** @type {any} */ (null), roomy = true;
@@ -32,7 +32,7 @@ export function contents() { // the plans in their order, each by its title
 /** @type {(f: Frame) => void} */
 export function told(f) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
-  put("sentence", live.failed ? say("zone_bad") : typeset(f)); // what is not there is not told
+  put("sentence", live.failed ? say("zone_bad") : typeset(f) + sentence(stands(f), f.plan)); // what is not there is not told
   put("why", live.failed ? "" : sentence(f.why[state.lang], f.plan));
   $("back").disabled = state.frame === 0;
   $("next").disabled = state.frame === data.frames.length - 1;

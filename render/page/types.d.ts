@@ -38,7 +38,7 @@ interface Row {
 interface Frame {
   key: string; plan: string; makes: string[]; uses: string[]; equation: number; terms: string[]; said: Said;
   why: Said; moments: number; turns: Turns; values: string[]; tools: Tool[]; rows: Row[]; tells: string[];
-  chapter: string;
+  chapter: string; still: Said;
 }
 interface Segment { plan: string; start: string; end: string; names: string[]; corner: boolean; }
 interface Trace { lines?: string[]; arcs?: string[]; }
