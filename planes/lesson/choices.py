@@ -42,6 +42,8 @@ class Choices:
         """What a choice offers, by its kind; None where there is nothing to choose."""
         if kind == "mu":
             return self.scale(str(what), self.frames[frame])
+        if not self.plans.moves:
+            return None
         if kind == "first":
             return self.first(int(what), frame)
         return self.order(str(what)) if kind == "order" else self.reason(str(what))
@@ -129,7 +131,7 @@ class Choices:
         links = self.plans.mechanism.links
         point = next((p for p in self.plans.points if f"v_{p}" == equation["total"]["name"]), "")
         together = {p for x in links.values() if point in x.points for p in x.points}
-        own = {p for x in (self.plans.mechanism.drive.link,) for p in links[x].points}
+        own = {*links[self.plans.mechanism.drive.link].points}
         for other in sorted(own - together - {point}) if point in self.plans.points and together else ():
             if self.plans.points[other].velocity in made or other in self.plans.mechanism.frame.points:
                 text = f"⟨v_{point}⟩ = ⟨v_{other}⟩ + ⟨v_{point}{other}⟩"
