@@ -51,7 +51,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "scheme": scheme(plans, drawing),
         "moments": arms(plans),
         "bodies": told.teller.bodies.drawn,
-        "related": related(plans),
+        "related": related(plans, {u.other: u.link for u in told.teller.stating.under.values()}),
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
         "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
         "equations": told.equations,

@@ -4,10 +4,11 @@ from collections.abc import Iterable
 
 from planes.drafting.drawing import Drawing
 from planes.lesson.frame import Frame
+from planes.lesson.scheme import special_points
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.frozen import replace
-from planes.words.names import POLE, at, label_of, lettered, plan_of
+from planes.words.names import POLE, at, lettered, plan_of
 
 STILL_MM = 1e-4
 """How near its pole a mark lies there: a page's drive is known to a millionth of a degree."""
@@ -18,7 +19,7 @@ def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
     named = {
         mark: p for p, m in plans.points.items() if p not in plans.standing for mark in (m.velocity, m.acceleration)
     }
-    special = {label_of(n): m.of for n, m in plans.means.items() if m.quantity == "special"}
+    special = special_points(plans)
     for s in plans.segments:
         if s.start == POLE and s.name in {f"{letter}_{name}" for letter in "va" for name in special}:
             named[at(s.plan, s.end)] = s.name[2:]

@@ -15,6 +15,7 @@ export function readAddress() {
   live.back(data.home);
   live.set(numbers);
   if (live.altered.length) live.scan();
+  state.coloured = q.get("colour") === "1";
   if (["ru", "en"].includes(q.get("lang"))) state.lang = q.get("lang");
 }
 export function writeAddress() {
@@ -22,7 +23,7 @@ export function writeAddress() {
   const own = live.altered.map(n => `&${encodeURIComponent(n)}=${+live.given[n].toPrecision(9)}`).join("");
   const seeded = state.practising && state.seed;
   const text = `#${seeded ? `seed=${state.seed}` :
-    `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${state.practising ? "" : own}`;
+    `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${state.coloured ? "&colour=1" : ""}${state.practising ? "" : own}`;
   timer = setTimeout(() => { try { history.replaceState(null, "", text);
     } catch { /* a page inside a page has no address */ } }, 120);
 }

@@ -1,5 +1,6 @@
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
 import { readAddress, writeAddress } from "./address.js";
+import { coloured } from "./colour.js";
 import { desk } from "./desk.js";
 import { $, on } from "./dom.js";
 import { written } from "./equations.js";
@@ -39,6 +40,7 @@ function paint() {
   }
   if (state.spin && performance.now() - read < READ_MS) { // numbers are read eight times a second, figures move always
     kit.show(null, false);
+    coloured();
     relight();
     return;
   }
@@ -55,6 +57,7 @@ function paint() {
   if (practising) task.paint();
   kit.show(practising || state.spin ? null : f, false);
   heard();
+  coloured();
   relight();
 }
 if (!data.moves) document.body.classList.add("still"); // vectors alone: no scheme, no crank

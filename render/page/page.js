@@ -8,6 +8,7 @@ export const [words, data] = JSON.parse(inflated(JSON.parse($("packed").textCont
 export const live = new Live(data, LOOKS); // the whole turn is looked at once the first picture is there
 export const state = {
   frame: 0, lang: document.documentElement.lang, timer: 0, spin: 0, waiting: false, practising: false, seed: 0,
+  coloured: false,
 };
 let painted = () => {};
 
