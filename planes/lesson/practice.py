@@ -19,7 +19,7 @@ from planes.drafting.tools import Thing
 from planes.geometry.arrays import Floats
 from planes.lesson.choices import CHOICES, Choices
 from planes.lesson.formulas import in_both
-from planes.lesson.frame import Frame
+from planes.lesson.frame import CENTRES, Frame
 from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms
@@ -97,6 +97,8 @@ class Practice:
 
     def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
         """The kinds and names of what a frame may ask."""
+        if f.chapter == CENTRES:
+            return
         if f.key == "free_body":
             yield "order", f.plan
             yield "reason", f.plan

@@ -17,6 +17,7 @@ from planes.lesson.practice import Practice
 from planes.lesson.steps import whole
 from planes.plans import Plans
 from planes.plans.scales import fits_on, scales
+from planes.plans.three_centres import with_centres
 from planes.scene import Scene
 from planes.solving import plans_of
 from planes.words import Phrase
@@ -41,9 +42,10 @@ class Told:
     frames: list[Frame]
 
     @classmethod
-    def of(cls, scene: Scene) -> "Told":
+    def of(cls, scene: Scene, centres: bool = False) -> "Told":
         """:class:`SceneError` where there is no mechanism or its own position fails."""
         plans, _ = plans_of(scene, shown=True)
+        plans = with_centres(plans) if centres else plans
         try:
             mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
             given = {**plans.given, **plans.at(plans.mechanism.drive.position), **mus}

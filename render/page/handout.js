@@ -5,7 +5,7 @@ import { seenAt } from "./frames.js";
 import { html } from "./letters.js";
 import { data, live, state } from "./page.js";
 import { Plan } from "./plan.js";
-import { inWords, stands } from "./rows.js";
+import { inWords, noted } from "./rows.js";
 import { Scheme } from "./scheme.js";
 import { svg } from "./svg.js";
 import { filled, number, sentence } from "./words.js";
@@ -75,7 +75,7 @@ function step(k, list) { // what is said of a frame; the equation it begins; the
   item.value = k + 1;
   const begins = f.equation !== null && data.frames.findIndex(g => g.equation === f.equation) === k && !onScheme;
   item.innerHTML = `${begins ? lines(data.equations[f.equation], false, f, data.frames.length) :
-    ""}<p>${sentence(inWords(f) + stands(f), f.plan)}</p><p class="why">${sentence(f.why[state.lang], f.plan)}</p>`;
+    ""}<p>${sentence(inWords(f) + noted(f), f.plan)}</p><p class="why">${sentence(f.why[state.lang], f.plan)}</p>`;
   if (onScheme && f.moments !== null && f.key === "moments") drawn("position", k, ARMS, item, { frame: f });
   list.appendChild(item);
 }

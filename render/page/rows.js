@@ -1,11 +1,16 @@
 // Lines of reckoning as mathematics: fractions as fractions, names that light what they name, numbers of the position.
+import { centreNoted } from "./centres.js";
 import { html, safe } from "./letters.js";
 import { data, live, state } from "./page.js";
 import { filled, say, sentence } from "./words.js";
 const STILL_MM = 1e-4;
 
 /** @type {(f: Frame) => string} */
-export function stands(f) { // that the point whose vector ends here stands still, where it does
+export function noted(f) { // what holds here alone: that a point stands still, that a centre is not to be seen
+  return stands(f) + centreNoted(f);
+}
+/** @type {(f: Frame) => string} */
+function stands(f) { // that the point whose vector ends here stands still, where it does
   const p = f.still && live.at(f.makes[0]), names = f.still;
   if (!p || Math.hypot(...p) >= STILL_MM) return "";
   return " " + say(`still_${names.said}`).replace(/{(\w+)}/g, (_, k) => names[k]);

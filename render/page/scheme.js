@@ -1,4 +1,5 @@
 // The scheme of the mechanism: links, hinges, guides, sliders, and what acts on them.
+import { showCentres } from "./centres.js";
 import { Drawing } from "./drawing.js";
 import { born } from "./frames.js";
 import { distance, union } from "./geometry.js";
@@ -35,7 +36,7 @@ export class Scheme extends Drawing {
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
     this.hinges(there, lit);
     if (told) this.forces(told, frame.terms);
-    for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
+    for (const m of frame && frame.chapter !== "centres" ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
     if (frame && frame.turns) this.carried(frame);
     if (own.length) this.loaded(frame);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots, ...this.centres])];
@@ -45,6 +46,7 @@ export class Scheme extends Drawing {
         state.frame >= this.introduced(n));
       this.beside(g.q, [...g.names, ...under], "position", 9, g.names.map(n => "position:" + n).join(" "));
     }
+    showCentres(this, frame, seen);
     this.settle();
     end();
   }

@@ -68,7 +68,7 @@ interface LessonData {
   results: { name: string; value: string; unit: Said }[]; marks: Record<string, number[]>; values: Numbers;
   turned: Record<string, number[]>; sharp: Numbers; holds: { at: number; said: Said }[]; slips: Slip[]; lines: Said;
   judging: Numbers; practice: Question[]; mistakes: Record<string, { said: Said; parts: string[] }>; tape: TapeData;
-  blunt: Record<string, Said>;
+  blunt: Record<string, Said>; centres: Record<string, string[][]>;
   number: number; titles: Said[]; paragraphs: { frame: number; view: string; knobs: string[]; said: Said }[]; // an essay's
 }
 
