@@ -275,6 +275,9 @@ def test_no_question_tells_its_scale(desk: Any) -> None:
     }""")
     assert told == []
     assert desk.evaluate("[...document.querySelectorAll('.scale')].every(e => !e.checkVisibility())")
+    desk.emulate_media(media="print")  # nor is the whole lesson printed beside its questions
+    shown = "['handout', 'task', 'scheme'].map(id => $(id).checkVisibility())"
+    assert desk.evaluate(f"practice.begin(0); handout(); {shown}") == [False, True, True]
 
 
 def test_the_next_links_and_the_first_equation_are_chosen_with_a_reason(desk: Any) -> None:
