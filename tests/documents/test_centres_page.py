@@ -65,7 +65,12 @@ def test_a_centre_that_is_not_to_be_seen_is_told_of(browser: Any, tmp_path: Path
         assert abs(c) == pytest.approx(vc / mu, rel=1e-9) and abs(b) == pytest.approx(vb / mu, rel=1e-9)
         assert page.evaluate("[...$('chapter').options].map(o => o.text)")[2].endswith("Instantaneous centres")
         assert complaints(page) == []
-        page.evaluate("go(data.frames.findIndex(f => f.key === 'centres_first'))")
+        printed = "[...document.querySelectorAll('#handout article')].filter(a => a.querySelector('circle.centre'))"
+        page.evaluate("handout()")
+        assert page.evaluate(f"{printed}.map(a => a.querySelector('h2').textContent.slice(0, 21))") == [
+            "Instantaneous centres"
+        ]
+        page.evaluate("draw(); go(data.frames.findIndex(f => f.key === 'centres_first'))")
         assert "P30 ⊥q-q" in page.inner_text("#sentence").replace("\n", "")
 
 

@@ -282,6 +282,7 @@ def test_no_question_tells_its_scale(desk: Any) -> None:
 
 def test_the_next_links_and_the_first_equation_are_chosen_with_a_reason(desk: Any) -> None:
     desk.evaluate("window.plainly = t => plain(t)")
+    assert not desk.evaluate("$('chapter').checkVisibility()")  # it lists the plans of forces in their order
     assert "F12" in chosen(desk, "order", "o.value === 'force:1'")
     assert chosen(desk, "order", "o.value === 'force:4-5'") == "Верно."
     assert "самой далёкой" in chosen(desk, "reason", "o.value === 'driver'")
