@@ -22,8 +22,10 @@ export function writeAddress() {
   clearTimeout(timer);
   const own = live.altered.map(n => `&${encodeURIComponent(n)}=${+live.given[n].toPrecision(9)}`).join("");
   const seeded = state.practising && state.seed;
+  const colour = state.coloured ? "&colour=1" : "";
   const text = `#${seeded ? `seed=${state.seed}` :
-    `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${state.coloured ? "&colour=1" : ""}${state.practising ? "" : own}`;
+    `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${colour}${
+      state.practising ? "" : own}`;
   timer = setTimeout(() => { try { history.replaceState(null, "", text);
     } catch { /* a page inside a page has no address */ } }, 120);
 }

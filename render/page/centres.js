@@ -1,19 +1,20 @@
 // Instantaneous centres on the scheme: their lines, those found so far; what is said of one that is not to be seen.
-import { distance } from "./geometry.js";
+import { clamp, distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { data, live } from "./page.js";
 import { svg } from "./svg.js";
 import { say } from "./words.js";
 const PAST_PX = 26, MOST_PX = 4000, CLOSE_PX = 6;
 
-let onSheet = /** @type {(mark: string) => boolean} */ (() => true); // whether a centre lies on the scheme as it is shown
+// whether a centre lies on the scheme as it is shown
+let onSheet = /** @type {(mark: string) => boolean} */ (() => true);
 
-/** @type {(figure: any, p: Spot, u: Spot, through: Spot[], name: string) => void} */
-function lineOf(figure, p, u, through, name) { // a line, as far as its centres and a little farther
+/** @type {(figure: any, p: Spot, u: Spot, through: Spot[]) => void} */
+function lineOf(figure, p, u, through) { // a line, as far as its centres and a little farther
   const along = [0, ...through.map(q => (q[0] - p[0]) * u[0] + (q[1] - p[1]) * u[1])];
-  const [low, high] = [Math.min(...along) - PAST_PX, Math.max(...along) + PAST_PX].map(t => Math.max(-MOST_PX, Math.min(MOST_PX, t)));
-  const at = (/** @type {number} */ t) => [p[0] + t * u[0], p[1] + t * u[1]];
-  figure.line(at(low), at(high), "centre-line", name);
+  const ends = [Math.min(...along) - PAST_PX, Math.max(...along) + PAST_PX].map(t => clamp(t, -MOST_PX, MOST_PX));
+  const [low, high] = ends.map(t => [p[0] + t * u[0], p[1] + t * u[1]]);
+  figure.line(low, high, "centre-line");
 }
 /** @type {(figure: any, frame: Frame) => void} */
 function linesOf(figure, frame) {
@@ -21,7 +22,7 @@ function linesOf(figure, frame) {
   for (const [from, by] of data.centres[frame.makes[0]]) {
     const p = figure.spot(from), q = by.includes(":") ? figure.spot(by) : null, angle = live.angle(by);
     const a = q ? Math.atan2(q[1] - p?.[1], q[0] - p?.[0]) : angle === null ? NaN : -angle * Math.PI / 180;
-    if (p && Number.isFinite(a)) lineOf(figure, p, [Math.cos(a), Math.sin(a)], [q, made].filter(Boolean), "");
+    if (p && Number.isFinite(a)) lineOf(figure, p, [Math.cos(a), Math.sin(a)], [q, made].filter(Boolean));
   }
 }
 /** @type {(figure: any, frame: any, seen: Set<string>) => void} */

@@ -36,7 +36,8 @@ export class Scheme extends Drawing {
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
     this.hinges(there, lit);
     if (told) this.forces(told, frame.terms);
-    for (const m of frame && frame.chapter !== "centres" ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
+    const made = frame && frame.chapter !== "centres" ? frame.makes : [];
+    for (const m of made) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
     if (frame && frame.turns) this.carried(frame);
     if (own.length) this.loaded(frame);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots, ...this.centres])];

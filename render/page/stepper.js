@@ -32,7 +32,8 @@ export function contents() { // the plans in their order, each by its title
 /** @type {(f: Frame) => void} */
 export function told(f) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
-  put("sentence", live.failed ? say("zone_bad") : typeset(f) + sentence(noted(f), f.plan)); // what is not there is not told
+  // what is not there is not told
+  put("sentence", live.failed ? say("zone_bad") : typeset(f) + sentence(noted(f), f.plan));
   put("why", live.failed ? "" : sentence(f.why[state.lang], f.plan));
   $("back").disabled = state.frame === 0;
   $("next").disabled = state.frame === data.frames.length - 1;
