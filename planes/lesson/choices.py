@@ -48,17 +48,19 @@ class Choices:
             return self.first(int(what), frame)
         return self.order(str(what)) if kind == "order" else self.reason(str(what))
 
-    def scale(self, plan: str, frame: Frame) -> Json:
+    def scale(self, plan: str, frame: Frame) -> Json | None:
         """Scales of the series about that of the lesson, by which marks it is told how large the plan is, and what is
-        laid off first."""
+        laid off first; None where the first mark asked is found by no given length."""
+        first = self.plans.program.makers[frame.makes[0]]
+        long = (getattr(first, "length", "") or getattr(first, "radius", "")) if plan == "position" else ""
+        if not long and not isinstance(first, LayOff):
+            return None
         own = complex(self.drawing[mu_of(plan)]).real
         offered = sorted({fitting(plan, 1.0, own * times) for times in TIMES})
         made = (s for s in self.plans.program.marks[plan] if not s.loose and label_of(s.makes) != POLE)
         shown = [s.makes for s in made if s.makes not in self.plans.program.trials]
         kind = kind_of(plan)
         told = in_both(partial(say, UNIT.get(kind, "one_unit")))
-        first = self.plans.program.makers[frame.makes[0]]
-        long = first.length if isinstance(first, LayOff) and plan == "position" else ""
         named: Json = {"name": long or next(iter(frame.terms), label_of(first.makes)), "unit": told}
         return {"offered": [{"value": mu} for mu in offered], "marks": shown, "most": self.fit_mm[kind], **named}
 

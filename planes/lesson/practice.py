@@ -107,7 +107,7 @@ class Practice:
         if f.equation is not None and plan_of(at(f.plan, "p")) != "position" and goal(self.equations[f.equation]):
             yield "known", f.equation
         mark = f.makes[0] if f.makes and f.key != "fixed" and self.drawn(f.makes[0]) else ""
-        if f.turns:
+        if f.turns and abs(self.values.get(f.turns["rate"], 0.0)) > NOTHING:
             yield "sense", f.turns["rate"]
         for how, name in f.numbers:
             given = {name, f"{name}_given"} & {*self.plans.given}
@@ -115,7 +115,7 @@ class Practice:
                 yield "number", name
         if f.moments is not None and (sense := f"{SENSE}{self.plans.moments[f.moments].unknown}") in self.turning:
             yield "sense", sense
-        if isinstance(self.plans.program.makers.get(mark), LayOff) and f.plan in self.scaled:
+        if mark and f.plan in self.scaled:
             yield "mu", f.plan
         if mark:
             yield "mark", mark

@@ -53,7 +53,8 @@ export function taken(t, a) { // a scale that holds is drawn at
 export function question(t) {
   if (t.kind !== "mu") return say(`ask_${t.kind}`);
   const mark = data.practice.find(o => o.kind === "mark" && o.frame === t.frame), f = data.frames[t.frame];
-  const start = live.at(f.uses[0]) || [0, 0], value = distance(start, live.at(mark.what)) / live.given[scaleOf(t.what)];
+  const start = live.at(f.uses[0]) || [0, 0], long = distance(start, live.at(mark.what));
+  const value = t.what === "position" && live.given[t.name] || long / live.given[scaleOf(t.what)];
   return say("ask_mu").replace("{name}", `⟨${t.name}⟩`).replace("{value}",
     `${number(value)} ${t.unit[state.lang]}`).replace("{most}", number(t.most));
 }

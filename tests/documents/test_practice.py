@@ -9,6 +9,9 @@ from typing import Any
 import pytest
 
 from planes import cli
+from planes.lesson.handed_practice import PracticeJudge
+from planes.lesson.told import Told
+from planes.scene import load
 from tests.helpers import ROOT
 from tests.helpers.lessons import lesson_opened, lesson_written
 
@@ -319,6 +322,24 @@ def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path
     assert "altered" in out and "104 of 104" in out and "give 103" in out and "the code is damaged" in out
     assert cli.main(["check", str(HERE / "kind-1-rrr.yaml"), str(codes / "0.practice"), "--lang", "en"]) == 2
     assert "not of the scene" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "path",
+    [p if p.stem in ("excavator", "bntu-4") else pytest.param(p, marks=pytest.mark.long) for p in SCENES],
+    ids=[p.stem for p in SCENES],
+)  # one lays off no length first, of one a link stands still
+def test_scales_of_ones_own_are_judged_alike_by_page_and_python(browser: Any, tmp_path: Path, path: Path) -> None:
+    judge, code = PracticeJudge(Told.of(load(str(path)))), tmp_path / "one.practice"
+    with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:
+        page.click("#practise")
+        page.evaluate(OTHERWISE)
+        for seed in (0, 3):
+            page.evaluate(f"practice.begin({seed})")
+            assert page.evaluate(SOLVE) == [True, True, []]
+            code.write_text(page.evaluate("handed()"), "utf-8")
+            told = judge.judged(str(code))
+            assert told.right == told.count
 
 
 @pytest.mark.few(0, slow=8)
