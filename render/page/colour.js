@@ -4,8 +4,6 @@ import { $ } from "./dom.js";
 import { data, draw, state } from "./page.js";
 
 const FIGURES = "#scheme [data-name], #plan [data-name], #equations .term", COLOURS = 8;
-const numbered = new Map(data.scheme.links.map((l, k) => [`link:${l.name}`, k % COLOURS]));
-const owners = /** @type {Record<string, string>} */ ({});
 
 /** @type {(mark: string) => string} */
 function carrier(mark) { // the link whose point it is: of several that about a pivot, or on a guide of the frame
@@ -17,12 +15,13 @@ function carrier(mark) { // the link whose point it is: of several that about a 
 /** @type {(name: string) => string} */
 function ownerOf(name) {
   const own = name.startsWith("link:") ? name : (data.related[name] || [""])[0];
-  return owners[name] ??= own.startsWith("position:") ? carrier(own) : own;
+  return own.startsWith("position:") ? carrier(own) : own;
 }
 export function coloured() { // on what is drawn anew; the colours themselves are the style's
   document.body.classList.toggle("coloured", state.coloured);
   $("colour").setAttribute("aria-pressed", String(state.coloured));
   if (!state.coloured) return;
+  const numbered = new Map(data.scheme.links.map((l, k) => [`link:${l.name}`, k % COLOURS]));
   document.querySelectorAll(FIGURES).forEach(e => {
     const found = e.dataset.name.split(" ").map(ownerOf).find((/** @type {string} */ l) => numbered.has(l));
     if (found) e.dataset.own = numbered.get(found);
