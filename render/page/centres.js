@@ -1,7 +1,10 @@
-// Instantaneous centres on the scheme: their lines, those found so far; what is said of one that is not to be seen.
+// Instantaneous centres, where they are asked for: their lines and those found so far on the scheme, what is said of
+// one that is not to be seen.
 import { clamp, distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
-import { data, live } from "./page.js";
+import { data, later, live } from "./page.js";
+import { notes } from "./rows.js";
+import { overlays } from "./scheme.js";
 import { svg } from "./svg.js";
 import { say } from "./words.js";
 const PAST_PX = 26, MOST_PX = 4000, CLOSE_PX = 6;
@@ -26,7 +29,7 @@ function linesOf(figure, frame) {
   }
 }
 /** @type {(figure: any, frame: any, seen: Set<string>) => void} */
-export function showCentres(figure, frame, seen) {
+function showCentres(figure, frame, seen) {
   if (frame?.chapter !== "centres") return;
   onSheet = mark => { const q = figure.spot(mark);
     return !q || (q[0] >= 0 && q[1] >= 0 && q[0] <= figure.w && q[1] <= figure.h); };
@@ -41,10 +44,13 @@ export function showCentres(figure, frame, seen) {
   for (const g of groups) figure.beside(g.q, g.names, "position", 9, g.names.map(n => `position:${n}`).join(" "));
 }
 /** @type {(f: Frame) => string} */
-export function centreNoted(f) { // where a centre is not to be seen, why
+function centreNoted(f) { // where a centre is not to be seen, why
   const mark = f.makes[0], found = f.chapter === "centres" && data.centres[mark];
   if (!found || !found.length) return "";
   const there = found.every(([a, b]) => live.at(a) && (b.includes(":") ? live.at(b) : live.angle(b) !== null));
   const key = live.at(mark) ? onSheet(mark) ? "" : "off" : there ? "parallel" : "lost";
   return key && " " + say(`centre_${key}`).replace("{name}", labelOf(mark));
 }
+overlays.push(showCentres);
+notes.push(centreNoted);
+later();

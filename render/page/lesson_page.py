@@ -45,6 +45,7 @@ def essay_page(data: Json, lang: str) -> str:
 
 def _whole(data: Json, lang: str, name: str, modules: tuple[str, ...], parts: dict[str, str]) -> str:
     """A page with the template of its name, its data and its modules."""
+    modules += ("centres",) * bool((data or {}).get("centres"))
     told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
     title = data["title"].get(lang, "")

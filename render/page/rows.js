@@ -1,14 +1,12 @@
 // Lines of reckoning as mathematics: fractions as fractions, names that light what they name, numbers of the position.
-import { centreNoted } from "./centres.js";
 import { html, safe } from "./letters.js";
 import { data, live, state } from "./page.js";
 import { filled, say, sentence } from "./words.js";
 const STILL_MM = 1e-4;
+export const notes = /** @type {((f: Frame) => string)[]} */ ([]); // what another module has to say of a frame
 
 /** @type {(f: Frame) => string} */
-export function noted(f) { // what holds here alone: that a point stands still, that a centre is not to be seen
-  return stands(f) + centreNoted(f);
-}
+export function noted(f) { return stands(f) + notes.map(more => more(f)).join(""); } // what holds here alone
 /** @type {(f: Frame) => string} */
 function stands(f) { // that the point whose vector ends here stands still, where it does
   const p = f.still && live.at(f.makes[0]), names = f.still;

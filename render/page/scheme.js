@@ -1,11 +1,13 @@
 // The scheme of the mechanism: links, hinges, guides, sliders, and what acts on them.
-import { showCentres } from "./centres.js";
 import { Drawing } from "./drawing.js";
 import { born } from "./frames.js";
 import { distance, union } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { live, state } from "./page.js";
 import { end, svg } from "./svg.js";
+
+// what another module draws over it: the figure, the frame, what is seen
+export const overlays = /** @type {((figure: Scheme, frame: any, seen: Set<string>) => void)[]} */ ([]);
 
 export class Scheme extends Drawing {
   /** @param {Element} node @param {LessonData} data @param {number[]} [size] */
@@ -47,7 +49,7 @@ export class Scheme extends Drawing {
         state.frame >= this.introduced(n));
       this.beside(g.q, [...g.names, ...under], "position", 9, g.names.map(n => "position:" + n).join(" "));
     }
-    showCentres(this, frame, seen);
+    for (const show of overlays) show(this, frame, seen);
     this.settle();
     end();
   }
