@@ -16,6 +16,9 @@ from planes.words.frozen import frozen, replace
 from planes.words.names import lettered
 from planes.words.records import Json
 
+NOTED = ("off", "parallel", "lost")
+"""What a page says of a centre that is not to be seen."""
+
 
 @frozen
 class CentreFrames:

@@ -11,7 +11,7 @@ from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson import value_of
-from planes.lesson.centres import lines_of
+from planes.lesson.centres import NOTED, lines_of
 from planes.lesson.formulas import in_both, mu_said, slot, unit
 from planes.lesson.frame import Frame, needed
 from planes.lesson.kit import Kit
@@ -58,6 +58,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
         "equations": told.equations,
         "centres": lines_of(plans),
+        "noted": {k: in_both(partial(say, f"lesson_centre_{k}", name="{name}")) for k in NOTED * bool(plans.centres)},
         "frames": (shown := [_shown(f, kit) for f in frames]),
         "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
         "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),

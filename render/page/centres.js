@@ -2,11 +2,10 @@
 // one that is not to be seen.
 import { clamp, distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
-import { data, later, live } from "./page.js";
+import { data, later, live, state } from "./page.js";
 import { notes } from "./rows.js";
 import { overlays } from "./scheme.js";
 import { svg } from "./svg.js";
-import { say } from "./words.js";
 const PAST_PX = 26, MOST_PX = 4000, CLOSE_PX = 6;
 
 // whether a centre lies on the scheme as it is shown
@@ -49,7 +48,7 @@ function centreNoted(f) { // where a centre is not to be seen, why
   if (!found || !found.length) return "";
   const there = found.every(([a, b]) => live.at(a) && (b.includes(":") ? live.at(b) : live.angle(b) !== null));
   const key = live.at(mark) ? onSheet(mark) ? "" : "off" : there ? "parallel" : "lost";
-  return key && " " + say(`centre_${key}`).replace("{name}", labelOf(mark));
+  return key && " " + data.noted[key][state.lang].replace("{name}", labelOf(mark));
 }
 overlays.push(showCentres);
 notes.push(centreNoted);

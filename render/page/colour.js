@@ -1,9 +1,10 @@
-// By choice a link and the vectors that are its own have one colour in both figures and in the equations.
+// By choice a link and the vectors that are its own have one colour in both figures and in the equations: Okabe and
+// Ito's colours, told apart by who sees colours otherwise; the style has them, the lightest with some ink.
 import { writeAddress } from "./address.js";
 import { $ } from "./dom.js";
 import { data, draw, state } from "./page.js";
 
-const FIGURES = "#scheme [data-name], #plan [data-name], #equations .term", COLOURS = 8;
+const FIGURES = "#scheme [data-name], #plan [data-name], #equations .term", COLOURS = 7;
 
 /** @type {(mark: string) => string} */
 function carrier(mark) { // the link whose point it is: of several that about a pivot, or on a guide of the frame

@@ -13,9 +13,9 @@ from planes.words.records import Json
 from render.page import packer, web_page
 from render.paper.letters import NAME, written
 
-NOTED = ("still_velocity", "still_acceleration", "still_special", "centre_off", "centre_parallel", "centre_lost")
 SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
-    key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad", *NOTED)
+    key: f"lesson_{key}"
+    for key in ("ccw", "cw", "still", "zone_bad", "still_velocity", "still_acceleration", "still_special")
 }
 """Words of the page that stand in other tables."""
 NOSCRIPT = (

@@ -69,6 +69,7 @@ interface LessonData {
   turned: Record<string, number[]>; sharp: Numbers; holds: { at: number; said: Said }[]; slips: Slip[]; lines: Said;
   judging: Numbers; practice: Question[]; mistakes: Record<string, { said: Said; parts: string[] }>; tape: TapeData;
   blunt: Record<string, Said>; centres: Record<string, string[][]>;
+  noted: Record<string, Said>;
   number: number; titles: Said[]; paragraphs: { frame: number; view: string; knobs: string[]; said: Said }[]; // an essay's
 }
 
