@@ -154,7 +154,7 @@ def lesson(args: Namespace) -> int:
     """The construction step by step, as a page."""
     from planes.documents.lesson import write_lesson
 
-    write_lesson(scene_of(args), args.output, args.lang)
+    write_lesson(scene_of(args), args.output, args.lang, args.centres)
     return 0
 
 

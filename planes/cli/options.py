@@ -50,7 +50,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--view", "view", {"metavar": "NAME"}),
         ("--colour", "colour", FLAG),
     ),
-    "lesson": (("-o --output", "lesson_output", OUTPUT),),
+    "lesson": (("-o --output", "lesson_output", OUTPUT), ("--centres", "centres", FLAG)),
     "essay": (("-o --output", "essay_output", {"metavar": "FOLDER", "required": True}),),
     "note": (("-o --output", "note_output", OUTPUT),),
     "studio": (

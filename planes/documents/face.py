@@ -139,9 +139,12 @@ def sheet(
     return drawn
 
 
-def lesson(scene: Scene | Linkage, output: str | Path | None = None, lang: Lang | None = None) -> Lesson:
-    """The construction step by step, as a page that a notebook shows, written to ``output`` if that is given."""
-    page = Lesson(read(scene), lang or home_lang())
+def lesson(
+    scene: Scene | Linkage, output: str | Path | None = None, lang: Lang | None = None, centres: bool = False
+) -> Lesson:
+    """The construction step by step, with a chapter on instantaneous ``centres`` if it is asked for, as a page that a
+    notebook shows, written to ``output`` if that is given."""
+    page = Lesson(read(scene), lang or home_lang(), centres=centres)
     if output is not None:
         page.write(str(output))
     return page

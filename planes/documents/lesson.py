@@ -25,22 +25,24 @@ class Lesson:
     scene: Scene
     lang: Lang = "en"
     height: int = 900
+    centres: bool = False
 
     def write(self, output: str) -> None:
         """The page as a file; :class:`PlanesError`, and no file, if it cannot be."""
-        write_lesson(self.scene, output, self.lang)
+        write_lesson(self.scene, output, self.lang, self.centres)
 
     def _repr_html_(self) -> str:
-        inner = html.escape(page(lesson_data(self.scene), self.lang), quote=True)
+        inner = html.escape(page(lesson_data(self.scene, centres=self.centres), self.lang), quote=True)
         return f'<iframe srcdoc="{inner}" style="width: 100%; height: {self.height}px; border: 0"></iframe>'
 
 
-def write_lesson(scene: Scene, output: str, lang: Lang) -> None:
-    """The lesson of a scene as one page; :class:`PlanesError`, and no file, if it cannot be."""
+def write_lesson(scene: Scene, output: str, lang: Lang, centres: bool = False) -> None:
+    """The lesson of a scene as one page, with its instantaneous ``centres`` if asked; :class:`PlanesError`, and no
+    file, if it cannot be."""
     if Path(output).suffix.lower() not in (".html", ".htm"):
         raise PlanesError(Phrase("lesson_suffix", file=output))
     with bar() as step:
-        text = page(lesson_data(scene, step), lang)
+        text = page(lesson_data(scene, step, centres), lang)
     keep(text.encode(), output)
 
 

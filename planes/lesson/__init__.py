@@ -11,12 +11,14 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
+from planes.lesson.centres import CentreFrames
 from planes.lesson.formulas import SLOT, UNITS, in_both, mu_said, slot
 from planes.lesson.frame import Frame, in_chapters
 from planes.lesson.free_bodies import FreeBodies
 from planes.lesson.moments import many, moment_words
 from planes.lesson.reckoning import Reckoning
 from planes.lesson.rows import Row, reckoned
+from planes.lesson.standing import standing
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
 from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole, worded
@@ -45,7 +47,7 @@ class Teller:
         self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
-        self.trials = drawing.program.trials
+        self.trials = drawing.program.trials | {c.mark for c in plans.centres}  # no frames of the scheme
         drawn = (x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials)
         self.ends = {p: x.makes for x in drawn if kind_of(p := shown_on(x)) == "force"}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
@@ -72,8 +74,8 @@ class Teller:
             solved = ((e.plan, sought(e)) for e in self.solved.get(step.makes, ()))
             found += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
             found += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
-        told = self.stating.stated(found + self.readings(readings, found), self.frame)
-        return self.in_order(self.bodies.opened(told, self.frame))
+        told = self.bodies.opened(self.stating.stated(found + self.readings(readings, found), self.frame), self.frame)
+        return self.in_order(CentreFrames(self.plans, self.frame, self.reading).among(told))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
         """The frames, each after one that finds whatever number it needs and none before it told."""
@@ -87,7 +89,7 @@ class Teller:
                 found.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
             reckoning.tell(f)
             found.append(f)
-        return in_chapters(found)
+        return in_chapters(standing(found, self.plans))
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
@@ -155,11 +157,8 @@ class Teller:
             return [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
         crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
         plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
-        found = (
-            [*self.stating.turns(rates, plan, self.frame), self.measured(plan, rates, before)]
-            if rates or crossed
-            else []
-        )
+        found = [*self.stating.turns(rates, plan, self.frame)]
+        found += [self.measured(plan, rates, before)] if rates or crossed else []
         return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:

@@ -11,6 +11,7 @@ from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson import value_of
+from planes.lesson.centres import NOTED, lines_of
 from planes.lesson.formulas import in_both, mu_said, slot, unit
 from planes.lesson.frame import Frame, needed
 from planes.lesson.kit import Kit
@@ -31,9 +32,10 @@ from planes.words.units import Convention
 Progress = Callable[[int, int], None]
 
 
-def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
-    """The lesson of a scene; ``progress`` hears how far the catalogue of mistakes is drawn. Errors as :class:`Told`."""
-    told = Told.of(scene)
+def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = False) -> Json:
+    """The lesson of a scene, with its instantaneous ``centres`` if they are asked for; ``progress`` hears how far the
+    catalogue of mistakes is drawn. Errors as :class:`Told`."""
+    told = Told.of(scene, centres)
     plans, drawing, knobs, frames = told.plans, told.drawing, told.knobs, told.frames
     kit, more = Kit(plans, drawing), told.leaning or {}
     return {
@@ -51,10 +53,12 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
         "scheme": scheme(plans, drawing),
         "moments": arms(plans),
         "bodies": told.teller.bodies.drawn,
-        "related": related(plans),
+        "related": related(plans, {u.other: u.link for u in told.teller.stating.under.values()}),
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
         "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
         "equations": told.equations,
+        "centres": lines_of(plans),
+        "noted": {k: in_both(partial(say, f"lesson_centre_{k}", name="{name}")) for k in NOTED * bool(plans.centres)},
         "frames": (shown := [_shown(f, kit) for f in frames]),
         "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
         "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
@@ -82,6 +86,7 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     # directions of guides, and of the forces in moment equations
     ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
     loaded = [*arms(plans), *told.teller.bodies.drawn.values()]
+    ways += [line.along for c in plans.centres for line in c.lines]
     ways += [f["along"] for one in loaded for f in one["forces"]]
     sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
     sharp = {n: z for n, z in drawn.sharpness.items() if n not in plans.program.trials and plan_of(n) != "motion"}

@@ -3,12 +3,15 @@
 import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
+from itertools import zip_longest
 
 from planes.lesson.formulas import SIGNS, own
 from planes.lesson.rows import Row
 from planes.words import Lang
 from planes.words.frozen import frozen, replace
 
+CENTRES = "centres"
+"""The chapter of instantaneous centres, which is no plan."""
 ROW = re.compile(r"⟪(\d+)⟫")
 
 
@@ -20,7 +23,7 @@ class Frame:
     point of the scheme to see which way it turns about another, and the rate found so. ``rows`` are its lines of
     reckoning, each ⟪k⟫ where it stands in the words; ``numbers`` are all that it tells: how (see
     :mod:`planes.lesson.formulas`) and of which value. ``chapter`` is the plan it serves: of moments, that of their
-    group.
+    group. ``still`` is what is said where its mark lies at the pole.
     """
 
     key: str
@@ -36,6 +39,7 @@ class Frame:
     rows: tuple[Row, ...] = ()
     numbers: tuple[tuple[str, str], ...] = ()
     chapter: str = ""
+    still: Mapping[str, str] | None = None
 
     @cached_property
     def said(self) -> dict[Lang, str]:
@@ -56,12 +60,13 @@ class Frame:
 Make = Callable[..., Frame]  # a frame with its words in every language
 
 
-def in_chapters(frames: Iterable[Frame]) -> list[Frame]:
-    """The frames, each with the plan it serves."""
+def in_chapters(frames: list[Frame]) -> list[Frame]:
+    """The frames, each with the plan it serves; a chapter of its own takes in what is found for it."""
     found, here = list[Frame](), "position"
-    for f in frames:
-        here = here if f.moments is not None and f.plan == "position" else f.plan
-        found.append(replace(f, chapter=here))
+    for f, after in zip_longest(frames, frames[1:]):
+        own = after.chapter if f.key == "found_values" and after else f.chapter
+        here = here if own or (f.moments is not None and f.plan == "position") else f.plan
+        found.append(replace(f, chapter=own or here))
     return found
 
 

@@ -55,7 +55,7 @@ class FreeBodies:
         """What acts on the links and what of it is unknown; then the reactions that are split."""
         known, sought, balancing = [name for name, _ in self.known(plan)], self.outer(plan), self.balancing(plan)
         names: Names = {
-            "links": partial(_links, plan),
+            "links": partial(links_told, plan),
             "known": ", ".join(f"⟨{n}⟩" for n in known) or "—",
             "unknown": lambda lang: ", ".join(_unknown(n, r, lang) for n, r in sought.items()) + _also(balancing, lang),
             "count": str(2 * len(sought) + bool(balancing)),
@@ -125,7 +125,8 @@ class FreeBodies:
         return found
 
 
-def _links(plan: str, lang: Lang) -> str:
+def links_told(plan: str, lang: Lang) -> str:
+    """The links of a force polygon."""
     links = links_of(plan)
     return say("lesson_link" if len(links) == 1 else "lesson_links", lang, links="–".join(links))
 

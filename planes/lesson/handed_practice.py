@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -44,7 +44,8 @@ def read_code(file: str) -> Json:
         told: Json = json.loads(data)
         whole = head == HEAD and total == f"{checksum(data):08x}" and isinstance(told["answers"], list)
         good = whole and all(isinstance(told[key], int) for key in ("seed", "right")) and isinstance(told["name"], str)
-    except (OSError, ValueError, KeyError, TypeError):
+        good = good and all(isinstance(mu, (int, float)) and mu > 0 for mu in told["scales"].values())
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
         good = False
     if not good:
         raise PlanesError(Phrase("practice_damaged", file=file))
@@ -86,6 +87,7 @@ class PracticeJudge:
         sharp = {n: z for n, z in drawn.sharpness.items() if n not in trials and plan_of(n) != "motion"}
         self.things = {
             **{f"{m}": drawn[m] for m in self.marks},
+            **{f"at {m}": drawn[m] for item in self.items if item["kind"] == "mu" for m in item["marks"]},
             **{f"= {n}": value_of(n, told.teller, drawn) for n in told.practice.values},
             **{f"= {n}": z for n, z in told.practice.senses(drawn).items()},
             **{f"wrong {k}": z for k, z in wrong.items()},
@@ -99,8 +101,13 @@ class PracticeJudge:
         if told["id"] != self.told.practice.id or len(told["answers"]) != len(self.items):
             raise PlanesError(Phrase("practice_other_scene", file=file, scene=self.told.scene.file))
         given = self.fresh(told["seed"]) if told["seed"] else self.home
-        numbers = self.live.numbers_of(self.things, given)
-        right = sum(self.right(item, a, numbers, given) for item, a in zip(self.items, told["answers"], strict=True))
+        right, numbers = 0, self.live.numbers_of(self.things, given)
+        for item, answer in zip(self.items, told["answers"], strict=True):
+            right += self.right(item, answer, numbers, given)
+            scale = told["scales"].get(item["what"]) if item["kind"] == "mu" else None
+            if scale is not None and self.right(item, scale, numbers, given):
+                given = self.drawn_at(item["what"], scale, given)
+                numbers = self.live.numbers_of(self.things, given)
         if right != told["right"]:
             names = {"file": file, "said": str(told["right"]), "right": str(right)}
             raise PlanesError(Phrase("practice_altered", **names, count=str(len(self.items))))
@@ -121,18 +128,32 @@ class PracticeJudge:
             return (
                 pair and isinstance(answer, list) and abs(complex(*answer) - numbers[what]) <= self.fits(what, numbers)
             )
+        if kind in ("order", "reason", "first"):
+            return any(one["value"] == answer and "why" not in one for one in item["offered"])
         if not isinstance(answer, (int, float)):
             return False
         if kind == "mu":
-            mu = given[mu_of(what)]
-            true = mu if self.told.scene.mu_convention == "mm_per_unit" else 1 / mu
-            return bool(abs(answer - true) <= JUDGING["scale_share"] * true)
+            return self.holds(item, float(answer), numbers, given)
         value = numbers[f"= {what}"].real
         if kind == "sense":
             return answer == math.copysign(1, value)
         ruler = JUDGING["ruler_mm"] / given[item["mu"]] if item["mu"] else 0.0
         seen = (answer, value) if "signed" in item else (abs(answer), abs(value))
         return bool(abs(seen[0] - seen[1]) <= max(JUDGING["number_share"] * abs(value), ruler))
+
+    def holds(self, item: Json, scale: float, numbers: Mapping[str, complex], given: Mapping[str, float]) -> bool:
+        """Whether a plan fits its place at a scale, and can be measured: as well as at that of the lesson."""
+        mu, places = mu_of(item["what"]), [numbers[f"at {m}"] for m in item["marks"]]
+        places = [z for z in places if z == z] + [0j] * (item["what"] != "position")
+        wide, high = (max(side, default=math.nan) - min(side, default=math.nan) for side in _sides(places))
+        size = max(wide, high) / given[mu]
+        own, least = size * self.home[mu], JUDGING["ruler_mm"] / JUDGING["number_share"]
+        return bool(min(least, own / 2) <= size * scale <= max(item["most"], own))
+
+    def drawn_at(self, plan: str, scale: float, given: Mapping[str, float]) -> dict[str, float]:
+        """The numbers with a plan's scale, and with those that are tied to it."""
+        times, tied = scale / given[mu_of(plan)], [k["tied"] for k in self.told.knobs.all if k["given"] == mu_of(plan)]
+        return {**given, mu_of(plan): scale, **{n: given[n] * times for names in tied for n in names}}
 
     def fits(self, mark: str, numbers: Mapping[str, complex]) -> float:
         """How near a mark must be, mm: nearer to its place than to where any mistake puts it, as far as a hand can."""
@@ -173,6 +194,10 @@ class PracticeJudge:
                 turned if drive["symbol"] == "φ" else float(f"{drive['at'] + reach / 20 * turn:.3g}")
             )
         return given
+
+
+def _sides(places: Sequence[complex]) -> tuple[list[float], list[float]]:
+    return ([z.real for z in places], [z.imag for z in places])
 
 
 def _bluntest(numbers: Mapping[str, complex]) -> float:

@@ -13,6 +13,7 @@ from planes.lesson import Teller, value_of
 from planes.lesson.conditions import conditions
 from planes.lesson.formulas import NOISE, fill, mu_said, unit
 from planes.lesson.frame import Frame
+from planes.lesson.standing import still_said
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.apart import links_apart
 from planes.plans.assur.alignment import aligned
@@ -196,7 +197,8 @@ class Note:
         read = lambda name: float(value_of(name, self.teller, self.position.drawing))  # noqa: E731
         why = frame.why[self.lang] if frame.why[self.lang] not in self.given else ""
         self.given.add(why)
-        return Paragraph(fill(frame.said[self.lang], read, self.lang), why, index, frame.plan)
+        said = fill(frame.said[self.lang], read, self.lang), still_said(frame, self.position.drawing, self.lang)
+        return Paragraph(" ".join(filter(None, said)), why, index, frame.plan)
 
     def compared(self) -> Iterator[Block]:
         """The balancing load two ways."""

@@ -17,8 +17,9 @@ from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.tools import Thing
 from planes.geometry.arrays import Floats
+from planes.lesson.choices import CHOICES, Choices
 from planes.lesson.formulas import in_both
-from planes.lesson.frame import Frame
+from planes.lesson.frame import CENTRES, Frame
 from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms
@@ -57,13 +58,13 @@ JUDGING: Json = {
     "least_mm": 0.5,
     "number_share": 0.03,
     "ruler_mm": 0.5,
-    "scale_share": 0.01,
     "fresh": 0.12,
     "swing": 40.0,
     "draws": 200,
 }
 """How answers are judged, in a page and where a code is read again: a mark that fits, of its plan's size, never nearer
-than a hand draws; a number; a ruler's reading; a scale. Then how far fresh numbers go, and how often they are drawn."""
+than a hand draws; a number; a ruler's reading, by which a plan may be too small as well. Then how far fresh numbers go,
+and how often they are drawn."""
 CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
@@ -78,28 +79,35 @@ class Practice:
     equations: Sequence[Json]
     values: Mapping[str, float]
     spans: Mapping[str, tuple[str, str, str]]
+    choices: Choices
 
     def items(self) -> list[Json]:
-        """What is asked, in the order of the lesson: what is known of an equation's vectors (``known``), the scale of a
-        plan (``mu``), a sense (``sense``), numbers (``number``), marks (``mark``)."""
+        """What is asked, in the order of the lesson: what is to be chosen (:class:`Choices`), what is known of an
+        equation's vectors (``known``), a sense (``sense``), numbers (``number``), marks (``mark``)."""
         asked, found = set[object](), list[Json]()
         for k, f in enumerate(self.frames):
             for kind, name in self.of_frame(f):
                 if (kind, plain(str(name))) not in asked:
                     asked.add((kind, plain(str(name))))
-                    more: Json = {"mu": self.read_at(str(name))} if kind == "number" else {}
-                    more |= {"signed": True} if kind == "number" and letter_of(str(name)) in MOMENTS else {}
-                    found.append({"frame": k, "kind": kind, "what": name, **more})
+                    more: Json | None = {"mu": self.read_at(str(name))} if kind == "number" else {}
+                    more = self.choices.of(kind, name, k) if kind in CHOICES else more
+                    signed: Json = {"signed": True} if kind == "number" and letter_of(str(name)) in MOMENTS else {}
+                    found += [{"frame": k, "kind": kind, "what": name, **more, **signed}] if more is not None else []
         return found
 
     def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
         """The kinds and names of what a frame may ask."""
+        if f.chapter == CENTRES:
+            return
+        if f.key == "free_body":
+            yield "order", f.plan
+            yield "reason", f.plan
+        if f.equation is not None and f.plan == "velocity":
+            yield "first", f.equation
         if f.equation is not None and plan_of(at(f.plan, "p")) != "position" and goal(self.equations[f.equation]):
             yield "known", f.equation
         mark = f.makes[0] if f.makes and f.key != "fixed" and self.drawn(f.makes[0]) else ""
-        if isinstance(self.plans.program.makers.get(mark), LayOff) and f.plan in self.scaled:
-            yield "mu", f.plan
-        if f.turns:
+        if f.turns and abs(self.values.get(f.turns["rate"], 0.0)) > NOTHING:
             yield "sense", f.turns["rate"]
         for how, name in f.numbers:
             given = {name, f"{name}_given"} & {*self.plans.given}
@@ -107,6 +115,8 @@ class Practice:
                 yield "number", name
         if f.moments is not None and (sense := f"{SENSE}{self.plans.moments[f.moments].unknown}") in self.turning:
             yield "sense", sense
+        if mark and f.plan in self.scaled:
+            yield "mu", f.plan
         if mark:
             yield "mark", mark
 

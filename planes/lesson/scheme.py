@@ -10,7 +10,7 @@ from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Mechanism
-from planes.words.names import at, parts_of, plan_of
+from planes.words.names import at, label_of, parts_of, plan_of
 from planes.words.records import Json
 
 
@@ -104,23 +104,30 @@ def acting(plans: Plans) -> dict[str, str]:
     return found
 
 
-def related(plans: Plans) -> dict[str, list[str]]:
-    """Links and points of the scheme by the names of vectors and values that are theirs."""
+def related(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
+    """Links and points of the scheme by the names of vectors and values that are theirs; ``under`` are the links of
+    points under sliders."""
     names = {s.name for s in plans.segments} | {t.name for e in plans.equations for t in e.terms}
     names |= {*plans.links, *plans.program.made}
     acted_on = {name: link for r in plans.reactions.values() for name, link in r.names.items()}
-    found = {name: _owner(plans, name, acted_on) for name in sorted(names)}
+    own = {**under, **special_points(plans)}
+    found = {name: _owner(plans, name, acted_on, own) for name in sorted(names)}
     return {name: [owner] for name, owner in found.items() if owner}
 
 
-def _owner(plans: Plans, name: str, acted_on: Mapping[str, str]) -> str:
+def special_points(plans: Plans) -> dict[str, str]:
+    """Assur's special points, each with its basic link."""
+    return {label_of(n): m.of for n, m in plans.means.items() if m.quantity == "special"}
+
+
+def _owner(plans: Plans, name: str, acted_on: Mapping[str, str], under: Mapping[str, str]) -> str:
     """The point or the link whose vector or value it is, "" where it is nobody's."""
     links = plans.mechanism.links
     letter, index, _ = parts_of(name)
     if letter in ("v", "a", "r") and any(index in link.points for link in links.values()):
         return at("position", index)
     if letter in ("v", "a"):
-        return _pair(plans, index)
+        return f"link:{under[index]}" if index in under else _pair(plans, index, under)
     if letter == "F":
         link = acted_on.get(f"F_{index}", "")
     else:
@@ -128,9 +135,10 @@ def _owner(plans: Plans, name: str, acted_on: Mapping[str, str]) -> str:
     return f"link:{link}" if link in links else ""
 
 
-def _pair(plans: Plans, symbol: str) -> str:
+def _pair(plans: Plans, symbol: str, more: Mapping[str, str]) -> str:
     """The link that carries both points of "CB", or the slider of a relative motion "HL"."""
     links = plans.mechanism.links.values()
-    both = (x for x in links for one, two in permutations(x.points, 2) if one + two == symbol)
+    points = ((x, [*x.points, *(p for p, link in more.items() if link == x.name)]) for x in links)
+    both = (x for x, own in points for one, two in permutations(own, 2) if one + two == symbol)
     slider = (x for x in links for p in x.points if x.slides and (symbol.startswith(p) or symbol.endswith(p)))
     return next((f"link:{link.name}" for link in chain(both, slider)), "")

@@ -9,6 +9,7 @@ from planes.drafting.instruments import InLists
 from planes.drafting.tools import Thing
 from planes.geometry.listed import Listed
 from planes.lesson import Teller, value_of
+from planes.lesson.choices import Choices
 from planes.lesson.formulas import in_both
 from planes.lesson.frame import Frame, needed
 from planes.lesson.knobs import Knobs
@@ -16,6 +17,7 @@ from planes.lesson.practice import Practice
 from planes.lesson.steps import whole
 from planes.plans import Plans
 from planes.plans.scales import fits_on, scales
+from planes.plans.three_centres import with_centres
 from planes.scene import Scene
 from planes.solving import plans_of
 from planes.words import Phrase
@@ -40,9 +42,10 @@ class Told:
     frames: list[Frame]
 
     @classmethod
-    def of(cls, scene: Scene) -> "Told":
+    def of(cls, scene: Scene, centres: bool = False) -> "Told":
         """:class:`SceneError` where there is no mechanism or its own position fails."""
         plans, _ = plans_of(scene, shown=True)
+        plans = with_centres(plans) if centres else plans
         try:
             mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
             given = {**plans.given, **plans.at(plans.mechanism.drive.position), **mus}
@@ -77,7 +80,9 @@ class Told:
     def practice(self) -> Practice:
         """What a reader is asked."""
         values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}
-        return Practice(self.plans, self.given, self.drawing, self.frames, self.equations, values, self.teller.spans)
+        own = self.plans, self.drawing, self.frames, self.equations
+        choices = Choices(*own, fits_on(self.scene.sheet, self.plans))
+        return Practice(self.plans, self.given, *own[1:], values, self.teller.spans, choices)
 
 
 def _cycle(knobs: Knobs, leaning: bool = False) -> Drawing:

@@ -11,6 +11,7 @@ from planes.drafting.program import Program
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Real
 from planes.plans.assur.structure import Structure
+from planes.plans.centres import Centre, Check
 from planes.plans.force.loads import Loads
 from planes.plans.force.reactions import Reaction
 from planes.plans.motion.legs import SlideReading
@@ -65,6 +66,8 @@ class Plans:
     passive: tuple[Link, ...] = ()  # that hold what is held already: the mechanism is stated without them
     vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: the marks they run between
     values: Mapping[str, str] = field(default_factory=dict)  # reckoned from them: their names in the program
+    centres: tuple[Centre, ...] = ()  # of links, where they are asked for, and what is checked by them
+    checks: tuple[Check, ...] = ()
 
     @cached_property
     def naming(self) -> Naming:

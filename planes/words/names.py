@@ -13,13 +13,13 @@ from planes.words.frozen import frozen
 POLE = "p"
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
-Mark = Literal["guide", "moved", "foot", "trial", "special", "false", "normal", "coriolis", "relative"]
+Mark = Literal["guide", "moved", "foot", "trial", "special", "false", "centre", "normal", "coriolis", "relative"]
 Loading = Literal["weight", "inertia", "load", "couple", "tangential", "reaction", "arm"]
 Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]
 
-HELPERS = ("guide", "moved", "foot", "trial", "special", "false")  # drawn and never asked of anybody
+HELPERS = ("guide", "moved", "foot", "trial", "special", "false", "centre")  # drawn and never asked of anybody
 _PRIMES = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
 _ALIKE = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
 
@@ -29,8 +29,9 @@ class Meaning:
     """What a name stands for: a quantity ``of`` a thing, ``about`` another, that belongs to a ``link``.
 
     Of marks "guide" is the place of a guide or one beside it, "moved" a pivot moved over, "foot" stands on a guide,
-    "trial" is a supposition, at "special" lines of two leads cross, "false" is of a plan that supposes something; at a
-    "normal", a "coriolis" or a "relative" (of a drive between moving links) ends that part of a vector.
+    "trial" is a supposition, at "special" lines of two leads cross, "false" is of a plan that supposes something,
+    "centre" is that of two links; at a "normal", a "coriolis" or a "relative" (of a drive between moving links) ends
+    that part of a vector.
 
     Of directions "along" is a guide or the line of two points, "across" perpendicular to it and "leaning" from that by
     friction, "towards" from a point to another, "with" and "against" a vector, "given" at an angle of the scene.

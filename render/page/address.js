@@ -15,14 +15,17 @@ export function readAddress() {
   live.back(data.home);
   live.set(numbers);
   if (live.altered.length) live.scan();
+  state.coloured = q.get("colour") === "1";
   if (q.get("lang") in words) state.lang = q.get("lang");
 }
 export function writeAddress() {
   clearTimeout(timer);
   const own = live.altered.map(n => `&${encodeURIComponent(n)}=${+live.given[n].toPrecision(9)}`).join("");
   const seeded = state.practising && state.seed;
+  const colour = state.coloured ? "&colour=1" : "";
   const text = `#${seeded ? `seed=${state.seed}` :
-    `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${seeded ? "" : own}`;
+    `step=${state.frame + 1}&at=${+live.drive.toFixed(6)}`}&lang=${state.lang}${colour}${
+      state.practising ? "" : own}`;
   timer = setTimeout(() => { try { history.replaceState(null, "", text);
     } catch { /* a page inside a page has no address */ } }, 120);
 }

@@ -12,7 +12,8 @@ export function written(f, key, frame, asked) { // the equations of a plan: thos
     terms(e).some(t => t.action !== "=0" && born(t.name, key) <= frame);
   const own = (/** @type {Equation} */ e) => f.terms.length && terms(e).some(t => f.terms.includes(t.name));
   const index = f.equation !== null ? f.equation : data.equations.findIndex(e => e.plan === key && own(e));
-  return data.equations.map((e, k) => e.plan === key && key !== "position" && (begun(e, k) || k === f.equation) ?
+  return data.equations.map((e, k) => e.plan === key && key !== "position" && (begun(e, k) || k === f.equation) &&
+    !asked?.waits("first", k) ?
     lines(e, !asked && k === index, f, frame, asked) : "").join("");
 }
 /** @type {(e: Equation) => Term[]} */

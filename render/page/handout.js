@@ -5,10 +5,10 @@ import { seenAt } from "./frames.js";
 import { html } from "./letters.js";
 import { data, live, state } from "./page.js";
 import { Plan } from "./plan.js";
-import { inWords } from "./rows.js";
+import { inWords, noted } from "./rows.js";
 import { Scheme } from "./scheme.js";
 import { svg } from "./svg.js";
-import { filled, number, sentence } from "./words.js";
+import { filled, number, say, sentence } from "./words.js";
 const PAPER = 96 / 25.4, WIDE = 690, TALL = 269 * PAPER, BODY = [250, 215], ARMS = [300, 200];
 // how tall a figure, how large the type
 const FITS = [[400, 1], [400, 0.93], [330, 1], [330, 0.9], [270, 0.9], [230, 0.85], [200, 0.8], [200, 0.72]];
@@ -19,7 +19,8 @@ function parts() { // the frames of each plan; moments belong to the plan that n
   data.frames.forEach((f, k) => {
     const last = found[found.length - 1];
     const links = f.plan === "position" && f.moments !== null ? data.moments[f.moments].links : [];
-    const key = data.plans.find(p => p.links.includes(links[0]))?.key || f.plan;
+    const own = f.chapter === "centres" ? f.chapter : f.plan;
+    const key = data.plans.find(p => p.links.includes(links[0]))?.key || own;
     if (last && last.key === key) last.frames.push(k); else found.push({ key, frames: [k] });
   });
   return found;
@@ -58,11 +59,13 @@ export function handout() {
 }
 /** @type {(page: HTMLElement, part: { key: string, frames: number[] }, tall: number, own: string) => void} */
 function sheet(page, { key, frames }, tall, own) { // a plan, the group it is of, its steps
-  const p = data.plans.find(p => p.key === key), last = frames[frames.length - 1];
-  page.innerHTML = `<h2>${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])} <small>${$(
+  const centres = key === "centres", of = centres ? "position" : key, last = frames[frames.length - 1];
+  const p = data.plans.find(p => p.key === of);
+  page.innerHTML = `<h2>${centres ? say("centres") : p.title[state.lang]}, μ = ${filled(p.mu[state.lang])} <small>${$(
     "value").textContent}${own}</small></h2><div class="figures"></div>`;
   const figures = page.querySelector(".figures"), group = key.startsWith("force") && p.links.length;
-  const exact = drawn(key, last, group ? [WIDE - BODY[0] - 10, tall] : [WIDE, tall], figures, { full: true });
+  const exact = drawn(of, last, group ? [WIDE - BODY[0] - 10, tall] : [WIDE, tall], figures,
+    { full: true, frame: centres ? data.frames[last] : undefined });
   if (exact) page.querySelector("small").insertAdjacentText("beforeend", "; 1 : 1");
   if (group) drawn("position", last, BODY, figures,
     { frame: data.frames[frames.filter(k => data.frames[k].plan === key).pop()] });
@@ -75,7 +78,7 @@ function step(k, list) { // what is said of a frame; the equation it begins; the
   item.value = k + 1;
   const begins = f.equation !== null && data.frames.findIndex(g => g.equation === f.equation) === k && !onScheme;
   item.innerHTML = `${begins ? lines(data.equations[f.equation], false, f, data.frames.length) :
-    ""}<p>${sentence(inWords(f), f.plan)}</p><p class="why">${sentence(f.why[state.lang], f.plan)}</p>`;
+    ""}<p>${sentence(inWords(f) + noted(f), f.plan)}</p><p class="why">${sentence(f.why[state.lang], f.plan)}</p>`;
   if (onScheme && f.moments !== null && f.key === "moments") drawn("position", k, ARMS, item, { frame: f });
   list.appendChild(item);
 }

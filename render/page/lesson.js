@@ -1,5 +1,6 @@
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
 import { readAddress, writeAddress } from "./address.js";
+import { coloured } from "./colour.js";
 import { desk } from "./desk.js";
 import { $, on } from "./dom.js";
 import { written } from "./equations.js";
@@ -16,7 +17,7 @@ import { inWords } from "./rows.js";
 import { contents, facing, go, told } from "./stepper.js";
 import { TOOLS, handed, task } from "./task.js";
 import { forget, rested } from "./undo.js";
-import { described, filled, number, say } from "./words.js";
+import { described, filled, number, plain, say } from "./words.js";
 
 const READ_MS = 120;
 let read = 0;
@@ -30,14 +31,16 @@ function paint() {
     scheme.measure(); plan.measure();
   }
   scheme.show("position", seen, practising && f.moments === null ? null : f);
-  $("scheme-title").textContent = `${say("scheme")}, μ = ${filled(data.plans[0].mu[state.lang])}`;
+  const mu = (/** @type {PlanOf} */ p) => practice.waits("mu", p.key) ? "?" : filled(p.mu[state.lang]);
+  $("scheme-title").textContent = `${say("scheme")}, μ = ${mu(data.plans[0])}`;
   if (key !== "position") {
     plan.show(key, seen, f, practising);
     const p = data.plans.find(p => p.key === key);
-    $("plan-title").textContent = `${p.title[state.lang]}, μ = ${filled(p.mu[state.lang])}`;
+    $("plan-title").textContent = `${p.title[state.lang]}, μ = ${mu(p)}`;
   }
   if (state.spin && performance.now() - read < READ_MS) { // numbers are read eight times a second, figures move always
     kit.show(null, false);
+    coloured();
     relight();
     return;
   }
@@ -50,10 +53,11 @@ function paint() {
   const stated = f.moments !== null ? f.chapter : f.plan === "position" ? key : f.plan;
   put("equations", written(f, stated, state.frame, practising ? practice : null));
   crank();
-  large(key);
+  large(practising ? "position" : key);
   if (practising) task.paint();
   kit.show(practising || state.spin ? null : f, false);
   heard();
+  coloured();
   relight();
 }
 $("formula").textContent = data.formula;
@@ -92,7 +96,6 @@ draw();
 if (practice.seed) practice.toggle();
 else setTimeout(() => { live.scan(); zones(); later(); }, 60);
 globalThis.planes = { // by which a page is asked from outside
-  $, ACT_MS, KITS, TOOLS, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live, number, plan, planOf,
-    practice,
-  renewed, rested, scheme, spin, state, task, turn,
+  $, ACT_MS, KITS, TOOLS, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live, number, plain, plan,
+  planOf, practice, renewed, rested, scheme, spin, state, task, turn,
 };

@@ -14,7 +14,8 @@ from render.page import packer, web_page
 from render.paper.letters import NAME, written
 
 SHARED = {key: key for key in ("scheme", "formula", "shifted", "nearest")} | {
-    key: f"lesson_{key}" for key in ("ccw", "cw", "still", "zone_bad")
+    key: f"lesson_{key}"
+    for key in ("ccw", "cw", "still", "zone_bad", "still_velocity", "still_acceleration", "still_special")
 }
 """Words of the page that stand in other tables."""
 NOSCRIPT = (
@@ -48,6 +49,7 @@ def essay_page(data: Json, lang: str) -> str:
 
 def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], parts: dict[str, str]) -> str:
     """A page with the template of its name, its data and its modules."""
+    modules += ("centres",) * bool((data or {}).get("centres"))
     told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
     title = data["title"].get(lang, "") if data else ""

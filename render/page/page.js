@@ -10,6 +10,7 @@ export const words = brought, data = own ?? parent.planes.lesson.data;
 export const live = new Live(data, LOOKS); // the whole turn is looked at once the first picture is there
 export const state = {
   frame: 0, lang: document.documentElement.lang, timer: 0, spin: 0, waiting: false, practising: false, seed: 0,
+  coloured: false,
 };
 let painted = () => {};
 

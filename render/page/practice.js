@@ -1,9 +1,11 @@
 // Practice: what is asked of the reader, in whatever sensible order; answers are judged by the mistakes on the
 // lesson's tape.
 import { writeAddress } from "./address.js";
+import { best, chosen, holds, taken } from "./choices.js";
 import { desk } from "./desk.js";
 import { $ } from "./dom.js";
 import { terms } from "./equations.js";
+import { fresh } from "./fresh.js";
 import { distance } from "./geometry.js";
 import { spin, zones } from "./hands.js";
 import { keyOf, labelOf } from "./letters.js";
@@ -16,6 +18,7 @@ const TRIES = 3, JUDGING = data.judging;
 export const practice = {
   index: 0, after: () => {}, tries: 0, answers: /** @type {any[]} */ ([]), done: /** @type {Set<number>} */ (new Set()),
     marks: /** @type {Numbers} */ ({}), said: /** @type {any} */ (null), over: false, name: "",
+  scales: /** @type {Numbers} */ ({}), // that were chosen
   kept: /** @type {any} */ (null),
   get on() { return state.practising; },
   set on(on) { state.practising = on; },
@@ -43,10 +46,10 @@ export const practice = {
   /** @type {(seed?: number) => void} */
   begin(seed = state.seed) { // from the first question, with the scene's numbers or with fresh ones
     live.reset();
-    this.seed = seed && fresh(seed) ? seed : 0;
+    this.seed = seed && fresh(seed, key => this.size(key)) ? seed : 0;
     live.scan();
     zones();
-    Object.assign(this, { answers: [], done: new Set(), over: !this.items.length, said: null, index: 0 });
+    Object.assign(this, { answers: [], done: new Set(), over: !this.items.length, said: null, index: 0, scales: {} });
     if (!this.over) this.take(0);
     writeAddress();
   },
@@ -81,6 +84,10 @@ export const practice = {
   free(k) { // whether a question may be answered now
     if (this.done.has(k)) return false;
     const t = this.items[k], f = data.frames[t.frame], seen = this.seen(), trace = data.traces[t.what] || {};
+    const own = (/** @type {Question} */ o) => data.frames[o.frame].chapter === f.chapter;
+    const first = (/** @type {Question} */ o) => own(o) ? chosen(o) || t.kind === "mu" : false;
+    // what is chosen is chosen first
+    if (this.items.some((o, i) => i < k && !this.done.has(i) && first(o))) return false;
     if (t.kind !== "mark") return this.items.every((o, i) => i >= k || o.kind !== "mark" || this.done.has(i));
     return [...f.uses, ...(trace.lines || []),
       ...(trace.arcs || [])].every(n => seen.has(n) || n.endsWith(":p") ||
@@ -107,17 +114,16 @@ export const practice = {
   truth(t) {
     if (t.kind === "known") return this.goal(data.equations[t.what]).map(g => g.known).join("");
     if (t.kind === "mark") return live.at(t.what);
-    if (t.kind === "mu") { const k = live.given["mu_" + t.what];
-      return /⟦i/.test(data.plans.find(p => p.key === t.what).mu.en) ? 1 / k : k; }
+    if (chosen(t)) return best(t);
     return t.kind === "sense" ? Math.sign(live.value(t.what)) : live.value(t.what);
   },
   /** @type {(t: Question, a: any) => boolean} */
   right(t, a) {
     const true_ = this.truth(t);
     if (a === null || true_ === null) return false;
+    if (chosen(t)) return holds(t, a);
     if (t.kind === "known" || t.kind === "sense") return a === true_;
     if (t.kind === "mark") return distance(true_, a) <= this.fits(t.what);
-    if (t.kind === "mu") return Math.abs(a - true_) <= JUDGING.scale_share * true_;
     const [seen, due] = t.signed ? [a, true_] : [Math.abs(a), Math.abs(true_)];
     return Math.abs(seen - due) <= Math.max(JUDGING.number_share * Math.abs(true_),
       t.mu ? JUDGING.ruler_mm / live.given[t.mu] : 0);
@@ -132,7 +138,12 @@ export const practice = {
   /** @type {(given: any, said: string, shown: boolean) => void} */
   judged(given, said, shown) { // the first answer counts
     if (this.answers[this.index] === undefined) this.answers[this.index] = given;
-    if (this.right(this.item, given)) { this.said = ["yes", say("right")]; this.move(); return; }
+    if (this.right(this.item, given)) {
+      this.said = ["yes", said || say("right")];
+      if (chosen(this.item)) Object.assign(this.scales, taken(this.item, given));
+      this.move();
+      return;
+    }
     this.tries += 1;
     const reason = (said || this.frame.why[state.lang]).replace(/\.?$/, ".");
     this.said = ["no", reason];
@@ -197,27 +208,27 @@ export const practice = {
     this.frame.plan + ":p"].map(n => live.at(n)).filter(Boolean).map(p => p.map(v => v.toFixed(1)).join()); },
   /** @type {(s: Pencil) => string} */
   stood(s) { return s.at.map(v => v.toFixed(1)).join(); },
+  /** @type {(kind: string, what: any) => boolean} */
+  waits(kind, what) { return this.on && this.items.some((t, k) => t.kind === kind && t.what === what &&
+    !this.done.has(k)); }, // whether something is still to be chosen
   /** @type {(text: string) => void} */
-  number(text) { // a value, or a scale
+  number(text) { // a value
     const given = parseFloat(String(text).replace(",", ".").replace("−", "-")), t = this.item;
     if (!Number.isFinite(given)) return;
     const true_ = Math.abs(this.truth(t));
     const as = (/** @type {number} */ v) => Math.abs(Math.abs(given) - Math.abs(v)) <= JUDGING.number_share *
       Math.abs(v), fit = [];
     /** @type {(m: string, v: number) => void} */
-    const add = (m, v) => { if (v && as(v)) fit.push([m, [t.kind === "mu" ? "μ" : t.what.replace(/[‖|]/g, "")]]); };
+    const add = (m, v) => { if (v && as(v)) fit.push([m, [t.what.replace(/[‖|]/g, "")]]); };
     if (t.signed && given * this.truth(t) < 0) add("sense_wrong", true_);
-    if (t.kind === "mu") add("mu_inverted", 1 / true_);
-    else {
-      const rate = /^(omega|epsilon)_/.test(t.what), mu = live.given[t.mu || "mu_" + this.frame.plan];
-      const scheme_ = live.given.mu_position;
-      if (rate) for (const by of [1 / scheme_, mu / scheme_, 1e-3]) add("omega_without_mu_l", true_ * by);
-      if (mu && mu !== 1) { add("mm_for_value", true_ * mu); add("mu_inverted", true_ * mu * mu);
-        add("mu_inverted", true_ / mu / mu); }
-      const mark = this.items.find(o => o.kind === "mark" && o.frame === t.frame);
-      const from = mark && live.at(data.frames[t.frame].uses[0]);
-      if (from) for (const s of this.slips(mark.what)) if (as(distance(from, s.place) / mu)) fit.push([s.m, s.names]);
-    }
+    const rate = /^(omega|epsilon)_/.test(t.what), mu = live.given[t.mu || "mu_" + this.frame.plan];
+    const scheme_ = live.given.mu_position;
+    if (rate) for (const by of [1 / scheme_, mu / scheme_, 1e-3]) add("omega_without_mu_l", true_ * by);
+    if (mu && mu !== 1) { add("mm_for_value", true_ * mu); add("mu_inverted", true_ * mu * mu);
+      add("mu_inverted", true_ / mu / mu); }
+    const mark = this.items.find(o => o.kind === "mark" && o.frame === t.frame);
+    const from = mark && live.at(data.frames[t.frame].uses[0]);
+    if (from) for (const s of this.slips(mark.what)) if (as(distance(from, s.place) / mu)) fit.push([s.m, s.names]);
     this.answer(+given.toPrecision(6), this.named(fit));
   },
   /** @type {(name: string) => boolean} */
@@ -226,35 +237,4 @@ export const practice = {
   /** @type {(name: string) => number} */
   given(name) { return this.marks[name] || 0; },
 };
-/** @type {(seed: number) => () => number} */
-function random(seed) { // a stream of numbers from 0 to 1: mulberry32
-  let a = seed >>> 0;
-  return () => {
-    a = a + 0x6D2B79F5 >>> 0;
-    let t = Math.imul(a ^ a >>> 15, a | 1);
-    t ^= t + Math.imul(t ^ t >>> 7, t | 61);
-    return ((t ^ t >>> 14) >>> 0) / 4294967296;
-  };
-}
-// other numbers near the scene's, with which everything is drawn as well; false where there are none
-/** @type {(seed: number) => boolean} */
-function fresh(seed) {
-  const { given, symbol, held, at, from, to } = data.drive, sizes = () => data.plans.map(p => practice.size(p.key));
-  const blunt = () => Math.min(...Object.keys(data.sharp).map(m => live.sharpness(m)));
-  const home = sizes(), sharp = blunt();
-  for (let k = 0; k < JUDGING.draws; k++) {
-    const draw = random(seed * JUDGING.draws + k), numbers = /** @type {Record<string, any>} */ ({});
-    for (const n of data.knobs) if (!n.plan &&
-      !n.stays) numbers[n.given] = +(n.at * (1 + JUDGING.fresh * (2 * draw() - 1))).toPrecision(3);
-    if (!held) numbers[given] = symbol === "φ" ? Math.round(at + JUDGING.swing * (2 * draw() - 1)) :
-      +(at + (to - from) / 20 * (2 * draw() - 1)).toPrecision(3);
-    live.back(data.home);
-    live.set(numbers);
-    const now = live.failed ? [] : sizes();
-    if (now.length && now.every((s, i) => s >= 0.5 * home[i] && s <= 1.8 * home[i]) &&
-      !(blunt() < 0.5 * sharp)) return true;
-  }
-  live.back(data.home);
-  return false;
-}
 desk.practice = practice;

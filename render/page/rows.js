@@ -1,9 +1,19 @@
 // Lines of reckoning as mathematics: fractions as fractions, names that light what they name, numbers of the position.
 import { safe } from "./dom.js";
 import { html } from "./letters.js";
-import { data, state } from "./page.js";
+import { data, live, state } from "./page.js";
 import { filled, say, sentence } from "./words.js";
+const STILL_MM = 1e-4;
+export const notes = /** @type {((f: Frame) => string)[]} */ ([]); // what another module has to say of a frame
 
+/** @type {(f: Frame) => string} */
+export function noted(f) { return stands(f) + notes.map(more => more(f)).join(""); } // what holds here alone
+/** @type {(f: Frame) => string} */
+function stands(f) { // that the point whose vector ends here stands still, where it does
+  const p = f.still && live.at(f.makes[0]), names = f.still;
+  if (!p || Math.hypot(...p) >= STILL_MM) return "";
+  return " " + say(`still_${names.said}`).replace(/{(\w+)}/g, (_, k) => names[k]);
+}
 /** @type {(f: Frame) => string} */
 export function inWords(f) { // a frame's sentence with its lines in words
   return f.said[state.lang].replace(/⟪(\d+)⟫/g, (_, k) => rowText(f.rows[k]));

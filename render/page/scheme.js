@@ -6,6 +6,9 @@ import { labelOf } from "./letters.js";
 import { live, state } from "./page.js";
 import { end, svg } from "./svg.js";
 
+// what another module draws over it: the figure, the frame, what is seen
+export const overlays = /** @type {((figure: Scheme, frame: any, seen: Set<string>) => void)[]} */ ([]);
+
 export class Scheme extends Drawing {
   /** @param {Element} node @param {LessonData} data @param {number[]} [size] */
   constructor(node, data, size) {
@@ -35,7 +38,8 @@ export class Scheme extends Drawing {
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
     this.hinges(there, lit);
     if (told) this.forces(told, frame.terms);
-    for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
+    const made = frame && frame.chapter !== "centres" ? frame.makes : [];
+    for (const m of made) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
     if (frame && frame.turns) this.carried(frame);
     if (own.length) this.loaded(frame);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots, ...this.centres])];
@@ -45,6 +49,7 @@ export class Scheme extends Drawing {
         state.frame >= this.introduced(n));
       this.beside(g.q, [...g.names, ...under], "position", 9, g.names.map(n => "position:" + n).join(" "));
     }
+    for (const show of overlays) show(this, frame, seen);
     this.settle();
     end();
   }

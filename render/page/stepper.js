@@ -5,7 +5,7 @@ import { clamp } from "./geometry.js";
 import { kit } from "./kit.js";
 import { data, draw, live, state } from "./page.js";
 import { put } from "./put.js";
-import { typeset } from "./rows.js";
+import { noted, typeset } from "./rows.js";
 import { say, sentence } from "./words.js";
 
 let faced = /** @type {any} */ (null), roomy = true;
@@ -24,14 +24,15 @@ const chapters = data.frames.map((f, k) => k).filter(k => !k ||
   data.frames[k].chapter !== data.frames[k - 1].chapter);
 export function contents() { // the plans in their order, each by its title
   const title = (/** @type {string} */ key) => key === "position" ? say("scheme") :
-    data.plans.find(p => p.key === key).title[state.lang];
+    key === "centres" ? say("centres") : data.plans.find(p => p.key === key).title[state.lang];
   $("chapter").innerHTML = chapters.map((k, n) =>
     `<option value="${n}">${n + 1}. ${safe(title(data.frames[k].chapter))}</option>`).join("");
 }
 /** @type {(f: Frame) => void} */
 export function told(f) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
-  put("sentence", live.failed ? say("zone_bad") : typeset(f)); // what is not there is not told
+  // what is not there is not told
+  put("sentence", live.failed ? say("zone_bad") : typeset(f) + sentence(noted(f), f.plan));
   put("why", live.failed ? "" : sentence(f.why[state.lang], f.plan));
   $("back").disabled = state.frame === 0;
   $("next").disabled = state.frame === data.frames.length - 1;

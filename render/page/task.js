@@ -1,12 +1,12 @@
 // The panel of practice: the question with its fields, the same for hand and keyboard; the code that is handed in.
 import { NEAR_PX, desk } from "./desk.js";
+import { buttons, chosen, question, reply } from "./choices.js";
 import { $, on, safe } from "./dom.js";
 import { plan, scheme } from "./figures.js";
-import { distance } from "./geometry.js";
 import { html, labelOf } from "./letters.js";
 import { data, draw, later, live, state } from "./page.js";
 import { practice } from "./practice.js";
-import { filled, number, say, sentence, spoken } from "./words.js";
+import { filled, plain, say, sentence, spoken } from "./words.js";
 const fields = /** @type {Record<string, any>} */ (desk); // by the ids of their inputs
 export const TOOLS = ["vector", "line", "arc", "point", "ruler"];
 
@@ -39,25 +39,16 @@ export const task = {
     const t = practice.item, f = practice.frame, own = (/** @type {string} */ n) => `⟨${n}⟩`;
     const unit = (data.units[t.what] || {})[state.lang] || "";
     if (t.kind === "known") return say("ask_known");
+    if (chosen(t)) return question(t);
     if (t.kind === "sense" && !f.turns) return say("ask_turning").replace("{force}",
       own(t.what.slice(1))).replace("{about}", own(labelOf(data.moments[f.moments].about)));
     if (t.kind === "sense") return say("ask_sense").replace("{vector}", own(f.turns.vector)).replace("{rate}",
       own(t.what)).replace("{point}", own(labelOf(f.turns.point))).replace("{about}", own(labelOf(f.turns.about)));
     if (t.kind === "number") return `${own(t.what.replace(/[‖|]/g, ""))} = ? ${unit}${t.signed ?
       ` (${say("plus_ccw")})` : ""}`;
-    const mark = practice.items.find(o => o.kind === "mark" &&
-      o.what.startsWith((t.kind === "mu" ? t.what : f.plan) + ":"));
-    const name = own(t.kind === "mu" ? data.frames[mark.frame].terms[0] || labelOf(mark.what) : labelOf(t.what));
-    if (t.kind === "mark") return say(practice.laid && f.terms[0] ? "ask_vector" : "ask_mark").replace("{name}",
-      f.terms.slice(0, 1).map(own).join("")).replace("{mark}", name);
-    const start = live.at(data.frames[mark.frame].uses[0]) || [0, 0], end = live.at(mark.what);
-    const mm = distance(start, end);
-    return say("ask_mu").replace("{name}", name).replace("{value}",
-      `${number(mm / live.given["mu_" + t.what])} ${this.unit(t.what).replace(/^[мm]+\/|\/[мm]+$/g, "").replace(/[()]/g,
-      "")}`).replace("{mm}", number(mm)).replace("{unit}", this.unit(t.what));
+    return say(practice.laid && f.terms[0] ? "ask_vector" : "ask_mark").replace("{name}",
+      f.terms.slice(0, 1).map(own).join("")).replace("{mark}", own(labelOf(t.what)));
   },
-  /** @type {(key: string) => string} */
-  unit(key) { return filled(data.plans.find(p => p.key === key).mu[state.lang]).replace(/^\S+ /, ""); },
   fields() {
     const t = practice.item, open = practice.open();
     const row = (/** @type {string} */ inner) => `<div class="answers">${inner}</div>`;
@@ -72,11 +63,10 @@ export const task = {
     if (t.kind === "sense") return row(this.button("ccw", "↺ " + say("ccw")) + this.button("cw", "↻ " + say("cw"))) +
       this.ruler() + last;
     if (t.kind === "mark") return row(this.tools()) + row(this.hand()) + last;
-    return row(`<span>${this.told()}</span><label><span>${t.kind === "mu" ? "μ" :
-      html(t.what.replace(/[‖|]/g,
-      ""))} =</span> <input id="figure" type="text" inputmode="decimal" autocomplete="off"></label> ${t.kind === "mu" ?
-      this.unit(t.what) : (data.units[t.what] || {})[state.lang] || ""} ${this.button("number", say("check"))}`) +
-      this.ruler() + last;
+    if (chosen(t)) return row(buttons(t)) + last;
+    return row(`<span>${this.told()}</span><label><span>${html(t.what.replace(/[‖|]/g,
+      ""))} =</span> <input id="figure" type="text" inputmode="decimal" autocomplete="off"></label> ${
+      (data.units[t.what] || {})[state.lang] || ""} ${this.button("number", say("check"))}`) + this.ruler() + last;
   },
   tools() {
     const one = (/** @type {string} */ n) => `<button type="button" id="tool-${n}" data-do="tool" data-tool="${n}"` +
@@ -89,7 +79,8 @@ export const task = {
     const given = practice.frame.values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g,
       "")}⟩ = ⟦${/^h_/i.test(n) ? "a" : "v"}¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; ");
     const p = data.plans.find(p => p.key === practice.frame.plan);
-    const mu = practice.item.kind === "number" && p ? `μ = ${filled(p.mu[state.lang])}` : "";
+    const mu = practice.item.kind === "number" && p && !practice.waits("mu", p.key) ?
+      `μ = ${filled(p.mu[state.lang])}` : "";
     return sentence([given, mu].filter(Boolean).join("; "), practice.frame.plan);
   },
   hand() { // the fields of the tool in hand
@@ -131,7 +122,8 @@ export const task = {
   erase() { return desk.strokes.length ? this.button("erase", say("erase")) : ""; },
   /** @type {(k: number) => string} */
   short(k) { const t = practice.items[k], key = data.frames[t.frame].plan;
-    return `${t.kind === "mu" ? "μ" : t.kind === "known" ? say("equation") :
+    if (chosen(t)) return t.kind === "mu" ? "μ = ?" : plain(question(t), key);
+    return `${t.kind === "known" ? say("equation") :
     spoken(t.kind === "mark" ? labelOf(t.what) : t.what.replace(/[‖|↺]/g, ""), key)}${t.kind === "mark" ? "" :
     t.kind === "sense" ? " ↺" : t.kind === "known" ?
     " " + practice.goal(data.equations[t.what]).map(g => spoken(g.name)).slice(0, 3).join(" ") : " ="}`; },
@@ -162,6 +154,10 @@ export const task = {
     else if (what === "show") p.answer(null, "", true);
     else if (what === "known") { p.marks[e.dataset.term] = (p.given(e.dataset.term) + 1) % 3; draw(); }
     else if (what === "check") p.answer(p.goal(p.equation).map(t => p.given(t.name)).join(""), say("why_known"));
+    else if (what === "choose") {
+      const { value } = p.item.offered[e.dataset.at];
+      p.answer(value, reply(p.item, value));
+    }
     else if (what === "ccw" || what === "cw") p.answer(what === "ccw" ? 1 : -1,
       p.named([["sense_wrong", [p.item.what.replace("↺", "")]]]));
     else if (what === "number") p.number($("figure").value);
@@ -187,6 +183,7 @@ export const task = {
 };
 export function handed() { // all first answers as letters, with a sum that tells a slip of copying
   const told = { planes: 1, id: data.id, seed: practice.seed, name: practice.name, right: practice.good,
+    scales: practice.scales,
     answers: practice.items.map((_, k) => practice.answers[k] ?? null) };
   const bytes = new TextEncoder().encode(JSON.stringify(told));
   const text = btoa(String.fromCharCode(...bytes)).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");

@@ -38,7 +38,7 @@ interface Row {
 interface Frame {
   key: string; plan: string; makes: string[]; uses: string[]; equation: number; terms: string[]; said: Said;
   why: Said; moments: number; turns: Turns; values: string[]; tools: Tool[]; rows: Row[]; tells: string[];
-  chapter: string;
+  chapter: string; still: Said;
 }
 interface Segment { plan: string; start: string; end: string; names: string[]; corner: boolean; }
 interface Trace { lines?: string[]; arcs?: string[]; }
@@ -49,7 +49,11 @@ interface Guide { name: string; link: string; mark: string; }
 interface Term { name: string; action: string; known: number; start?: string; end?: string; at?: string; minus?: boolean; }
 interface Equation { plan: string; total: Term; closed: boolean; sides: Term[][]; }
 interface PlanOf { key: string; links: string[]; mu: Said; title: Said; fixed: string[]; }
-interface Question { frame: number; kind: string; what: any; mu?: string; signed?: boolean; }
+interface Offer { value: any; said: Said; why?: Said; }
+interface Question {
+  frame: number; kind: string; what: any; mu?: string; signed?: boolean; offered: Offer[]; marks: string[]; most: number;
+  name: string; unit: Said;
+}
 interface Slip { m: string; at: string; names: (string | Said)[]; place: number[]; }
 interface TapeData {
   names: Numbers; ops: string; consts: Record<string, number | null>; givens: Numbers; sources?: number[][];
@@ -64,7 +68,8 @@ interface LessonData {
   results: { name: string; value: string; unit: Said }[]; marks: Record<string, number[]>; values: Numbers;
   turned: Record<string, number[]>; sharp: Numbers; holds: { at: number; said: Said }[]; slips: Slip[]; lines: Said;
   judging: Numbers; practice: Question[]; mistakes: Record<string, { said: Said; parts: string[] }>; tape: TapeData;
-  blunt: Record<string, Said>;
+  blunt: Record<string, Said>; centres: Record<string, string[][]>;
+  noted: Record<string, Said>;
   number: number; titles: Said[]; paragraphs: { frame: number; view: string; knobs: string[]; said: Said }[]; // an essay's
 }
 

@@ -23,7 +23,7 @@ STATES = {
     "dragged": "go(20); drag(plan, 'acceleration:n_B', [9, 9]); draw()",
     "equation": "go(data.frames.findIndex(f => f.key === 'equation'))",
     "sense": "go(data.frames.findIndex(f => f.key === 'sense'))",
-    "last": "go(data.frames.length - 1)",
+    "last": "go(data.frames.length - 1); document.getElementById('colour').click()",
     "numbers": "go(20); document.getElementById('dims').open = true",
     "failed": "turn(40); draw()",
     "practice": "practice.toggle()",
@@ -33,6 +33,7 @@ STATES = {
     "practice, a sense": "practice.toggle(); practice.take(data.practice.findIndex(t => t.kind === 'sense'))",
     "practice, underlines": "practice.toggle(); practice.take(data.practice.findIndex(t => t.kind === 'known'))",
     "practice, a scale": "practice.toggle(); practice.take(data.practice.findIndex(t => t.kind === 'mu'))",
+    "practice, an order": "practice.toggle(); practice.take(data.practice.findIndex(t => t.kind === 'first'))",
     "practice, a turning": "practice.toggle(); practice.take(asked('↺F_21^t'))",
     "practice, an arm": "practice.toggle(); practice.take(asked('h_G_2_C'))",
     "practice done": "practice.toggle(); practice.over = true; draw()",
@@ -195,7 +196,10 @@ class Keys:
                 for _ in range(times):
                     self.page.keyboard.press("Enter")
             self.press("#do-check")
-        elif kind in ("number", "mu"):
+        elif kind in ("mu", "order", "reason", "first"):
+            right = "practice.item.offered.findIndex(o => practice.right(practice.item, o.value))"
+            self.press(f"#do-choose-{self.page.evaluate(right)}")
+        elif kind == "number":
             self.to("#figure")
             self.page.keyboard.type(str(self.page.evaluate("practice.truth(practice.item)")))
             self.page.keyboard.press("Enter")

@@ -9,6 +9,9 @@ from typing import Any
 import pytest
 
 from planes import cli
+from planes.lesson.handed_practice import PracticeJudge
+from planes.lesson.told import Told
+from planes.scene import load
 from tests.helpers import ROOT
 from tests.helpers.lessons import lesson_opened, lesson_written
 
@@ -29,6 +32,11 @@ SOLVE = """() => {
 }"""
 GIVE = """window.give = () => { const true_ = practice.truth(practice.item);
     if (practice.item.kind === "mark") practice.place(true_); else practice.answer(true_, ""); }"""
+
+OTHERWISE = """window.give = () => { const t = practice.item; // the smallest scale that will do
+    const mu = t.kind === "mu" && t.offered.find(o => practice.right(t, o.value)).value;
+    const true_ = mu || practice.truth(t);
+    if (t.kind === "mark") practice.place(true_); else practice.answer(true_, ""); }"""
 
 
 @pytest.fixture
@@ -157,7 +165,6 @@ def test_the_other_crossing_of_two_arcs_is_a_ghost(page: Any) -> None:
 def test_numbers_scales_and_senses_have_their_slips(desk: Any) -> None:
     ask = """([what, by]) => { practice.take(data.practice.findIndex(t => t.what === what)); practice.said = null;
         practice.number(String(practice.truth(practice.item) * by)); return practice.said[1]; }"""
-    assert "μ²" in desk.evaluate(ask, ["velocity", 1 / 900])
     assert "примените масштаб" in desk.evaluate(ask, ["‖v_C‖", 30])
     assert "на длину звена" in desk.evaluate(ask, ["omega_2", 1 / 250])
     assert desk.evaluate(ask, ["h_G_2_C", 1.001]).startswith("Верно")
@@ -234,28 +241,105 @@ def test_practice_stays_with_its_drawing(page: Any, lesson: str) -> None:
     assert page.inner_text("#number").startswith("3 /") and page.is_visible("#told") and page.is_enabled("#crank")
 
 
+def chosen(page: Any, kind: str, value: str) -> str:
+    """What is said when the first question of a kind is answered by a choice, as a reader makes it."""
+    page.evaluate("k => { practice.said = null; practice.take(data.practice.findIndex(t => t.kind === k)); }", kind)
+    page.click(f"#do-choose-{page.evaluate(f'practice.item.offered.findIndex(o => {value})')}")
+    return str(page.evaluate("plainly(practice.said[1])"))
+
+
+def test_a_scale_is_chosen_by_how_large_the_plan_is(desk: Any) -> None:
+    desk.evaluate("window.plainly = t => t.replace(/[⟨⟩]/g, '')")
+    assert "μ = ?" in desk.inner_text("#scheme-title")
+    assert "больше места на листе" in chosen(desk, "mu", "o.value === 2500")
+    assert "займёт 11 мм: такой не измерить" in chosen(desk, "mu", "o.value === 25")
+    assert chosen(desk, "mu", "o.value === 100") == "Верно: план займёт 42 мм."
+    assert "μ = 100 мм/м" in desk.inner_text("#scheme-title")
+    assert desk.evaluate("live.given.mu_position") == 100 and desk.evaluate("handed().length") > 0
+    assert desk.evaluate(SOLVE) == [True, False, []]  # the first answer counts
+
+
+def test_no_question_tells_its_scale(desk: Any) -> None:
+    """While a scale is to be chosen, it is read nowhere, nor is the plan drawn on."""
+    told = desk.evaluate("""() => {
+        const leaks = [];
+        for (let k = 0; k < 300 && !practice.over; k++) {
+            for (const t of practice.items.filter((t, i) => t.kind === "mu" && !practice.done.has(i))) {
+                const p = data.plans.find(p => p.key === t.what), mu = "μ = " + filled(p.mu.ru);
+                const titled = [...document.querySelectorAll("figcaption")].map(e => e.innerText).filter(
+                    e => e.includes(t.what === "position" ? "Схема" : p.title.ru));
+                const asked = [...document.querySelectorAll("#task h2, #task .answers span, #large")];
+                const own = practice.frame.chapter === t.what ? asked.map(e => e.innerText) : [];
+                if ([...titled, ...own].some(e => e.includes(mu))) leaks.push([k, t.what]);
+            }
+            give();
+        }
+        return leaks;
+    }""")
+    assert told == []
+    assert desk.evaluate("[...document.querySelectorAll('.scale')].every(e => !e.checkVisibility())")
+    desk.emulate_media(media="print")  # nor is the whole lesson printed beside its questions
+    shown = "['handout', 'task', 'scheme'].map(id => $(id).checkVisibility())"
+    assert desk.evaluate(f"practice.begin(0); handout(); {shown}") == [False, True, True]
+
+
+def test_the_next_links_and_the_first_equation_are_chosen_with_a_reason(desk: Any) -> None:
+    desk.evaluate("window.plainly = t => plain(t)")
+    assert not desk.evaluate("$('chapter').checkVisibility()")  # it lists the plans of forces in their order
+    assert "F12" in chosen(desk, "order", "o.value === 'force:1'")
+    assert chosen(desk, "order", "o.value === 'force:4-5'") == "Верно."
+    assert "самой далёкой" in chosen(desk, "reason", "o.value === 'driver'")
+    assert chosen(desk, "reason", "o.value === 'last'") == "Верно."
+    desk.evaluate("practice.begin(0)")
+    hidden = "!document.getElementById('equations').textContent.includes('vCB')"
+    assert "разных звеньев" in chosen(desk, "first", "o.value.includes('v_CA')") and desk.evaluate(hidden)
+    assert "vL" in chosen(desk, "first", "o.value.includes('v_HL')")
+    assert chosen(desk, "first", "o.value.includes('v_CD')") == "Верно."
+    desk.evaluate("practice.take(data.practice.findIndex(t => t.kind === 'known'))")
+    assert not desk.evaluate(hidden)
+
+
 def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path, capsys: Any) -> None:
     """The scene is drawn anew with the numbers of the seed; the answers, not the score that is told, count."""
     codes = tmp_path / "codes"
     codes.mkdir()
     for seed in (0, 5):
         desk.evaluate(f"practice.begin({seed}); practice.name = 'Анна'; practice.answer(null, '', true)")
+        desk.evaluate(OTHERWISE if seed else GIVE)
         desk.evaluate(SOLVE)
         desk.evaluate("draw()")
         (codes / f"{seed}.practice").write_text(desk.input_value("#code"), "utf-8")
     assert cli.main(["check", str(HERE / "six-link.yaml"), str(codes), "--json"]) == 0
     rows = json.loads(capsys.readouterr().out)
     assert [(row["name"], row["seed"], row["right"], row["count"]) for row in rows] == [
-        ("Анна", seed, 98, 99) for seed in (0, 5)
+        ("Анна", seed, 103, 104) for seed in (0, 5)
     ]
-    told = desk.evaluate("""() => { Object.defineProperty(practice, 'good', { get: () => 99 }); return handed(); }""")
+    told = desk.evaluate("""() => { Object.defineProperty(practice, 'good', { get: () => 104 }); return handed(); }""")
     (codes / "altered.practice").write_text(told, "utf-8")
     (codes / "cut.practice").write_text(told[:-9], "utf-8")
     assert cli.main(["check", str(HERE / "six-link.yaml"), str(codes), "--lang", "en"]) == 2
     out = capsys.readouterr().out
-    assert "altered" in out and "99 of 99" in out and "give 98" in out and "the code is damaged" in out
+    assert "altered" in out and "104 of 104" in out and "give 103" in out and "the code is damaged" in out
     assert cli.main(["check", str(HERE / "kind-1-rrr.yaml"), str(codes / "0.practice"), "--lang", "en"]) == 2
     assert "not of the scene" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "path",
+    [p if p.stem in ("excavator", "bntu-4") else pytest.param(p, marks=pytest.mark.long) for p in SCENES],
+    ids=[p.stem for p in SCENES],
+)  # one lays off no length first, of one a link stands still
+def test_scales_of_ones_own_are_judged_alike_by_page_and_python(browser: Any, tmp_path: Path, path: Path) -> None:
+    judge, code = PracticeJudge(Told.of(load(str(path)))), tmp_path / "one.practice"
+    with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:
+        page.click("#practise")
+        page.evaluate(OTHERWISE)
+        for seed in (0, 3):
+            page.evaluate(f"practice.begin({seed})")
+            assert page.evaluate(SOLVE) == [True, True, []]
+            code.write_text(page.evaluate("handed()"), "utf-8")
+            told = judge.judged(str(code))
+            assert told.right == told.count
 
 
 @pytest.mark.few(0, slow=8)

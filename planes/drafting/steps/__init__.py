@@ -40,8 +40,9 @@ class Step:
 
     @property
     def loose(self) -> bool:
-        """Whether it draws a mark that may lie anywhere, a guide's place or a trial: no part of what a plan shows."""
-        return self.quantity in ("guide", "moved", "trial")
+        """Whether it draws a mark that may lie anywhere, a guide's place, a trial, a centre: no part of what a plan
+        shows."""
+        return self.quantity in ("guide", "moved", "trial", "centre")
 
     def reads(self) -> tuple[Read, ...]:
         """Names of what the step needs, each with its kind."""

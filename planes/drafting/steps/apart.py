@@ -1,0 +1,27 @@
+"""A line and a crossing that there may not be: marks that coincide give no line, lines that never meet no mark."""
+
+from planes.drafting.steps import Through
+from planes.drafting.steps.crossings import Cross
+from planes.drafting.tools import Env, Thing, Tool
+from planes.geometry import plane
+from planes.words.frozen import frozen
+
+
+@frozen
+class ThroughApart(Through):
+    """The direction from one mark to another, and none where they coincide."""
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        start, end = env[self.start], env[self.end]
+        there = abs(end - start) > tool.slack * (abs(start) + abs(end))
+        return tool.ar.where(there, plane.unit(end - start, tool.ar), complex("nan"))
+
+
+@frozen
+class CrossApart(Cross):
+    """Where two lines cross, and no mark where they are parallel, or one of them is not there; neither is a failure."""
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        u, w = tool.ray(env[self.along]), tool.ray(env[self.across])
+        place, sharpness, _ = plane.lines(env[self.start], u, env[self.other], w)
+        return tool.ar.where(abs(sharpness) > tool.flat, tool.mark(place), complex("nan"))

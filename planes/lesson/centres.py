@@ -1,0 +1,105 @@
+"""Instantaneous centres in a lesson: a chapter of its own, after the velocities are found, where it is asked for."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from itertools import combinations
+
+from planes.lesson.formulas import slot
+from planes.lesson.frame import CENTRES, Frame, Make
+from planes.lesson.rows import Row
+from planes.lesson.steps import Names
+from planes.plans import Plans
+from planes.plans.centres import Centre, CentreLine, Check, centre_name
+from planes.scene.mechanism import FRAME
+from planes.words import Lang, say
+from planes.words.frozen import frozen, replace
+from planes.words.names import lettered
+from planes.words.records import Json
+
+NOTED = ("off", "parallel", "lost")
+"""What a page says of a centre that is not to be seen."""
+
+
+@frozen
+class CentreFrames:
+    """The frames of the chapter; ``reading`` gives the row of a velocity measured on its plan."""
+
+    plans: Plans
+    make: Make
+    reading: Callable[[str, str], Row]
+
+    def among(self, frames: list[Frame]) -> list[Frame]:
+        """The frames, the chapter after the velocities."""
+        if not self.plans.centres:
+            return frames
+        last = max(k for k, f in enumerate(frames) if f.plan == "velocity")
+        return [*frames[: last + 1], *(replace(f, chapter=CENTRES) for f in self.told()), *frames[last + 1 :]]
+
+    def told(self) -> Iterator[Frame]:
+        """The centres of pairs, then one after another, each with what is checked by it."""
+        seen = [c for c in self.plans.centres if not c.lines and (c.along or self.joined(c))]
+        makes = tuple(c.mark for c in seen if c.mark)
+        yield self.make("centres_first", "position", makes, (), names=self.first(seen))
+        for c in (c for c in self.plans.centres if c not in seen):
+            yield self.one(c)
+            yield from (self.check(k) for k in self.plans.checks if k.centre == c)
+        if left := self.left():
+            yield self.make("centres_left", "position", (), (), names={"names": ", ".join(f"⟨{n}⟩" for n in left)})
+
+    def joined(self, centre: Centre) -> bool:
+        """Whether two links have a hinge themselves."""
+        i, j = centre.links
+        return any(p.joins(i) and p.joins(j) and p.point == centre.point for p in self.plans.structure.pairs)
+
+    def first(self, seen: list[Centre]) -> Names:
+        """The names of the centres that are seen at once."""
+        hinges = ", ".join(f"⟨{c.name}⟩ = ⟨{c.point}⟩" for c in seen if c.mark)
+        far = ", ".join(f"⟨{c.name}⟩ {self.action(c.along)}" for c in seen if c.along)
+        return {
+            "hinges": hinges or "—",
+            "far": lambda lang: say("lesson_centres_sliders", lang, far=far) if far else "",
+        }
+
+    def action(self, direction: str) -> str:
+        """A direction as it is written."""
+        return self.plans.means[direction].action
+
+    def one(self, c: Centre) -> Frame:
+        """A centre found by two lines, or by a hinge of three links."""
+        if not c.lines:
+            return self.make("centre_same", "position", (c.mark,), (), names={"name": c.name, "point": c.point})
+        first, second = (partial(self.line, line) for line in (*c.lines, *c.lines)[:2])
+        uses = tuple(dict.fromkeys(m for line in c.lines for m in (line.mark, line.other) if m))
+        names: Names = {"name": c.name, "first": first, "second": second}
+        if c.along:
+            return self.make("centre_far", "position", (), uses, names={"name": c.name, "first": first})
+        thirds = [self.plans.mechanism.frame_number if x.third == FRAME else x.third for x in c.lines]
+        why = partial(say, "why_centre", one=thirds[0], two=thirds[1])
+        return self.make("centre", "position", (c.mark,), uses, why, names=names)
+
+    def line(self, line: CentreLine, lang: Lang) -> str:
+        """A line of centres in words."""
+        one, two = lettered(line.mark), lettered(line.other)
+        if line.other:
+            return say("lesson_centre_line", lang, one=one, two=two)
+        return say("lesson_centre_line_far", lang, one=one, action=self.action(line.along))
+
+    def check(self, check: Check) -> Frame:
+        """The same velocity twice."""
+        sides = ((f"∣⟨{w}⟩∣ · ⟨{far}⟩", f"{slot(w, 'a')} · {slot(far)}", f"{w}*{far}") for w, far in check.sides)
+        rows = tuple(Row(check.name, letters, numbers, slot(both, "a")) for letters, numbers, both in sides)
+        rows += (self.reading(check.name, "velocity"),) if check.read else ()
+        key = "centre_slider" if check.slides else "centre_speed" if check.read else "centre_equal"
+        names: Names = {"name": check.centre.name, "link": check.slides, "rows": rows}
+        return self.make(key, "position", (), (check.centre.mark,), names=names)
+
+    def left(self) -> list[str]:
+        """The centres that are not found."""
+        found, links = {c.links for c in self.plans.centres}, (FRAME, *self.plans.mechanism.links)
+        pairs = (pair for pair in combinations(links, 2) if pair not in found)
+        return [centre_name(*pair, self.plans.mechanism.frame_number) for pair in pairs]
+
+
+def lines_of(plans: Plans) -> Json:
+    """For a page: by centre the lines that cross in it, each by a mark and another, or a direction."""
+    return {c.mark: [[x.mark, x.other or x.along] for x in c.lines] for c in plans.centres if c.mark}

@@ -1,0 +1,152 @@
+"""What practice asks to choose: a plan's scale, the group that is next for forces and why, the equation written first.
+
+A choice is data: what is offered, each with why it is not right, or nothing where it is; a scale is judged by how large
+the plan is at it.
+"""
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property, partial
+
+from planes.drafting.drawing import Drawing
+from planes.drafting.steps import LayOff
+from planes.lesson.formulas import in_both
+from planes.lesson.frame import Frame
+from planes.lesson.free_bodies import FreeBodies, links_told
+from planes.plans import Plans
+from planes.plans.scales import fitting
+from planes.words import say
+from planes.words.frozen import frozen
+from planes.words.names import POLE, at, kind_of, label_of, links_of, mu_of
+from planes.words.records import Json
+from planes.words.units import UNIT
+
+CHOICES = ("mu", "order", "reason", "first")
+TIMES = (0.1, 0.4, 1.0, 2.5, 10.0)
+"""How large the scales offered are against that of the lesson: both ways too much, and what may do."""
+LATER = 2  # equations of later groups that are offered beside that in hand
+REASONS = ("last", "driver", "moved", "heavy")
+"""Why a group is first for forces: the first is right."""
+
+
+@frozen
+class Choices:
+    """The choices of one lesson; ``fit_mm`` is how large each kind of plans may be on the paper."""
+
+    plans: Plans
+    drawing: Drawing
+    frames: Sequence[Frame]
+    equations: Sequence[Json]
+    fit_mm: Mapping[str, float]
+
+    def of(self, kind: str, what: str | int, frame: int) -> Json | None:
+        """What a choice offers, by its kind; None where there is nothing to choose."""
+        if kind == "mu":
+            return self.scale(str(what), self.frames[frame])
+        if not self.plans.moves:
+            return None
+        if kind == "first":
+            return self.first(int(what), frame)
+        return self.order(str(what)) if kind == "order" else self.reason(str(what))
+
+    def scale(self, plan: str, frame: Frame) -> Json | None:
+        """Scales of the series about that of the lesson, by which marks it is told how large the plan is, and what is
+        laid off first; None where the first mark asked is found by no given length."""
+        first = self.plans.program.makers[frame.makes[0]]
+        long = (getattr(first, "length", "") or getattr(first, "radius", "")) if plan == "position" else ""
+        if not long and not isinstance(first, LayOff):
+            return None
+        own = complex(self.drawing[mu_of(plan)]).real
+        offered = sorted({fitting(plan, 1.0, own * times) for times in TIMES})
+        made = (s for s in self.plans.program.marks[plan] if not s.loose and label_of(s.makes) != POLE)
+        shown = [s.makes for s in made if s.makes not in self.plans.program.trials]
+        kind = kind_of(plan)
+        told = in_both(partial(say, UNIT.get(kind, "one_unit")))
+        named: Json = {"name": long or next(iter(frame.terms), label_of(first.makes)), "unit": told}
+        return {"offered": [{"value": mu} for mu in offered], "marks": shown, "most": self.fit_mm[kind], **named}
+
+    @cached_property
+    def forces(self) -> list[str]:
+        """The force plans in the order they are drawn."""
+        return [p for p in self.plans.drawn if kind_of(p) == "force"]
+
+    @cached_property
+    def waits(self) -> dict[str, dict[str, set[str]]]:
+        """By force plan the plans it waits for, and the reactions that each of them finds for it."""
+        bodies, found = FreeBodies(self.plans, self.drawing), dict[str, dict[str, set[str]]]()
+        for plan in self.forces:
+            found[plan] = {}
+            for name, _ in bodies.known(plan):
+                for r in self.plans.reactions.values():
+                    if name in r.names and r.plan != plan:
+                        found[plan].setdefault(r.plan, set()).add(name)
+        return found
+
+    def order(self, plan: str) -> Json | None:
+        """The links whose forces are still to be found, where some of them must wait: a group of one polygon each."""
+        driver, whole = self.plans.structure.driver, [set(g.whole) for g in self.plans.structure.groups]
+        if any(links_of(p) != (driver,) and set(links_of(p)) not in whole for p in self.forces):
+            return None
+        left = self.forces[self.forces.index(plan) :]
+        names = {p: sorted(n for q in left for n in self.waits[p].get(q, ())) for p in left}
+        if not any(names.values()):
+            return None
+        offered = [{"value": p, "said": in_both(partial(links_told, p)), **self.early(names[p])} for p in sorted(left)]
+        return {"offered": offered}
+
+    def early(self, names: Sequence[str]) -> Json:
+        """Why links are too early: forces on them are not found yet."""
+        forces = ", ".join(f"⟨{n}⟩" for n in names)
+        return {"why": in_both(partial(say, "lesson_choice_early", forces=forces))} if names else {}
+
+    def reason(self, plan: str) -> Json | None:
+        """Why the first links are first."""
+        if plan != self.forces[0] or not self.order(plan):
+            return None
+        said = {key: in_both(partial(say, f"lesson_choice_{key}")) for key in REASONS}
+        why = in_both(partial(say, "why_free_body_first"))
+        offered = [{"value": k, "said": said[k], **({"why": why} if k != REASONS[0] else {})} for k in sorted(REASONS)]
+        return {"offered": offered}
+
+    def first(self, index: int, frame: int) -> Json | None:
+        """Equations of velocities, of which those that begin with a known vector can be written first."""
+        own = [e for e in self.equations if e["plan"] == "velocity" and e["total"]]
+        if self.equations[index] not in own:
+            return None
+        made = {m for f in self.frames[:frame] for m in f.makes} | {at("velocity", POLE)}
+        later = [e for e in own if self.equations.index(e) > index]
+        offered = {text: self.unknown(term, made) for text, term in lines(self.equations[index])}
+        offered |= self.unlinked(self.equations[index], made)
+        waiting = [(text, why) for e in later for text, term in lines(e)[:1] if (why := self.unknown(term, made))]
+        offered |= dict(waiting[:LATER])
+        if not any(offered.values()) or all(offered.values()):
+            return None
+        return {"offered": [{"value": t, "said": in_both(lambda _: t), **offered[t]} for t in sorted(offered)]}  # noqa: B023
+
+    def unknown(self, term: Json, made: set[str]) -> Json:
+        """Why an equation that begins with a vector cannot be written yet: nothing where it can."""
+        if term["action"] == "=0" or term["at"] in made:
+            return {}
+        return {"why": in_both(partial(say, "lesson_choice_unknown", name=term["name"]))}
+
+    def unlinked(self, equation: Json, made: set[str]) -> dict[str, Json]:
+        """The sought point by a known one of no link of its own."""
+        links = self.plans.mechanism.links
+        point = next((p for p in self.plans.points if f"v_{p}" == equation["total"]["name"]), "")
+        together = {p for x in links.values() if point in x.points for p in x.points}
+        own = {*links[self.plans.mechanism.drive.link].points}
+        for other in sorted(own - together - {point}) if point in self.plans.points and together else ():
+            if self.plans.points[other].velocity in made or other in self.plans.mechanism.frame.points:
+                text = f"⟨v_{point}⟩ = ⟨v_{other}⟩ + ⟨v_{point}{other}⟩"
+                names = {"one": point, "two": other, "name": f"v_{point}{other}"}
+                return {text: {"why": in_both(partial(say, "lesson_choice_unlinked", **names))}}
+        return {}
+
+
+def lines(equation: Json) -> list[tuple[str, Json]]:
+    """The equation by each of its sides that is a sum, with the vector that side begins with."""
+    found = []
+    for side in equation["sides"]:
+        if len(side) > 1:
+            signed = (f"{'−' if t['minus'] else '+'} ⟨{t['name']}⟩" for t in side)
+            found.append((f"⟨{equation['total']['name']}⟩ = {' '.join(signed).removeprefix('+ ')}", side[0]))
+    return found

@@ -1,0 +1,43 @@
+"""A point that stands still where the mechanism is shown: its mark lies at the pole, and a sentence says so."""
+
+from collections.abc import Iterable
+
+from planes.drafting.drawing import Drawing
+from planes.lesson.frame import Frame
+from planes.lesson.scheme import special_points
+from planes.plans import Plans
+from planes.words import Lang, say
+from planes.words.frozen import replace
+from planes.words.names import POLE, at, lettered, plan_of
+
+STILL_MM = 1e-4
+"""How near its pole a mark lies there: a page's drive is known to a millionth of a degree."""
+
+
+def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
+    """The frames; those that end the vector of a point know what is said where that is nothing."""
+    named = {
+        mark: p for p, m in plans.points.items() if p not in plans.standing for mark in (m.velocity, m.acceleration)
+    }
+    special = special_points(plans)
+    for s in plans.segments:
+        if s.start == POLE and s.name in {f"{letter}_{name}" for letter in "va" for name in special}:
+            named[at(s.plan, s.end)] = s.name[2:]
+    return [
+        replace(f, still=told(f.makes[0], named, special)) if f.makes and f.makes[0] in named else f for f in frames
+    ]
+
+
+def told(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str, str]:
+    """What the sentence is, and its names."""
+    plan, point = plan_of(mark) or "", named[mark]
+    key = "special" if point in special and plan == "velocity" else plan
+    names = {"said": key, "point": point, "mark": lettered(mark), "vector": f"{plan[0]}_{point}"}
+    return {**names, "link": special[point]} if key == "special" else names
+
+
+def still_said(frame: Frame, drawing: Drawing, lang: Lang) -> str:
+    """The sentence, where the point stands still."""
+    if not frame.still or not abs(complex(drawing[frame.makes[0]])) < STILL_MM:
+        return ""
+    return say(f"lesson_still_{frame.still['said']}", lang, **frame.still)

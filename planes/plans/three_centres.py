@@ -1,0 +1,151 @@
+"""Instantaneous centres of all pairs of links, by the theorem of three centres (Aronhold and Kennedy).
+
+Links i, j and k have three centres in one line. So the centre of i and j is where two such lines cross, by two other
+links; a line to a centre at infinity, of a slider and its guide, goes in its direction. The steps stand in the program
+after the velocity plan. No polygon is read for them, but two checks are reckoned with its angular velocities.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import combinations
+
+from planes.drafting.draft import Draft
+from planes.drafting.program import Program
+from planes.drafting.steps import Same
+from planes.drafting.steps.apart import CrossApart, ThroughApart
+from planes.plans.centres import Centre, CentreLine, Check, centre_name
+from planes.plans.position.bodies import SCHEME
+from planes.plans.record import Plans
+from planes.scene.mechanism import FRAME
+from planes.words.names import Meaning, at, plan_of
+
+
+@dataclass
+class Centres:
+    """Finds the centres of a mechanism, and draws them on."""
+
+    plans: Plans
+    draft: Draft
+    found: dict[frozenset[str], Centre] = field(default_factory=dict)
+
+    @cached_property
+    def links(self) -> tuple[str, ...]:
+        """The frame and the links that have pairs."""
+        pairs = self.plans.structure.pairs
+        return (FRAME, *(x for x in self.plans.mechanism.links if any(p.joins(x) for p in pairs)))
+
+    def name(self, one: str, two: str) -> str:
+        """How their centre is called."""
+        return centre_name(one, two, self.plans.mechanism.frame_number)
+
+    def draw(self) -> None:
+        """Those of pairs, then whatever two lines give, until nothing more is found."""
+        self.seen()
+        before = -1
+        while before < len(self.found):
+            before = len(self.found)
+            for i, j in combinations(self.links, 2):
+                if frozenset((i, j)) not in self.found:
+                    self.meet(i, j)
+
+    def seen(self) -> None:
+        """The hinges, and sliders' centres at infinity across their guides."""
+        for pair in self.plans.structure.pairs:
+            links = self.links.index(pair.other), self.links.index(pair.link)
+            i, j = (self.links[k] for k in sorted(links))
+            if pair.kind == "R":
+                self.put(Centre((i, j), self.name(i, j), point=pair.point), at(SCHEME, pair.point))
+            elif f"∥{pair.guide}" in self.draft.steps:
+                self.put(Centre((i, j), self.name(i, j), along=self.draft.square(f"∥{pair.guide}")))
+
+    def put(self, centre: Centre, same: str = "") -> None:
+        """A centre found: at a mark that is there, at infinity, or where its lines cross."""
+        i, j = centre.links
+        mark, means = at(SCHEME, centre.name), Meaning("centre", i, j)
+        if same:
+            self.draft.step(Same(mark, same, means=means))
+        elif not centre.along:
+            one, two = centre.lines
+            self.draft.step(CrossApart(mark, one.mark, one.along, two.mark, two.along, means=means))
+        self.found[frozenset((i, j))] = centre if centre.along else replace(centre, mark=mark)
+
+    def meet(self, i: str, j: str) -> None:
+        """The centre of two links by those that are there, if they give it."""
+        between = [(k, self.found.get(frozenset((i, k))), self.found.get(frozenset((k, j)))) for k in self.links]
+        ways = [(k, one, two) for k, one, two in between if one and two]
+        for _, one, two in ways:
+            if one.point and one.point == two.point:
+                self.put(Centre((i, j), self.name(i, j), point=one.point), at(SCHEME, one.point))
+                return
+        lines, far = dict[tuple[str, ...], CentreLine](), False
+        for k, one, two in ways:
+            if one.along and two.along:
+                far = True
+            else:
+                line = self.line(k, one, two)
+                lines.setdefault(tuple(sorted((line.mark, line.other or line.along))), line)
+        first, *more = [*lines.values(), None]
+        if first and (far or more[0]):
+            own = Centre((i, j), self.name(i, j), lines=(first,) if far else (first, *filter(None, more[:1])))
+            self.put(replace(own, along=first.along) if far else own)
+
+    def line(self, third: str, one: Centre, two: Centre) -> CentreLine:
+        """The line of three centres by two of them, not both at infinity."""
+        if one.along or two.along:
+            return CentreLine(third, one.mark or two.mark, one.along or two.along)
+        along = ThroughApart(f"{one.name}{two.name}", one.mark, two.mark, means=Meaning("along", one.name, two.name))
+        return CentreLine(third, one.mark, self.draft.step(along), two.mark)
+
+    def checks(self) -> Iterator[Check]:
+        """Of every centre that was not seen at once, what its links' velocities are by it."""
+        for c in (c for c in list(self.found.values()) if c.mark and c.lines):
+            if c.links[0] == FRAME:
+                for point in self.moving(c.links[1]):
+                    own = self.side(c.links[1], point, at(SCHEME, point))
+                    yield from [Check(f"v_{point}", c, (own,), True)] if own else []
+                continue
+            turning = [s for s in (self.side(x, c.name, c.mark) for x in c.links) if s]
+            sliding = [(p, x) for x in c.links if self.pole(x).along for p in self.moving(x)]
+            if len(turning) == 2:
+                yield Check(f"v_{c.name.replace('_', '')}", c, (turning[0], turning[1]))
+            elif turning and sliding:
+                point, link = sliding[0]
+                yield Check(f"v_{point}", c, (turning[0],), True, link)
+
+    def pole(self, link: str) -> Centre:
+        """The centre of a link and the frame."""
+        return self.found.get(frozenset((FRAME, link)), Centre((FRAME, link), ""))
+
+    def moving(self, link: str) -> list[str]:
+        """A point of a link whose velocity is measured, if there is one."""
+        shown = {s.name for s in self.plans.segments if s.plan == "velocity"}
+        own = (p for p in self.plans.mechanism.links[link].points if p not in self.plans.standing)
+        return [p for p in own if f"v_{p}" in shown and at(SCHEME, p) in self.draft.steps][:1]
+
+    def side(self, link: str, label: str, mark: str) -> tuple[str, str] | None:
+        """ω of a link that turns and the distance of a mark from its centre with the frame, where that is a mark."""
+        omega, pole = self.plans.links[link].omega, self.pole(link)
+        if not omega or not pole.mark:
+            return None
+        ends = f"{pole.name}{label}".replace("_", "")
+        return omega, self.draft.measure(f"l_{ends}", pole.mark, mark)
+
+
+def with_centres(plans: Plans) -> Plans:
+    """The plans with the instantaneous centres of their links and what is checked by them; the same where no velocity
+    plan is drawn, or nothing moves."""
+    if not plans.moves or "velocity" not in plans.drawn or plans.at_rest or not plans.acting.motion:
+        return plans
+    draft = plans.acting.motion.bodies.draft.apart()
+    before = {*draft.steps}
+    centres = Centres(plans, draft)
+    centres.draw()
+    checks = tuple(centres.checks())
+    new = [s for name, s in draft.steps.items() if name not in before]
+    reads = {name for s in new for name, _ in s.reads()}
+    steps = plans.program.steps
+    last = max(k for k, s in enumerate(steps) if s.makes in reads or plan_of(s.makes) == "velocity")
+    program = Program((*steps[: last + 1], *new, *steps[last + 1 :]), plans.program.proofs)
+    means = {**plans.means, **{s.makes: s.means for s in new if s.means}}
+    return replace(plans, program=program, means=means, centres=tuple(centres.found.values()), checks=checks)
