@@ -7,8 +7,8 @@ const GRIP_PX = 14, TOUCH_PX = 26, STEP_DEG = 5, STEPS_M = [0.001, 0.002, 0.005,
 /** @type {Sketch} */
 export const NOTHING = { title: "", points: {}, fixed: [], guides: {}, links: {}, drive: null, loads: [] };
 /** @type {Record<string, string>} */
-export const HOLDS = { fix: "point", link: "drag", guide: "drag", slide: "point", plate: "link", drive: "link",
-  load: "point", mass: "link", remove: "any", move: "any" };
+export const HOLDS = { move: "any", fix: "point", link: "drag", plate: "link", guide: "drag", slide: "point", drive:
+  "link", load: "point", mass: "link", remove: "any" };
 
 export const canvas = {
   sketch: /** @type {Sketch} */ (structuredClone(NOTHING)), view: viewOf([-0.3, -0.2, 0.3, 0.2], 600, 400, 40),

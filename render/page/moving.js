@@ -9,7 +9,8 @@ export function boxOf({ points, guides, motion }) {
   const xs = at.map(p => p[0]), ys = at.map(p => p[1]);
   return at.length ? [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)] : [-0.3, -0.2, 0.3, 0.2];
 }
-/** How a place of a sketch comes on a picture of w by h. @type {(box: Box, w: number, h: number, edge: number) => View} */
+/** How a place of a sketch comes on a picture of w by h.
+ * @type {(box: Box, w: number, h: number, edge: number) => View} */
 export function viewOf([x0, y0, x1, y1], w, h, edge) {
   const k = Math.min((w - 2 * edge) / Math.max(x1 - x0, 1e-6), (h - 2 * edge) / Math.max(y1 - y0, 1e-6), 4000);
   const mx = (x0 + x1) / 2, my = (y0 + y1) / 2;
@@ -56,8 +57,8 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
     l.points.length > 1) && !sketch.fixed.includes(p);
   for (const [name, g] of Object.entries(sketch.guides)) {
     if (sketch.motion && g.link !== "0") continue; // it moves, and is not followed
-    const own = sketch.motion ? {} : Object.fromEntries(Object.entries(sketch.links).filter(([, l]) => l.slides === name)
-      .map(([, l]) => [l.points[0], points[l.points[0]]]).filter(([, p]) => p));
+    const sliders = sketch.motion ? [] : Object.values(sketch.links).filter(l => l.slides === name);
+    const own = Object.fromEntries(sliders.map(l => [l.points[0], points[l.points[0]]]).filter(([, p]) => p));
     const [a, b] = guideEnds(g, own, view, sketch.motion ? 40 : 55);
     svg("line", { x1: a[0], y1: a[1], x2: b[0], y2: b[1], class: "rail", "data-guide": name }, parent);
     if (names) svg("text", { x: b[0] + 4, y: b[1], class: "label" }, parent, name);
@@ -73,7 +74,7 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
       transform: `translate(${p[0].toFixed(1)} ${p[1].toFixed(1)}) rotate(${-g.angle - turned(sketch, g.link, points,
         l.points[0])})`, "data-link": name }, parent);
     if (names && ends.length) {
-      const mx = ends.reduce((s, e) => s + e[0], 0) / ends.length, my = ends.reduce((s, e) => s + e[1], 0) / ends.length;
+      const [mx, my] = [0, 1].map(k => ends.reduce((s, e) => s + e[k], 0) / ends.length);
       svg("text", { x: mx + 6, y: my + 14, class: "number" }, parent, name);
     }
   }

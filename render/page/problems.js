@@ -11,10 +11,12 @@ let lines = /** @type {number[]} */ ([]);
 /** @type {(found: Problem[]) => void} */
 export function problems(found) {
   faults = found;
-  $("problems").innerHTML = found.map((p, k) => `<li class="${p.doubt ? "doubt" : ""}"><b>${say("line")} ${p.line}:</b> ` +
-    `${safe(p.said)}<div class="choices">${p.help.map((h, n) => `<button type="button"${h.sketch ? ' class="card"' : ""} ` +
-    `data-problem="${k}" data-help="${n}">${h.sketch ? "<svg></svg>" : ""}<b>${safe(h.label)}</b></button>`).join("")}` +
-    "</div></li>").join("");
+  /** @type {(h: Help, k: number, n: number) => string} */
+  const button = (h, k, n) => `<button type="button"${h.sketch ? ' class="card"' : ""} data-problem="${k}" ` +
+    `data-help="${n}">${h.sketch ? "<svg></svg>" : ""}<b>${safe(h.label)}</b></button>`;
+  $("problems").innerHTML = found.map((p, k) => `<li class="${p.doubt ? "doubt" : ""}"><b>${say("line")} ` +
+    `${p.line}:</b> ${safe(p.said)}<div class="choices">${p.help.map((h, n) => button(h, k, n)).join("")}</div></li>`)
+    .join("");
   $("problems").querySelectorAll(".choices svg").forEach((/** @type {any} */ node) => {
     const { problem, help } = node.parentElement.dataset, sketch = found[problem].help[help].sketch;
     node.setAttribute("viewBox", "0 0 220 150");
@@ -37,7 +39,8 @@ function numbered() {
   }).join("\n");
 }
 on($("problems"), "click", async e => {
-  const button = e.target.closest("button"), problem = faults[button?.dataset.problem], h = problem?.help[button.dataset.help];
+  const button = e.target.closest("button"), problem = faults[button?.dataset.problem];
+  const h = problem?.help[button.dataset.help];
   if (!h) return;
   if (h.act) { bench.act(h.act); return; }
   if (h.path) {

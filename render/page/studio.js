@@ -8,16 +8,20 @@ import { problems, touched } from "./problems.js";
 import { asked, keep, pressed, unpressed } from "./share.js";
 import { offered } from "./take.js";
 
-const REST_MS = 250, FIRST_TOOLS = ["move", "fix", "link", "plate", "guide", "slide", "drive", "load", "mass", "remove"];
+const REST_MS = 250;
 const past = /** @type {string[]} */ ([]), future = /** @type {string[]} */ ([]);
 let typing = 0;
 const frame = /** @type {any} */ ($("lesson"));
 let shown = /** @type {any} */ (null);
 
+/** @type {(selector: string, which: (button: any) => boolean) => void} */
+function held(selector, which) {
+  document.querySelectorAll(selector).forEach(b => b.setAttribute("aria-pressed", String(which(b))));
+}
 /** @type {(view: string) => void} */
 function turnTo(view) {
   bench.view = document.body.dataset.view = view;
-  document.querySelectorAll("#views button").forEach(b => b.setAttribute("aria-pressed", String(b.dataset.view === view)));
+  held("#views button", b => b.dataset.view === view);
   if (view === "draw") fit();
   if (view === "gallery") gallery();
 }
@@ -129,7 +133,7 @@ const linkOf = point => Object.keys(canvas.sketch.links).reverse().find(n =>
 /** @type {(tool: string) => void} */
 function tool(name) {
   canvas.tool = name;
-  document.querySelectorAll("#tools button").forEach(b => b.setAttribute("aria-pressed", String(b.dataset.tool === name)));
+  held("#tools button", b => b.dataset.tool === name);
   $("hint").textContent = say(`hint_${name}`);
 }
 function spoken() {
@@ -137,7 +141,8 @@ function spoken() {
   document.querySelectorAll("[data-word]").forEach(e => { e.textContent = say(e.dataset.word); });
   document.querySelectorAll("[data-title]").forEach(e => { e.setAttribute("aria-label", say(e.dataset.title));
     if (e.tagName !== "SECTION") e.title = say(e.dataset.title); });
-  $("tools").innerHTML = FIRST_TOOLS.map(t => `<button type="button" data-tool="${t}">${say(`tool_${t}`)}</button>`).join("");
+  $("tools").innerHTML = Object.keys(HOLDS).map(t =>
+    `<button type="button" data-tool="${t}">${say(`tool_${t}`)}</button>`).join("");
   tool(canvas.tool);
   $("lang").innerHTML = Object.keys(words).map(l => `<option value="${l}"${l === bench.lang ? " selected" : ""}>${
     words[l].language}</option>`).join("");
@@ -169,7 +174,10 @@ async function started() {
   if (text) { open(text, name || "own"); return; }
   turnTo("gallery");
 }
-engine.said = step => { $("state").textContent = say(`engine_${step}`); if (step === "ready" && bench.text) void renewal(""); };
+engine.said = step => {
+  $("state").textContent = say(`engine_${step}`);
+  if (step === "ready" && bench.text) void renewal("");
+};
 on($("views"), "click", e => { if (e.target.dataset.view) turnTo(e.target.dataset.view); });
 on($("tools"), "click", e => { if (e.target.dataset.tool in HOLDS) tool(e.target.dataset.tool); });
 on($("scene"), "input", () => {
@@ -186,7 +194,13 @@ $("share").onclick = async () => {
   await navigator.clipboard?.writeText(location.href).catch(() => {});
   $("state").textContent = say("shared");
 };
-$("lang").onchange = () => { bench.lang = $("lang").value; spoken(); shown = null; if (bench.text) void renewal("lang"); gallery(); };
+$("lang").onchange = () => {
+  bench.lang = $("lang").value;
+  shown = null;
+  spoken();
+  if (bench.text) void renewal("lang");
+  void gallery();
+};
 on($("underlay"), "change", () => {
   const file = $("underlay").files?.[0];
   if (!file) return;
@@ -198,7 +212,10 @@ on($("underlay"), "change", () => {
   };
   picture.src = URL.createObjectURL(file);
 });
-on($("width"), "change", () => { if (canvas.under) { canvas.under.width = +$("width").value.replace(",", ".") || 0.6; paint(); } });
+on($("width"), "change", () => {
+  if (canvas.under) canvas.under.width = +$("width").value.replace(",", ".") || 0.6;
+  paint();
+});
 on(window, "keydown", e => {
   const key = (e.ctrlKey || e.metaKey) && !e.altKey ? e.code : "";
   if (e.target === $("scene") || !["KeyZ", "KeyY"].includes(key)) return; // a field of text has its own

@@ -40,4 +40,4 @@ def studio_page(lang: str, way: Json, first: str = "") -> str:
 def files_of(lang: str, way: Json, first: str = "") -> dict[str, bytes]:
     """What the studio is made of, by the names of its files."""
     pages = {"index.html": studio_page(lang, way, first), "lesson.html": living_page(lang)}
-    return {name: text.encode() for name, text in (pages | {"worker.js": web_page.part("worker.js")}).items()}
+    return {name: text.encode() for name, text in (pages | {"worker.js": packer.packed("worker")}).items()}

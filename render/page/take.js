@@ -3,8 +3,8 @@ import { bench, say } from "./bench.js";
 import { way } from "./carrier.js";
 import { $, on, safe } from "./dom.js";
 
-const FILES = [["sheet", "pdf"], ["sheet", "svg"], ["sheet", "dxf"], ["sheet", "png"], ["lesson", "html"], ["note", "pdf"],
-  ["note", "docx"], ["blank", "pdf"], ["cycle", "csv"]];
+const FILES = ["sheet.pdf", "sheet.svg", "sheet.dxf", "sheet.png", "lesson.html", "note.pdf", "note.docx", "blank.pdf",
+  "cycle.csv"];
 
 /** @type {(name: string, data: BlobPart, kind: string) => void} */
 function download(name, data, kind) {
@@ -16,9 +16,11 @@ function download(name, data, kind) {
 }
 /** @type {(data: LessonData) => void} */
 export function offered(data) {
-  const own = data.moves ? FILES : FILES.filter(([act]) => act !== "cycle");
-  $("files").innerHTML = `<button type="button" data-file="yaml">scene.yaml</button>` + own.map(([act, kind]) =>
-    `<button type="button" data-file="${act}.${kind}">${safe(say(`file_${act}`))}, ${kind.toUpperCase()}</button>`).join("");
+  const own = data.moves ? FILES : FILES.filter(file => file !== "cycle.csv");
+  /** @type {(file: string) => string} */
+  const named = file => safe(`${say(`file_${file.split(".")[0]}`)}, ${file.split(".")[1].toUpperCase()}`);
+  $("files").innerHTML = `<button type="button" data-file="yaml">scene.yaml</button>` + own.map(file =>
+    `<button type="button" data-file="${file}">${named(file)}</button>`).join("");
   $("plan").innerHTML = data.plans.filter(p => p.key !== "lever").map(p =>
     `<option value="${p.key}">${safe(p.title[bench.lang] ?? p.key)}</option>`).join("");
   $("checking").hidden = !way.native;

@@ -1,6 +1,7 @@
 // Numbers as people type them: sums, decimal commas, units.
 const UNITS = /** @type {Numbers} */ ({ mm: 1e-3, "мм": 1e-3, cm: 1e-2, "см": 1e-2, in: 0.0254, ft: 0.3048, kn: 1e3,
-  "кн": 1e3, g: 1e-3, "г": 1e-3, rpm: Math.PI / 30, "об/мин": Math.PI / 30, "об/хв": Math.PI / 30, "аб/хв": Math.PI / 30,
+  "кн": 1e3, g: 1e-3, "г": 1e-3, rpm: Math.PI / 30,
+  "об/мин": Math.PI / 30, "об/хв": Math.PI / 30, "аб/хв": Math.PI / 30,
   "°/s": Math.PI / 180, "°/с": Math.PI / 180 });
 /** A number as people type it: a sum or a quotient, a decimal comma, a unit; in SI. @type {(text: string) => number} */
 export function typed(text) {

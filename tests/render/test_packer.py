@@ -9,7 +9,7 @@ import pytest
 
 from render.page import packer
 
-PAGES = (("lesson",), ("lesson", "scorm"), ("lesson", "centres"), ("essay",), ("check",), ("trace",), ("class",))
+PAGES = (("lesson",), ("lesson", "scorm"), ("lesson", "centres"), ("essay",), ("check",), ("trace",), ("class",), ("studio",), ("worker",))
 WIDEST = 120
 
 
