@@ -8,6 +8,7 @@ In a page stand, each as a fenced block:
   with its file alone);
 - ``include`` with a file of the repository (``include below``: under the page's own title);
 - ``tables`` with a file and, a line each, ``its words = ours``: its tables alone, so that numbers stand in one place;
+- ``studio CAPTION`` with a folder of scenes: the studio with its gallery and those scenes, within the page;
 - ``essay`` with a command that writes live pages into a folder: a list of them;
 - ``api`` with a package: its public names, each with its signature and docstring.
 
@@ -33,6 +34,7 @@ from typing import Any
 
 from planes.cli import main
 from planes.documents.schema import schema
+from planes.documents.studio import write_studio
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
 from render.sheet.single import name_of_view
@@ -41,7 +43,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PAGES = HERE / "site"
 BLOCK = re.compile(
-    r"^```(figure|run|gallery|include|tables|essay|api)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
+    r"^```(figure|run|gallery|include|tables|essay|studio|api)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
 )
 KEYS = re.compile(r"<!-- keys ([^>]*?) -->\n.*?<!-- /keys -->", re.DOTALL)
 OUTSIDE = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)]*)\)")
@@ -246,6 +248,13 @@ def write(command: str, lang: str) -> Path:
     return folder
 
 
+def studio(caption: str, _: str, lang: str) -> str:
+    """The studio in a frame of its own; it stands beside the languages of the site."""
+    where = f"{'' if lang == 'en' else '../'}studio/index.html#lang={lang}"
+    frame = f'<iframe src="{where}" title="{caption}" style="width:100%;height:44rem;border:0"></iframe>'
+    return f"<figure>\n{frame}\n<figcaption>{caption}</figcaption>\n</figure>"
+
+
 MAKERS: dict[str, Callable[[str, str, str], str]] = {
     "figure": figure,
     "run": shown,
@@ -253,6 +262,7 @@ MAKERS: dict[str, Callable[[str, str, str], str]] = {
     "include": include,
     "tables": tables,
     "essay": essay,
+    "studio": studio,
     "api": api,
 }
 
@@ -275,6 +285,13 @@ def on_pre_build(config: Any) -> None:
                 for command, file in gallery(body.strip()):
                     draw(command, language(page))
                     made_of(file, language(page), how)
+
+
+def on_post_build(config: Any) -> None:
+    """The studio beside the pages, with the scenes they name; with the engine where PYODIDE says where it is."""
+    blocks = (block for page in pages() for block in BLOCK.findall(page.read_text("utf-8")))
+    own = [str(ROOT / folder) for folder in sorted({body.strip() for kind, _, body in blocks if kind == "studio"})]
+    write_studio(str(Path(config["site_dir"]) / "studio"), "en", os.environ.get("PYODIDE", ""), own)
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:

@@ -7,6 +7,7 @@ import { kept } from "./share.js";
 /** @type {Shelved[] | null} */
 let scenes = null, laid = "";
 export async function shelf() { // asked for once
+  if (location.protocol === "file:") { $("state").textContent = say("from_disk"); return []; }
   scenes ??= await fetch("gallery.json").then(r => r.json(), () => []);
   return scenes ?? [];
 }

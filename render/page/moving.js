@@ -84,7 +84,7 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
     if (fixed) svg("path", { d: `M${p[0]} ${p[1]}l-8 13h16z`, class: "ground" }, parent);
     if (fixed) svg("path", { d: `M${p[0] - 12} ${p[1] + 13}h24m-20 0l-5 6m10-6l-5 6m10-6l-5 6m10-6l-5 6`,
       class: "hatch" }, parent);
-    svg("circle", { cx: p[0], cy: p[1], r: centre(name) ? SIDE / 2 : SIDE, class: centre(name) ? "point" : "hinge",
+    svg("circle", { cx: p[0], cy: p[1], r: centre(name) ? 0.7 * SIDE : SIDE, class: centre(name) ? "point" : "hinge",
       "data-point": name }, parent);
     if (names) svg("text", { x: p[0] + 8, y: p[1] - 8, class: "label" }, parent, name);
   }
