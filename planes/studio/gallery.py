@@ -57,20 +57,20 @@ def motion_of(scene: Scene) -> Json:
     turns, start, reach = drive["symbol"] == "φ", drive["from"], drive["to"] - drive["from"]
     step = reach / PLACES if not drive["held"] else 0.0
     values = [start + step * k for k in range(PLACES)] if step else [drive["at"]]
-    places, works = _drawn_at(plans, values)
+    places, works = drawn_at(plans, values)
     home = round((drive["at"] - start) / step) % PLACES if step else 0
     runs = _run_about(home, works, len(values), turns)
     whole = len(runs) == len(values)
     if not whole and len(runs) > 1:
         low, high = (start + step * k for k in (runs[0] - 1, runs[-1] + 1))
         kept = start + step * (home if home in runs else runs[len(runs) // 2])
-        places, works = _drawn_at(plans, [low + (high - low) * k / PLACES for k in range(PLACES + 1)])
+        places, works = drawn_at(plans, [low + (high - low) * k / PLACES for k in range(PLACES + 1)])
         runs = _run_about(round(PLACES * (kept - low) / (high - low)), works, PLACES + 1, False)
     motion = {p: [z] * len(runs) if isinstance(z, complex) else [z[k] for k in runs] for p, z in places.items()}
     return {"motion": _written(motion) if len(runs) > 1 else {}, "round": turns and whole}
 
 
-def _drawn_at(plans: Plans, values: list[float]) -> tuple[dict[str, complex | list[complex]], list[int]]:
+def drawn_at(plans: Plans, values: list[float]) -> tuple[dict[str, complex | list[complex]], list[int]]:
     """Where the points are at places of the driver, one place for those that stand; and which of these can be drawn."""
     marks = {p: at("position", p) for p in plans.mechanism.names if at("position", p) in plans.program.made}
     program = plans.program.sliced([*marks.values()])
