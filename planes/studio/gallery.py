@@ -8,7 +8,7 @@ from planes.drafting.drawing import run
 from planes.drafting.instruments import InLists
 from planes.geometry.listed import Listed
 from planes.lesson.told import drive_of
-from planes.plans import structure_of
+from planes.plans import Plans, structure_of
 from planes.scene import Scene, loads
 from planes.scene.source import read
 from planes.solving import plans_of
@@ -50,36 +50,54 @@ def shelved(paths: Iterable[Path]) -> list[Json]:
 
 
 def motion_of(scene: Scene) -> Json:
-    """The places of every point at places of the driver one after another, where it can be drawn; ``round``: it goes
-    round without end."""
+    """The places of every point at places of the driver one after another, as far to both sides of its own as it can be
+    drawn; ``round``: it goes round without end. A driver that does not is looked at once more, between its ends."""
     plans, _ = plans_of(scene, shown=True)
-    drive, m = drive_of(plans), plans.mechanism
-    marks = {p: at("position", p) for p in m.names if at("position", p) in plans.program.made}
+    drive = drive_of(plans)
+    turns, start, reach = drive["symbol"] == "φ", drive["from"], drive["to"] - drive["from"]
+    step = reach / PLACES if not drive["held"] else 0.0
+    values = [start + step * k for k in range(PLACES)] if step else [drive["at"]]
+    places, works = drawn_at(plans, values)
+    home = round((drive["at"] - start) / step) % PLACES if step else 0
+    runs = _run_about(home, works, len(values), turns)
+    whole = len(runs) == len(values)
+    if not whole and len(runs) > 1:
+        low, high = (start + step * k for k in (runs[0] - 1, runs[-1] + 1))
+        kept = start + step * (home if home in runs else runs[len(runs) // 2])
+        places, works = drawn_at(plans, [low + (high - low) * k / PLACES for k in range(PLACES + 1)])
+        runs = _run_about(round(PLACES * (kept - low) / (high - low)), works, PLACES + 1, False)
+    motion = {p: [z] * len(runs) if isinstance(z, complex) else [z[k] for k in runs] for p, z in places.items()}
+    return {"motion": _written(motion) if len(runs) > 1 else {}, "round": turns and whole}
+
+
+def drawn_at(plans: Plans, values: list[float]) -> tuple[dict[str, complex | list[complex]], list[int]]:
+    """Where the points are at places of the driver, one place for those that stand; and which of these can be drawn."""
+    marks = {p: at("position", p) for p in plans.mechanism.names if at("position", p) in plans.program.made}
     program = plans.program.sliced([*marks.values()])
-    start, reach = drive["from"], drive["to"] - drive["from"]
-    count = PLACES if reach and not drive["held"] else 1
-    values = Listed(start + reach * k / PLACES if count > 1 else drive["at"] for k in range(count))
-    drawn = run(program, {**plans.given, plans.drive_given: values, "mu_position": 1.0}, InLists())
-    places = {p: [*drawn[mark]] for p, mark in marks.items() if isinstance(drawn[mark], Listed)}
-    works = [k for k in range(len(values)) if all(math.isfinite(abs(z[k])) for z in places.values())]
-    still = {p: [z.real, z.imag] for p, mark in marks.items() if not isinstance(z := drawn[mark], Listed)}
-    runs = _longest(works, len(values))
-    seen = [z[k] for z in places.values() for k in runs]
-    size = max((abs(z - seen[0]) for z in seen), default=1.0) or 1.0
-    digits = 1 - math.floor(math.log10(size / PARTS))
-    motion = {p: [[round(z[k].real, digits), round(z[k].imag, digits)] for k in runs] for p, z in places.items()}
-    motion |= {p: [z] * len(runs) for p, z in still.items()}
-    return {"motion": motion if len(runs) > 1 else {}, "round": drive["symbol"] == "φ" and len(runs) == len(values)}
+    drawn = run(program, {**plans.given, plans.drive_given: Listed(values), "mu_position": 1.0}, InLists())
+    places = {p: [*z] if isinstance(z := drawn[mark], Listed) else complex(z) for p, mark in marks.items()}
+    moving = [z for z in places.values() if isinstance(z, list)]
+    return places, [k for k in range(len(values)) if all(math.isfinite(abs(z[k])) for z in moving)]
 
 
-def _longest(works: list[int], count: int) -> list[int]:
-    """The longest run of places that work, one after another; a turn has no end."""
+def _run_about(home: int, works: list[int], count: int, turns: bool) -> list[int]:
+    """The run of places that work, one after another, about a place, or the longest where that does not work; a turn
+    has no end, so its numbers may go past the last or before the first."""
+    every = [k + count * turn for turn in ((-1, 0, 1) if turns else (0,)) for k in works]
     if len(works) == count:
         return works
-    best: list[int] = []
-    for start in works:
-        run_of = [start]
-        while (run_of[-1] + 1) % count in works and len(run_of) < len(works):
-            run_of.append((run_of[-1] + 1) % count)
-        best = max(best, run_of, key=len)
-    return best
+    runs: list[list[int]] = []
+    for k in every:
+        if runs and runs[-1][-1] == k - 1:
+            runs[-1].append(k)
+        else:
+            runs.append([k])
+    return next((r for r in runs if home in r), max(runs, key=len, default=[]))
+
+
+def _written(motion: dict[str, list[complex]]) -> dict[str, list[list[float]]]:
+    """Places no finer than a picture shows."""
+    seen = [z for places in motion.values() for z in places]
+    size = max((abs(z - seen[0]) for z in seen), default=1.0) or 1.0
+    digits = 1 - math.floor(math.log10(size / PARTS))
+    return {p: [[round(z.real, digits), round(z.imag, digits)] for z in places] for p, places in motion.items()}
