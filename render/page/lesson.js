@@ -1,6 +1,7 @@
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
 import { readAddress, writeAddress } from "./address.js";
 import { coloured } from "./colour.js";
+import { curve, curveNames } from "./curves.js";
 import { desk } from "./desk.js";
 import { $, on } from "./dom.js";
 import { written } from "./equations.js";
@@ -53,6 +54,7 @@ function paint() {
   const stated = f.moments !== null ? f.chapter : f.plan === "position" ? key : f.plan;
   put("equations", written(f, stated, state.frame, practising ? practice : null));
   crank();
+  curve();
   large(practising ? "position" : key);
   if (practising) task.paint();
   kit.show(practising || state.spin ? null : f, false);
@@ -69,6 +71,7 @@ if (!data.moves) document.body.classList.add("still"); // vectors alone: no sche
 function language() {
   zones();
   knobs();
+  curveNames();
   contents();
   document.documentElement.lang = state.lang;
   document.querySelectorAll("[data-word]").forEach(e => { e.textContent = say(e.dataset.word); });

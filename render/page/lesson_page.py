@@ -56,7 +56,7 @@ def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], pa
     parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
     body = web_page.filled(web_page.part(f"{name}.html"), parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
-    held = {"packed": pressed([told, data]), "letters": data and letters_of(data)}
+    held = {"packed": pressed([told, data]), "letters": data and pressed(letters_of(data))}
     return web_page.page(title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held)
 
 
