@@ -6,7 +6,8 @@ import { begin, end, svg } from "./svg.js";
 import { local, number } from "./words.js";
 
 const COUNT = 180, W = 640, H = 190, EDGE = [64, 14, 28, 26]; // px: left, top, right, bottom
-const NAMES = Object.keys(data.values).filter(n => data.units[n] && /^(‖[va]_|omega_|epsilon_|M_|MZ_|F|‖F_|\|F_)/.test(n));
+const RESULT = /^(‖[va]_|omega_|epsilon_|M_|MZ_|F|‖F_|\|F_)/;
+const NAMES = Object.keys(data.values).filter(n => data.units[n] && RESULT.test(n));
 let drawnOf = "", rows = /** @type {(number | null)[]} */ ([]);
 
 /** @type {(k: number) => number} */
@@ -27,13 +28,15 @@ export function curve() {
   const others = Object.entries(live.given).filter(([n]) => n !== given).map(([, v]) => v);
   const key = [name, state.lang, ...others].join();
   if (key !== drawnOf) { swept(name); drawnOf = key; }
-  const all = rows.filter(v => v !== null), low = Math.min(0, ...all), high = Math.max(0, ...all), span = high - low || 1;
+  const all = rows.filter(v => v !== null);
+  const low = Math.min(0, ...all), high = Math.max(0, ...all), span = high - low || 1;
   const x = (/** @type {number} */ at) => EDGE[0] + (W - EDGE[0] - EDGE[2]) * (at - from) / (to - from || 1);
   const y = (/** @type {number} */ v) => EDGE[1] + (H - EDGE[1] - EDGE[3]) * (high - v) / span;
   const node = /** @type {any} */ ($("curve"));
   begin(node);
   for (const v of [low, 0, high].filter((v, k, own) => own.indexOf(v) === k && (v === 0 || all.length))) {
-    svg("line", { x1: EDGE[0], y1: y(v), x2: W - EDGE[2], y2: y(v), class: v ? "scale-line faint" : "scale-line" }, node);
+    svg("line", { x1: EDGE[0], y1: y(v), x2: W - EDGE[2], y2: y(v), class: `scale-line${v ? " faint" : ""}` },
+      node);
     svg("text", { x: EDGE[0] - 6, y: y(v) + 4, "text-anchor": "end", class: "number" }, node, number(v));
   }
   const marks = data.drive.symbol === "φ" ? [0, 1, 2, 3, 4].map(k => from + k * (to - from) / 4) : [from, to];
@@ -50,6 +53,8 @@ export function curve() {
   $("curve-value").textContent = v === null ? "" : `${number(v)} ${data.units[name][state.lang]}`;
   $("curve").setAttribute("aria-label", `${name.replace(/[‖|]/g, "")}: ${number(low)} … ${number(high)}`);
 }
+/** What is drawn now, for who asks from outside. @type {() => { name: string, rows: (number | null)[] }} */
+export const curveOf = () => ({ name: $("curved").value, rows });
 export function curveNames() {
   $("curves").hidden = !NAMES.length || data.drive.from === data.drive.to;
   const chosen = $("curved").value || NAMES.find(n => /^‖v_[A-Z]\d*‖$/.test(n)) || NAMES[0];

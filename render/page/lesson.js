@@ -1,7 +1,7 @@
 // The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
 import { readAddress, writeAddress } from "./address.js";
 import { coloured } from "./colour.js";
-import { curve, curveNames } from "./curves.js";
+import { curve, curveNames, curveOf } from "./curves.js";
 import { desk } from "./desk.js";
 import { $, on } from "./dom.js";
 import { written } from "./equations.js";
@@ -99,6 +99,6 @@ draw();
 if (practice.seed) practice.toggle();
 else setTimeout(() => { live.scan(); zones(); later(); }, 60);
 globalThis.planes = { // by which a page is asked from outside
-  $, ACT_MS, KITS, TOOLS, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live, number, plain, plan,
-  planOf, practice, renewed, rested, scheme, spin, state, task, turn,
+  $, ACT_MS, KITS, TOOLS, curveOf, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live, number, plain,
+  plan, planOf, practice, renewed, rested, scheme, spin, state, task, turn,
 };
