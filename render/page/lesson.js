@@ -99,6 +99,6 @@ draw();
 if (practice.seed) practice.toggle();
 else setTimeout(() => { live.scan(); zones(); later(); }, 60);
 globalThis.planes = { // by which a page is asked from outside
-  $, ACT_MS, KITS, TOOLS, curveOf, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live, number, plain,
-  plan, planOf, practice, renewed, rested, scheme, spin, state, task, turn,
+  $, ACT_MS, KITS, TOOLS, curveOf, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live,
+  number, plain, plan, planOf, practice, renewed, rested, scheme, spin, state, task, turn,
 };

@@ -1,4 +1,4 @@
-"""A result's curve in the lesson: the numbers of the engine over the whole run, and a cursor where the driver stands."""
+"""A result's curve in the lesson: the engine's numbers over the whole run, a cursor where the driver stands."""
 
 from __future__ import annotations
 
@@ -14,8 +14,6 @@ from tests.helpers import ROOT
 from tests.helpers.browser import chromium, until
 from tests.helpers.lessons import lesson_written
 
-NAMES = {"omega_2": "omega_2", "‖v_C‖": "v_C", "M_1": "M_1"}
-
 
 def test_a_curve_has_the_numbers_of_a_cycle(tmp_path: Path) -> None:
     """Each place of the run, those that fail left out; the curve is drawn anew when a dimension changes."""
@@ -30,7 +28,7 @@ def test_a_curve_has_the_numbers_of_a_cycle(tmp_path: Path) -> None:
         page.goto(lesson_written(tmp_path, ROOT / "samples" / "six-link.yaml"))
         page.locator("#curves summary").click()
         for name, values in own.items():
-            page.locator("#curved").select_option(value=name)
+            page.select_option("#curved", value=name)
             until(page, f"curveOf().name === {name!r}")
             rows = [numpy.nan if v is None else v for v in page.evaluate("curveOf().rows")]
             numpy.testing.assert_allclose(rows, values, rtol=1e-6, atol=1e-9)
