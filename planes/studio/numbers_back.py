@@ -4,6 +4,7 @@ Which number of the text moves which number of the mechanism is found by trying:
 read again. So a length that an expression makes of parameters is reached through them.
 """
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 
@@ -21,6 +22,7 @@ from planes.words.units import mu_text
 
 STEP = 1e-3  # of itself: how much a number is changed to see what it moves
 ROUNDS, CLOSE = 8, 1e-9
+WRITTEN = 1e-4  # relative: nearer than this two numbers are one, as they are written
 DIGITS = 5  # that are written of what a hand has set
 NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?")
 PARTS = ("parameters", "frame", "links", "drive", "loads", "gravity", "vectors", "friction")
@@ -69,36 +71,45 @@ def _figures(text: str) -> list[NumberInText]:
     return found
 
 
+Slopes = Mapping[NumberInText, Mapping[str, float]]
+
+
 def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
-    """By Newton's steps in the numbers of the text that move what is wanted, and least besides."""
+    """One number after another, by Newton's steps in those of the text that move them; what an expression makes right
+    with another is right already."""
     home = home_of(edited.text)
-    wanted = {n: v for n, v in wanted.items() if n in home and abs(v - home[n]) > CLOSE * max(abs(v), abs(home[n]))}
-    if not wanted:
-        return edited
     figures = _figures(edited.text)
-    own = [f for f in figures if f.path[-1] in wanted or f.path[-1] in map(_said, wanted)]
-    for tried in (own, figures):
-        chosen = _chosen(edited, tried, home, [*wanted])
-        if chosen:
-            return _reached(edited, chosen, wanted)
-    raise PlanesError(Phrase("studio_no_number", names=", ".join(map(_said, wanted))))
+    wanted = {name: value for name, value in wanted.items() if name in home and _off(home[name], value) > CLOSE}
+    own = [f for f in figures if f.path[-1] in map(_said, wanted)]
+    slopes: dict[NumberInText, Mapping[str, float]] = {f: _moved(edited, f, home) for f in own}
+    chosen: dict[str, NumberInText] = {}
+    found = edited
+    for name, value in wanted.items():
+        now = home_of(found.text) if chosen else home
+        if _off(now.get(name, math.inf), value) <= WRITTEN:
+            continue
+        if not (able := _able(name, slopes, chosen)) and len(slopes) < len(figures):
+            slopes |= {f: _moved(edited, f, home) for f in figures if f not in slopes}
+            able = _able(name, slopes, chosen)
+        if not able:
+            raise PlanesError(Phrase("studio_no_number", names=_said(name)))
+        chosen[name] = min(able, key=lambda f: _rank(f, slopes[f], wanted))
+        found = _reached(edited, [*chosen.values()], {n: wanted[n] for n in chosen})
+    return found
 
 
-def _chosen(
-    edited: Edited, figures: Sequence[NumberInText], home: Mapping[str, float], names: Sequence[str]
-) -> list[NumberInText]:
-    """For each name a figure that moves it: those that move fewest others, the parameters first."""
-    slopes = {}
-    for figure in figures:
-        if moved := _moved(edited, figure, home):
-            slopes[figure] = moved
-    found: list[NumberInText] = []
-    for name in names:
-        able = [f for f in slopes if slopes[f].get(name) and f not in found]
-        # what is nothing stays so; then those that move fewest others
-        rank = {f: (not f.value, len(slopes[f].keys() - {*names}), f.path[0] != "parameters") for f in able}
-        found += sorted(able, key=rank.__getitem__)[:1]
-    return found if len(found) == len(names) else []
+def _off(one: float, other: float) -> float:
+    """How far one number is from another, of the larger; of angles and places about nothing, as it stands."""
+    return abs(one - other) / max(abs(one), abs(other), 1e-3)
+
+
+def _able(name: str, slopes: Slopes, chosen: Mapping[str, NumberInText]) -> list[NumberInText]:
+    return [f for f, moved in slopes.items() if moved.get(name) and f not in chosen.values()]
+
+
+def _rank(figure: NumberInText, moved: Mapping[str, float], wanted: Mapping[str, float]) -> tuple[bool, int, bool]:
+    """What is nothing stays so; then those that move fewest others, the parameters first."""
+    return not figure.value, len(moved.keys() - wanted.keys()), figure.path[0] != "parameters"
 
 
 def _moved(edited: Edited, figure: NumberInText, home: Mapping[str, float]) -> dict[str, float]:

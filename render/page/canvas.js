@@ -189,11 +189,28 @@ function alone() { // points that belong to nothing go
   const { sketch } = canvas, used = new Set([...sketch.fixed, ...Object.values(sketch.links).flatMap(l => l.points)]);
   for (const p of Object.keys(sketch.points)) if (!used.has(p)) delete sketch.points[p];
 }
+/** What hangs on one link alone keeps its place on it: it turns and grows with the link about its other joint.
+ * @type {(points: string[], point: string, was: Spot, now: Spot) => void} */
+function followed(points, point, [x, y], now) {
+  const { sketch } = canvas, held = Object.values(sketch.links).flatMap(l => l.points);
+  const joint = (/** @type {string} */ p) => sketch.fixed.includes(p) || held.filter(q => q === p).length > 1;
+  const pivot = points.find(p => p !== point && joint(p));
+  if (!pivot) return;
+  const [u, v] = sketch.points[pivot], long = (x - u) ** 2 + (y - v) ** 2;
+  if (!long) return;
+  const c = ((now[0] - u) * (x - u) + (now[1] - v) * (y - v)) / long;
+  const s = ((now[1] - v) * (x - u) - (now[0] - u) * (y - v)) / long;
+  for (const p of points) if (p !== point && !joint(p)) {
+    const [a, b] = sketch.points[p];
+    sketch.points[p] = [u + c * (a - u) - s * (b - v), v + s * (a - u) + c * (b - v)];
+  }
+}
 /** @type {(point: string, at: Spot) => void} */
 function shifted(point, at) { // a point, and all that would be bent by its going; what slides stays on its guide
   const { sketch } = canvas, guide = Object.values(sketch.links).find(l => l.slides && l.points[0] === point)?.slides;
   const own = guide && sketch.guides[guide].link === "0" ? onGuide(guide, at) : at;
   const was = sketch.points[point];
+  for (const l of Object.values(sketch.links)) if (l.points.includes(point)) followed(l.points, point, was, own);
   for (const g of Object.values(sketch.guides)) if (Math.hypot(g.at[0] - was[0], g.at[1] - was[1]) < 1e-9) g.at = own;
   sketch.points[point] = own;
 }

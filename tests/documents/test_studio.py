@@ -207,3 +207,21 @@ def test_without_an_engine_the_gallery_lives_and_a_text_says_what_it_needs(brows
         page.locator("[data-view=text]").click()
         page.evaluate("bench.take(bench.text + '# more')")
         until(page, "document.getElementById('state').textContent.length > 20")
+
+
+@pytest.mark.slow
+def test_another_browser_shows_the_same() -> None:
+    """Firefox: from the gallery to a dimension changed on the canvas."""
+    from tests.helpers.firefox import firefox
+
+    with served() as own, firefox() as window:
+        window.goto(own)
+        until(window, "document.querySelectorAll('[data-scene]').length > 5")
+        window.evaluate("document.querySelector('[data-scene=four-bar]').click()")
+        until(window, SEEN)
+        until(window, "engine.idle() && canvas.sketch.points.C ? true : false")
+        changed = "canvas.sketch.points.C[0] += 0.02, canvas.changed('move', true)"
+        window.evaluate(f"(async () => {{ {changed}; return 1; }})()")
+        until(window, "/l_OC: 0.42/.test(bench.text)")
+        until(window, f"Math.abs({INNER}.live.given['place_C.x'] - 0.42) < 1e-9")
+        assert not [e for e in window.errors if "127.0.0.1" not in e]

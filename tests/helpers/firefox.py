@@ -68,6 +68,10 @@ class Firefox:
         assert found["type"] == "success", found.get("exceptionDetails", {}).get("text")
         return json.loads(found["result"]["value"])
 
+    def wait_for_timeout(self, milliseconds: float) -> None:
+        """Let the page go on."""
+        self.evaluate(f"new Promise(done => setTimeout(() => done(1), {milliseconds}))")
+
     def close(self) -> None:
         """End the session."""
         self.line.close()

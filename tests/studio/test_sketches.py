@@ -16,12 +16,17 @@ from planes.words import langs
 from planes.words.errors import PlanesError
 from tests.sample_oracle import SAMPLES
 
-SCENES = [p for p in sorted(SAMPLES.rglob("*.yaml")) if "\nlinks:" in p.read_text("utf-8")]
+SCENES = [
+    p
+    for p in sorted(SAMPLES.rglob("*.yaml"))
+    if "\nlinks:" in p.read_text("utf-8") and p.stem != "three-basic-links"  # searched: seconds each time it is read
+]
+QUICK = [p for p in SCENES if not p.parent.name.startswith(("class", "mixtures"))]
 NEW = 3e-4  # m: as fine as a sketch is written, through the links of a group
 HARD = ("three-basic-links", "two-basic-links", "truss")  # whose assemblies move far with little
 
 
-@pytest.mark.few(20, slow=60)
+@pytest.mark.few(14, slow=24)
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: f"{p.parent.name}-{p.stem}")
 def test_a_sketch_is_written_as_the_scene_it_was_made_of(path: Path) -> None:
     """From nothing, or into the text it came from, which stays as it is to the last letter."""
@@ -36,8 +41,8 @@ def test_a_sketch_is_written_as_the_scene_it_was_made_of(path: Path) -> None:
     assert again["links"].keys() == sketch["links"].keys() and again["drive"] == sketch["drive"]
 
 
-@pytest.mark.few(12, slow=40)
-@pytest.mark.parametrize("path", SCENES, ids=lambda p: f"{p.parent.name}-{p.stem}")
+@pytest.mark.few(8, slow=16)
+@pytest.mark.parametrize("path", QUICK, ids=lambda p: f"{p.parent.name}-{p.stem}")
 def test_a_number_a_hand_sets_is_that_of_the_text(path: Path) -> None:
     """One number after another, three of each scene: the text says it, and the scene has it."""
     text, draw = path.read_text("utf-8"), random.Random(path.stem)
