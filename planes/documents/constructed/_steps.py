@@ -9,7 +9,7 @@ from planes.drafting.steps import crossings as c
 from planes.drafting.steps import reckoning as r
 from planes.drafting.steps.laws import ByStroke
 from planes.words.names import POLE, at, plan_of
-from render.files.ggb import HIDDEN, PALE, GeogebraFile, Aspect
+from render.files.ggb import HIDDEN, PALE, Aspect, GeogebraFile
 
 STILL = "1E-12"  # of the largest vector: less is nothing
 Labels = dict[str, str]

@@ -7,7 +7,7 @@ from planes.documents.constructed._numbers import GivenNumbers
 from planes.documents.constructed._steps import Labels, Translator
 from planes.words import say
 from planes.words.names import POLE, aimed, given_of, label_of, letter_of, links_of, parts_of, plan_of
-from render.files.ggb import BLUE, HIDDEN, INK, RED, GeogebraFile, Aspect
+from render.files.ggb import BLUE, HIDDEN, INK, RED, Aspect, GeogebraFile
 
 HEADS = {"position": "P", "velocity": "V", "acceleration": "A", "motion": "V", "lever": "L"}
 GREEK = {"omega": "ω", "epsilon": "ε", "mu": "μ", "angle": "α", "phi": "φ", "": "n"}
