@@ -43,6 +43,7 @@ CYCLE = [
     ["--show", "v_B"],
     ["--hodograph", "v_B"],
     ["--path", "B"],
+    ["--film"],
     ["--listing"],
     ["--graphical"],
     ["--pole", "30"],
