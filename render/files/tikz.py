@@ -4,8 +4,19 @@ import re
 from collections.abc import Iterable
 
 GREEK = {
-    "α": "alpha", "β": "beta", "ε": "varepsilon", "λ": "lambda", "μ": "mu", "π": "pi", "ρ": "rho", "τ": "tau",
-    "φ": "varphi", "ψ": "psi", "ω": "omega", "Φ": "Phi", "Ω": "Omega",
+    "α": "alpha",
+    "β": "beta",
+    "ε": "varepsilon",
+    "λ": "lambda",
+    "μ": "mu",
+    "π": "pi",
+    "ρ": "rho",
+    "τ": "tau",
+    "φ": "varphi",
+    "ψ": "psi",
+    "ω": "omega",
+    "Φ": "Phi",
+    "Ω": "Omega",
 }
 SIGNS = {"′": "'", "·": r"\cdot ", "−": "-", "°": r"^{\circ}", "⊥": r"\perp ", "∥": r"\parallel "}
 SPECIAL = {c: f"\\{c}" for c in "&%$#_{}"} | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\^{}"}

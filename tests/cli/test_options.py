@@ -196,6 +196,7 @@ DRAWN = {
     "colour": "true",
     "values": "true",
     "frame": "iso",
+    "studio": "https://planes.example.org/",
 }
 OF_SHEET_1 = ("positions", "diagrams", "hodographs")
 
