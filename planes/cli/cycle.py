@@ -28,7 +28,7 @@ def cycle(args: Namespace) -> int:
     scene = driven_otherwise(scene, args.omega, args.epsilon)
     answer = _answer(args, span)
     check_options(args, "cycle", answer)
-    check_needs(args, ["pole"])
+    check_needs(args, ["pole", "film"])
     match answer:
         case "table" | "curves":
             return _table(args, scene, span)
@@ -45,7 +45,7 @@ def cycle(args: Namespace) -> int:
 
 def _answer(args: Namespace, span: Span | None) -> str:
     """Which of the answers is asked for."""
-    if args.output and Path(args.output).suffix.lower() in FILMS:
+    if args.film or (args.output and Path(args.output).suffix.lower() in FILMS):
         return "film"
     if args.output and Path(args.output).suffix.lower() not in PICTURES:
         return "curves" if args.show is not None else "table"

@@ -66,6 +66,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--show", "cycle_show", {"metavar": "NAMES"}),
         ("--hodograph", "hodograph", {"metavar": "NAMES"}),
         ("--path", "path", {"metavar": "POINTS"}),
+        ("--film", "film", FLAG),
         ("--listing", "listing", FLAG),
         ("--graphical", "graphical", {"metavar": "N", "type": int, "nargs": "?", "const": 12}),
         ("--pole", "pole_distance", REAL | {"metavar": "H"}),
@@ -134,7 +135,7 @@ TAKES: Mapping[str, Mapping[str, str]] = {
         "table": "phi s omega epsilon errors plain",
         "curves": "phi s show omega epsilon plain",
         "picture": "phi s show hodograph path omega epsilon",
-        "film": "omega epsilon",
+        "film": "film omega epsilon",
         "graphical": "graphical pole omega json",
         "graphical_picture": "graphical pole omega",
     },
@@ -147,7 +148,7 @@ TAKES: Mapping[str, Mapping[str, str]] = {
 }
 """Of each command its answers, with the options each of them heeds; the others are those of every answer."""
 
-NEEDS = {"seed": "pencil", "pole": "graphical", "phi": "sheet"}
+NEEDS = {"seed": "pencil", "pole": "graphical", "phi": "sheet", "film": "output"}
 """Options that change nothing without another one."""
 
 FLAGS = {"others": "with"}

@@ -16,34 +16,15 @@ from planes.plans.force.derived import unit_of_value
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
-from planes.scene.reader import entries_of
-from planes.scene.source import Node, SourceScalar, SourceTable
-from planes.scene.source import parse as parse_text
+from planes.scene.source import Node, SourceScalar
 from planes.scene.vectors import Statement
-from planes.scene.writing import written
+from planes.scene.writing import own_scene
 from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
 from planes.words.records import Json
 from planes.words.units import RATE_UNITS
-
-
-def own_scene(text: str, file: str, variant: str | None, numbers: Mapping[str, str], sheet: Mapping[str, Node]) -> str:
-    """The scene with the numbers of a variant, then ``numbers``, in its parameters; ``sheet`` joins its own."""
-    table = parse_text(text, file)
-    entries = dict(table.entries)
-    variants = entries.pop("variants", None)
-    if isinstance(parameters := entries.get("parameters"), SourceTable):
-        more = entries_of(entries_of(variants).get(variant or ""))
-        drawn = {name: SourceScalar(value, 0) for name, value in numbers.items()}
-        entries["parameters"] = SourceTable({**parameters.entries, **more, **drawn}, 0)
-    if numbers:  # its scales were chosen for its own
-        entries.pop("plans", None)
-    if sheet:
-        entries["sheet"] = SourceTable({**entries_of(entries.get("sheet")), **sheet}, 0)
-    return written(entries)
-
 
 FILE = "scene.yaml"
 

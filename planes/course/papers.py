@@ -18,7 +18,7 @@ from planes.scene import Scene
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vectors import AlongVector, Statement
 from planes.solving import Position, told
-from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
+from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph, StudioCode
 from planes.solving.given import GivenTable
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanFailure, SceneError
@@ -40,9 +40,13 @@ def task(scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], l
     if drawn.plans.moves:
         yield Figure(DrawnViews(scene, shown, (("scheme",),)), say("task_scheme", lang))
     yield given(scene, drawn, lang)
-    if not drawn.plans.moves:
-        yield from stated(scene, drawn, lang)
-        return
+    yield from _asked_for(scene, drawn, lang) if drawn.plans.moves else stated(scene, drawn, lang)
+    if scene.sheet.get("studio"):
+        yield Figure(StudioCode(scene), say("studio_code", lang))
+
+
+def _asked_for(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
+    """What a mechanism is given by in words, and what is to be done."""
     if said := said_of(scene, drawn, lang):
         yield Heading(say("task_conditions", lang))
         yield Paragraph(said)

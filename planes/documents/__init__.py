@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from planes.check.grading.by_hand import unsure
-from planes.documents import ours  # noqa: F401  (ours, before anything of render)
+from planes.documents import constructed, ours  # noqa: F401  (ours, before anything of render)
 from planes.documents.graphs import constructions, views_beside
 from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
@@ -50,8 +50,13 @@ def draw_sheet(
     view alone, without a frame. ``text`` "pieces" writes the indices of a DXF as texts of their own, "strokes" draws
     its letters by lines.
     """
-    if Path(output).suffix.lower() not in SUFFIXES:
-        raise PlanesError(Phrase("bad_suffix", file=output, known=SUFFIXES))
+    suffix, others = Path(output).suffix.lower(), constructed.suffixes()
+    if suffix not in (*SUFFIXES, *others):
+        raise PlanesError(Phrase("bad_suffix", file=output, known=(*SUFFIXES, *others)))
+    if suffix in others:
+        if number:
+            raise PlanesError(Phrase("constructed_sheet", file=output, known=SUFFIXES))
+        return constructed.draw_constructed(scene, view, values, output, lang)
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     drawn.write(output, text)
     return (*drawn.warnings, *(_by_hand(scene, values, lang) if view is None and number != 2 else ()))

@@ -24,12 +24,13 @@ from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of, parted
 from planes.words.naming import Naming
 from planes.words.units import mu_text
-from render.files import Page
+from render.files import Page, pdf
 from render.page import check_pages
 from render.paper.letters import decimal
 from render.paper.marks import Mark
 from render.paper.photo import Photo
 from render.sheet import blank_sheet, check_sheet
+from render.sheet.studio_code import back
 
 KINDS = (".svg", ".pdf", ".png")
 
@@ -37,6 +38,10 @@ KINDS = (".svg", ".pdf", ".png")
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     """A sheet to draw a plan on, as PDF, SVG, PNG or DXF."""
     marks, title = blank_marks(asked, lang)
+    reverse = back(asked.scene, SHEET_MM, lang)
+    if reverse and Path(output).suffix.lower() == ".pdf":
+        keep(pdf.write_pages([(marks, SHEET_MM), (reverse, SHEET_MM)], title, lang), output)
+        return
     _write(Page(tuple(marks), SHEET_MM, title, lang), output, (*KINDS, ".dxf"))
 
 

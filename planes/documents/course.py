@@ -38,6 +38,7 @@ from render.paper.letters import NAME
 from render.report import rendered
 from render.sheet import Sheet
 from render.sheet.composer import Composer
+from render.sheet.studio_code import back
 
 FIGURE_MM = (75.0, 60.0, 45.0, 36.0)
 """Sizes of the scheme on a task: the largest that leaves room for the rest of the page is taken."""
@@ -164,8 +165,9 @@ class Desk:
         lang, (scene, variant, student) = self.order.lang, self.order.whose
         asked = [(Asked(self.scene, plan), SheetMark(scene, variant, student, plan)) for plan in plans]
         pages = [blank_marks(one, lang, self.order.heads[-1], mark=mark) for one, mark in asked]
-        title = pages[0][1] if pages else ""
-        return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, lang)
+        title, reverse = pages[0][1] if pages else "", back(self.scene, SHEET_MM, lang)
+        sides = [marks for marks, _ in pages for marks in (marks, reverse) if marks]
+        return pdf.write_pages([(marks, SHEET_MM) for marks in sides], title, lang)
 
     def lesson(self) -> bytes:
         """The lesson's page."""

@@ -35,6 +35,8 @@ from render.sheet.force_sheet import ForceSheet
 from render.sheet.frame import form_of
 from render.sheet.project import Project
 from render.sheet.sizes import LOADED, Sizes
+from render.sheet.studio_code import code_view
+from render.views import View
 from render.views.diagrams import SECTIONS, DiagramCurve, section_mm
 from render.views.many import Numbered, PlacedMechanism
 
@@ -55,14 +57,15 @@ def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: 
 
     def views(sizes: Sizes, letter: float, together: Together) -> Held:
         now = drawn.at(sizes)
-        return composer.views(now, letter, together), [v for v in (composer.moments(now, letter),) if v]
+        shown = [*composer.views(now, letter, together), *opened(scene, composer.lang)]
+        return shown, [v for v in (composer.moments(now, letter),) if v]
 
     return compose(scene, Contents(views, free=drawn.free), lang)
 
 
 def _numbered(drawn: "DrawnPosition", composer: Composer, number: int) -> Sheet:
     """Sheet 1 or 2 of a course project."""
-    scene, project, forces = drawn.scene, Project(composer), ForceSheet(composer)
+    scene, project, forces, lang = drawn.scene, Project(composer), ForceSheet(composer), composer.lang
     if number == 1:
         turned = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions", True)))
         project = replace(turned, reduced=cache(drawn.reduced))
@@ -70,7 +73,7 @@ def _numbered(drawn: "DrawnPosition", composer: Composer, number: int) -> Sheet:
     def views(sizes: Sizes, letter: float, together: Together) -> Held:
         if number == 2:
             return forces.views(drawn.at(sizes), drawn.grown(sizes), letter), []
-        return project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), []
+        return [*project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), *opened(scene, lang)], []
 
     def extents(sizes: Sizes) -> dict[str, float]:
         """What may grow: the diagrams."""
@@ -80,6 +83,11 @@ def _numbered(drawn: "DrawnPosition", composer: Composer, number: int) -> Sheet:
         return compose(scene, Contents(views, extents, free=drawn.free), composer.lang, number)
     held = Contents(views, drawn.extents, free=drawn.free, together=(Together(),))
     return compose(scene, held, composer.lang, number)
+
+
+def opened(scene: Scene, lang: Lang) -> list[View]:
+    """The code that opens the scene in a studio, where it names one."""
+    return [v for v in (code_view(scene, lang),) if v]
 
 
 @frozen

@@ -38,8 +38,19 @@ MADE = {
     "html": "text/html",
     "docx": "application/vnd.openxmlformats-officedocument.wordprocessingml.document",
     "csv": "text/csv",
+    "ggb": "application/vnd.geogebra.file",
+    "tex": "application/x-tex",
 }
-COMMANDS = ("sheet", "lesson", "note", "blank", "cycle")
+COMMANDS = {
+    "sheet": ("sheet",),
+    "plan": ("sheet",),
+    "lesson": ("lesson",),
+    "note": ("note",),
+    "blank": ("blank", "--plan", "velocity"),
+    "cycle": ("cycle",),
+    "turn": ("cycle", "--film"),
+}
+"""Of each file that may be asked for its command."""
 KINDS = {"html": "text/html", "js": "text/javascript", "json": "application/json"}
 SAFE = {
     "X-Content-Type-Options": "nosniff",
@@ -140,8 +151,8 @@ class StudioServer:
         command, _, suffix = str((message or {}).get("file", "")).partition(".")
         if message is None or command not in COMMANDS or suffix not in MADE:
             return self.refused("studio_bad_message", 400)
-        extra = ("--plan", "velocity") if command == "blank" else ()
-        made = await self.made(message, [command, "scene.yaml", *extra, "-o", f"made.{suffix}"], f"made.{suffix}")
+        verb, *extra = COMMANDS[command]
+        made = await self.made(message, [verb, "scene.yaml", *extra, "-o", f"made.{suffix}"], f"made.{suffix}")
         return made if isinstance(made, Response) else Response(made, media_type=MADE[suffix])
 
     async def check(self, request: Request) -> Response:

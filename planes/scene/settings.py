@@ -16,7 +16,7 @@ title number designation group student teacher checked approved department unive
 scale_note mass reactions mu_convention font lettering format positions date sheet sheets tech role person
 teacher_date tech_date person_date checked_date approved_date revisions inventory inventory_accepted replaces
 duplicate duplicate_accepted reference first_use copied diagrams hodographs colour frame
-document_type values
+document_type values studio
 """
 SHEET_KEYS = tuple(_KEYS.split())
 _ESKD = """
@@ -44,6 +44,7 @@ _REVISIONS = ("change", "sheet", "document", "sign", "date")  # columns of graph
 MOST_REVISIONS = 4
 MOST_LETTERS = 3  # of graph 4
 _NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
+_ADDRESS = re.compile(r"https?://[!-\"$-~]{1,300}")
 _FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
 
 
@@ -151,6 +152,8 @@ def _setting(reader: Reader, key: str, node: Node) -> object:
         return _listed(reader, key, Items([SourceScalar(word, node.line) for word in text.split()], node.line))
     if key == "format":  # in Latin or Russian letters
         node = SourceScalar(text if text == "auto" else text.strip().upper().translate(_FORMAT_LETTERS), node.line)
+    if key == "studio" and not _ADDRESS.fullmatch(text):
+        raise reader.error(Phrase("bad_studio", address=shown(text)), node)
     if key in SHEET_WORDS:
         word = reader.word(node, what, SHEET_WORDS[key])
         return word != "false" if key in ("positions", *YES_OR_NO) else word

@@ -1,12 +1,13 @@
 """A scene written back as the file that says it: the same mechanism when it is read again."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from contextlib import suppress
 
 import yaml
 
 from planes.scene.mechanism import FRAME, RATES, Amount, Drive, Guide, Link, Load, LoadLaw, Mechanism, Slide, StrokeLoad
-from planes.scene.source import Items, SourceScalar, SourceTable
+from planes.scene.reader import entries_of
+from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse
 from planes.words.records import Json
 
 
@@ -31,6 +32,33 @@ def as_yaml(mechanism: Mechanism, words: Mapping[str, object], asked: Mapping[st
 def written(parts: Mapping[str, object]) -> str:
     """The text of a file with these parts, each as it was written if it was kept so."""
     return "".join(_dumped(key, _as_written(value)) for key, value in parts.items())
+
+
+def own_scene(
+    text: str,
+    file: str,
+    variant: str | None,
+    numbers: Mapping[str, str],
+    sheet: Mapping[str, Node],
+    without: Container[str] = (),
+) -> str:
+    """The scene with the numbers of a variant, then ``numbers``, in its parameters; ``sheet`` joins its own, but for
+    keys it is to be ``without``."""
+    entries = dict(parse(text, file).entries)
+    variants = entries.pop("variants", None)
+    if isinstance(parameters := entries.get("parameters"), SourceTable):
+        more = entries_of(entries_of(variants).get(variant or ""))
+        drawn = {name: SourceScalar(value, 0) for name, value in numbers.items()}
+        entries["parameters"] = SourceTable({**parameters.entries, **more, **drawn}, 0)
+    if numbers:  # its scales were chosen for its own
+        entries.pop("plans", None)
+    if sheet:
+        entries["sheet"] = SourceTable({**entries_of(entries.get("sheet")), **sheet}, 0)
+    if kept := {key: node for key, node in entries_of(entries.get("sheet")).items() if key not in without}:
+        entries["sheet"] = SourceTable(kept, 0)
+    else:
+        entries.pop("sheet", None)
+    return written(entries)
 
 
 def _dumped(key: str, value: object) -> str:

@@ -76,6 +76,13 @@ class Chart:
 
 
 @frozen
+class StudioCode:
+    """The square code that opens a scene in the studio it names."""
+
+    scene: Scene
+
+
+@frozen
 class DrawnViews:
     """Views of one position, side by side where they fit, those of one tuple beneath each other.
 
@@ -111,7 +118,7 @@ class ShaftSketch:
 class Figure:
     """A chart, drawn views or a sketch, with what stands beneath."""
 
-    of: Chart | DrawnViews | ShaftSketch
+    of: Chart | DrawnViews | ShaftSketch | StudioCode
     caption: str = ""
 
 

@@ -4,7 +4,10 @@ import { way } from "./carrier.js";
 import { $, on, safe } from "./dom.js";
 
 const FILES = ["sheet.pdf", "sheet.svg", "sheet.dxf", "sheet.png", "lesson.html", "note.pdf", "note.docx", "blank.pdf",
-  "cycle.csv"];
+  "cycle.csv", "turn.svg", "plan.ggb", "plan.tex"];
+const OF_MOTION = ["cycle.csv", "turn.svg"];
+/** Commands that are not called as their files are. @type {Record<string, string>} */
+const COMMANDS = { turn: "cycle --film", plan: "sheet", blank: "blank --plan velocity" };
 
 /** @type {(name: string, data: BlobPart, kind: string) => void} */
 function download(name, data, kind) {
@@ -16,7 +19,7 @@ function download(name, data, kind) {
 }
 /** @type {(data: LessonData) => void} */
 export function offered(data) {
-  const own = data.moves ? FILES : FILES.filter(file => file !== "cycle.csv");
+  const own = data.moves ? FILES : FILES.filter(file => !OF_MOTION.includes(file));
   /** @type {(file: string) => string} */
   const named = file => safe(`${say(`file_${file.split(".")[0]}`)}, ${file.split(".")[1].toUpperCase()}`);
   $("files").innerHTML = `<button type="button" data-file="yaml">scene.yaml</button>` + own.map(file =>
@@ -29,7 +32,8 @@ on($("files"), "click", async e => {
   const file = e.target.dataset.file;
   if (!file) return;
   if (file === "yaml") { download("scene.yaml", bench.text, "text/yaml"); return; }
-  const command = `planes ${file.split(".")[0]} scene.yaml -o ${file}`;
+  const [verb, ...options] = (COMMANDS[file.split(".")[0]] ?? file.split(".")[0]).split(" ");
+  const command = ["planes", verb, "scene.yaml", ...options, "-o", file].join(" ");
   if (!way.native) { $("state").textContent = `${say("by_command")} ${command}`; return; }
   $("state").textContent = say("making");
   const found = await fetch("file", { method: "POST", headers: { "Content-Type": "application/json" },

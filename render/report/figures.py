@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from planes.plans.assur.alignment import aligned
-from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
+from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch, StudioCode
 from planes.words import Lang
 from planes.words.names import links_of
 from render import charts
@@ -18,6 +18,7 @@ from render.files.pdf import POINTS_PER_MM, draw_marks, png_of
 from render.report.shaft import shaft_view
 from render.sheet.composer import Composer
 from render.sheet.force_sheet import ForceSheet
+from render.sheet.studio_code import ON_TASK_MM, code_view
 from render.views import View, beside, stacked, view
 from render.views.alignment import alignment_view
 from render.views.instant_centre import instant_centre
@@ -86,6 +87,9 @@ class Studio:
         match figure.of:
             case Chart() as chart:
                 return [charts.chart(chart, WIDTH_MM, self.lang)], figure.caption
+            case StudioCode(scene):
+                code = code_view(scene, self.lang, ON_TASK_MM)
+                return [_row([replace(code, title="")])] if code else [], figure.caption
             case ShaftSketch() as shaft:
                 return [_row([shaft_view(shaft)])], figure.caption
             case DrawnViews() as drawn:

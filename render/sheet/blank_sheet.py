@@ -32,7 +32,7 @@ def blank(
     w, h = size_mm
     out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
     for centre, cells, side in squares:
-        out += _square(centre, cells, side)
+        out += printed_square(centre, cells, side)
     letter, at = pole
     out += [Line((at - d, at + d), "thin", "plan") for d in (2 + 0j, 2j)]
     out.append(Text(letter, at + complex(-5, -6), PLAN_MM, name=letter))
@@ -69,7 +69,7 @@ def _ruler(low: complex, size: str) -> list[Mark]:
     return [*(Line(line, "thin", "plan") for line in lines), text]
 
 
-def _square(centre: complex, cells: Sequence[Sequence[bool]], side: float) -> list[Mark]:
+def printed_square(centre: complex, cells: Sequence[Sequence[bool]], side: float) -> list[Mark]:
     """A corner mark as runs of black cells."""
     step = side / len(cells)
     corner = centre + complex(-side, side) / 2

@@ -43,6 +43,7 @@ CYCLE = [
     ["--show", "v_B"],
     ["--hodograph", "v_B"],
     ["--path", "B"],
+    ["--film"],
     ["--listing"],
     ["--graphical"],
     ["--pole", "30"],
@@ -195,6 +196,7 @@ DRAWN = {
     "colour": "true",
     "values": "true",
     "frame": "iso",
+    "studio": "https://planes.example.org/",
 }
 OF_SHEET_1 = ("positions", "diagrams", "hodographs")
 

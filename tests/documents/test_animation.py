@@ -53,6 +53,16 @@ def test_a_driver_that_only_swings_goes_there_and_back(tmp_path: Path) -> None:
     assert all(math.isclose(b - a, 1 / 6, abs_tol=1e-5) for a, b in pairwise(starts))
 
 
+@pytest.mark.slow
+def test_the_command_writes_a_moving_svg(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "turn.svg"
+    assert main(["cycle", str(FOUR_BAR), "--film", "-o", str(file), "--lang", "en"]) == 0
+    text = file.read_text("utf-8")
+    assert text.count("<animate ") == 60 and "<script" not in text and text.count("</svg>") == 1
+    assert main(["cycle", str(FOUR_BAR), "--film", "--lang", "en"]) == 2
+    assert "--film changes nothing without --output" in capsys.readouterr().err
+
+
 def test_a_film_opens(tmp_path: Path) -> None:
     cv2 = pytest.importorskip("cv2")
     file = tmp_path / "turn.mp4"

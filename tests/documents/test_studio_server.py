@@ -92,6 +92,9 @@ def test_files_are_those_of_the_command_line(door: Door) -> None:
         "note.docx": b"PK",
         "lesson.html": b"<!doctype",
         "cycle.csv": b"\xef",
+        "plan.ggb": b"PK",
+        "plan.tex": b"% !TeX",
+        "turn.svg": b"<?xml",
     }
     for file, first in begin.items():
         status, _, data = door.ask("POST", "/file", {"text": SIX, "lang": "en", "file": file})

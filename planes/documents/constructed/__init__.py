@@ -1,0 +1,151 @@
+"""A plan as a construction that goes on living elsewhere: the steps of its program in another program's own words.
+
+A module of this folder is a format, named as the suffix of its file is: it has ``written``, and is found here.
+"""
+
+import pkgutil
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+from importlib import import_module
+from pathlib import Path
+
+from planes.documents.sheets import DrawnPosition
+from planes.drafting.program import Program
+from planes.plans import Plans
+from planes.scene import Scene
+from planes.scene.files import keep
+from planes.solving import Position
+from planes.words import Lang, Phrase
+from planes.words.errors import PlanesError
+from planes.words.frozen import frozen, replace
+from planes.words.names import POLE, at, kind_of, label_of, mu_of, plan_of
+from planes.words.naming import Naming
+from render.sheet.composer import Composer, drawn_plans
+from render.sheet.single import name_of_view
+from render.sheet.sizes import Sizes
+from render.views.plotted import of_position
+
+SCHEME = "position"
+GAP_MM = 30.0  # between a figure and the next
+
+
+@frozen
+class Stretch:
+    """A vector of a plan, or a side of a link: the marks it runs between, and what it is called."""
+
+    start: str
+    end: str
+    text: str = ""
+
+
+@frozen
+class LiveFigure:
+    """What is shown: the scheme, if there is one, and some plans of a position, side by side."""
+
+    position: Position
+    plans: tuple[str, ...]
+    naming: Naming
+    titles: tuple[str, ...]
+    title: str
+    lang: Lang
+
+    @property
+    def stated(self) -> Plans:
+        """The plans as they are stated."""
+        return self.position.plans
+
+    @cached_property
+    def marks(self) -> list[str]:
+        """The marks that are shown, by their full names."""
+        made = [s for s in self.stated.program.steps if s.kind == "mark" and s.makes in self.position.drawing]
+        shown = {at(s.plan, label) for s in self.stated.segments for label in (s.start, s.end)}
+        own = (s.makes for s in made if s.makes in shown or not (s.loose or s.helper))
+        return [name for name in own if plan_of(name) in self.plans and name not in self.stated.program.trials]
+
+    @cached_property
+    def program(self) -> Program:
+        """The steps that lead to them."""
+        return Program(self.stated.program.sliced(self.marks).steps)
+
+    def place(self, mark: str) -> complex:
+        """Where a mark stands on its plan, mm from the pole."""
+        return complex(self.position.drawing[mark])
+
+    @cached_property
+    def poles(self) -> dict[str, complex]:
+        """Where the pole of each plan, or the origin of the scheme, lies on the whole picture."""
+        found, right = {}, 0.0
+        for k, plan in enumerate(self.plans):
+            xs = [self.place(m).real for m in self.marks if plan_of(m) == plan]
+            found[plan] = complex(right + GAP_MM - min(0.0, *xs) if k else 0.0)
+            right = found[plan].real + max(0.0, *xs)
+        return {**found, **{p: 0j for p in map(plan_of, self.program.made) if p not in found}}
+
+    def at(self, mark: str) -> complex:
+        """Where a mark stands on the whole picture."""
+        return self.poles[plan_of(mark)] + self.place(mark)
+
+    def text(self, mark: str) -> str:
+        """What a sheet writes at a mark, "" of one whose vectors are named instead."""
+        plan, label = plan_of(mark), label_of(mark)
+        if plan == SCHEME:
+            return "" if label == POLE else self.naming.point(label)
+        return self.naming.mark(label, plan) if kind_of(plan) != "force" else ""
+
+    @cached_property
+    def shafts(self) -> list[Stretch]:
+        """The vectors of the plans, each once."""
+        found: dict[tuple[str, str], str] = {}
+        for s in (s for plan in self.plans for s in self.stated.segments_of.get(plan, ())):
+            ends = at(s.plan, s.start), at(s.plan, s.end)
+            if s.start != s.end and {*ends} <= {*self.marks}:
+                found.setdefault(ends, self.naming.vector(s.name))
+        return [Stretch(*ends, text) for ends, text in found.items()]
+
+    @cached_property
+    def bars(self) -> list[Stretch]:
+        """The links of the scheme: the sides of each."""
+        return [*self._bars()] if SCHEME in self.plans else []
+
+    def _bars(self) -> Iterator[Stretch]:
+        for link in self.stated.mechanism.links.values():
+            own = [m for p in self.stated.mechanism.joined(link) if (m := at(SCHEME, p)) in self.marks]
+            sides = list(zip(own, [*own[1:], *own[:1]] if len(own) > 2 else own[1:], strict=False))
+            yield from (Stretch(*side) for side in sides)
+
+    @property
+    def scale_names(self) -> frozenset[str]:
+        """The names of the scales μ."""
+        return frozenset(map(mu_of, self.stated.drawn)) | {mu_of(SCHEME)}
+
+
+def suffixes() -> tuple[str, ...]:
+    """The suffixes of the formats there are."""
+    return tuple(f".{m.name}" for m in pkgutil.iter_modules(__path__) if m.name[0] != "_")
+
+
+def figure_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> LiveFigure:
+    """The scheme with the plan that a view names, or with all."""
+    drawn = DrawnPosition(replace(scene, find=None), values, lang)
+    position, composer = drawn.at(Sizes()), Composer(scene, lang, drawn.stated[0])
+    scheme = (SCHEME,) if position.plans.moves else ()
+    plotted = of_position(position)
+    known = {name_of_view(p): p for p in drawn_plans(plotted, position)} | dict.fromkeys(scheme, SCHEME)
+    if view and view not in known:
+        raise PlanesError(Phrase("bad_view", view=view, known=tuple(known)))
+    wanted = [known[view]] if view else [p for p in known.values() if p != SCHEME]
+    plans = (*scheme, *(p for p in wanted if p != SCHEME))
+    names = {p: f"{composer.plan_name(p)}, {composer.mu(plotted, p)}" for p in plans if p != SCHEME}
+    titles = tuple(names.get(p) or composer.titled(position, "scheme") for p in plans)
+    return LiveFigure(position, plans, composer.naming, titles, scene.title.get(lang, ""), lang)
+
+
+def draw_constructed(
+    scene: Scene, view: str | None, values: Iterable[float] | None, output: str, lang: Lang
+) -> tuple[str, ...]:
+    """Write the construction into a file of its format; a sentence for each thing that must be said of it."""
+    suffix = Path(output).suffix.lower()
+    format_ = import_module(f"{__name__}.{suffix[1:]}")
+    data, said = format_.written(figure_of(scene, view, values, lang))
+    keep(data, output)
+    return tuple(said)

@@ -1,0 +1,79 @@
+"""A link that opens a scene in a studio, and the QR code of it: the scene's text stands in the address, after the #.
+
+What a browser does to read it is in ``render/page/share.js``: raw deflate, then base64 in the letters of addresses.
+"""
+
+import base64
+import binascii
+import zlib
+
+from planes.scene import Scene
+from planes.scene.writing import own_scene
+from planes.words import Phrase
+from planes.words.errors import SceneError
+
+RAW = -15  # deflate without a head
+LEAST_MM, RIM = 0.33, 4  # of a module that a telephone reads off paper; modules of white around a code
+MOST_TEXT = 1_000_000
+Cells = list[list[bool]]
+
+
+def pressed(text: str) -> str:
+    """A text in the letters of a link."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, RAW)
+    data = packer.compress(text.encode()) + packer.flush()
+    return base64.urlsafe_b64encode(data).decode().rstrip("=")
+
+
+def unpressed(letters: str) -> str:
+    """The text again. :class:`ValueError` of letters that are no text."""
+    try:
+        data = base64.b64decode(letters + "=" * (-len(letters) % 4), b"-_", validate=True)
+        reader = zlib.decompressobj(RAW)
+        text = reader.decompress(data, MOST_TEXT).decode()
+    except (binascii.Error, zlib.error) as error:
+        raise ValueError(str(error)) from None
+    if not reader.eof:
+        raise ValueError(letters)
+    return text
+
+
+def scene_text(scene: Scene) -> str:
+    """The scene as its file says it, without remarks, with the numbers of its variant in, and without the address."""
+    changed = {name: repr(value) for name, value in scene.reading.changed.items()}
+    return own_scene(scene.reading.source, scene.file, scene.variant, changed, {}, without=("studio",))
+
+
+def link(scene: Scene) -> str:
+    """The address that opens it; "" where the scene names no studio."""
+    address = str(scene.sheet.get("studio", ""))
+    return f"{address}#s={pressed(scene_text(scene))}" if address and scene.reading.source else ""
+
+
+def cells(scene: Scene) -> Cells:
+    """Black cells of the code of its link, the top row first; none where it names no studio.
+
+    :class:`SceneError` where no code holds it.
+    """
+    import segno
+
+    if not (text := link(scene)):
+        return []
+    try:
+        code = segno.make_qr(text, error="l", boost_error=False)
+    except segno.DataOverflowError:
+        raise _refused(scene, "code_long", letters=len(text)) from None
+    return [[bool(cell) for cell in row] for row in code.matrix]
+
+
+def module_mm(scene: Scene, count: int, room_mm: float, best_mm: float) -> float:
+    """How large a module of a code of so many is, no larger than the best. :class:`SceneError` where it is too fine."""
+    size = min(best_mm, room_mm / (count + 2 * RIM))
+    if size < LEAST_MM:
+        needed = round(LEAST_MM * (count + 2 * RIM))
+        raise _refused(scene, "code_fine", count=count, room=round(room_mm), needed=needed)
+    return size
+
+
+def _refused(scene: Scene, key: str, **parts: object) -> SceneError:
+    return SceneError(Phrase(key, **parts), scene.file, scene.where.get(("sheet", "studio")))

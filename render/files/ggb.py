@@ -1,0 +1,108 @@
+"""A construction -> a .ggb file of GeoGebra: a zip with geogebra.xml, where every thing is a command or a formula."""
+
+import io
+import zipfile
+from collections.abc import Sequence
+from typing import Literal
+from xml.etree import ElementTree as xml
+
+from planes.words.frozen import frozen
+
+Kind = Literal["numeric", "point", "vector", "line", "conic", "segment", "text"]
+EPOCH = (1980, 1, 1, 0, 0, 0)
+SIZE_PX, PX_PER_MM = (1400, 800), 3.0
+INK, PALE, BLUE, RED = (0, 0, 0), (150, 150, 150), (20, 60, 160), (180, 30, 30)
+
+
+@frozen
+class Aspect:
+    """How a thing is shown: with which caption, colour, and how thick; one without a colour is there and not seen."""
+
+    colour: tuple[int, int, int] | None = None
+    caption: str = ""
+    thick: int = 3
+    dashed: bool = False
+
+
+HIDDEN = Aspect()
+
+
+class GeogebraFile:
+    """A construction in the making, in the order of its steps."""
+
+    def __init__(self, title: str, corner: complex) -> None:
+        self.root = xml.Element("geogebra", format="5.0", version="5.2.850.0", app="classic", platform="w")
+        view = xml.SubElement(self.root, "euclidianView")
+        xml.SubElement(view, "size", width=str(SIZE_PX[0]), height=str(SIZE_PX[1]))
+        zero = f"{-corner.real * PX_PER_MM:.0f}", f"{corner.imag * PX_PER_MM:.0f}"
+        scale = str(PX_PER_MM)
+        xml.SubElement(view, "coordSystem", xZero=zero[0], yZero=zero[1], scale=scale, yscale=scale)
+        xml.SubElement(view, "evSettings", axes="false", grid="false", gridIsBold="false", pointCapturing="0")
+        kernel = xml.SubElement(self.root, "kernel")
+        for name, val in (("continuous", "false"), ("decimals", "4"), ("angleUnit", "degree"), ("coordStyle", "0")):
+            xml.SubElement(kernel, name, val=val)
+        self.body = xml.SubElement(self.root, "construction", title=title, author="", date="")
+
+    def number(self, label: str, value: float, slider: tuple[float, float] | None = None, at: complex = 0j) -> None:
+        """A number; on a slider from one end to the other, shown ``at`` a place of the screen unless that is 0."""
+        element = self._element("numeric", label, HIDDEN)
+        xml.SubElement(element, "value", val=written(value))
+        if slider:
+            low, high = sorted(slider)
+            drawn = xml.SubElement(element, "slider", min=written(low), max=written(high), width="240")
+            drawn.attrib |= {"absoluteScreenLocation": "true", "fixed": "true", "horizontal": "true"}
+            drawn.attrib |= {"showAlgebra": "true", "x": f"{at.real:.0f}", "y": f"{at.imag:.0f}"}
+            element.find("show").attrib["object"] = "true" if at else "false"  # type: ignore[union-attr]
+            element.find("show").attrib["label"] = "true"  # type: ignore[union-attr]
+            xml.SubElement(element, "animation", step=written((high - low) / 360), speed="1", type="0", playing="false")
+
+    def formula(self, kind: Kind, label: str, text: str, look: Aspect = HIDDEN) -> None:
+        """A thing by a formula."""
+        typed = {} if kind == "numeric" else {"type": kind}
+        xml.SubElement(self.body, "expression", {"label": label, "exp": text, **typed})
+        self._element(kind, label, look)
+
+    def command(
+        self, kind: Kind, labels: Sequence[str], name: str, inputs: Sequence[str], look: Aspect = HIDDEN
+    ) -> None:
+        """What a command of GeoGebra makes of its inputs."""
+        made = xml.SubElement(self.body, "command", name=name)
+        for tag, texts in (("input", inputs), ("output", labels)):
+            xml.SubElement(made, tag, {f"a{k}": text for k, text in enumerate(texts)})
+        for label in labels:
+            self._element(kind, label, look)
+
+    def caption(self, label: str, text: str, at: complex) -> None:
+        """A text that starts at a place."""
+        plain = text.replace('"', "")
+        xml.SubElement(self.body, "expression", label=label, exp=f'"{plain}"')
+        element = self._element("text", label, Aspect(INK))
+        xml.SubElement(element, "startPoint", x=written(at.real), y=written(at.imag), z="1.0")
+
+    def _element(self, kind: Kind, label: str, look: Aspect) -> xml.Element:
+        element = xml.SubElement(self.body, "element", type=kind, label=label)
+        shown = "true" if look.colour else "false"
+        xml.SubElement(element, "show", object=shown, label="true" if look.colour and look.caption else "false")
+        r, g, b = map(str, look.colour or INK)
+        xml.SubElement(element, "objColor", r=r, g=g, b=b, alpha="0")
+        xml.SubElement(element, "layer", val="0")
+        if look.caption:
+            xml.SubElement(element, "labelMode", val="3")  # the caption
+            xml.SubElement(element, "caption", val=f"${look.caption}$")
+        if kind == "point":
+            xml.SubElement(element, "pointSize", val=str(look.thick))
+        else:
+            xml.SubElement(element, "lineStyle", thickness=str(look.thick), type="10" if look.dashed else "0")
+        return element
+
+    def packed(self) -> bytes:
+        """The file; the same construction gives the same bytes."""
+        data, out = xml.tostring(self.root, encoding="utf-8", xml_declaration=True), io.BytesIO()
+        with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr(zipfile.ZipInfo("geogebra.xml", EPOCH), data, zipfile.ZIP_DEFLATED)
+        return out.getvalue()
+
+
+def written(value: float) -> str:
+    """A number as GeoGebra reads it."""
+    return repr(float(value)).replace("e", "E")

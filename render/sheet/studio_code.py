@@ -1,0 +1,39 @@
+"""The square code that opens a scene in a studio, as a view of a sheet, a figure of a text, or a page of its own."""
+
+from planes.scene import Scene
+from planes.studio.links import RIM, cells, module_mm
+from planes.words import Lang, say
+from planes.words.frozen import replace
+from render.paper.marks import Mark, Text
+from render.sheet.blank_sheet import printed_square
+from render.views import View, view
+
+BEST_MM = 0.4  # of a module
+ROOM_MM, SMALL_ROOM_MM = 74.0, 45.0  # on a sheet, and where it is to be an A4 or an A3
+ON_TASK_MM, ON_BACK_MM = 62.0, 160.0
+CAPTION_MM = 3.5
+SMALL_FORMATS = ("A4", "A3")
+
+
+def code_view(scene: Scene, lang: Lang, room_mm: float | None = None, best_mm: float = BEST_MM) -> View | None:
+    """The code with its white rim, None where the scene names no studio. :class:`SceneError` where it has no room."""
+    found = cells(scene)
+    if not found:
+        return None
+    small = scene.sheet.get("format") in SMALL_FORMATS
+    room = room_mm or (SMALL_ROOM_MM if small else ROOM_MM)
+    module = module_mm(scene, len(found), room, best_mm)
+    side = module * (len(found) + 2 * RIM)
+    marks = printed_square(complex(side, side) / 2, found, module * len(found))
+    made = view("studio", say("studio_code", lang), marks)
+    return replace(made, inked=(0.0, 0.0, side, side), heading=CAPTION_MM)
+
+
+def back(scene: Scene, size_mm: tuple[float, float], lang: Lang) -> list[Mark]:
+    """The back of a blank, with the code in its middle; nothing where there is none."""
+    made = code_view(scene, lang, ON_BACK_MM, best_mm=0.6)
+    if made is None:
+        return []
+    corner = complex(size_mm[0] - made.width, size_mm[1] + made.height) / 2
+    title = Text(scene.title.get(lang, ""), corner + complex(made.width / 2, 10), 5.0, "middle")
+    return [*made.placed(corner.real, corner.imag), *([title] if title.text else [])]
