@@ -18,7 +18,7 @@ from planes.scene import Scene
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vectors import AlongVector, Statement
 from planes.solving import Position, told
-from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph, StudioCode
+from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.given import GivenTable
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanFailure, SceneError
@@ -37,12 +37,13 @@ def task(scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], l
     """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do."""
     yield Heading(heads[0], 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
+    opened = (("studio",),) if scene.sheet.get("studio") else ()
     if drawn.plans.moves:
-        yield Figure(DrawnViews(scene, shown, (("scheme",),)), say("task_scheme", lang))
+        yield Figure(DrawnViews(scene, shown, (("scheme",), *opened)), say("task_scheme", lang))
     yield given(scene, drawn, lang)
     yield from _asked_for(scene, drawn, lang) if drawn.plans.moves else stated(scene, drawn, lang)
-    if scene.sheet.get("studio"):
-        yield Figure(StudioCode(scene), say("studio_code", lang))
+    if opened and not drawn.plans.moves:
+        yield Figure(DrawnViews(scene, drawn, opened), "")
 
 
 def _asked_for(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:

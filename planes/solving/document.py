@@ -76,20 +76,13 @@ class Chart:
 
 
 @frozen
-class StudioCode:
-    """The square code that opens a scene in the studio it names."""
-
-    scene: Scene
-
-
-@frozen
 class DrawnViews:
     """Views of one position, side by side where they fit, those of one tuple beneath each other.
 
     A view is "scheme", a plan, "equations …" of a plan, "loaded" (the mechanism with its loads), "loaded …" (a link
     with all forces on it), "group …" (the links of a force polygon with their forces and arms), "lever", "centre …" (of
-    a link's velocities); ``scales``: the caption goes on with every plan and
-    its μ.
+    a link's velocities), "studio" (the code that opens the scene in one);
+    ``scales``: the caption goes on with every plan and its μ.
     """
 
     scene: Scene
@@ -118,7 +111,7 @@ class ShaftSketch:
 class Figure:
     """A chart, drawn views or a sketch, with what stands beneath."""
 
-    of: Chart | DrawnViews | ShaftSketch | StudioCode
+    of: Chart | DrawnViews | ShaftSketch
     caption: str = ""
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from planes.plans.assur.alignment import aligned
-from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch, StudioCode
+from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
 from planes.words.names import links_of
 from render import charts
@@ -87,9 +87,6 @@ class Studio:
         match figure.of:
             case Chart() as chart:
                 return [charts.chart(chart, WIDTH_MM, self.lang)], figure.caption
-            case StudioCode(scene):
-                code = code_view(scene, self.lang, ON_TASK_MM)
-                return [_row([replace(code, title="")])] if code else [], figure.caption
             case ShaftSketch() as shaft:
                 return [_row([shaft_view(shaft)])], figure.caption
             case DrawnViews() as drawn:
@@ -122,6 +119,8 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
         return forces.alone(block.position, of) if of else replace(forces.loaded(block.position), title="")
     if kind == "group" and (group := ForceSheet(composer).group(block.position, of, links_of(of))):
         return replace(group, title="")
+    if kind == "studio":
+        return code_view(block.scene, composer.lang, ON_TASK_MM)
     if kind == "lever":
         return view(name, "", Lever(block.position, composer.naming).drawn())
     if kind == "centre":

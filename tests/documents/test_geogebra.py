@@ -10,7 +10,7 @@ from planes.documents.constructed._numbers import GivenNumbers
 from planes.scene import load
 from planes.words.names import POLE, at, plan_of
 from tests.helpers import ROOT
-from tests.helpers.geogebra import Page
+from tests.helpers.geogebra import COMMANDS, Page, intersect
 
 SAMPLES = sorted([*(ROOT / "samples").glob("*.yaml"), *(ROOT / "samples" / "vectors").glob("*.yaml")])
 QUICK = ("kind-3-rpr", "crank-slider", "vectors")
@@ -81,3 +81,27 @@ def test_a_length_moves_all_that_hangs_on_it() -> None:
     moved = figure_of(scene, "velocity-plan", None, "en")
     page.set = {labels["l_AB"]: 0.13} | {labels[n]: float(moved.position.scales[n]) for n in labels if n[:3] == "mu_"}
     compared(moved, page, labels)
+
+
+def test_the_order_in_which_meetings_are_found_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Which of two meetings is meant is told by its side: GeoGebra may number them as it likes."""
+    figure = figure_of(load(ROOT / "samples" / "six-link.yaml"), "velocity-plan", None, "en")
+    page, labels = Page(ggb.written(figure)[0]), labels_of(figure)
+    monkeypatch.setitem(COMMANDS, "Intersect", lambda a, b, k=0: intersect(a, b, 3 - k if k else 0))
+    assert compared(figure, page, labels) > 2
+
+
+def test_every_thing_has_one_label_and_an_element_of_its_own() -> None:
+    figure = figure_of(load(ROOT / "samples" / "crank-slider.yaml"), None, None, "ru")
+    data = ggb.written(figure)[0]
+    assert data == ggb.written(figure)[0]
+    body = Page(data).body
+    assert body is not None
+    elements = [e.get("label") for e in body if e.tag == "element"]
+    made = [e.get("label") for e in body if e.tag == "expression"]
+    made += [out.get("a0") for e in body if (out := e.find("output")) is not None]
+    assert len({*elements}) == len(elements) and {*made} <= {*elements} and len({*made}) == len(made)
+    sliders = [e.get("label") for e in body if e.find("slider") is not None]
+    assert {"φ_{1}", "l_{OA}", "l_{AB}"} <= {*sliders}
+    captions = {str(c.get("val")) for e in body if (c := e.find("caption")) is not None}
+    assert {"$A$", "$v_{BA}$", "$a_{BA}^{n}$"} <= captions

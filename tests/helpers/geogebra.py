@@ -51,6 +51,7 @@ COMMANDS: dict[str, Callable[..., Any]] = {
     "Segment": lambda start, end: (start, end),
     "UnitVector": lambda v: v / abs(v),
     "Intersect": intersect,
+    "Max": max,
     "Distance": lambda a, b: abs(b - a),
     "cos": math.cos,
     "sin": math.sin,

@@ -12,6 +12,7 @@ from planes.words.names import POLE, at, plan_of
 from render.files.ggb import HIDDEN, PALE, Aspect, GeogebraFile
 
 STILL = "1E-12"  # of the largest vector: less is nothing
+NOTHING_MM = "1E-12"  # marks that are nearer have no direction: nothing is laid off along it
 Labels = dict[str, str]
 LINE = Aspect(PALE, thick=2, dashed=True)
 RIGHT = "90 * pi / 180"
@@ -58,15 +59,15 @@ class Translator:
                 way = f"({n[step.length]} * {n[step.mu]}) * {n[step.along]}"
                 self.made.command("point", [label], "Translate", [n[step.start], way], look)
             case s.Carry():
-                self.turned(label, n[step.start], f"{n[step.second]} - {n[step.first]}", step.quarter, look)
+                self.turned(label, n[step.start], f"Vector[{n[step.first]}, {n[step.second]}]", step.quarter, look)
             case s.Same():
-                self.made.formula("point", label, n[step.of], look)
+                self.made.formula("point", label, f"{n[step.of]} + (0, 0)", look)
             case s.Similar():
                 x, y = n[step.ratio + ".x"], n[step.ratio + ".y"]
                 self.similar(label, n[step.start], n[step.end], (f"sqrt({x}^2 + {y}^2)", f"atan2({y}, {x})"), look)
             case s.Image():
                 (a, b), (p, q), (d, e) = ([n[m] for m in ends] for ends in (step.of, step.like, step.image))
-                self.made.command("point", [f"t1{label}"], "Translate", [n[step.start], f"{b} - {a}"])
+                self.made.command("point", [f"t1{label}"], "Translate", [n[step.start], f"Vector[{a}, {b}]"])
                 like, image = f"({q} - {p})", f"({e} - {d})"
                 times = f"Distance[{d}, {e}] / Distance[{p}, {q}]"
                 turn = f"atan2({like} ⊗ {image}, {like} * {image})"
@@ -153,8 +154,7 @@ class Translator:
             case s.Through():
                 start, end = n[step.start], n[step.end]
                 put("vector", [f"t1{label}"], "Vector", [start, end])
-                still = f"Distance[{start}, {end}] > 0"
-                self.made.formula("vector", label, f"If[{still}, UnitVector[t1{label}], (1, 0)]")
+                self.made.formula("vector", label, f"t1{label} / Max[Distance[{start}, {end}], {NOTHING_MM}]")
             case s.Turn():
                 turns = [f"{step.quarter % 4} * {RIGHT}"] * bool(step.quarter % 4)
                 turns += [f"{n[step.angle]} * {RADIAN}"] if step.angle else []
