@@ -44,7 +44,7 @@ def read_code(file: str) -> Json:
         told: Json = json.loads(data)
         whole = head == HEAD and total == f"{checksum(data):08x}" and isinstance(told["answers"], list)
         good = whole and all(isinstance(told[key], int) for key in ("seed", "right")) and isinstance(told["name"], str)
-        good = good and all(isinstance(mu, (int, float)) and mu > 0 for mu in told["scales"].values())
+        good = good and all(isinstance(mu, (int, float)) and mu > 0 for mu in told.setdefault("scales", {}).values())
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         good = False
     if not good:

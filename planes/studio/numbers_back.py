@@ -17,7 +17,7 @@ from planes.studio.text_edits import Edited
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
-from planes.words.names import is_scale
+from planes.words.names import is_scale, plan_of_scale, said_of_given
 from planes.words.units import mu_text
 
 STEP = 1e-3  # of itself: how much a number is changed to see what it moves
@@ -56,7 +56,7 @@ def with_numbers(text: str, wanted: Mapping[str, float]) -> Edited:
     edited = Edited(text)
     for name, value in wanted.items():
         if is_scale(name):
-            plan = name.removeprefix("mu_")
+            plan = plan_of_scale(name)
             edited = edited.put(("plans", plan, "mu"), mu_text(value, plan))
     rest = {name: value for name, value in wanted.items() if not is_scale(name)}
     return _solved(edited, rest) if rest else edited
@@ -80,7 +80,7 @@ def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
     home = home_of(edited.text)
     figures = _figures(edited.text)
     wanted = {name: value for name, value in wanted.items() if name in home and _off(home[name], value) > CLOSE}
-    own = [f for f in figures if f.path[-1] in map(_said, wanted)]
+    own = [f for f in figures if f.path[-1] in map(said_of_given, wanted)]
     slopes: dict[NumberInText, Mapping[str, float]] = {f: _moved(edited, f, home) for f in own}
     chosen: dict[str, NumberInText] = {}
     found = edited
@@ -92,7 +92,7 @@ def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
             slopes |= {f: _moved(edited, f, home) for f in figures if f not in slopes}
             able = _able(name, slopes, chosen)
         if not able:
-            raise PlanesError(Phrase("studio_no_number", names=_said(name)))
+            raise PlanesError(Phrase("studio_no_number", names=said_of_given(name)))
         chosen[name] = min(able, key=lambda f: _rank(f, slopes[f], wanted))
         found = _reached(edited, [*chosen.values()], {n: wanted[n] for n in chosen})
     return found
@@ -146,8 +146,3 @@ def _reached(edited: Edited, chosen: Sequence[NumberInText], wanted: Mapping[str
     for figure, value in zip(chosen, values, strict=True):
         edited = edited.put(figure.path, figure.written(value))
     return edited
-
-
-def _said(name: str) -> str:
-    """A number's name without what the program adds to it."""
-    return name.removesuffix("_given")

@@ -161,6 +161,16 @@ def is_scale(name: str) -> bool:
     return name.startswith("mu_")
 
 
+def plan_of_scale(name: str) -> str:
+    """The plan a value is the scale of."""
+    return name.removeprefix("mu_")
+
+
+def said_of_given(name: str) -> str:
+    """A given number's name without what the program adds to it: P_5 of P_5_given."""
+    return name.removesuffix("_given")
+
+
 def turned_back(name: str) -> tuple[str, bool]:
     """A vector, and whether it is meant the other way: r_BC of -r_BC."""
     name = name.strip().replace("−", "-")

@@ -13,7 +13,7 @@ export const HOLDS = { move: "any", fix: "point", link: "drag", plate: "link", g
 export const canvas = {
   sketch: /** @type {Sketch} */ (structuredClone(NOTHING)), view: viewOf([-0.3, -0.2, 0.3, 0.2], 600, 400, 40),
   tool: "move", chosen: "", from: /** @type {any} */ (null), to: /** @type {any} */ (null), frozen: false,
-  changed: /** @type {(what: string, more?: any) => void} */ (() => {}), under: /** @type {any} */ (null),
+  hands: 0, changed: /** @type {(what: string, more?: any) => void} */ (() => {}), under: /** @type {any} */ (null),
 };
 const node = () => /** @type {any} */ ($("canvas"));
 
@@ -238,6 +238,7 @@ export function listen() {
   on(at, "pointerup", e => {
     const { from, to } = canvas;
     canvas.from = canvas.to = null;
+    canvas.hands++;
     if (!from) return;
     const found = HOLDS[canvas.tool] === "drag" ? to : meant(under(e));
     const made = ACTS[canvas.tool](found, from);
@@ -262,5 +263,5 @@ export function listen() {
     }
     paint();
   });
-  on(window, "resize", fit);
+  new ResizeObserver(() => { if (!canvas.from) fit(); }).observe(at); // a sentence beneath it takes of its room
 }

@@ -3,7 +3,7 @@ import { $, on, safe } from "./dom.js";
 import { html } from "./letters.js";
 import { data, live, state } from "./page.js";
 import { begin, end, svg } from "./svg.js";
-import { local, number } from "./words.js";
+import { local, number, say } from "./words.js";
 
 const COUNT = 180, W = 640, H = 190, EDGE = [64, 14, 28, 26]; // px: left, top, right, bottom
 const RESULT = /^(‖[va]_|omega_|epsilon_|M_|MZ_|F|‖F_|\|F_)/;
@@ -57,6 +57,7 @@ export function curve() {
 export const curveOf = () => ({ name: $("curved").value, rows });
 export function curveNames() {
   $("curves").hidden = !NAMES.length || data.drive.from === data.drive.to;
+  $("curve").setAttribute("aria-label", say("curves"));
   const chosen = $("curved").value || NAMES.find(n => /^‖v_[A-Z]\d*‖$/.test(n)) || NAMES[0];
   $("curved").innerHTML = NAMES.map(n => `<option value="${safe(n)}"${n === chosen ? " selected" : ""}>${
     html(n.replace(/[‖|]/g, "")).replace(/<[^>]*>/g, "")}, ${data.units[n][state.lang]}</option>`).join("");

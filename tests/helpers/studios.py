@@ -69,19 +69,27 @@ class Hand:
 
     def press(self, x: float, y: float) -> None:
         """Press a place."""
-        self.page.mouse.move(*self.at(x, y))
-        self.page.mouse.down()
-        self.page.mouse.up()
-        self.rest()
+        with self.done():
+            self.page.mouse.move(*self.at(x, y))
+            self.page.mouse.down()
+            self.page.mouse.up()
 
     def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
         """Drag from one place to another."""
         (a, b), (c, d) = self.at(*start), self.at(*end)
-        self.page.mouse.move(a, b)
-        self.page.mouse.down()
-        for k in range(1, 5):
-            self.page.mouse.move(a + (c - a) * k / 4, b + (d - b) * k / 4)
-        self.page.mouse.up()
+        with self.done():
+            self.page.mouse.move(a, b)
+            self.page.mouse.down()
+            for k in range(1, 5):
+                self.page.mouse.move(a + (c - a) * k / 4, b + (d - b) * k / 4)
+            self.page.mouse.up()
+
+    @contextmanager
+    def done(self) -> Iterator[None]:
+        """A move of the hand, until the page has taken it and nothing more is asked of the engine."""
+        before = self.page.evaluate("canvas.hands")
+        yield
+        until(self.page, f"canvas.hands > {before}")
         self.rest()
 
     def rest(self) -> None:

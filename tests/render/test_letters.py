@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import re
+import zlib
 from functools import cache
 from typing import Any
 
@@ -38,9 +40,9 @@ def naming(text: str) -> Naming:
 @cache
 def written(text: str) -> dict[str, Any]:
     """The letters a lesson's page brings along."""
-    found = re.search(r'id="letters">(.*?)</script>', page(lesson_data(scene_of(text)), "ru"), re.DOTALL)
+    found = re.search(r'id="letters">"(.*?)"</script>', page(lesson_data(scene_of(text)), "ru"), re.DOTALL)
     assert found
-    return json.loads(found[1])  # type: ignore[no-any-return]
+    return json.loads(zlib.decompress(base64.b64decode(found[1]), -zlib.MAX_WBITS))  # type: ignore[no-any-return]
 
 
 @pytest.mark.parametrize(
