@@ -79,7 +79,7 @@ def told(plans: Plans, drawing: Drawing) -> int:
     return count
 
 
-@pytest.mark.few(12, slow=60)
+@pytest.mark.few(12, slow=30)
 @pytest.mark.parametrize("file", SAMPLES, ids=[f.stem for f in SAMPLES])
 def test_both_links_of_every_centre_have_its_velocity(file: Path) -> None:
     plans, drawing = drawn(load(str(file)))
