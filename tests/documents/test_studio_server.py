@@ -20,7 +20,7 @@ from tests.helpers.counting import PATIENCE_S
 pytest.importorskip("uvicorn")
 pytest.importorskip("starlette")
 SIX = (ROOT / "samples" / "six-link.yaml").read_text("utf-8")
-CLIENTS, EACH = 50, 4
+CLIENTS, EACH = 50, 1
 
 
 class Door:
