@@ -11,8 +11,8 @@ Public names: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`
 Each comes when it is first used, so that nothing is imported that is not needed.
 
 Packages, lowest level first: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
-vector equations drawn step by step into one program) · ``batch accuracy diagrams`` (many positions) · ``check lesson studio
-course crank_slider`` (readers of the program) · the renderer ``render`` · ``documents cli``.
+vector equations drawn step by step into one program) · ``batch accuracy diagrams`` (many positions) · ``check lesson
+studio course crank_slider`` (readers of the program) · the renderer ``render`` · ``documents cli``.
 """
 
 from __future__ import annotations
