@@ -2,44 +2,32 @@
 
 import math
 import operator
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 
 from planes.batch.symbols import Num, Vec
 from planes.batch.tape import Op, Tape
 from planes.batch.tracing import Recording, Source
 from planes.geometry.arithmetic import Real, gap
-from planes.geometry.listed import greater, less
+from planes.geometry.listed import greater, less, or_nothing
 from planes.words.records import Json
 
 DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
 """Of numbers as a page reads them: five bits each, the lowest first, 32 more where another follows."""
 
 
-def _tried(act: Callable[..., float]) -> Callable[..., float]:
-    """A function, NaN where it has no value."""
-
-    def value(*numbers: float) -> float:
-        try:
-            return act(*numbers)
-        except (ValueError, OverflowError, ZeroDivisionError):
-            return math.nan
-
-    return value
-
-
 PLAIN: Mapping[str, Op] = {
     "add": operator.add,
     "sub": operator.sub,
     "mul": operator.mul,
-    "inv": _tried(lambda a: 1 / a),
+    "inv": or_nothing(lambda a: 1 / a),
     "neg": operator.neg,
     "abs": abs,
     "sqrt": lambda a: math.sqrt(a) if a > 0 else a * 0,
     "hypot": math.hypot,
-    "sin": _tried(math.sin),
-    "cos": _tried(math.cos),
+    "sin": or_nothing(math.sin),
+    "cos": or_nothing(math.cos),
     "atan2": math.atan2,
-    "floor": _tried(math.floor),
+    "floor": or_nothing(math.floor),
     "gap": gap,
     "max": greater,
     "min": less,

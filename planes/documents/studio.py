@@ -9,7 +9,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from planes.scene.files import keep, sayable
-from planes.studio.gallery import OWN, scenes_in, shelved
+from planes.studio.gallery import shelf
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.records import Json
@@ -34,9 +34,9 @@ def write_studio(folder: str, lang: Lang, runtime: str = "", scenes: Iterable[st
         raise PlanesError(Phrase("studio_no_runtime", folder=runtime))
     address = runtime.rstrip("/") + "/" if runtime and not local else "runtime/"
     way: Json = {"kind": "worker" if runtime else "none", "address": address, "native": False}
-    shelf = shelved(scenes_in([*OWN, *map(Path, scenes)]))
-    parts = files_of(lang, way, first) | {"gallery.json": _json(shelf)}
-    for one in shelf:
+    gallery = shelf(scenes)
+    parts = files_of(lang, way, first) | {"gallery.json": _json(gallery)}
+    for one in gallery:
         answer = answered({"ask": "lesson", "text": one["text"], "lang": lang})
         if "data" in answer:
             parts[f"lessons/{one['name']}.txt"] = pressed(answer).encode()

@@ -23,9 +23,9 @@ from starlette.responses import PlainTextResponse, RedirectResponse, Response
 from starlette.routing import Route
 
 from planes.scene.files import keep
-from planes.studio.gallery import OWN, scenes_in, shelved
+from planes.studio.gallery import shelf
 from planes.words import Lang, langs, say
-from render.page.studio_page import carried, files_of
+from render.page.studio_page import FILES, files_of, written
 
 HOST, COOKIE = "127.0.0.1", "planes"
 MOST_BYTES, MOST_DRAWING = 300_000, 40_000_000
@@ -41,16 +41,6 @@ MADE = {
     "ggb": "application/vnd.geogebra.file",
     "tex": "application/x-tex",
 }
-COMMANDS = {
-    "sheet": ("sheet",),
-    "plan": ("sheet",),
-    "lesson": ("lesson",),
-    "note": ("note",),
-    "blank": ("blank", "--plan", "velocity"),
-    "cycle": ("cycle",),
-    "turn": ("cycle", "--film"),
-}
-"""Of each file that may be asked for its command."""
 KINDS = {"html": "text/html", "js": "text/javascript", "json": "application/json"}
 SAFE = {
     "X-Content-Type-Options": "nosniff",
@@ -122,7 +112,7 @@ class StudioServer:
     async def gallery(self, _: Request) -> Response:
         """The scenes of the gallery, made when they are first asked for."""
         if not self.shelf:
-            found = await run_in_threadpool(shelved, list(scenes_in([*OWN, *map(Path, self.scenes)])))
+            found = await run_in_threadpool(shelf, self.scenes)
             self.shelf = json.dumps(found, ensure_ascii=False).encode()
         return Response(self.shelf, media_type=KINDS["json"])
 
@@ -143,17 +133,17 @@ class StudioServer:
         """A message and its answer."""
         if (message := await self.body(request, MOST_BYTES)) is None:
             return self.refused("studio_bad_message", 400)
-        return Response(await run_in_threadpool(carried, json.dumps(message)), media_type=KINDS["json"])
+        return Response(await run_in_threadpool(written, message), media_type=KINDS["json"])
 
     async def file(self, request: Request) -> Response:
         """A file as the command line writes it."""
         message = await self.body(request, MOST_BYTES)
-        command, _, suffix = str((message or {}).get("file", "")).partition(".")
-        if message is None or command not in COMMANDS or suffix not in MADE:
+        file = str((message or {}).get("file", ""))
+        if message is None or file not in FILES:
             return self.refused("studio_bad_message", 400)
-        verb, *extra = COMMANDS[command]
-        made = await self.made(message, [verb, "scene.yaml", *extra, "-o", f"made.{suffix}"], f"made.{suffix}")
-        return made if isinstance(made, Response) else Response(made, media_type=MADE[suffix])
+        verb, *extra = FILES[file]
+        made = await self.made(message, [verb, "scene.yaml", *extra, "-o", file], file)
+        return made if isinstance(made, Response) else Response(made, media_type=MADE[Path(file).suffix[1:]])
 
     async def check(self, request: Request) -> Response:
         """The address of the report on a drawing."""

@@ -24,11 +24,16 @@ def over(a: Any, b: Any) -> Any:
         return NOWHERE if isinstance(a, complex) or isinstance(b, complex) else math.nan
 
 
-def _power(a: Any, n: Any) -> Any:
-    try:
-        return a**n
-    except (ZeroDivisionError, OverflowError):
-        return math.nan
+def or_nothing(act: Callable[..., Any], nothing: Any = math.nan) -> Callable[..., Any]:
+    """A function, ``nothing`` where it has no value."""
+
+    def tried(*numbers: Any) -> Any:
+        try:
+            return act(*numbers)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return nothing
+
+    return tried
 
 
 def _both(act: Callable[..., Any]) -> tuple[Callable[[Listed, Any], Listed], Callable[[Listed, Any], Listed]]:
@@ -88,7 +93,7 @@ class Listed:
     __sub__, __rsub__ = _both(operator.sub)
     __mul__, __rmul__ = _both(operator.mul)
     __truediv__, __rtruediv__ = _both(over)
-    __pow__, __rpow__ = _both(_power)
+    __pow__, __rpow__ = _both(or_nothing(operator.pow))
     __and__, __rand__ = _both(lambda a, b: bool(a) and bool(b))
     __or__, __ror__ = _both(lambda a, b: bool(a) or bool(b))
     __lt__, __le__, __gt__, __ge__ = (_both(act)[0] for act in (operator.lt, operator.le, operator.gt, operator.ge))
@@ -102,18 +107,6 @@ def each(act: Callable[..., Any], *things: Any) -> Any:
     if count is None:
         return act(*things)
     return Listed(map(act, *(x.numbers if isinstance(x, Listed) else [x] * count for x in things)))
-
-
-def _safe(act: Callable[..., Any], nothing: Any = math.nan) -> Callable[..., Any]:
-    """A function, ``nothing`` where it has no value."""
-
-    def tried(*numbers: Any) -> Any:
-        try:
-            return act(*numbers)
-        except (ValueError, OverflowError, ZeroDivisionError):
-            return nothing
-
-    return tried
 
 
 class ListArithmetic(Arithmetic):
@@ -132,7 +125,7 @@ class ListArithmetic(Arithmetic):
         return each(super().where, ok, a, b)
 
     def cis_deg(self, angle: Real) -> Point:
-        return each(_safe(super().cis_deg, NOWHERE), angle)
+        return each(or_nothing(super().cis_deg, NOWHERE), angle)
 
     def angle_deg(self, u: Point) -> Real:
         return each(super().angle_deg, u)
@@ -141,7 +134,7 @@ class ListArithmetic(Arithmetic):
         return each(super().sign, x)
 
     def power(self, x: Real, n: int) -> Real:
-        return each(_safe(super().power), x, n)
+        return each(or_nothing(super().power), x, n)
 
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         return each(super().gap, c, d, r, s)

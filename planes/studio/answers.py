@@ -13,7 +13,7 @@ from planes.lesson.data import lesson_data
 from planes.scene import loads
 from planes.studio.message_shapes import checked
 from planes.studio.numbers_back import with_numbers
-from planes.studio.sketch_texts import drawn, offers_of
+from planes.studio.sketch_texts import Unfinished, drawn, offers_of
 from planes.studio.sketches import sketch_of
 from planes.studio.text_edits import FILE, Edited
 from planes.words import Lang, Phrase, langs, say
@@ -35,7 +35,7 @@ def answer(message: Json) -> Json:
     try:
         return {**own, **act(text, checked(message))}
     except PlanesError as error:
-        more = {"text": found} if (found := getattr(error, "text", "")) else {}
+        more = {"text": error.text} if isinstance(error, Unfinished) else {}
         return {**own, **more, "problems": [problem(error, more.get("text", text), lang)]}
     except ImportError as error:
         return {**own, "problems": [{"line": 1, "said": say("studio_needs", lang, name=error.name), "help": []}]}

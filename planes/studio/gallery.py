@@ -12,9 +12,8 @@ from planes.plans import Plans, structure_of
 from planes.scene import Scene, loads
 from planes.scene.source import read
 from planes.solving import plans_of
-from planes.studio.sketches import sketch_of
+from planes.studio.sketches import marks_of, sketch_of
 from planes.words.errors import PlanesError
-from planes.words.names import at
 from planes.words.records import Json
 
 PLACES = 36  # of the driver in a picture that moves
@@ -24,11 +23,14 @@ OWN = (Path(__file__).with_name("classics"), Path(__file__).parents[1] / "templa
 
 
 def scenes_in(folders: Iterable[Path]) -> Iterator[Path]:
-    """The scene files of folders, those of folders within them too."""
+    """The YAML files of folders, those of folders within them too."""
     for folder in folders:
-        for path in sorted(folder.rglob("*.yaml")):
-            if "\nlinks:" in path.read_text("utf-8"):
-                yield path
+        yield from sorted(folder.rglob("*.yaml"))
+
+
+def shelf(more: Iterable[str]) -> list[Json]:
+    """The gallery: the scenes that come with the program, and those of ``more`` folders."""
+    return shelved(scenes_in([*OWN, *map(Path, more)]))
 
 
 def shelved(paths: Iterable[Path]) -> list[Json]:
@@ -72,8 +74,7 @@ def motion_of(scene: Scene) -> Json:
 
 def drawn_at(plans: Plans, values: list[float]) -> tuple[dict[str, complex | list[complex]], list[int]]:
     """Where the points are at places of the driver, one place for those that stand; and which of these can be drawn."""
-    marks = {p: at("position", p) for p in plans.mechanism.names if at("position", p) in plans.program.made}
-    program = plans.program.sliced([*marks.values()])
+    marks, program = marks_of(plans)
     drawn = run(program, {**plans.given, plans.drive_given: Listed(values), "mu_position": 1.0}, InLists())
     places = {p: [*z] if isinstance(z := drawn[mark], Listed) else complex(z) for p, mark in marks.items()}
     moving = [z for z in places.values() if isinstance(z, list)]

@@ -18,11 +18,15 @@ MOST_TEXT = 1_000_000
 Cells = list[list[bool]]
 
 
+def deflated(text: str) -> bytes:
+    """A text packed (RFC 1951)."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, RAW)
+    return packer.compress(text.encode()) + packer.flush()
+
+
 def pressed(text: str) -> str:
     """A text in the letters of a link."""
-    packer = zlib.compressobj(9, zlib.DEFLATED, RAW)
-    data = packer.compress(text.encode()) + packer.flush()
-    return base64.urlsafe_b64encode(data).decode().rstrip("=")
+    return base64.urlsafe_b64encode(deflated(text)).decode().rstrip("=")
 
 
 def unpressed(letters: str) -> str:

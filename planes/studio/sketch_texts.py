@@ -5,8 +5,6 @@ import json
 import math
 from collections.abc import Iterator
 
-import yaml
-
 from planes.scene import loads
 from planes.scene.mechanism import FRAME, RATES
 from planes.studio.numbers_back import home_of, with_numbers
@@ -20,11 +18,19 @@ EMPTY = "planes: 1\ntitle: {title}\nframe:\n  points: {{}}\nlinks: {{}}\ngravity
 CHOICES = 12  # groups of a sketch whose assemblies are asked for
 
 
+class Unfinished(SceneError):
+    """A sketch that is no mechanism yet: why, and its ``text`` so far."""
+
+    def __init__(self, error: SceneError, text: str) -> None:
+        super().__init__(error.phrase, error.file, error.line)
+        self.text = text
+
+
 def drawn(text: str, sketch: Json) -> Edited:
     """The text of a scene after its sketch was changed. Where only places have changed, the numbers that make them are
     written back into the text's own; else links and guides that are new or other ones are written anew.
 
-    :class:`SceneError` says what a mechanism still lacks; the text so far is its ``text``.
+    :class:`Unfinished` says what a mechanism still lacks.
     """
     if not text.strip():
         return _whole(EMPTY.format(title=json.dumps(sketch.get("title", ""), ensure_ascii=False)), sketch)
@@ -59,7 +65,7 @@ def _parts(edited: Edited, sketch: Json) -> Edited:
     of_frame = [g for g in sketch["guides"] if sketch["guides"][g]["link"] == FRAME]
     guides = ", ".join(f"{name}: {_on_frame(sketch['guides'][name])}" for name in of_frame)
     edited = edited.put(("frame", "guides"), f"{{{guides}}}") if guides else edited.without(("frame", "guides"))
-    for name in _links_in(edited.text):
+    for name in edited.keys(("links",)):
         edited = edited if name in sketch["links"] else edited.without(("links", name))
     for name, link in sketch["links"].items():
         for key, value in _said(name, link, sketch, points):
@@ -68,13 +74,6 @@ def _parts(edited: Edited, sketch: Json) -> Edited:
     if drive and drive.get("kept"):
         return edited
     return edited.put(("drive",), _drive(drive, sketch, points)) if drive else edited.without(("drive",))
-
-
-def _links_in(text: str) -> list[str]:
-    """The names of the links a text has."""
-    node = yaml.compose(text, yaml.SafeLoader)
-    found = next((v for k, v in getattr(node, "value", ()) if k.value == "links"), None)
-    return [k.value for k, _ in found.value] if isinstance(found, yaml.MappingNode) else []
 
 
 def _said(name: str, link: Json, sketch: Json, points: dict[str, complex]) -> Iterator[tuple[str, str]]:
@@ -163,8 +162,7 @@ def _assembled(edited: Edited, sketch: Json) -> Edited:
         except SceneError as error:
             offers = offers_of(error)
             if not offers:
-                error.text = text.text  # type: ignore[attr-defined]
-                raise
+                raise Unfinished(error, text.text) from None
             text = min((text.put(path, value) for path, value in offers), key=lambda t: _apart(t, sketch))
     return text
 

@@ -9,6 +9,8 @@ import cmath
 import math
 
 from planes.drafting.drawing import run
+from planes.drafting.program import Program
+from planes.plans import Plans
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Guide, Link, Mechanism
 from planes.solving import plans_of
@@ -26,11 +28,9 @@ def sketch_of(scene: Scene) -> Json:
     if m is None:
         raise PlanesError(Phrase("no_structure", file=scene.file))
     plans, _ = plans_of(scene, shown=True)
-    names = [at("position", p) for x in (m.frame, *m.links.values()) for p in x.points]
-    program = plans.program.sliced([n for n in dict.fromkeys(names) if n in plans.program.made])
+    marks, program = marks_of(plans)
     drawn = run(program, {**plans.given, **plans.at(m.drive.position, program), "mu_position": 1.0})
-    places = {n: complex(drawn[at("position", n)]) for n in m.names if at("position", n) in drawn}
-    places |= m.frame.points
+    places = {p: complex(drawn[mark]) for p, mark in marks.items()} | dict(m.frame.points)
     guides = {
         g.name: _guide(g, x, _axis(x, m, places), places)
         for x in (m.frame, *m.links.values())
@@ -40,11 +40,17 @@ def sketch_of(scene: Scene) -> Json:
         "title": scene.title.get("en", "") or next(iter(scene.title.values()), ""),
         "points": {p: [z.real, z.imag] for p, z in places.items()},
         "fixed": [*m.frame.points],
-        "guides": {n: g for n, g in guides.items() if g},
+        "guides": guides,
         "links": {n: _link(x) for n, x in m.links.items()},
         "drive": _drive_of(m),
         "loads": [{"link": x.link, "point": x.point} for x in m.loads if x.point],
     }
+
+
+def marks_of(plans: Plans) -> tuple[dict[str, str], Program]:
+    """The mark of each point that is drawn, and the steps that lead to them."""
+    marks = {p: mark for p in plans.mechanism.names if (mark := at("position", p)) in plans.program.made}
+    return marks, plans.program.sliced([*marks.values()])
 
 
 def _drive_of(m: Mechanism) -> Json:

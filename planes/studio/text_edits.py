@@ -1,6 +1,7 @@
 """A scene's text with one part changed, everything else left as it was written: comments, order, line breaks."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import yaml
 
@@ -60,6 +61,12 @@ class Edited:
             return self._with(start.index, parts[k + 1][0].start_mark.index, "", start.line)
         return self._with(parts[k - 1][1].end_mark.index, end.index, "", start.line)
 
+    def keys(self, path: Path) -> list[str]:
+        """The keys of the mapping at a path; none where there is no such."""
+        node, depth = _reached(_tree(self.text), path)
+        there = depth == len(path) and isinstance(node, yaml.MappingNode)
+        return [key.value for key, _ in node.value] if there else []
+
     def _added(self, node: yaml.Node, key: str, value: str) -> "Edited":
         """With one more key of a mapping; one that is empty, or no mapping at all, becomes one."""
         if node.start_mark is None:  # there is no text
@@ -87,6 +94,7 @@ class Edited:
         return Edited(text, tuple(sorted({*self.lines, line + 1})))
 
 
+@lru_cache(maxsize=2)  # many changes are tried of one text
 def _tree(text: str) -> yaml.Node:
     """The text as nodes that know where they stand; no text is an empty mapping."""
     if text.strip():

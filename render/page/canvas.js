@@ -6,14 +6,13 @@ import { svg } from "./svg.js";
 const GRIP_PX = 14, TOUCH_PX = 26, STEP_DEG = 5, STEPS_M = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1];
 /** @type {Sketch} */
 export const NOTHING = { title: "", points: {}, fixed: [], guides: {}, links: {}, drive: null, loads: [] };
-/** @type {Record<string, string>} */
-export const HOLDS = { move: "any", fix: "point", link: "drag", plate: "link", guide: "drag", slide: "point", drive:
-  "link", load: "point", mass: "link", remove: "any" };
+export const TOOLS = ["move", "fix", "link", "plate", "guide", "slide", "drive", "load", "mass", "remove"];
+const DRAGGED = ["link", "guide"]; // what goes from where a hand is put down to where it is taken off
 
 export const canvas = {
   sketch: /** @type {Sketch} */ (structuredClone(NOTHING)), view: viewOf([-0.3, -0.2, 0.3, 0.2], 600, 400, 40),
-  tool: "move", chosen: "", from: /** @type {any} */ (null), to: /** @type {any} */ (null), frozen: false,
-  hands: 0, changed: /** @type {(what: string, more?: any) => void} */ (() => {}), under: /** @type {any} */ (null),
+  tool: "move", chosen: "", from: /** @type {any} */ (null), to: /** @type {any} */ (null), hands: 0,
+  changed: /** @type {(what: string, more?: any) => void} */ (() => {}), under: /** @type {any} */ (null),
 };
 const node = () => /** @type {any} */ ($("canvas"));
 
@@ -41,7 +40,7 @@ export function paint() {
     const p = sketch.points[load.point] && view.px(sketch.points[load.point]);
     if (p) svg("path", { d: `M${p[0] + 34} ${p[1] - 4}h-26m8 -5l-9 5 9 5`, class: "load" }, at);
   }
-  if (from && to && HOLDS[canvas.tool] === "drag") {
+  if (from && to && DRAGGED.includes(canvas.tool)) {
     const [a, b] = [view.px(from.at), view.px(to.at)];
     svg("line", { x1: a[0], y1: a[1], x2: b[0], y2: b[1], class: "link draft" }, at);
     const l = Math.hypot(to.at[0] - from.at[0], to.at[1] - from.at[1]);
@@ -217,7 +216,7 @@ function shifted(point, at) { // a point, and all that would be bent by its goin
 export function listen() {
   const at = node();
   on(at, "pointerdown", e => {
-    if (canvas.frozen || e.button) return;
+    if (e.button) return;
     const found = under(e);
     at.setPointerCapture(e.pointerId);
     canvas.from = meant(found);
@@ -240,7 +239,7 @@ export function listen() {
     canvas.from = canvas.to = null;
     canvas.hands++;
     if (!from) return;
-    const found = HOLDS[canvas.tool] === "drag" ? to : meant(under(e));
+    const found = DRAGGED.includes(canvas.tool) ? to : meant(under(e));
     const made = ACTS[canvas.tool](found, from);
     if (made !== false && made !== undefined || canvas.tool === "fix") canvas.changed(canvas.tool, made);
     paint();

@@ -1,6 +1,6 @@
 // A page of the essay: paragraphs, each beside its figure; one tape under them all, so what one hand moves all figures
 // show.
-import { $, on } from "./dom.js";
+import { $, on, worded } from "./dom.js";
 import { written } from "./equations.js";
 import { seenAt } from "./frames.js";
 import { aimedAt, grips, handlesOf, pulled, span } from "./grips.js";
@@ -77,7 +77,7 @@ function language() {
   document.documentElement.lang = state.lang;
   document.title = $("title").textContent = `${data.number}. ${data.title[state.lang]}`;
   $("lang").textContent = state.lang === "ru" ? "English" : "Русский";
-  document.querySelectorAll("[data-word]").forEach(e => { e.textContent = say(e.dataset.word); });
+  worded(say);
   $("pages").setAttribute("aria-label", say("essay_pages"));
   $("pages").innerHTML = `<ol>${data.titles.map((t,
     k) => `<li><a href="${k + 1}.html#lang=${state.lang}"${k + 1 === data.number ? ' aria-current="page"' :

@@ -3,7 +3,7 @@ import { readAddress, writeAddress } from "./address.js";
 import { coloured } from "./colour.js";
 import { curve, curveNames, curveOf } from "./curves.js";
 import { desk } from "./desk.js";
-import { $, on } from "./dom.js";
+import { $, on, worded } from "./dom.js";
 import { written } from "./equations.js";
 import { plan, scheme } from "./figures.js";
 import { planOf, seenAt } from "./frames.js";
@@ -74,9 +74,7 @@ function language() {
   curveNames();
   contents();
   document.documentElement.lang = state.lang;
-  document.querySelectorAll("[data-word]").forEach(e => { e.textContent = say(e.dataset.word); });
-  document.querySelectorAll("[data-title]").forEach(e => { e.title = say(e.dataset.title);
-    e.setAttribute("aria-label", e.title); });
+  worded(say);
   document.title = $("title").textContent = data.title[state.lang] || data.title.ru || "planes";
   $("lang").textContent = state.lang === "ru" ? "English" : "Русский";
 }

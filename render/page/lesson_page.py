@@ -3,10 +3,10 @@
 import base64
 import html
 import json
-import zlib
 from collections.abc import Iterator
 
 from planes.lesson.formulas import in_both
+from planes.studio.links import deflated
 from planes.words import langs, stand_ins, table, under
 from planes.words.names import lettered
 from planes.words.records import Json
@@ -61,10 +61,9 @@ def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], pa
 
 
 def pressed(thing: object) -> str:
-    """JSON packed (raw deflate, RFC 1951) and written in letters: a page is half as large."""
+    """JSON packed and written in letters: a page is half as large."""
     text = json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    press = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
-    return base64.b64encode(press.compress(text.encode()) + press.flush()).decode()
+    return base64.b64encode(deflated(text)).decode()
 
 
 def _names(thing: object, key: str = "") -> Iterator[str]:

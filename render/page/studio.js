@@ -1,8 +1,8 @@
 // The studio: one text, seen as a lesson, drawn on a canvas, shared as a link; whatever changes it, it is asked anew.
 import { bench, say, words } from "./bench.js";
-import { canvas, fit, HOLDS, listen, NOTHING, paint, show } from "./canvas.js";
+import { canvas, fit, listen, NOTHING, paint, show, TOOLS } from "./canvas.js";
 import { ask, engine, wake, way } from "./carrier.js";
-import { $, on } from "./dom.js";
+import { $, on, worded } from "./dom.js";
 import { gallery, shelf } from "./gallery.js";
 import { problems, touched } from "./problems.js";
 import { asked, keep, pressed, unpressed } from "./share.js";
@@ -12,7 +12,7 @@ const REST_MS = 250;
 const past = /** @type {string[]} */ ([]), future = /** @type {string[]} */ ([]);
 let typing = 0;
 const frame = /** @type {any} */ ($("lesson"));
-let shown = /** @type {any} */ (null);
+let shown = /** @type {any} */ (null), shownShape = "";
 
 /** @type {(selector: string, which: (button: any) => boolean) => void} */
 function held(selector, which) {
@@ -70,12 +70,13 @@ const titleOf = data => data.title[bench.lang] || data.title.en || data.title.ru
 
 /** @type {(answer: any) => void} */
 function seen(answer) {
-  const shape = (/** @type {any} */ d) => JSON.stringify([d.tape.ops, d.tape.names, Object.keys(d.home), d.frames]);
-  const own = frame.contentWindow?.planes, same = shown && own?.live && shape(shown.data) === shape(answer.data);
+  const { tape, home, frames } = answer.data, shape = JSON.stringify([tape.ops, tape.names, Object.keys(home), frames]);
+  const own = frame.contentWindow?.planes, same = shown && own?.live && shape === shownShape;
   $("title").textContent = document.title = titleOf(answer.data);
   $("nothing").hidden = true;
   frame.hidden = false;
   shown = answer;
+  shownShape = shape;
   globalThis.planes.lesson = answer;
   if (same) { // the tape that is there already, with other numbers
     Object.assign(own.data.home, answer.data.home);
@@ -138,10 +139,8 @@ function tool(name) {
 }
 function spoken() {
   document.documentElement.lang = bench.lang;
-  document.querySelectorAll("[data-word]").forEach(e => { e.textContent = say(e.dataset.word); });
-  document.querySelectorAll("[data-title]").forEach(e => { e.setAttribute("aria-label", say(e.dataset.title));
-    if (e.tagName !== "SECTION") e.title = say(e.dataset.title); });
-  $("tools").innerHTML = Object.keys(HOLDS).map(t =>
+  worded(say);
+  $("tools").innerHTML = TOOLS.map(t =>
     `<button type="button" data-tool="${t}">${say(`tool_${t}`)}</button>`).join("");
   tool(canvas.tool);
   $("lang").innerHTML = Object.keys(words).map(l => `<option value="${l}"${l === bench.lang ? " selected" : ""}>${
@@ -179,7 +178,7 @@ engine.said = step => {
   if (step === "ready" && bench.text) void renewal("");
 };
 on($("views"), "click", e => { if (e.target.dataset.view) turnTo(e.target.dataset.view); });
-on($("tools"), "click", e => { if (e.target.dataset.tool in HOLDS) tool(e.target.dataset.tool); });
+on($("tools"), "click", e => { if (TOOLS.includes(e.target.dataset.tool)) tool(e.target.dataset.tool); });
 on($("scene"), "input", () => {
   clearTimeout(typing);
   typing = setTimeout(() => take($("scene").value, "scene"), REST_MS);

@@ -15,15 +15,37 @@ ALLOWED = "connect-src 'self'; frame-src 'self' blob:; worker-src 'self'; font-s
 """What the studio asks besides: its own server or folder, the lesson in a frame, the worker."""
 
 
+FILES = {
+    "sheet.pdf": ("sheet",),
+    "sheet.svg": ("sheet",),
+    "sheet.dxf": ("sheet",),
+    "sheet.png": ("sheet",),
+    "lesson.html": ("lesson",),
+    "note.pdf": ("note",),
+    "note.docx": ("note",),
+    "blank.pdf": ("blank", "--plan", "velocity"),
+    "cycle.csv": ("cycle",),
+    "turn.svg": ("cycle", "--film"),
+    "plan.ggb": ("sheet",),
+    "plan.tex": ("sheet",),
+}
+"""The files that may be taken away, each with its command: those of ``cycle`` are of a mechanism alone."""
+
+
 def answered(message: Json) -> Json:
     """The answer to one message, a lesson with the letters of its names."""
     found = answer(message)
     return {**found, "letters": letters_of(found["data"])} if "data" in found else found
 
 
+def written(message: Json) -> str:
+    """The answer to one message, as JSON."""
+    return json.dumps(answered(message), ensure_ascii=False, allow_nan=False)
+
+
 def carried(text: str) -> str:
-    """A message and its answer, both as JSON."""
-    return json.dumps(answered(json.loads(text)), ensure_ascii=False, allow_nan=False)
+    """A message and its answer, both as JSON: how a worker asks."""
+    return written(json.loads(text))
 
 
 def studio_page(lang: str, way: Json, first: str = "") -> str:
@@ -32,7 +54,7 @@ def studio_page(lang: str, way: Json, first: str = "") -> str:
     words = {of: {**under("studio_", of, "studio"), "language": table(of)["language_name"]} for of in langs("studio")}
     lang = next(one for one in stand_ins(lang) if one in words)
     body = web_page.filled(web_page.part("studio.html"), {"noscript": NOSCRIPT})
-    data = {"words": words, "way": way, "first": first}
+    data = {"words": words, "way": way, "first": first, "takeaway": FILES}
     style = web_page.part("lesson.css", "studio.css")
     return web_page.page("planes", lang, style, body, code=packer.packed("studio"), data=data, allowed=ALLOWED)
 

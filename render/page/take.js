@@ -3,11 +3,8 @@ import { bench, say } from "./bench.js";
 import { way } from "./carrier.js";
 import { $, on, safe } from "./dom.js";
 
-const FILES = ["sheet.pdf", "sheet.svg", "sheet.dxf", "sheet.png", "lesson.html", "note.pdf", "note.docx", "blank.pdf",
-  "cycle.csv", "turn.svg", "plan.ggb", "plan.tex"];
-const OF_MOTION = ["cycle.csv", "turn.svg"];
-/** Commands that are not called as their files are. @type {Record<string, string>} */
-const COMMANDS = { turn: "cycle --film", plan: "sheet", blank: "blank --plan velocity" };
+/** The files there are, each with its command. @type {Record<string, string[]>} */
+const FILES = JSON.parse($("takeaway").textContent);
 
 /** @type {(name: string, data: BlobPart, kind: string) => void} */
 function download(name, data, kind) {
@@ -19,7 +16,7 @@ function download(name, data, kind) {
 }
 /** @type {(data: LessonData) => void} */
 export function offered(data) {
-  const own = data.moves ? FILES : FILES.filter(file => !OF_MOTION.includes(file));
+  const own = Object.keys(FILES).filter(file => data.moves || FILES[file][0] !== "cycle");
   /** @type {(file: string) => string} */
   const named = file => safe(`${say(`file_${file.split(".")[0]}`)}, ${file.split(".")[1].toUpperCase()}`);
   $("files").innerHTML = `<button type="button" data-file="yaml">scene.yaml</button>` + own.map(file =>
@@ -32,7 +29,7 @@ on($("files"), "click", async e => {
   const file = e.target.dataset.file;
   if (!file) return;
   if (file === "yaml") { download("scene.yaml", bench.text, "text/yaml"); return; }
-  const [verb, ...options] = (COMMANDS[file.split(".")[0]] ?? file.split(".")[0]).split(" ");
+  const [verb, ...options] = FILES[file];
   const command = ["planes", verb, "scene.yaml", ...options, "-o", file].join(" ");
   if (!way.native) { $("state").textContent = `${say("by_command")} ${command}`; return; }
   $("state").textContent = say("making");

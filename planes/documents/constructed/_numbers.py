@@ -12,6 +12,7 @@ from planes.documents.constructed import LiveFigure
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Point, Real
 from planes.lesson.dimensions import FreeNumbers
+from render.files.ggb import written
 
 LONGEST = 2000  # of a formula: what is reckoned in a longer one stays a number
 RADIAN = "pi / 180"
@@ -119,5 +120,4 @@ def formula(tape: Tape, place: int, labels: Mapping[str, str]) -> str:
 
 def literal(value: float) -> str:
     """A number in a formula."""
-    text = repr(value).replace("e", "E")
-    return f"({text})" if value < 0 else text
+    return f"({written(value)})" if value < 0 else written(value)

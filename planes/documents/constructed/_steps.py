@@ -186,9 +186,7 @@ class Translator:
         n = self.labels
         match step:
             case r.Measure():
-                ends = n[step.start], n[step.end]
-                size = f"(({ends[1]} - {ends[0]}) * {n[step.along]})" if step.along else f"Distance[{', '.join(ends)}]"
-                return f"{size} / {n[step.mu]}"
+                return f"{self.length(step)} / {n[step.mu]}"
             case r.Drop():
                 return f"(({n[step.point]} - {n[step.about]}) ⊗ {n[step.along]}) / {n[step.mu]}"
             case r.Protractor():
@@ -198,8 +196,7 @@ class Translator:
             case r.Calculate():
                 return " + ".join(self.product(term) for term in step.terms) or "0"
             case r.Sense():
-                ends = n[step.start], n[step.end]
-                size = f"(({ends[1]} - {ends[0]}) * {n[step.along]})" if step.along else f"Distance[{', '.join(ends)}]"
+                size = self.length(step)
                 beside = [f"Distance[{self.pole(m)}, {n[m]}]" for m in step.beside]
                 return f"If[abs({size}) > {STILL} * ({' + '.join(beside) or '0'}), sgn({size}), 0]"
             case r.SenseOf():
@@ -214,6 +211,11 @@ class Translator:
                 working, idle = f"{n[step.working]} * (abs({way}) + {way})", f"{n[step.idle]} * (abs({way}) - {way})"
                 return f"({working} + {idle}) / 2"
         return ""
+
+    def length(self, step: r.Measure | r.Sense) -> str:
+        """Between two marks the distance, or how far it goes along a direction."""
+        start, end = self.labels[step.start], self.labels[step.end]
+        return f"(({end} - {start}) * {self.labels[step.along]})" if step.along else f"Distance[{start}, {end}]"
 
     def product(self, term: r.Product) -> str:
         """One product of powers."""
