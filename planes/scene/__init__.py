@@ -120,7 +120,7 @@ class Scene(Pictured):
         """The scene of a mechanism built in Python; scales are chosen by the program."""
         from planes.scene.writing import as_yaml
 
-        return loads(as_yaml(mechanism, {"title": title}, {}), file or "mechanism")
+        return loads(as_yaml(mechanism, {"title": title}, {}), file or f"<{title or 'Mechanism'}>")
 
     def with_parameters(self, **values: float) -> "Scene":
         """The same scene read again with other numbers for some of its parameters (SI, degrees)."""

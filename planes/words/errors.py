@@ -24,6 +24,11 @@ _MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
 """Keys of a scene by the Russian words for them."""
 
 
+def place_of(file: str, line: int | None) -> str:
+    """Where something is said, before its sentence; what was built in Python, <Slider-crank>, has no lines."""
+    return f"{file}:{line}: " if line and file[:1] != "<" else (f"{file}: " if file else "")
+
+
 class PlanesError(Exception):
     """Base of all errors raised here: the message is one sentence with names, numbers, the place and the remedy.
 
@@ -51,7 +56,7 @@ class SceneError(PlanesError, ValueError):
     """The scene file says something that cannot be meant."""
 
     def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
-        self.place = f"{file}:{line}: " if line else (f"{file}: " if file else "")
+        self.place = place_of(file, line)
         self.file, self.line = file, line
         super().__init__(phrase)
 
@@ -66,7 +71,7 @@ class Doubt:
 
     def told(self, lang: Lang = "en") -> str:
         """The place and the sentence in a language."""
-        return f"{self.file}:{self.line}: {self.phrase.told(lang)}"
+        return f"{place_of(self.file, self.line)}{self.phrase.told(lang)}"
 
 
 class StructureError(SceneError):

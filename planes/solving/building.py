@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any, Self
 
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, loads
 from planes.scene.writing import written
 from planes.words import Phrase
@@ -23,8 +24,8 @@ class Linkage:
     Each call adds to it and returns it.
 
     Lengths are in m, masses in kg, moments of inertia in kg·m² about the mass centre, angles in degrees
-    counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` gives the scene, or the sentence by which a
-    file would be refused.
+    counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` gives the scene, or says in one sentence why
+    there is none.
 
     >>> import planes
     >>> engine = planes.Linkage("Slider-crank", gravity=9.81)
@@ -166,8 +167,14 @@ class Linkage:
         return written({key: value for key, value in (self.parts | {"frame": frame}).items() if value})
 
     def scene(self, **parameters: float) -> Scene:
-        """The scene. :class:`planes.PlanesError` points to the invalid line of :meth:`to_yaml`."""
-        return loads(self.to_yaml(), self.parts["title"] or "Linkage", None, **parameters)
+        """The scene, with other numbers for its ``parameters`` (SI, degrees).
+
+        Raises :class:`planes.PlanesError`, which names the part, where something cannot be meant, or the links and
+        pairs make no mechanism, or its assembly is open.
+        """
+        scene = loads(self.to_yaml(), f"<{self.parts['title'] or 'Linkage'}>", None, **parameters)
+        scene_plans(scene)
+        return scene
 
     def __repr__(self) -> str:
         links = ", ".join(self.parts["links"])
