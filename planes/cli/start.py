@@ -14,6 +14,7 @@ from planes.words.errors import PlanesError, choices
 TEMPLATES = Path(__file__).parents[1] / "templates"
 GROUPS = {"rrr": "four-bar", "rrp": "crank-slider", "rpr": "slotted-lever", "prp": "tangent", "rpp": "scotch-yoke"}
 """The template of each kind of groups."""
+ISO = "sheet: {frame: iso}                        # or gost: frame and title block of GOST 2.104\n"
 _TITLE = re.compile(r"^title: \{ru: (.*), en: (.*)\}$", re.MULTILINE)
 _CYRILLIC = re.compile("[а-яё]", re.IGNORECASE)
 
@@ -53,7 +54,8 @@ def in_language(template: str, lang: Lang) -> str:
         both = remark.split(" / ")
         if body or len(both) == 2 or bool(_CYRILLIC.search(remark)) == first or not mark:
             lines.append(body + mark + both[0 if first else -1])
-    return "\n".join(lines) + "\n"
+    text = "\n".join(lines) + "\n"
+    return text if first else text.replace("\nsheet: {", "\nsheet: {frame: iso, ") + ISO * ("\nsheet:" not in text)
 
 
 def _schema_beside(file: Path, name: str, lang: Lang) -> str:
