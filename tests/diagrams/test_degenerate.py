@@ -90,6 +90,7 @@ def test_what_grows_without_bound_is_told_with_its_place() -> None:
     assert "goes off without bound" in report(found, "en") and "уходит в бесконечность" in report(found, "ru")
 
 
+@pytest.mark.slow
 def test_rounding_has_no_extremes() -> None:
     """Rods 0.4 long between pivots 0.4 apart only shift: what their angles vary by is rounding."""
     told = as_json(summed(chain(3)))["curves"]

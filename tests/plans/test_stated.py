@@ -242,6 +242,7 @@ def test_samples_are_told_in_two_languages(path: Path) -> None:
 # readers
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("command", ["sheet {} -o a.svg", "note {} -o a.html", "lesson {} -o a.html"])
 @pytest.mark.parametrize("name", ["six-link", "group", "friction"])
 def test_every_document_is_made(command: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -146,6 +146,7 @@ def patterns(node):
             yield "".join(re.escape(p.value) if isinstance(p, ast.Constant) else "[A-Za-z0-9_]+" for p in node.values)
 
 
+@pytest.mark.slow
 def test_every_key_that_is_told_is_in_the_table():
     told = list(keys_told())
     assert len(told) > 150
@@ -167,6 +168,7 @@ def test_every_key_of_the_report_is_in_the_table():
     assert len(report_keys()) > 80 and report_keys() <= TABLE.keys()
 
 
+@pytest.mark.slow
 def test_no_key_is_left_over():
     said = report_keys() | {
         n.value for own in nodes().values() for n in own if isinstance(n, ast.Constant) and isinstance(n.value, str)
@@ -189,6 +191,7 @@ def test_no_key_is_left_over():
     assert not [key for key in TABLE if key not in said and not known.fullmatch(key)]
 
 
+@pytest.mark.slow
 def test_refusals_are_told_from_the_table():
     """No sentence is put together where it is raised."""
     for file, own in nodes().items():
