@@ -60,7 +60,7 @@ def test_the_command_writes_a_moving_svg(tmp_path: Path, capsys: pytest.CaptureF
     text = file.read_text("utf-8")
     assert text.count("<animate ") == 60 and "<script" not in text and text.count("</svg>") == 1
     assert main(["cycle", str(FOUR_BAR), "--film", "--lang", "en"]) == 2
-    assert "--film changes nothing without --output" in capsys.readouterr().err
+    assert "--film has no effect without --output" in capsys.readouterr().err
 
 
 def test_a_film_opens(tmp_path: Path) -> None:
