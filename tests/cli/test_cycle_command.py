@@ -185,7 +185,7 @@ def test_graphical_constructions_beside_the_exact_values(capsys: Any) -> None:
     said = out_of(capsys, TWELVE, "--graphical", "24", "--pole", "25", "--lang", "ru")
     assert "участков 24" in said and said.count("H = 25 мм") == 4 and "Графическое интегрирование" in said
     rows = [line.split() for line in said.splitlines() if line.startswith("  11½ ")]
-    assert len(rows) == 1 and float(rows[0][4]) == pytest.approx(0, abs=1.0)
+    assert len(rows) == 1 and float(rows[0][4].replace(",", ".")) == pytest.approx(0, abs=1.0)
 
 
 @pytest.mark.slow
