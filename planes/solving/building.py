@@ -10,7 +10,7 @@ from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, loads
 from planes.scene.writing import written
 from planes.words import Phrase
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, choices, shown
 
 Place = float | str | complex | Sequence[float | str] | Mapping[str, float | str]
 """A place in a link's axes: x alone (m), [x, y] or x + iy, or ``{"r": …, "angle": …}``; texts are expressions."""
@@ -76,7 +76,11 @@ class Linkage:
         ``x`` is a vertical guide through (x, 0) that points to +y, ``y`` a horizontal one that points to +x;
         ``through`` a point or its name at an ``angle`` in degrees; ``centre`` and ``radius`` an arc.
         """
-        owner = self.parts["frame"] if link is None else self.parts["links"][str(link)]
+        links = self.parts["links"]
+        if link is not None and str(link) not in links:
+            told = {"what": Phrase("guide_named", name=name), "of": Phrase("links_all"), "name": shown(str(link))}
+            raise PlanesError(Phrase("unknown_name", **told, valid=choices(str(link), links)))
+        owner = self.parts["frame"] if link is None else links[str(link)]
         line = _given(x=x, y=y, through=through, angle=angle, centre=centre, radius=radius)
         owner.setdefault("guides", {})[name] = _placed(line)
         return self

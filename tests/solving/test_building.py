@@ -51,6 +51,8 @@ def test_an_open_assembly_and_a_missing_link_are_refused_before_anything_is_solv
         built.scene()
     with pytest.raises(planes.PlanesError, match=r"^<Linkage>: .*link"):
         Linkage().fix(O=(0, 0)).link(1, O=0, A=0.1).link(2, A=0, B=1).drive(1, phi=0).scene()
+    with pytest.raises(planes.PlanesError, match=r'^guide g: there is no link "7"; valid: 1$'):
+        Linkage().link(1, O=0).guide("g", link=7, y=0)
 
 
 def test_a_point_given_as_none_is_refused() -> None:
