@@ -31,10 +31,10 @@ SHOWN = 6  # columns named in the short form
 
 
 class Table(Described, Mapping[str, Array | Complexes]):
-    """Columns by name, each an array of shape (positions,); ``units`` say what they are in.
+    """Columns by name, each an array of shape (positions,), with their ``units``.
 
-    A vector ``v_C`` is complex, x + iy; its parts are ``v_C_x`` and ``v_C_y``. Where a position could not be drawn the
-    numbers are NaN, and ``failed`` says in short what cannot be made and why, "C: arcs apart"; elsewhere it is "".
+    A vector ``v_C`` is complex, x + iy; its components are ``v_C_x`` and ``v_C_y``. Where a position cannot be drawn,
+    the numbers are NaN and ``failed`` gives the mark and the reason in short, "C: arcs apart"; elsewhere it is "".
     """
 
     def __init__(

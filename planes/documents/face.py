@@ -42,8 +42,8 @@ def cycle(
     **parameters: Any,
 ) -> Table:
     """Results for many positions, as arrays by name. ``names`` are results such as "v_C", "omega_2", "F_21", "M_1" or
-    the place "r_C" (None: everything). A position that cannot be drawn has NaN, and in ``failed`` what cannot be made
-    there, and why ("C: arcs apart"); :func:`solve` for that one position gives the sentence with its numbers.
+    the place "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the reason
+    in short ("C: arcs apart"); :func:`solve` for that position gives the full sentence.
 
     ``phi`` (degrees; ``s``, in m, of a sliding driver) is an array of values, a whole turn by degrees if left out (of a
     sliding driver: its own place). Any other keyword is a parameter of the scene and its value or values: each
@@ -109,7 +109,7 @@ def check(
     """Check a person's drawing of a plan ("position", "velocity", "acceleration", "force:2-3", "force:1").
 
     ``drawing`` is a table (.csv), a drawing of lines (.svg, .dxf, .pdf) or a picture; ``mu`` its scale, as
-    "30 mm/(m/s)", where it is known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy
+    "30 mm/(m/s)", if known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy
     with y down; ``page`` of several counts from 1. The outcome has a ``verdict`` ("right", "wrong", "unreadable"),
     ``first_wrong``, ``mistake``, ``sentence``.
     Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
@@ -131,9 +131,9 @@ def sheet(
     view: str | None = None,
     lang: Lang | None = None,
 ) -> Sheet | Page:
-    """The drawing sheet of one position, written to ``output`` if that is given (.svg, .pdf, .png, .dxf).
+    """The drawing sheet of one position, written to ``output`` if it is given (.svg, .pdf, .png, .dxf).
 
-    ``number`` 1 or 2 is that sheet of a course project, ``view`` one view alone; else everything stands on one sheet.
+    ``number`` 1 or 2 is a sheet of a course project, ``view`` a single view; otherwise everything is on one sheet.
     A notebook shows what is returned. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
     scene = read(scene)
@@ -148,8 +148,8 @@ def sheet(
 def lesson(
     scene: Scene | Linkage, output: str | Path | None = None, lang: Lang | None = None, centres: bool = False
 ) -> Lesson:
-    """The construction step by step, with a chapter on instantaneous ``centres`` if it is asked for, as a page that a
-    notebook shows, written to ``output`` if that is given."""
+    """The construction step by step as a web page, with a chapter on instantaneous ``centres`` if wanted; written to
+    ``output`` if it is given. A notebook shows it."""
     page = Lesson(read(scene), lang or home_lang(), centres=centres)
     if output is not None:
         page.write(str(output))

@@ -28,11 +28,11 @@ TOLD = 20  # for how many failed positions the nearest working one is looked for
 
 @frozen
 class Position(Pictured, Tabulated):
-    """One position drawn: where the drive is (``at``: degrees, or m), its plans, drawing and scales, what was found,
-    and ``results``: the same as the JSON has it, with what was measured on the plans and what is warned of.
+    """One position of a mechanism: the drive's place ``at`` (degrees, or m), plans, drawing, scales, and ``results``
+    as in the JSON, with the measured segments and the warnings.
 
-    Everything by name, or number: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega`` and
-    ``epsilon`` of links in rad/s and rad/s²; :meth:`value` takes any name that ``find:`` takes.
+    Results are read by name or number: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega``
+    and ``epsilon`` of links in rad/s and rad/s²; :meth:`value` takes any name that ``find:`` takes.
     """
 
     at: float

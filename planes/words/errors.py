@@ -30,9 +30,9 @@ def place_of(file: str, line: int | None) -> str:
 
 
 class PlanesError(Exception):
-    """Base of all errors raised here: the message is one sentence with names, numbers, the place and the remedy.
+    """Base class of all errors of planes. The message is one sentence with names, numbers, the place and the remedy.
 
-    ``str`` of it is English; :meth:`told` gives the other languages.
+    ``str`` gives it in English, :meth:`told` in other languages.
     """
 
     place = ""
@@ -47,7 +47,7 @@ class PlanesError(Exception):
 
 
 class UnknownName(PlanesError, KeyError):
-    """There is no result of this name; the sentence says which there are."""
+    """There is no result of this name; the message lists the names there are."""
 
     __str__ = Exception.__str__  # a KeyError would put it in quotes
 
