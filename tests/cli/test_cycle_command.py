@@ -46,10 +46,10 @@ def refused(capsys: Any, *argv: str) -> str:
 @pytest.mark.slow
 def test_the_summary_in_both_languages(capsys: Any) -> None:
     said = out_of(capsys, TWELVE, "--lang", "ru")
-    assert "ход 0.23077 м" in said and "K = 2.1966" in said and "φ1 = 22.6199°" in said
+    assert "ход 0,23077 м" in said and "K = 2,1966" in said and "φ1 = 22,6199°" in said
     assert "Аналоги скоростей и ускорений (передаточные функции)" in said and "Траектории точек" in said
     row = next(line.split() for line in said.splitlines() if line.startswith("  u_21"))
-    assert row == ["u_21,", "u_31", "1", "-1.246", "326.3099°", "0.3568", "146.3099°"]
+    assert row == ["u_21,", "u_31", "1", "-1,246", "326,3099°", "0,3568", "146,3099°"]
     assert "Time ratio K = 2.1966" in out_of(capsys, TWELVE, "--lang", "en")
     assert "Assembles for φ1 = 129.5274°…305.7678°" in out_of(capsys, SIX, "--lang", "en")
     assert "→ ∞" in out_of(capsys, SIX, "--lang", "en")

@@ -372,7 +372,7 @@ def test_every_digit_of_the_printed_listing(file: str, capsys: Any) -> None:
     from planes.cli import main
 
     scene = str(SAMPLES / f"{file}.yaml")
-    assert main(["cycle", scene, "--phi", "245", "--omega", "12", "--epsilon", "7", "--lang", "ru"]) == 0
+    assert main(["cycle", scene, "--phi", "245", "--omega", "12", "--epsilon", "7", "--lang", "en"]) == 0
     rows = [line.split() for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
     told = {row[0]: row[-1] for row in rows if len(row) == 3}
     printed = json.loads((SAMPLES / "expected" / "assignment-12.json").read_text(encoding="utf-8"))["quantities"]
