@@ -232,7 +232,7 @@ def test_what_is_shown_is_told_of_alone(capsys: Any) -> None:
 def test_a_position_that_does_not_assemble_is_told(capsys: Any) -> None:
     assert main(["cycle", SIX, "--listing", "--phi", "90:150:30", "--show", "u_31", "--lang", "en"]) == 0
     found = capsys.readouterr()
-    assert found.err.count("\n") == 2 and "at φ = 90°" in found.err and "the nearest position that works" in found.err
+    assert found.err.count("\n") == 2 and "at φ = 90°" in found.err and "the nearest that works" in found.err
     assert [line.split() for line in found.out.splitlines()][-1] == ["u_31", "1", "—", "—", "0.80127"]
     assert refused(capsys, SIX, "--phi", "0", "--json").startswith("at φ = 0°")
 
