@@ -84,6 +84,7 @@ def run(command: str, lang: str, *more: str) -> str:
 
 def draw(command: str, lang: str) -> str:
     """A figure, drawn if it is not there yet; where it lies from a page."""
+    command = command.removeprefix("planes ")  # which stands in a page, so that it can be typed as it is read
     file = PAGES / lang / "figures" / named(command)
     file.parent.mkdir(exist_ok=True)
     if not file.exists():
@@ -105,7 +106,7 @@ def first_view(scene: Scene) -> str:
 
 def figure(caption: str, body: str, lang: str) -> str:
     """A picture with its caption and the command that draws it."""
-    below = f"<figcaption>{caption}<br><code>planes {body.strip()} -o {DRAWN}</code></figcaption>"
+    below = f"<figcaption>{caption}<br><code>{body.strip()} -o {DRAWN}</code></figcaption>"
     return f"<figure markdown>\n![{caption}]({draw(body.strip(), lang)})\n{below}\n</figure>"
 
 

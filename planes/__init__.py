@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
     from planes.scene import Scene, load, loads
-    from planes.scene.building import Linkage
     from planes.solving import Position
+    from planes.solving.building import Linkage
     from planes.solving.of_scene import solve
     from planes.words.errors import PlanesError
 
@@ -39,7 +39,7 @@ __version__ = "0.11.0"
 
 _FROM = {
     "planes.scene": ("Scene", "load", "loads"),
-    "planes.scene.building": ("Linkage",),
+    "planes.solving.building": ("Linkage",),
     "planes.documents.face": ("animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"),
     "planes.solving.of_scene": ("solve",),
     "planes.drafting.instruments": ("Exact", "Pencil"),

@@ -8,11 +8,20 @@ so many of them, and the rest long.
 
 from __future__ import annotations
 
+import os
+import sys
 from collections import defaultdict
 from importlib.util import find_spec
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+if sys.dont_write_bytecode:  # else each worker, and each command a test starts, compiles every module anew
+    sys.dont_write_bytecode = False
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    COMPILED = Path(__file__).parents[1] / ".pytest_cache" / "compiled"
+    sys.pycache_prefix = os.environ["PYTHONPYCACHEPREFIX"] = str(COMPILED)
 
 settings.register_profile(
     "planes", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]

@@ -18,6 +18,7 @@ from planes.plans.quantities import Quantity, once, results_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError, UnknownName
 from planes.words.frozen import frozen
+from planes.words.names import label_of
 from planes.words.naming import Naming
 from planes.words.records import Described
 
@@ -30,10 +31,10 @@ SHOWN = 6  # columns named in the short form
 
 
 class Table(Described, Mapping[str, Array | Complexes]):
-    """Columns by name, each an array of shape (positions,); ``units`` say what they are in.
+    """Columns by name, each an array of shape (positions,), with their ``units``.
 
-    A vector ``v_C`` is complex, x + iy; its parts are ``v_C_x`` and ``v_C_y``. Where a position could not be drawn the
-    numbers are NaN and ``failed`` has the reason, a key of the table of words, "" elsewhere.
+    A vector ``v_C`` is complex, x + iy; its components are ``v_C_x`` and ``v_C_y``. Where a position cannot be drawn,
+    the numbers are NaN and ``failed`` gives the mark and the reason in short, "C: arcs apart"; elsewhere it is "".
     """
 
     def __init__(
@@ -137,6 +138,11 @@ class Reason:
 
     key: str
     makes: str
+
+    @property
+    def named(self) -> str:
+        """In short: "C: arcs apart"."""
+        return ": ".join(filter(None, (self.makes and label_of(self.makes), self.key.replace("_", " "))))
 
 
 @dataclass(eq=False)

@@ -2,17 +2,21 @@
 
 import json
 import os
+import re
 import sys
 from argparse import Namespace
 from pathlib import Path
 
 from planes.scene.files import is_output, keep, sayable
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, say, stand_ins
 from planes.words.errors import PlanesError, choices
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 GROUPS = {"rrr": "four-bar", "rrp": "crank-slider", "rpr": "slotted-lever", "prp": "tangent", "rpp": "scotch-yoke"}
 """The template of each kind of groups."""
+ISO = "sheet: {frame: iso}                        # or gost: frame and title block of GOST 2.104\n"
+_TITLE = re.compile(r"^title: \{ru: (.*), en: (.*)\}$", re.MULTILINE)
+_CYRILLIC = re.compile("[а-яё]", re.IGNORECASE)
 
 
 def templates() -> list[str]:
@@ -28,7 +32,7 @@ def new(args: Namespace) -> int:
     name = GROUPS.get(args.kind, args.kind)
     if name not in templates():
         raise PlanesError(Phrase("new_unknown", name=args.kind[:60], valid=choices(args.kind, templates())))
-    text = (TEMPLATES / f"{name}.yaml").read_text("utf-8")
+    text = in_language((TEMPLATES / f"{name}.yaml").read_text("utf-8"), args.lang)
     if args.output and (args.output.endswith(("/", os.sep)) or Path(args.output).is_dir()):
         args.output = str(Path(args.output) / ("course.yaml" if name == "course" else "scene.yaml"))
     if args.output and Path(args.output).exists() and not is_output(Path(args.output)):
@@ -39,6 +43,19 @@ def new(args: Namespace) -> int:
     beside = args.output and not is_output(Path(args.output)) and _schema_beside(Path(args.output), name, args.lang)
     _out(f"# yaml-language-server: $schema={beside}\n{text}" if beside else text, args.output)
     return 0
+
+
+def in_language(template: str, lang: Lang) -> str:
+    """A template, whose title and remarks are in Russian and English, in the language it is asked for in."""
+    first = "ru" in stand_ins(lang)
+    lines = []
+    for line in _TITLE.sub(r"title: \1" if first else r"title: \2", template).splitlines():
+        body, mark, remark = line.rpartition("# ")
+        both = remark.split(" / ")
+        if body or len(both) == 2 or bool(_CYRILLIC.search(remark)) == first or not mark:
+            lines.append(body + mark + both[0 if first else -1])
+    text = "\n".join(lines) + "\n"
+    return text if first else text.replace("\nsheet: {", "\nsheet: {frame: iso, ") + ISO * ("\nsheet:" not in text)
 
 
 def _schema_beside(file: Path, name: str, lang: Lang) -> str:

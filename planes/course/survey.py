@@ -121,7 +121,8 @@ def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     for x in lines:
         loads = (f"{load:.6g}" if load is not None else "—" for load in (x.balancing, x.lever))
         apart = "—" if x.difference is None else f"{x.difference:.1e}"
-        rows.append([x.scene, x.variant, x.drive, yes_or_no[x.solved], *loads, apart])
+        numbers = (decimal(cell, lang) for cell in (x.drive, *loads, apart))
+        rows.append([x.scene, x.variant, next(numbers), yes_or_no[x.solved], *numbers])
     heads = ("scene", "variant", "drive", "solved", "balancing", "lever", "difference")
     found = table(say("survey_title", lang), [say(f"survey_{k}", lang) for k in heads], rows)
     said = [
@@ -133,7 +134,8 @@ def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     worst = max((x.difference for x in lines if x.difference is not None), default=0.0)
     counts = {"solved": sum(x.solved for x in lines), "forces": sum(x.balancing is not None for x in lines)}
     counts |= {"count": len(lines), "said": len(said)}
-    return "\n".join([*found, "", say("survey_count", lang, **counts, worst=f"{worst:.1e}")]).lstrip("\n") + "\n"
+    count = say("survey_count", lang, **counts, worst=decimal(f"{worst:.1e}", lang))
+    return "\n".join([*found, "", count]).lstrip("\n") + "\n"
 
 
 def remarks(lines: Sequence[SurveyRow]) -> dict[tuple[str, str], list[str]]:

@@ -9,7 +9,7 @@ from planes.drafting.instruments import Exact, Pencil
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving.text_tables import table
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, decimals, say
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
 from planes.words.naming import Naming
@@ -109,7 +109,7 @@ def report(constructions: list[Construction], lang: Lang) -> str:
         for reading in readings(c):
             if not reading.stage.given:
                 lines += _reading(c, reading, lang)
-    return "\n".join(lines[1:]) + "\n"
+    return decimals("\n".join(lines[1:]), lang) + "\n"
 
 
 def _reading(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:

@@ -23,7 +23,7 @@ from planes.scene.ranges import Span
 from planes.solving import failed, key_of, told
 from planes.solving.nearest import Nearest
 from planes.solving.text_tables import table
-from planes.words import Lang, say
+from planes.words import Lang, decimals, say
 from planes.words.errors import PlanFailure
 from planes.words.records import Json, or_none
 from planes.words.waiting import bar
@@ -177,10 +177,10 @@ def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:
     told_rows, kind = listed(turn, values), turn.plans.mechanism.drive.kind
     lines: list[str] = []
     for key, curves in _chapters(turn.curves):
-        rows = [[c.name, say(c.unit, lang), *map(decimals, told_rows[c.name])] for c in curves]
+        rows = [[c.name, say(c.unit, lang), *map(five_decimals, told_rows[c.name])] for c in curves]
         head = ["", say("column_unit", lang), *(told(float(v), kind, lang) for v in values)]
         lines += table(say(key, lang), head, rows)
-    return "\n".join(lines[1:]) + "\n"
+    return decimals("\n".join(lines[1:]), lang) + "\n"
 
 
 def _chapters(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
@@ -193,7 +193,7 @@ def _chapters(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
     return [(f"group_{k}", [c for c in curves if chapter(c) == f"group_{k}"]) for k in keys]
 
 
-def decimals(value: float) -> str:
+def five_decimals(value: float) -> str:
     """A number with five decimals, the zeros at its end left out, as a calculating sheet prints it."""
     if not math.isfinite(value):
         return "—"

@@ -6,7 +6,7 @@ from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
 from planes.solving import told
 from planes.solving.text_tables import table
-from planes.words import Lang, say
+from planes.words import Lang, decimals, say
 from planes.words.names import index_of
 from planes.words.naming import Naming
 from planes.words.records import Json, or_none
@@ -19,7 +19,7 @@ def report(s: Summary, lang: Lang) -> str:
     """Stroke, dead points, time ratio, then the extremes of every curve, group by group."""
     structure = s.plans.structure
     made = f"W = {structure.W}, q = {structure.q}, {structure.formula_as(s.scene.frame_number)}"
-    lines = [s.scene.title.get(lang, ""), made, _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)]
+    title, lines = s.scene.title.get(lang, ""), [made, _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)]
     lines += ["", *_stroke(s, lang)]
     name = drive_name(s)
     head = ["", say("column_unit", lang)]
@@ -29,7 +29,7 @@ def report(s: Summary, lang: Lang) -> str:
         rows = [_cells(s, row, lang) for row in s.rows if row.group == group]
         lines += table(say(f"group_{group}", lang), head, rows)
     lines += [] if s.names else _paths(s, lang)
-    return "\n".join(line for k, line in enumerate(lines) if line or k) + "\n"
+    return title + "\n" * bool(title) + decimals("\n".join(lines), lang) + "\n"
 
 
 def drive_name(s: Summary) -> str:

@@ -20,8 +20,8 @@ from planes.documents.sheets import sheet_of
 from planes.plans.quantities import asked as asked_for
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
-from planes.scene.building import Linkage
-from planes.scene.ranges import asked_of_drive
+from planes.scene.ranges import asked_of_drive, finite
+from planes.solving.building import Linkage
 from planes.solving.of_scene import read
 from planes.words import Lang, home_lang
 from planes.words.names import kind_of
@@ -42,7 +42,8 @@ def cycle(
     **parameters: Any,
 ) -> Table:
     """Results for many positions, as arrays by name. ``names`` are results such as "v_C", "omega_2", "F_21", "M_1" or
-    the place "r_C" (None: everything). A position that cannot be drawn has NaN, and the reason in ``failed``.
+    the place "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the reason
+    in short ("C: arcs apart"); :func:`solve` for that position gives the full sentence.
 
     ``phi`` (degrees; ``s``, in m, of a sliding driver) is an array of values, a whole turn by degrees if left out (of a
     sliding driver: its own place). Any other keyword is a parameter of the scene and its value or values: each
@@ -59,7 +60,8 @@ def cycle(
     scene = read(scene)
     asked = [names] if isinstance(names, str) else list(names) if names is not None else None
     values = asked_of_drive(scene, phi, s)
-    swept = {name: np.atleast_1d(np.asarray(v, float)) for name, v in parameters.items()}
+    values = values if values is None else np.atleast_1d(finite(values, "s" if phi is None else "phi"))
+    swept = {name: np.atleast_1d(finite(v, name)) for name, v in parameters.items()}
     tables = []
     for numbers in product(*swept.values()):
         given = dict(zip(swept, map(float, numbers), strict=True))
@@ -72,10 +74,8 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     plans = scene_plans(scene)
     drive, run = plans.mechanism.drive, Cycle(plans, names)
     if values is None:
-        values = np.arange(360.0) if drive.kind == "phi" else [drive.position]
-    elif isinstance(values, Iterable) and not isinstance(values, np.ndarray):
-        values = list(values)
-    blocks = list(run.blocks(np.atleast_1d(np.asarray(values, float))))
+        values = np.arange(360.0) if drive.kind == "phi" else np.array([drive.position])
+    blocks = list(run.blocks(values))
     at, table, codes = (np.concatenate(part, axis=-1) for part in zip(*blocks, strict=True))
     columns = {name: np.full(len(at), number) for name, number in given.items()} | {drive.kind: at}
     units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.kind == "phi" else "m"}
@@ -84,8 +84,14 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     for q in (q for q in asked_for(plans, names or ()) if q.reversed):
         columns |= {f"{q.name}_{part}": -columns[f"{q.of}_{part}"] for part in "xy"}
         units |= {f"{q.name}_{part}": "N" for part in "xy"}
-    reasons = np.array(["", *(r.key for r in run.reasons)], dtype=object)
+    reasons = np.array(["", *(r.named for r in run.reasons)], dtype=object)
     return Table(columns, units, reasons[codes], plans.naming)
+
+
+def _place(scene: Scene, phi: Any, s: Any) -> float | None:
+    """The one place of the drive that is asked for."""
+    at = asked_of_drive(scene, phi, s)
+    return None if at is None else float(finite(at, "s" if phi is None else "phi", several=False))
 
 
 def check(
@@ -103,14 +109,14 @@ def check(
     """Check a person's drawing of a plan ("position", "velocity", "acceleration", "force:2-3", "force:1").
 
     ``drawing`` is a table (.csv), a drawing of lines (.svg, .dxf, .pdf) or a picture; ``mu`` its scale, as
-    "30 mm/(m/s)", where it is known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy
+    "30 mm/(m/s)", if known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy
     with y down; ``page`` of several counts from 1. The outcome has a ``verdict`` ("right", "wrong", "unreadable"),
     ``first_wrong``, ``mistake``, ``sentence``.
     Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
     scene = read(scene)
-    at, known_mu = asked_of_drive(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
-    asked = Asked(scene, plan, None if at is None else float(at), known_mu)
+    at, known_mu = _place(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
+    asked = Asked(scene, plan, at, known_mu)
     known = Known(pole, marks or {}, page=None if page is None else page - 1)
     return judge(asked, read_paper(str(drawing), asked, known))
 
@@ -125,14 +131,14 @@ def sheet(
     view: str | None = None,
     lang: Lang | None = None,
 ) -> Sheet | Page:
-    """The drawing sheet of one position, written to ``output`` if that is given (.svg, .pdf, .png, .dxf).
+    """The drawing sheet of one position, written to ``output`` if it is given (.svg, .pdf, .png, .dxf).
 
-    ``number`` 1 or 2 is that sheet of a course project, ``view`` one view alone; else everything stands on one sheet.
+    ``number`` 1 or 2 is a sheet of a course project, ``view`` a single view; otherwise everything is on one sheet.
     A notebook shows what is returned. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
     scene = read(scene)
-    lang, at = lang or home_lang(), asked_of_drive(scene, phi, s) if scene.mechanism else None
-    values = None if at is None else [float(at)]
+    lang, at = lang or home_lang(), _place(scene, phi, s) if scene.mechanism else None
+    values = None if at is None else [at]
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     if output is not None:
         drawn.write(output)
@@ -142,8 +148,8 @@ def sheet(
 def lesson(
     scene: Scene | Linkage, output: str | Path | None = None, lang: Lang | None = None, centres: bool = False
 ) -> Lesson:
-    """The construction step by step, with a chapter on instantaneous ``centres`` if it is asked for, as a page that a
-    notebook shows, written to ``output`` if that is given."""
+    """The construction step by step as a web page, with a chapter on instantaneous ``centres`` if wanted; written to
+    ``output`` if it is given. A notebook shows it."""
     page = Lesson(read(scene), lang or home_lang(), centres=centres)
     if output is not None:
         page.write(str(output))

@@ -31,7 +31,7 @@ def _arithmetic(many: bool) -> Arithmetic:
 
 @frozen
 class Exact:
-    """No error but rounding: Python's complex for one position, numpy for many."""
+    """An instrument without errors but rounding."""
 
     def tool(self, many: bool) -> Tool:
         return Tool(_arithmetic(many), many)
@@ -53,8 +53,8 @@ def is_exact(instrument: Instrument | None) -> bool:
 
 @frozen
 class Pencil:
-    """A draughtsman: a mark off by ``point_mm`` (standard deviation), a carried direction by ``ray_deg``, a reading
-    rounded to ``ruler_mm``. The same ``seed`` draws the same errors."""
+    """A draughtsman's errors: standard deviations of marks, ``point_mm``, and of transferred directions, ``ray_deg``;
+    readings are rounded to ``ruler_mm``. The same ``seed`` gives the same errors."""
 
     point_mm: float = PENCIL.point_mm
     ray_deg: float = PENCIL.ray_deg

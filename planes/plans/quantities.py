@@ -57,6 +57,10 @@ class Measured(NamedTuple):
     quantity: Quantity
     numbers: tuple[float | None, ...]
 
+    def __repr__(self) -> str:
+        said = [f"{c.name} = {n} {c.unit}" for c, n in zip(self.quantity.columns, self.numbers, strict=True)]
+        return f"<{', '.join(said)}>"
+
     @property
     def number(self) -> float:
         """A plain number; of a slider's reaction or another vector, its part along x."""

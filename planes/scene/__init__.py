@@ -57,11 +57,11 @@ class ReadWith:
 
 @frozen
 class Scene(Pictured):
-    """All that a scene file says. Either ``mechanism`` is there, or the ``statement`` of vectors and equations is.
+    """The contents of a scene file: either a ``mechanism``, or a ``statement`` of vectors and equations.
 
     ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and in a scene of vectors
-    "contour" and "vectors" too. ``crank_slider`` is kept as written, for the integrated calculation. ``missing`` says
-    what the data of an assignment do not give.
+    "contour" and "vectors" too. ``crank_slider`` is kept as written, for the full calculation. ``missing`` says what
+    the data of an assignment leave open.
     """
 
     file: str = ""
@@ -120,7 +120,7 @@ class Scene(Pictured):
         """The scene of a mechanism built in Python; scales are chosen by the program."""
         from planes.scene.writing import as_yaml
 
-        return loads(as_yaml(mechanism, {"title": title}, {}), file or "mechanism")
+        return loads(as_yaml(mechanism, {"title": title}, {}), file or f"<{title or 'Mechanism'}>")
 
     def with_parameters(self, **values: float) -> "Scene":
         """The same scene read again with other numbers for some of its parameters (SI, degrees)."""
@@ -147,7 +147,7 @@ class Scene(Pictured):
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
     """Read a scene file, with other numbers for the ``parameters`` named (SI, degrees).
 
-    :class:`~planes.words.errors.SceneError` with file and line for what cannot be meant, an unknown parameter too.
+    Raises :class:`~planes.words.errors.SceneError`, with file and line, for a mistake in it or an unknown parameter.
     """
     return loads(source.read(path), str(path), variant, **parameters)
 

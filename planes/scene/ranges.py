@@ -1,13 +1,14 @@
 """Ranges of the drive's value as a person writes them: "30", "0:360:30", "-90"."""
 
 import math
-from typing import TypeVar
+from collections.abc import Iterable
+from typing import Any, TypeVar
 
 from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.scene.reader import MOST_TURNS
 from planes.words import Phrase
-from planes.words.errors import PlanesError, SceneError
+from planes.words.errors import PlanesError, SceneError, shown
 from planes.words.frozen import frozen
 
 T = TypeVar("T")
@@ -50,6 +51,21 @@ def asked_of_drive(scene: Scene, phi: T | None, s: T | None) -> T | None:
             why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
             raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
     return asked.get(kind)
+
+
+def finite(value: Any, name: str, several: bool = True) -> Any:
+    """A finite number, or, of ``several``, the numbers of a flat list or array; a :class:`PlanesError` says which
+    argument, ``name``, is neither."""
+    try:
+        plain = value.tolist() if hasattr(value, "tolist") else value
+        many = several and isinstance(plain, Iterable) and not isinstance(plain, str)
+        numbers = [float(one) for one in (plain if many else [plain])]
+        if numbers and all(map(math.isfinite, numbers)):
+            return numbers if many else numbers[0]
+    except (TypeError, ValueError):
+        pass
+    key = "not_finite_numbers" if several else "not_finite_number"
+    raise PlanesError(Phrase(key, name=name, given=shown(" ".join(repr(value).split()))))
 
 
 def read_range(text: str, option: str = "--phi") -> list[float]:

@@ -14,7 +14,7 @@ from planes.plans.scales import fits_on, scales
 from planes.plans.statements.of_scene import fitted, scene_plans
 from planes.scene import Scene
 from planes.solving.nearest import Nearest
-from planes.solving.readings import Readings
+from planes.solving.readings import KINDS, Readings, known
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
@@ -28,11 +28,11 @@ TOLD = 20  # for how many failed positions the nearest working one is looked for
 
 @frozen
 class Position(Pictured, Tabulated):
-    """One position drawn: where the drive is (``at``: degrees, or m), its plans, drawing and scales, what was found,
-    and ``results``: the same as the JSON has it, with what was measured on the plans and what is warned of.
+    """One position of a mechanism: the drive's place ``at`` (degrees, or m), plans, drawing, scales, and ``results``
+    as in the JSON, with the measured segments and the warnings.
 
-    Everything by name, or number: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega`` and
-    ``epsilon`` of links in rad/s and rad/s²; :meth:`value` takes any name that ``find:`` takes.
+    Results are read by name or number: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega``
+    and ``epsilon`` of links in rad/s and rad/s²; :meth:`value` takes any name that ``find:`` takes.
     """
 
     at: float
@@ -68,8 +68,11 @@ class Position(Pictured, Tabulated):
         return self.of("links", "epsilon").each(lambda found: found.number)
 
     def of(self, group: str, key: str = "") -> Readings[Measured]:
-        """What was found of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction."""
+        """What was found of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction.
+        Raises :class:`UnknownName`, a KeyError, for a kind that is nothing."""
         own = {f.quantity.of: f for f in self.found if (f.quantity.group, f.quantity.key) == (group, key)}
+        if not own:
+            known(f"{group}.{key}".strip("."), KINDS)
         return Readings(own, self.plans.naming, key)
 
     def rows(self, group: str) -> dict[str, dict[str, Measured]]:
@@ -82,10 +85,12 @@ class Position(Pictured, Tabulated):
 
     def number(self, group: str) -> float | None:
         """The balancing load, if it was asked for."""
-        return next((f.number for f in self.of(group).values()), None)
+        return next((f.number for f in self.found if f.quantity.group == group), None)
 
     def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:
-        """The segments of a plan, but of points that never move; a whole vector of rates is named by its point."""
+        """The segments of a plan, but of points that never move; a whole vector of rates is named by its point.
+        Raises :class:`UnknownName`, a KeyError, for a plan there is not."""
+        known(plan, self.results["plans"])
         rates = {p: {"velocity": m.velocity, "acceleration": m.acceleration} for p, m in self.plans.points.items()}
         points = {label_of(marks[plan]): p for p, marks in rates.items() if plan in marks}
         for s in self.plans.segments_of.get(plan, ()):
@@ -100,17 +105,16 @@ class Position(Pictured, Tabulated):
     def value(self, name: str) -> float | complex:
         """A quantity by its name in ``find:``: a number in SI, complex for a vector; else a :class:`SceneError`."""
         (quantity,) = asked(self.plans, [name])
-        known = (f for f in self.found if f.quantity.path == quantity.path)
-        found = next(known, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
+        same = (f for f in self.found if f.quantity.path == quantity.path)
+        found = next(same, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
         vector = -found.vector if quantity.reversed else found.vector  # F_12 is opposite to F_21
         return found.number if len(found.numbers) == 1 else vector
 
     def __repr__(self) -> str:
-        drive = self.plans.mechanism.drive
-        unit = "°" if drive.kind == "phi" else " m"
         if not self.plans.moves:
             return f"<Position: vectors {', '.join(self.of('vectors'))}>"
-        return f"<Position {drive.kind} = {self.at:g}{unit}: {self.plans.structure.formula}>"
+        drive = self.plans.mechanism.drive
+        return f"<Position {drive.kind} = {told(self.at, drive.kind, 'en')}: {self.plans.structure.formula}>"
 
 
 @dataclass
@@ -220,8 +224,7 @@ def position(
     mus = scales(plans, scene.mu, moved, fit_mm or fits_on(scene.sheet, plans))
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)
-    exact = drawing if is_exact(instrument) else None
-    proved(plans.program, given, exact)  # a pencil's errors prove nothing: what he was to draw must hold
+    proved(plans.program, given, drawing if is_exact(instrument) else None)  # a pencil's errors prove nothing
     reader = DrawingReader(plans, drawing, mus)
     found = tuple(map(reader.read, told_of(plans, wanted)))
     at_drive, groups = ({key_of(plans): value}, GROUPS) if plans.moves else ({}, ())

@@ -5,10 +5,10 @@ from typing import Any, overload
 
 from planes.drafting.instruments import Instrument
 from planes.scene import Scene
-from planes.scene.building import Linkage
-from planes.scene.ranges import asked_of_drive
+from planes.scene.ranges import asked_of_drive, finite
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
+from planes.solving.building import Linkage
 from planes.words import home_lang
 
 Numbers = Iterable[float]
@@ -50,8 +50,9 @@ def solve(
     """
     scene = read(scene)
     at = asked_of_drive(scene, phi, s)
-    if isinstance(at, Iterable):
-        return solve_each(scene, [float(x) for x in at], instrument, home_lang())
+    at = at if at is None else finite(at, "s" if phi is None else "phi")
+    if isinstance(at, list):
+        return solve_each(scene, at, instrument, home_lang())
     plans, wanted = plans_of(scene)
-    value = plans.mechanism.drive.position if at is None else float(at)
+    value = plans.mechanism.drive.position if at is None else at
     return position(scene, plans, wanted, value, instrument, home_lang())

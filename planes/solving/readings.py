@@ -1,13 +1,23 @@
 """Results by the names people give them."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from planes.words.errors import PlanesError, UnknownName
+from planes.words import Phrase
+from planes.words.errors import PlanesError, UnknownName, choices
 from planes.words.naming import Naming
 
 S = TypeVar("S")
 T = TypeVar("T")
+_OF_MOTION = ("points.r", "points.v", "points.a", "links.omega", "links.epsilon")
+KINDS = (*_OF_MOTION, "reactions", "transfers", "friction", "loads", "vectors", "values")
+"""Kinds of results there may be, or none of."""
+
+
+def known(name: str, names: Collection[str]) -> None:
+    """An :class:`UnknownName` for a name that is none of these; it says which they are."""
+    if name not in names:
+        raise UnknownName(Phrase("no_reading", name=name, valid=choices(name, names)))
 
 
 class Readings(dict[str, T]):

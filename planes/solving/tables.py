@@ -8,7 +8,7 @@ from planes.plans.measuring import lettering
 from planes.plans.quantities import Measured
 from planes.solving import Position, Solved, key_of
 from planes.solving.text_tables import directed, error_of, number_cell, pm, spelt, table, titled
-from planes.words import Lang, home_lang, say
+from planes.words import Lang, decimals, home_lang, say
 from planes.words.names import kind_of, label_of, plan_of
 from planes.words.naming import Naming
 from planes.words.records import Json
@@ -54,7 +54,7 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
         lines += (
             _reactions(forces, lang, e, naming) + _derived(p, lang, naming, "loads", "friction") + _balance(p, lang)
         )
-    return lines + [f"! {w}" for w in r["warnings"]]
+    return [decimals(line, lang) for line in lines] + [f"! {w}" for w in r["warnings"]]
 
 
 def _largest(things: Iterable[Row], key: str) -> float:
@@ -213,4 +213,4 @@ def stated_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
             [spelt(naming.vector(f.quantity.name)), number_cell(f.number), *error, say(unit, lang) if unit else ""]
         )
     lines += table(say("values_found", lang), ["", say("value", lang), *pm(e), ""], rows)
-    return lines + [f"! {w}" for w in p.results["warnings"]]
+    return [decimals(line, lang) for line in lines] + [f"! {w}" for w in p.results["warnings"]]

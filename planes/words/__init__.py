@@ -149,6 +149,11 @@ def decimal(number: str, lang: Lang) -> str:
     return number.replace(".", table(lang)["decimal_sign"])
 
 
+def decimals(text: str, lang: Lang) -> str:
+    """Every number of a text that people read, a table or a line of results, with that sign."""
+    return re.sub(r"(?<=\d)\.(?=\d)", table(lang)["decimal_sign"], text)
+
+
 def say(key: str, lang: Lang = "en", **numbers: object) -> str:
     """The sentence ``key`` in a language, with its names and numbers filled in."""
     return Phrase(key, **numbers).told(lang)

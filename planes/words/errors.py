@@ -24,10 +24,15 @@ _MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
 """Keys of a scene by the Russian words for them."""
 
 
-class PlanesError(Exception):
-    """Base of all errors raised here: the message is one sentence with names, numbers, the place and the remedy.
+def place_of(file: str, line: int | None) -> str:
+    """Where something is said, before its sentence; what was built in Python, <Slider-crank>, has no lines."""
+    return f"{file}:{line}: " if line and file[:1] != "<" else (f"{file}: " if file else "")
 
-    ``str`` of it is English; :meth:`told` gives the other languages.
+
+class PlanesError(Exception):
+    """Base class of all errors of planes. The message is one sentence with names, numbers, the place and the remedy.
+
+    ``str`` gives it in English, :meth:`told` in other languages.
     """
 
     place = ""
@@ -42,7 +47,7 @@ class PlanesError(Exception):
 
 
 class UnknownName(PlanesError, KeyError):
-    """There is no result of this name; the sentence says which there are."""
+    """There is no result of this name; the message lists the names there are."""
 
     __str__ = Exception.__str__  # a KeyError would put it in quotes
 
@@ -51,7 +56,7 @@ class SceneError(PlanesError, ValueError):
     """The scene file says something that cannot be meant."""
 
     def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
-        self.place = f"{file}:{line}: " if line else (f"{file}: " if file else "")
+        self.place = place_of(file, line)
         self.file, self.line = file, line
         super().__init__(phrase)
 
@@ -66,7 +71,7 @@ class Doubt:
 
     def told(self, lang: Lang = "en") -> str:
         """The place and the sentence in a language."""
-        return f"{self.file}:{self.line}: {self.phrase.told(lang)}"
+        return f"{place_of(self.file, self.line)}{self.phrase.told(lang)}"
 
 
 class StructureError(SceneError):

@@ -277,7 +277,7 @@ drive: {{link: 1, phi: 359.976493, omega: 10.1, epsilon: 3.3}}
 """
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(31, 37))
 def test_claims_hold_and_are_close_for_the_numbers_as_a_scene_writes_them(seed: int) -> None:
     c, rng = random_cycle(seed, sliding=False), np.random.default_rng(seed)

@@ -367,7 +367,7 @@ def test_the_table_of_a_folder(
     assert [x["variant"] for x in found if not x["solved"]] == ["Е"]
     assert "does not assemble" in found[-1]["remarks"][0] and found[-1]["difference"] is None
     assert main(["solve", str(tmp_path), "--phi", "30", "--lang", "en"]) == 2
-    assert "--phi changes nothing in the survey of a folder" in capsys.readouterr().err
+    assert "--phi has no effect on the survey of a folder" in capsys.readouterr().err
 
 
 def wait(true: Callable[[], bool], seconds: float = PATIENCE_S) -> None:

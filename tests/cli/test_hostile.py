@@ -47,7 +47,7 @@ BAD = [  # scene, what stands there, what instead, a piece of the sentence, its 
     (FOUR_BAR, "  3: {points", "3: {points", 'the scene has no key "3"', 6),
     (FOUR_BAR, "{A: 0, B: 0.1}", "[A, B]", "points of link 1 must be a table", 4),
     (FOUR_BAR, "link: 1", "link: 4", 'no link "4"', 8),
-    (FOUR_BAR, "link: 1", "link: 2", "one hinge on the frame, but what joins it to the frame is: none", 8),
+    (FOUR_BAR, "link: 1", "link: 2", "one hinge on the frame, but it is joined to the frame by: none", 8),
     (FOUR_BAR, "{link: 1, phi: 60, omega: 10}", "[{link: 1, phi: 60}]", "there is only one driver", 8),
     (FOUR_BAR, "plans:", "drive:", '"drive" stands twice, in line 8 and in line 9', 9),
     (FOUR_BAR, "omega: 10", "omega: 600 rpm", '"rpm" is not expected here: units are not written', 8),

@@ -156,15 +156,15 @@ def test_a_remedy_has_an_effect_where_a_plan_is_blunt(capsys, tmp_path) -> None:
     [
         (
             ["check", CRANK, "t.csv", "--plan", "velocity", "--pole", "1,2"],
-            "--pole changes nothing in a table of numbers",
+            "--pole has no effect on a table of numbers",
         ),
         (["check", CRANK, "t.csv", "--plan", "velocity", "--format", "A3"], "it is for a picture (.png, .jpg, .pdf)"),
-        (["check", CRANK, "t.svg", "--plan", "velocity", "--format", "A3"], "--format changes nothing in a drawing"),
-        (["check", CRANK, "--plan", "velocity", "--trace", "-o", "t.html", "--work", "cad"], "--work changes nothing"),
+        (["check", CRANK, "t.svg", "--plan", "velocity", "--format", "A3"], "--format has no effect on a drawing"),
+        (["check", CRANK, "--plan", "velocity", "--trace", "-o", "t.html", "--work", "cad"], "--work has no effect"),
         (["check", CRANK, "t.csv", "--plan", "velocity", "--phi", "0:90:30"], "one position is needed, but 4 were"),
         (["blank", CRANK, "--phi", "0:90:30", "-o", "b.pdf"], "one position is needed, but 4 were"),
-        (["crank-slider", str(SAMPLES / "crank-slider.yaml"), "--phi", "30"], "--phi changes nothing without --sheet"),
-        (["solve", str(SAMPLES), "--pencil"], "--pencil changes nothing in the survey of a folder"),
+        (["crank-slider", str(SAMPLES / "crank-slider.yaml"), "--phi", "30"], "--phi has no effect without --sheet"),
+        (["solve", str(SAMPLES), "--pencil"], "--pencil has no effect on the survey of a folder"),
         (["solve", CRANK, "--pencil", "--seed", "-1"], "--seed -1: give a whole number, 0 or more"),
         (["solve", CRANK, "--phi", "0,5"], "a decimal fraction is written with a point"),
     ],
@@ -232,8 +232,8 @@ def test_every_other_key_changes_the_sheet(key) -> None:
         ("positions: 30", "valid: true, false, 12"),
         ("title: {ru: a}", "title of sheet must be a word, not a table"),
         ("student: [A, B]", "must be a word, not a list"),
-        ("letter: У Э 1 2", "letter of sheet has 4 entries, more than there is room for; at most 3"),
-        ("revisions: [[1], [2], [3], [4], [5]]", "at most 4"),
+        ("letter: У Э 1 2", "letter of sheet has 4 entries; the most is 3"),
+        ("revisions: [[1], [2], [3], [4], [5]]", "the most is 4"),
         ("revisions: [{name: 1}]", 'has no key "name"'),
         ("number: 1, designation: 2", "has both number and designation"),
     ],
@@ -316,7 +316,7 @@ def test_parameters_of_a_scene_are_not_replaced_in_vain() -> None:
 
 def test_a_cycle_is_given_only_what_its_program_knows() -> None:
     plans = plans_of(load(str(SAMPLES / "six-link.yaml")).mechanism)
-    with pytest.raises(PlanesError, match=r"nothing called l_CD is given to this program; valid: .*did you mean l_DC"):
+    with pytest.raises(PlanesError, match=r"this program has no input called l_CD; valid: .*did you mean l_DC"):
         Cycle(plans, ["v_C"], known={"l_CD": 0.2})
     one, two = (Cycle(plans, ["v_C"], known={"l_DC": x}) for x in (0.15, 0.16))
     assert next(one.blocks([150.0])).table[0] != next(two.blocks([150.0])).table[0]
@@ -328,8 +328,8 @@ DOUBTS = [
     ("phi: phi_1", "phi: -1.5708", "drive", "radians"),
     ("phi: phi_1", "phi: sin(phi_1)", "drive", "ratio of sides"),
     ("l_OA: 0.08", "l_OA: 80", "1:", "link 1 is 80 m long: lengths are in metres; if millimetres"),
-    ("{B: 0}", "{B: 0, mass: 3}", "3:", "mass of link 3 stands under points"),
-    ("loads", "gravity:\nloads", "gravity", "gravity has no value and so no effect"),
+    ("{B: 0}", "{B: 0, mass: 3}", "3:", "mass of link 3 is under points"),
+    ("loads", "gravity:\nloads", "gravity", "gravity has no value and therefore no effect"),
     ("loads", "gravity: 9.81\nloads", "", ""),
     ("A: l_OA}}", "A: l_OA}, centre: A, inertia: 2}", "1:", "link 1 has inertia but no mass"),
     ("loads", "friction: {x-x: 1.5}\nloads", "friction", "friction of x-x is 1.5"),

@@ -14,7 +14,7 @@ import pytest
 
 from planes.diagrams.curves import UNIT, WorkingRange, curves_of
 from planes.diagrams.extremes import extremes
-from planes.diagrams.long_run import decimals
+from planes.diagrams.long_run import five_decimals
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.summary import Summary, summary
 from planes.diagrams.text import as_json, report
@@ -372,13 +372,13 @@ def test_every_digit_of_the_printed_listing(file: str, capsys: Any) -> None:
     from planes.cli import main
 
     scene = str(SAMPLES / f"{file}.yaml")
-    assert main(["cycle", scene, "--phi", "245", "--omega", "12", "--epsilon", "7", "--lang", "ru"]) == 0
+    assert main(["cycle", scene, "--phi", "245", "--omega", "12", "--epsilon", "7", "--lang", "en"]) == 0
     rows = [line.split() for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
     told = {row[0]: row[-1] for row in rows if len(row) == 3}
     printed = json.loads((SAMPLES / "expected" / "assignment-12.json").read_text(encoding="utf-8"))["quantities"]
     assert len(printed) == 31 and {q["quantity"] for q in printed} == set(LISTED)
     for q in printed:
-        assert told[LISTED[q["quantity"]]] == decimals(q["published"]) == f"{q['published']:.5f}".rstrip("0"), q
+        assert told[LISTED[q["quantity"]]] == five_decimals(q["published"]) == f"{q['published']:.5f}".rstrip("0"), q
 
 
 def test_the_balancing_moment_does_the_work_of_the_load_over_a_cycle() -> None:

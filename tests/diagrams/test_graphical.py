@@ -121,8 +121,8 @@ def test_a_mechanism_that_stops_is_differentiated_over_its_working_range() -> No
 def test_refusals() -> None:
     for text, sections, pole, words in (
         (crank(omega=0.0), 12, None, "the driver must turn, with omega not zero"),
-        (crank(), 5, None, "5 sections will not do: take from 6 to 72"),
-        (crank(), 12, 0.5, "a pole distance of 0.5 mm will not do: take from 1 to 500 mm"),
+        (crank(), 5, None, "5 sections cannot be used: take from 6 to 72"),
+        (crank(), 12, 0.5, "a pole distance of 0.5 mm cannot be used: take from 1 to 500 mm"),
     ):
         with pytest.raises(PlanesError, match=words):
             constructed(loads(text, "scene.yaml"), sections, pole)

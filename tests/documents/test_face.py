@@ -83,10 +83,33 @@ def test_a_table_goes_to_pandas() -> None:
     assert isinstance(frame, pandas.DataFrame) and list(frame) == ["phi", "omega_2", "failed"]
 
 
+@pytest.mark.parametrize("phi", [np.zeros((2, 2)), [[1.0]], ["a"], "x", [], float("nan"), [0.0, np.inf], {}])
+def test_a_place_of_the_drive_that_is_no_number_is_one_sentence(phi: object) -> None:
+    scene = planes.load(FOUR_BAR)
+    for asked in (planes.solve, planes.cycle):
+        with pytest.raises(planes.PlanesError, match=r"^phi must be a finite number or a flat list of them, not "):
+            asked(scene, phi=phi)
+    with pytest.raises(planes.PlanesError, match=r"^phi must be one finite number, not "):
+        planes.sheet(scene, phi=[phi])  # type: ignore[arg-type]
+    with pytest.raises(planes.PlanesError, match=r"^l_CD must be a finite number"):
+        planes.cycle(scene, ["v_C"], phi=0, l_CD=phi)
+
+
+def test_a_kind_of_results_that_is_nothing_is_answered_by_those_there_are() -> None:
+    here = planes.solve(planes.load(FOUR_BAR))
+    for kind in (("reaction",), ("points",), ("points", "w")):
+        with pytest.raises(KeyError, match=r"there is no .*; valid: points\.r, .*reactions"):
+            here.of(*kind)
+    with pytest.raises(KeyError, match="there is no speed here; valid: position, velocity"):
+        list(here.measured_on("speed"))
+    assert not here.of("vectors")  # may be there, and is not
+    assert repr(here.of("links", "omega")["2"]).startswith("<omega_2 = ")
+
+
 def test_what_fails_says_so() -> None:
     scene = planes.load(ROOT / "samples" / "six-link.yaml")
     table = planes.cycle(scene, ["v_C"], phi=[90, 150])
-    assert table.failed[0] and np.isnan(table["v_C_x"][0]) and not table.failed[1]
+    assert table.failed[0] == "C: arcs apart" and np.isnan(table["v_C_x"][0]) and not table.failed[1]
     with pytest.raises(planes.PlanesError):
         planes.solve(scene, phi=90)
     assert len(planes.solve(scene, [90, 150]).failed) == 1

@@ -324,11 +324,15 @@ def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path
     assert "not of the scene" in capsys.readouterr().out
 
 
+MARKED: dict[str, list[pytest.MarkDecorator]] = {"bntu-4": [], "excavator": [pytest.mark.slow]}
+"""One lays off no length first, of one a link stands still."""
+
+
 @pytest.mark.parametrize(
     "path",
-    [p if p.stem in ("excavator", "bntu-4") else pytest.param(p, marks=pytest.mark.long) for p in SCENES],
+    [pytest.param(p, marks=MARKED.get(p.stem, [pytest.mark.long])) for p in SCENES],
     ids=[p.stem for p in SCENES],
-)  # one lays off no length first, of one a link stands still
+)
 def test_scales_of_ones_own_are_judged_alike_by_page_and_python(browser: Any, tmp_path: Path, path: Path) -> None:
     judge, code = PracticeJudge(Told.of(load(str(path)))), tmp_path / "one.practice"
     with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:

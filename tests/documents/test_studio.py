@@ -135,6 +135,7 @@ def test_an_error_has_its_line_and_its_remedy(browser: Any, address: str) -> Non
     assert page.evaluate("bench.text") == SIX.read_text("utf-8")
 
 
+@pytest.mark.slow
 def test_the_studio_on_a_telephone(browser: Any, address: str) -> None:
     """Nothing is wider than the screen in any view, and a mechanism is drawn there."""
     page = opened(browser, address, PHONE)

@@ -81,7 +81,7 @@ def test_friction_in_its_hinges_takes_its_power() -> None:
 
 
 def test_in_the_loop_and_at_rest() -> None:
-    reaches = np.linspace(0.35, 0.55, 5)
+    reaches = np.linspace(0.35, 0.55, 3)
     found = cycle(loads(KNEE), s=reaches)
     for k, reach in enumerate(reaches):
         assert found["Fb_2"][k] == pytest.approx(solve(loads(KNEE), s=float(reach)).value("Fb_2"), rel=1e-11)
@@ -120,8 +120,8 @@ def examined(seed: int, inner: str = "brace") -> float | None:
 
 
 def test_random_mechanisms_braced_by_a_cylinder() -> None:
-    found = [e for seed in range(8) if (e := examined(seed)) is not None]
-    assert len(found) > 5 and max(found) <= 1e-10
+    found = [e for seed in range(5) if (e := examined(seed)) is not None]
+    assert len(found) > 2 and max(found) <= 1e-10
 
 
 @pytest.mark.few(0, slow=3)

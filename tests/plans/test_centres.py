@@ -90,10 +90,10 @@ def test_both_links_of_every_centre_have_its_velocity(file: Path) -> None:
 
 def test_random_mechanisms_have_them_too() -> None:
     held = 0
-    for seed in range(60):
+    for seed in range(30):
         plans, drawing = drawn(loads(any_scene(seed)[1], f"seed {seed}"), 5)
         held += bool(told(plans, drawing))
-    assert held >= 50
+    assert held >= 25
 
 
 def test_three_centres_lie_on_one_line() -> None:

@@ -278,7 +278,7 @@ def test_two_points_at_one_place_are_drawn_alike() -> None:
 def test_a_point_cannot_be_the_pole() -> None:
     with pytest.raises(SceneError) as caught:
         loads(FOUR_BAR.replace("B: 0", "p: 0"))
-    assert str(caught.value).startswith("scene.yaml:4: ") and " p, the pole" in str(caught.value)
+    assert str(caught.value).startswith("scene.yaml:4: ") and " p, which is the pole" in str(caught.value)
 
 
 @pytest.mark.parametrize(

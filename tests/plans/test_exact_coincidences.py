@@ -174,6 +174,7 @@ def _left(way: complex, z: complex) -> float:
     return (way.conjugate() * z).imag
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("beside", ["arc", "line", "guide"])
 @pytest.mark.parametrize("kind", ["line", "guide"])
 def test_ties_with_parallel_lines_are_all_counted(kind: str, beside: str) -> None:

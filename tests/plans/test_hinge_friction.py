@@ -135,7 +135,7 @@ def test_what_cannot_settle_is_one_sentence() -> None:
 @pytest.mark.parametrize(
     ("said", "why"),
     [
-        ("A: 0.1", "in a hinge the radius of the pin counts too; write A: {coefficient: 0.1, radius: 0.02}"),
+        ("A: 0.1", "in a hinge the radius of the pin matters too; write A: {coefficient: 0.1, radius: 0.02}"),
         ("A: {coefficient: 0.1}", "needs the key radius"),
         ("A: {coefficient: 0.1, radius: -1}", "cannot be negative"),
         ("A: {coefficient: 0.1, radius: 1, f: 2}", "has no key"),

@@ -58,7 +58,7 @@ def test_many_mixtures_agree_with_the_independent_solver(fifth: int) -> None:
 
 
 @pytest.mark.needs("llvmlite")
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("seed", [5, 11, 50, 14])
 def test_arrays_the_compiled_loop_and_one_position_agree(seed: int) -> None:
     scene = loads(to_yaml(mixed(seed).scene))

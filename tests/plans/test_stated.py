@@ -242,6 +242,7 @@ def test_samples_are_told_in_two_languages(path: Path) -> None:
 # readers
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("command", ["sheet {} -o a.svg", "note {} -o a.html", "lesson {} -o a.html"])
 @pytest.mark.parametrize("name", ["six-link", "group", "friction"])
 def test_every_document_is_made(command: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -286,7 +287,7 @@ BAD: list[tuple[dict[str, str], list[str], str, str]] = [
     ({}, ["v_C = v_B + v_CB"], "values: {k: v_C^0.5}\n", "raised to a whole power from 1 to 9"),
     ({}, ["v_C = v_B + v_CB"], "values: {k: h, h: k}\n", "s.yaml:8: values: k is found from h, which nothing gives"),
     ({}, ["v_C = v_B + v_CB"], "values: {v_C: 1}\n", "v_C would name a vector and a value"),
-    ({}, ["v_C = 0 = v_B + v_CB"], "", "0 stands among several sides"),
+    ({}, ["v_C = 0 = v_B + v_CB"], "", "0 is one of several sides"),
     ({}, ["v_C = v_B + 0*v_CB"], "", "v_CB is taken zero times"),
     ({}, ["v_C = v_B + q*v_CB"], "", '"q" is not defined'),
     ({"v_CB": "similar: v_C"}, ["v_C = v_B + v_CB"], "", "needs one of the keys ratio, as"),

@@ -202,10 +202,10 @@ def test_a_contour_may_hang_on_two_guides() -> None:
 
 def test_too_much_freedom_and_too_little_tell_the_pairs() -> None:
     loose = refusal(FOUR_BAR.replace("{D: 0, C: 0.3}", "{D: 0, G: 0.3}"))
-    assert "the mechanism has W = 3·3 - 2·3 = 3, one drive needs W = 1; a link or a pair is missing" in loose
+    assert "the mechanism has W = 3·3 - 2·3 = 3, but one drive needs W = 1; a link or a pair is missing" in loose
     assert "A of links 0, 1; D of links 0, 3; B of links 1, 2" in loose
     held = refusal(FOUR_BAR.replace("{B: 0, C: 0.3}", "{B: 0, C: 0.3, D: 0.4}"))
-    assert "W = 3·3 - 2·5 = -1, one drive needs W = 1; it has 2 constraint(s) too many: check" in held
+    assert "W = 3·3 - 2·5 = -1, but one drive needs W = 1; it has 2 constraint(s) too many: check" in held
     assert held.startswith("scene.yaml:5: ")
     assert "D of links 0, 2, 3" in held
     slides = refusal(SLIDER.replace("{points: {C: 0}, slides: x-x", "{points: {G: 0}, slides: x-x"))
@@ -250,8 +250,8 @@ drive: {link: 1, phi: 30}
 @pytest.mark.parametrize(
     "drive, says",
     [
-        ("{link: 2, phi: 0}", "needs exactly one hinge on the frame, but what joins it to the frame is: none"),
-        ("{link: 3, phi: 0}", "one hinge on the frame, but what joins it to the frame is: guide x-x (a sliding pair)"),
+        ("{link: 2, phi: 0}", "needs exactly one hinge on the frame, but it is joined to the frame by: none"),
+        ("{link: 3, phi: 0}", "one hinge on the frame, but it is joined to the frame by: guide x-x (a sliding pair)"),
         ("{link: 3, s: 0.1}", None),
     ],
 )
@@ -266,7 +266,7 @@ def test_the_driver_needs_one_fitting_pair_with_the_frame(drive: str, says: str 
 def test_a_driver_with_two_hinges_on_the_frame_is_refused() -> None:
     text = SHEARS.replace("{A: [0, 0]}", "{A: [0, 0], Z: [1, 1]}").replace("{A: 0, B: 0.1}", "{A: 0, B: 0.1, Z: 1}")
     text = text.replace("  5: {points: {H: 0}, slides: y}", "  5: {points: {H: 0}}")
-    assert "needs exactly one hinge on the frame, but what joins it to the frame is: hinge A, hinge Z" in refusal(text)
+    assert "needs exactly one hinge on the frame, but it is joined to the frame by: hinge A, hinge Z" in refusal(text)
 
 
 def test_s_needs_a_guide() -> None:
@@ -287,7 +287,7 @@ links:
 drive: {link: 1, phi: 0}
 """
     said = refusal(text)
-    assert said.startswith("scene.yaml:5: ") and "links 2, 3 are held by 1 pair(s) too many" in said
+    assert said.startswith("scene.yaml:5: ") and "links 2, 3 have 1 pair(s) too many" in said
 
 
 # what holds a mechanism up, and how much work it is to say so

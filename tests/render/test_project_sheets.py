@@ -207,7 +207,7 @@ def test_a_stroke_that_is_not_drawn_whole_is_not_measured():
     assert not [m for m in scheme_of("six-link").marks if isinstance(m, Text) and m.name == "stroke"]
 
 
-@pytest.mark.few(2, slow=10)
+@pytest.mark.few(1, slow=8)
 @pytest.mark.parametrize("name", ALL)
 def test_what_holds_a_mechanism_is_measured_on_its_scheme_and_so_is_the_drivers_angle(name):
     """Every size is a distance of the frame's points or guides, none of which is left out that can be drawn."""

@@ -49,7 +49,7 @@ def test_a_sheet_has_no_fault(job: Job) -> None:
     assert refused or found.full > 0.4
 
 
-@pytest.mark.few(0, slow=30)
+@pytest.mark.few(0, slow=16)
 @pytest.mark.parametrize("job", EVERY, ids=str)
 def test_every_sheet_of_a_project_is_without_fault(job: Job) -> None:
     """No ink on ink, names apart, letters of the standard, left edges on the module, figures in the order of the

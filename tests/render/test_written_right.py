@@ -152,7 +152,7 @@ def test_vectors_too_short_to_draw_are_told() -> None:
     heavy = replace(scene, mechanism=replace(scene.mechanism, loads=loads_), mu={})
     (said_,) = view_of(heavy, "force-2-3", None, "en").warnings
     assert "G2" in said_
-    assert "shorter than 0.05 mm and not drawn" in said_
+    assert "shorter than 0.05 mm and are not drawn" in said_
     assert view_of(scene, "force-2-3", None, "en").warnings == ()
 
 

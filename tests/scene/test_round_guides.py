@@ -70,7 +70,7 @@ def test_the_centre_has_a_letter_of_its_own_and_the_scheme_shows_the_arc() -> No
     [
         ("{centre: [0.3, 0]}", "radius"),
         ("{x: 0.1, radius: 0.2}", "guide arc has a radius and no centre"),
-        ("{centre: [0.3, 0], radius: 0.2, angle: 3}", "guide arc is round, about its centre, and has no angle"),
+        ("{centre: [0.3, 0], radius: 0.2, angle: 3}", "guide arc is an arc about its centre and has no angle"),
         ("{centre: [0.3, 0], radius: -0.2}", "radius of guide arc cannot be negative"),
         ("{centre: [0.3, 0], radius: 0}", "guide arc has radius 0"),
         ("{centre: Z, radius: 0.2}", "Z"),
@@ -85,5 +85,5 @@ def test_what_cannot_be_meant_is_one_sentence(guide: str, why: str) -> None:
 
 def test_the_centre_is_not_among_the_slider_s_own_points() -> None:
     text = ARC.format(guide="{centre: K, radius: 0.2}", slides="arc", phi=40, points=", K: [0.3, 0]", more=", K: 0.2")
-    with pytest.raises(SceneError, match="link 3 slides on the round guide arc and has its centre"):
+    with pytest.raises(SceneError, match="link 3 slides on the arc arc and has its centre"):
         loads(text)

@@ -63,7 +63,7 @@ BAD = [
     ("{x: -0.42}", "{x: 1, mark: a b}", "name of a mark", 8),
     ("{x: -0.42}", "{x: -0,42}", "decimal point: -0.42", 8),
     ("through: C", "through: D", "no point of link 2", 12),
-    ("{CL: {through: C", "{y-y: {through: C", "has the name of a guide of the frame", 12),
+    ("{CL: {through: C", "{y-y: {through: C", "has the same name as a guide of the frame", 12),
     ("  1: {points", "  0: {points", "cannot be named 0", 10),
     ("  1: {points", "  a b: {points", "name of a link", 10),
     ("  1: {points: {A: 0, B: l_AB}", "  1: {points: {}", "has no points", 10),

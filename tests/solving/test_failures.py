@@ -289,7 +289,7 @@ def test_near_that_cannot_tell_is_refused() -> None:
 def test_near_where_nothing_assembles_says_why() -> None:
     text = FOUR_BAR.replace("D: [0.4, 0]", "D: [1.4, 0]").replace("C: left", "C: {near: [0.3, 0.3]}")
     with pytest.raises(
-        SceneError, match="the nearer place cannot be found, because at the drive's value the arcs l_BC"
+        SceneError, match="the nearer position cannot be found, because at the drive's value the arcs l_BC"
     ):
         solve(loads(text))
 

@@ -8,7 +8,7 @@ import pytest
 
 from tests.helpers.snapped import DOCUMENTS, FAMILIES, document_faults, faults, snapped
 
-SOME, ALL = 4, 200  # of each family in the fast suite; of all in the slow one
+SOME, ALL = 2, 120  # of each family in the fast suite; of all in the slow one
 
 
 @pytest.mark.parametrize("family", range(len(FAMILIES)), ids=[f.__name__.strip("_") for f in FAMILIES])

@@ -26,7 +26,7 @@ NEW = 3e-4  # m: as fine as a sketch is written, through the links of a group
 HARD = ("three-basic-links", "two-basic-links", "truss")  # whose assemblies move far with little
 
 
-@pytest.mark.few(14, slow=24)
+@pytest.mark.few(5, slow=20)
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: f"{p.parent.name}-{p.stem}")
 def test_a_sketch_is_written_as_the_scene_it_was_made_of(path: Path) -> None:
     """From nothing, or into the text it came from, which stays as it is to the last letter."""
@@ -41,7 +41,7 @@ def test_a_sketch_is_written_as_the_scene_it_was_made_of(path: Path) -> None:
     assert again["links"].keys() == sketch["links"].keys() and again["drive"] == sketch["drive"]
 
 
-@pytest.mark.few(8, slow=16)
+@pytest.mark.few(3, slow=13)
 @pytest.mark.parametrize("path", QUICK, ids=lambda p: f"{p.parent.name}-{p.stem}")
 def test_a_number_a_hand_sets_is_that_of_the_text(path: Path) -> None:
     """One number after another, three of each scene: the text says it, and the scene has it."""

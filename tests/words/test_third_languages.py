@@ -20,6 +20,7 @@ FOREIGN = {"uk": "[ыэъё]", "be": "[ищъ]"}
 """Letters its alphabet has not."""
 Captured = pytest.CaptureFixture[str]
 SIX = str(ROOT / "samples" / "six-link.yaml")
+FOUR_BAR = str(ROOT / "samples" / "kind-1-rrr.yaml")
 
 
 def test_there_are_two_of_them_and_they_are_told_last() -> None:
@@ -52,10 +53,10 @@ def test_commands_speak_it_and_say_what_they_borrow(
     assert segment in capsys.readouterr().out
     assert main(["check", str(tmp_path / "no.csv"), "--plan", "velocity", "--lang", lang, "x"]) == 2
     capsys.readouterr()
-    assert main(["cycle", SIX, "--lang", lang]) == 0
+    assert main(["cycle", FOUR_BAR, "--lang", lang]) == 0
     assert not capsys.readouterr().err
     monkeypatch.setattr(table(lang), "borrowed", {"help_cycle"})
-    assert main(["cycle", SIX, "--lang", lang]) == 0
+    assert main(["cycle", FOUR_BAR, "--lang", lang]) == 0
     assert capsys.readouterr().err.startswith(f"{lang}: ")
 
 

@@ -30,10 +30,14 @@ HOUSES = [Path(words.__file__).parents[1], Path(words.__file__).parents[2] / "re
 SOURCES = [p for house in HOUSES for p in house.rglob("*.py") if not p.name.startswith("words")]
 
 
+TELLING = (ast.Call, ast.Constant, ast.ImportFrom, ast.JoinedStr)
+
+
 @cache
-def trees() -> dict[str, ast.Module]:
-    """The sources of the house, parsed."""
-    return {str(p): ast.parse(p.read_text(encoding="utf-8")) for p in SOURCES}
+def nodes() -> dict[str, list[ast.AST]]:
+    """What may name a key in the sources of the house, walked once for all tests."""
+    trees = {str(p): ast.parse(p.read_text(encoding="utf-8")) for p in SOURCES}
+    return {file: [node for node in ast.walk(tree) if isinstance(node, TELLING)] for file, tree in trees.items()}
 
 
 TELLERS = ("Phrase", "say", "PlanFailure", "_help", "help_of")
@@ -119,14 +123,14 @@ def test_both_languages_hold_the_same_names_and_numbers():
 
 def keys_told():
     """Keys that the program tells, as patterns: from constants, "a" if … else "b", and f"kind_{…}"."""
-    for file, tree in trees().items():
+    for file, own in nodes().items():
         ours = {
             name.asname or name.name
-            for node in ast.walk(tree)
+            for node in own
             if isinstance(node, ast.ImportFrom) and node.module in ("planes.words", "planes.words.errors")
             for name in node.names
         }
-        for node in ast.walk(tree):
+        for node in own:
             name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
             if name in TELLERS and (name in ours or name == "_help") and node.args:
                 yield from ((file, pattern) for pattern in patterns(node.args[0]))
@@ -142,6 +146,7 @@ def patterns(node):
             yield "".join(re.escape(p.value) if isinstance(p, ast.Constant) else "[A-Za-z0-9_]+" for p in node.values)
 
 
+@pytest.mark.slow
 def test_every_key_that_is_told_is_in_the_table():
     told = list(keys_told())
     assert len(told) > 150
@@ -163,35 +168,34 @@ def test_every_key_of_the_report_is_in_the_table():
     assert len(report_keys()) > 80 and report_keys() <= TABLE.keys()
 
 
+@pytest.mark.slow
 def test_no_key_is_left_over():
     said = report_keys() | {
-        n.value
-        for tree in trees().values()
-        for n in ast.walk(tree)
-        if isinstance(n, ast.Constant) and isinstance(n.value, str)
+        n.value for own in nodes().values() for n in own if isinstance(n, ast.Constant) and isinstance(n.value, str)
     }
     made = {
         one
-        for tree in trees().values()
-        for n in ast.walk(tree)
+        for own in nodes().values()
+        for n in own
         if isinstance(n, ast.JoinedStr)
         for one in patterns(n)
         if re.match("[a-z_]+_\\[", one)
     }
     begun = {
         f"{n.args[0].value}.*"
-        for tree in trees().values()
-        for n in ast.walk(tree)
+        for own in nodes().values()
+        for n in own
         if isinstance(n, ast.Call) and getattr(n.func, "id", "") == "under"
     }
     known = re.compile("|".join({*made, *begun, "usage_.*"}))
     assert not [key for key in TABLE if key not in said and not known.fullmatch(key)]
 
 
+@pytest.mark.slow
 def test_refusals_are_told_from_the_table():
     """No sentence is put together where it is raised."""
-    for file, tree in trees().items():
-        for node in ast.walk(tree):
+    for file, own in nodes().items():
+        for node in own:
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") in REFUSALS and node.args:
                 assert not isinstance(node.args[0], ast.Constant | ast.JoinedStr | ast.BinOp), (file, node.lineno)
 

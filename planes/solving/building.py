@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any, Self
 
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, loads
 from planes.scene.writing import written
 from planes.words import Phrase
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, choices, shown
 
 Place = float | str | complex | Sequence[float | str] | Mapping[str, float | str]
 """A place in a link's axes: x alone (m), [x, y] or x + iy, or ``{"r": …, "angle": …}``; texts are expressions."""
@@ -18,13 +19,13 @@ Number = float | str
 
 
 class Linkage:
-    """A mechanism to be built: fixed points and guides, links, assembly, drive, loads.
+    """A mechanism built part by part: fixed points and guides, links, assembly, drive, loads.
 
-    Each call adds to it and returns it.
+    Each method adds a part and returns the linkage, so that calls can be chained.
 
     Lengths are in m, masses in kg, moments of inertia in kg·m² about the mass centre, angles in degrees
-    counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` gives the scene, or the sentence by which a
-    file would be refused.
+    counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` gives the scene, or says in one sentence why
+    there is none.
 
     >>> import planes
     >>> engine = planes.Linkage("Slider-crank", gravity=9.81)
@@ -54,7 +55,7 @@ class Linkage:
         }
 
     def fix(self, **places: Place) -> Self:
-        """Points of the frame by name, in m: ``fix(O=(0, 0), C=(0.3, -0.1))``."""
+        """Add points of the frame by name, in m: ``fix(O=(0, 0), C=(0.3, -0.1))``."""
         self.parts["frame"]["points"] |= _placed(places)
         return self
 
@@ -70,12 +71,16 @@ class Linkage:
         centre: Place | None = None,
         radius: Number | None = None,
     ) -> Self:
-        """A guide of the frame, or of a ``link`` that was added before, in its axes.
+        """Add a guide of the frame, or, in its axes, of a ``link`` that was added before.
 
         ``x`` is a vertical guide through (x, 0) that points to +y, ``y`` a horizontal one that points to +x;
         ``through`` a point or its name at an ``angle`` in degrees; ``centre`` and ``radius`` an arc.
         """
-        owner = self.parts["frame"] if link is None else self.parts["links"][str(link)]
+        links = self.parts["links"]
+        if link is not None and str(link) not in links:
+            told = {"what": Phrase("guide_named", name=name), "of": Phrase("links_all"), "name": shown(str(link))}
+            raise PlanesError(Phrase("unknown_name", **told, valid=choices(str(link), links)))
+        owner = self.parts["frame"] if link is None else links[str(link)]
         line = _given(x=x, y=y, through=through, angle=angle, centre=centre, radius=radius)
         owner.setdefault("guides", {})[name] = _placed(line)
         return self
@@ -90,7 +95,7 @@ class Linkage:
         inertia: Number | None = None,
         **places: Place,
     ) -> Self:
-        """A link with its points in its own axes: ``link(2, A=0, B=0.35, S2=0.1, centre="S2", mass=2, inertia=0.03)``.
+        """Add a link, its points in its own axes: ``link(2, A=0, B=0.35, S2=0.1, centre="S2", mass=2, inertia=0.03)``.
 
         A point named in two links is a hinge. ``slides`` names the guide on which the link's first point runs, or
         ``{"guide": …, "angle": …, "offset": …}``. ``centre`` is the mass centre, else the first point.
@@ -105,7 +110,7 @@ class Linkage:
         return self
 
     def assemble(self, sides: Mapping[str, Any] | None = None, **more: Any) -> Self:
-        """Which of two places a group takes: ``assemble(C="right")``, ``assemble({"y-y": "ahead"})`` or
+        """Choose which of two positions a group takes: ``assemble(C="right")``, ``assemble({"y-y": "ahead"})`` or
         ``assemble(C={"near": [0.1, 0.2]})``; left and right between hinges, ahead and behind along a guide."""
         self.parts["assembly"] |= {**(sides or {}), **more}
         return self
@@ -122,7 +127,7 @@ class Linkage:
         acceleration: Number | None = None,
         on: int | str | None = None,
     ) -> Self:
-        """The driver: a crank at ``phi`` degrees, ``omega`` rad/s, ``epsilon`` rad/s², or a slider at ``s`` m,
+        """Set the driver: a crank at ``phi`` degrees, ``omega`` rad/s, ``epsilon`` rad/s², or a slider at ``s`` m,
         ``velocity`` m/s, ``acceleration`` m/s²; ``on`` a moving link, if it does not hang on the frame."""
         turning = _given(phi=phi, omega=omega, epsilon=epsilon, on=on)
         sliding = _given(s=s, velocity=velocity, acceleration=acceleration)
@@ -140,7 +145,7 @@ class Linkage:
         along: str | None = None,
         direction: Any = None,
     ) -> Self:
-        """A ``force`` (N) at a point of a link, or a ``moment`` (N·m, counter-clockwise positive).
+        """Add a ``force`` (N) at a point of a link, or a ``moment`` (N·m, counter-clockwise positive).
 
         Its sense is ``against="motion"``, ``along="motion"``, or a ``direction``: degrees, or
         ``{"link": 3, "angle": 90}`` to turn with a link.
@@ -151,23 +156,29 @@ class Linkage:
         return self
 
     def friction(self, coefficients: Mapping[str, Any] | None = None, **more: Any) -> Self:
-        """Friction by guide or hinge: ``friction({"y-y": 0.15}, B={"coefficient": 0.1, "radius": 0.02})``."""
+        """Add friction in guides or hinges: ``friction({"y-y": 0.15}, B={"coefficient": 0.1, "radius": 0.02})``."""
         self.parts["friction"] |= {**(coefficients or {}), **more}
         return self
 
     def scales(self, **mus: str) -> Self:
-        """The μ of plans: ``scales(velocity="30 mm/(m/s)")``; without it, the largest standard one that fits."""
+        """Set the μ of plans: ``scales(velocity="30 mm/(m/s)")``; by default, the largest standard one that fits."""
         self.parts["plans"] |= {plan: {"mu": mu} for plan, mu in mus.items()}
         return self
 
     def to_yaml(self) -> str:
-        """The scene file that says the same."""
+        """The text of a scene file of this mechanism."""
         frame = {key: value for key, value in self.parts["frame"].items() if value}
         return written({key: value for key, value in (self.parts | {"frame": frame}).items() if value})
 
     def scene(self, **parameters: float) -> Scene:
-        """The scene. :class:`planes.PlanesError` points to the invalid line of :meth:`to_yaml`."""
-        return loads(self.to_yaml(), self.parts["title"] or "Linkage", None, **parameters)
+        """The scene, with other numbers for its ``parameters`` (SI, degrees).
+
+        Raises :class:`planes.PlanesError`, which names the part, where something cannot be meant, or the links and
+        pairs make no mechanism, or its assembly is open.
+        """
+        scene = loads(self.to_yaml(), f"<{self.parts['title'] or 'Linkage'}>", None, **parameters)
+        scene_plans(scene)
+        return scene
 
     def __repr__(self) -> str:
         links = ", ".join(self.parts["links"])

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import pydoc
+import re
 
 import pytest
 
 import planes
-from planes.scene.building import Linkage
+from planes.solving.building import Linkage
 from tests.helpers import ROOT
 
 
@@ -33,11 +34,25 @@ def test_its_file_says_the_same() -> None:
     assert "friction: {x-x: 0.1}" in built.to_yaml() and "S2: [0.0, 0.12]" in built.to_yaml()
 
 
-def test_what_cannot_be_meant_is_a_sentence_with_its_line() -> None:
+def test_what_cannot_be_meant_is_a_sentence_that_names_the_part_and_no_line_of_a_file() -> None:
     built = slider_crank().load(3, "B", force=1, along="y-y")
-    with pytest.raises(planes.PlanesError) as refused:
+    with pytest.raises(planes.PlanesError, match=r"^<Slider-crank>: along of load 2 cannot be \"y-y\"; valid: motion$"):
         built.scene()
-    assert "y-y" in str(refused.value) and "Slider-crank:" in str(refused.value)
+    built = slider_crank()
+    built.parts["gravity"] = 98.1
+    (doubt,) = built.scene().doubts
+    assert re.match("<Slider-crank>: gravity", doubt.told())
+
+
+def test_an_open_assembly_and_a_missing_link_are_refused_before_anything_is_solved() -> None:
+    built = slider_crank()
+    built.parts["assembly"].clear()
+    with pytest.raises(planes.PlanesError, match="two ways"):
+        built.scene()
+    with pytest.raises(planes.PlanesError, match=r"^<Linkage>: .*link"):
+        Linkage().fix(O=(0, 0)).link(1, O=0, A=0.1).link(2, A=0, B=1).drive(1, phi=0).scene()
+    with pytest.raises(planes.PlanesError, match=r'^guide g: there is no link "7"; valid: 1$'):
+        Linkage().link(1, O=0).guide("g", link=7, y=0)
 
 
 def test_a_point_given_as_none_is_refused() -> None:
