@@ -225,7 +225,8 @@ def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     paper = paper_on(sketch, bench)
     if paper.spots:
         pointed = bench.pointed(known.marks, sketch.mm) if pole is None else {}
-        paper.spots = with_told(paper.spots, pointed, doubt_of(sketch))
+        doubt = doubt_of(sketch)
+        paper.spots = with_told([replace(s, doubt=doubt) for s in paper.spots], pointed)
     drawn = vectors_drawn(sketch, paper, bench)
     paper.scale_mark, paper.signs = by, [*arrow_faults(drawn)]
     paper.left = [bench.vectors[vector] for vector, one in drawn.items() if one.how == "missing"]

@@ -12,7 +12,7 @@ import pytest
 
 from planes.check.grading.evidence import SURE
 from planes.check.grading.judging import LEFT_OUT
-from planes.check.grading.paper import MISREAD, ReadMark, ReadPaper, with_told
+from planes.check.grading.paper import ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
 from planes.check.outcome import Outcome, check
 from planes.check.report import Checked, as_json, page_data
@@ -24,6 +24,7 @@ from tests import confusion
 from tests.check.test_check import RIGHT, SIX, csv
 from tests.helpers.drawings import NONE, SHAKY, Hand, Mistake
 
+MISREAD = 0.05  # of marks that were read in doubt
 SAMPLES = confusion.SAMPLES
 TOLERANCE_MM = 0.9  # three times the error of the steadiest mark
 
@@ -113,7 +114,7 @@ def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
     page, row = page_data(asked, "en"), Checked("t", asked, report="t.html").said("en")
     assert page["asked"] and "“The marks are right”" in page["sentence"] and "in its report" in row
     assert not any(way in told for way in ("--mark", "report.html") for told in (page["sentence"], row))
-    spots = with_told([ReadMark(n, z, 0.2) for n, z in RIGHT.items()], {"s2": astray["s2"]}, MISREAD)
+    spots = with_told([ReadMark(n, z, 0.2, MISREAD) for n, z in RIGHT.items()], {"s2": astray["s2"]})
     told = check(asked.bench.asked, ReadPaper("t", spots))
     assert (told.verdict, told.first_wrong) == ("wrong", "s2")
     assert seen(astray, 0.0).verdict == "wrong"

@@ -10,8 +10,8 @@ pytest.importorskip("cv2")
 
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.outcome import check
+from planes.check.vision.from_aside import as_sure, tilt_told
 from planes.check.vision.image.lens import Lens
-from planes.check.vision.marks.from_aside import as_sure, tilt_told
 from planes.words.names import POLE, label_of
 from tests import confusion
 

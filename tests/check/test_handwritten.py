@@ -4,21 +4,15 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
-from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
 pytest.importorskip("cv2")
 import cv2
 
-from planes.check.grading.variants import Variant
+from planes.check.evidence.handwritten import Erased, HandWord, HandWords, words_beside
+from planes.check.evidence.ink import ink_of
 from planes.check.vision.image.picture import by_scale
-from planes.check.vision.marks.handwritten import HandWord, HandWords, words_on
-from planes.check.vision.marks.places import sheet_of
-from planes.check.vision.search import named_marks
-from planes.check.vision.search.laid_plan import LaidPlan
-from planes.check.vision.strokes.line_places import Place
 from tests.physical.letters import Writer
 from tests.physical.paper import PX_PER_MM, Paper
 from tests.physical.setting import Setting
@@ -35,9 +29,10 @@ def written(style: str, seed: int, *names: str, known: Sequence[str] = NAMES) ->
     hand.vector(12 + 5j, 12 + 1j * (paper.size[1] - 5))
     for k, name in enumerate(names):
         Writer(hand, rng).word(name, 20 + 1j * (8 + 15 * k))
-    seen = sheet_of(by_scale(cv2.cvtColor(paper.colour, cv2.COLOR_BGR2GRAY), PX_PER_MM))
-    assert seen is not None
-    return sorted(words_on(seen, known).words, key=lambda w: w.low.imag)
+    flat = by_scale(cv2.cvtColor(paper.colour, cv2.COLOR_BGR2GRAY), PX_PER_MM)
+    low, high = (flat.corner + z for z in (12 + 5j, 12 + 1j * (paper.size[1] - 5)))
+    line = Erased([low, (low + high) / 2, high], 0.8, [(high, -4j)])
+    return sorted(words_beside(ink_of(flat), [line], known).words, key=lambda w: w.low.imag)
 
 
 @pytest.mark.parametrize("style", ["neat", "wild", "indices"])
@@ -58,41 +53,6 @@ def test_a_prime_is_of_its_name() -> None:
 
 def test_what_is_no_name_of_the_plan_is_read_as_none() -> None:
     assert all(max(w.likely.values()) < 0.7 for w in written("neat", 2, "M_48", "N_77", "K_95"))
-
-
-AT_POLE = [(2 - 6j, True, set()), (30 + 2j, True, {"d"}), (60 + 40j, True, {"d"}), (60 + 40j, False, set())]
-
-
-@pytest.mark.parametrize(("low", "led", "gone"), AT_POLE)
-def test_a_mark_that_a_mistake_has_at_the_pole_is_told_by_its_name(
-    low: complex, led: bool, gone: set[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """It leaves no trace there; where ink leads to its right place, too, that may be where it is."""
-    monkeypatch.setattr(named_marks, "_places", lambda *_: {"d": 30 + 0j})
-    pole, b = Place(0j, 0.1, frozenset()), Place(20 + 0j, 0.1, frozenset())
-    words = HandWords([HandWord(low, low + 2 + 3j, {"d": 0.9})])
-    true = {"velocity:b": 20 + 0j, "velocity:d": 30 + 0j}
-    seen, ink = SimpleNamespace(covered=lambda a, b: float(led)), SimpleNamespace(words=words)
-    search: Any = SimpleNamespace(pole=pole, true=true, vectors=[("p", "d")], seen=seen, ink=ink)
-    way = LaidPlan(0.0, {"velocity:b": b, "velocity:d": pole}, Variant("similarity_on_pole_segments", "d"))
-    assert named_marks.traceless(search, way) == gone
-
-
-def test_a_mistake_that_has_ink_of_its_own_is_told_by_that() -> None:
-    """b upon n as well as at the pole leaves the same line; c drawn from there does not."""
-    right = {"p": 0j, "n": 20 + 0j, "b": 20 + 0j, "c": 20 + 30j}
-    assert not named_marks._stands_apart({"b": 0j, "c": 20 + 30j}, right)
-    assert named_marks._stands_apart({"b": 0j, "c": 0 + 31j}, right)
-
-
-@pytest.mark.parametrize(("headed", "own"), [(True, False), (False, True)])
-def test_what_a_mistake_has_upon_anothers_line_its_head_shows_alone(headed: bool, own: bool) -> None:
-    """s2 stands rightly upon b: where there is a head half-way, too, it may as well have been halved."""
-    seen, ink = SimpleNamespace(covered=lambda a, b: 1.0), SimpleNamespace(pointed=lambda a, b: headed)
-    search: Any = SimpleNamespace(vectors=[("p", "b"), ("p", "s2")], seen=seen, ink=ink)
-    right = {"p": 0j, "b": 80 + 0j, "s2": 80 + 0j}
-    assert named_marks._own_ink(search, "s2", {**right, "s2": 40 + 0j}, right) is own
-    assert named_marks._own_ink(search, "s2", {**right, "s2": 80 + 0j}, right) is False
 
 
 def test_a_name_speaks_for_the_vector_it_stands_by_and_never_loudly() -> None:

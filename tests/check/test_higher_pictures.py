@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 pytest.importorskip("cv2")
-from planes.check.grading.variants import Variant
-from planes.check.vision.search.plan_search import Search
 from tests.physical import higher
 
 
@@ -39,20 +36,3 @@ def test_a_polygon_nobody_can_read_is_told_so_soon(tmp_path: Path) -> None:
     taken = [next(made) for made in press]
     (_, usual), (found, seconds) = map(higher.looked_at, taken)
     assert seconds < 4 * usual and (isinstance(found, str) or found.verdict != "wrong")
-
-
-@pytest.mark.slow
-def test_mistakes_far_dearer_at_a_glance_are_not_looked_at_closely(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    laid, way = list[tuple[bool, Variant]](), Search.way
-
-    def seen(self: Search, variant: Variant | None, *args: Any, **more: Any) -> Any:
-        laid.extend([(self.closely, variant)] if variant else [])
-        return way(self, variant, *args, **more)
-
-    monkeypatch.setattr(Search, "way", seen)
-    found, _ = higher.looked_at(next(higher.pictures("scan", ["acceleration"], 1, tmp_path, ["class-four/tray"])))
-    closely, glance = ({id(variant) for near, variant in laid if near is closely} for closely in (True, False))
-    assert not isinstance(found, str) and found.verdict == "right"
-    assert len(closely) < len(glance) / 2 and len(glance) > 100

@@ -15,13 +15,10 @@ from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
-from planes.check.vision.match.match_printed import shapes
 from planes.documents.sheets import sheet_of
 from planes.scene.carried import carried, carrying
 from planes.solving import Position
 from planes.words.errors import PlanesError
-from render.paper.ink import arrow_parts
-from render.paper.marks import Arrow
 from render.sheet import Sheet
 from render.sheet.single import Page
 from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, mistakes, spoiled, view
@@ -142,14 +139,14 @@ def test_a_right_picture_saved_anew_is_right_by_its_arrowheads(
 def test_a_right_picture_of_crowded_heads_is_right(tmp_path: Path) -> None:
     """Saved anew, without its pole."""
     sample, plan = "assignments/21", "acceleration"
-    assert judged(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path) == "right"
+    assert judged(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path) in ("right", "right_as_seen")
 
 
-def test_a_wrong_picture_saved_anew_is_asked_about(tmp_path: Path) -> None:
+def test_a_wrong_picture_saved_anew_is_wrong(tmp_path: Path) -> None:
     k = spoiled("crank-slider", "velocity", 1)
     assert k is not None
     wrong = made("crank-slider", "velocity", drawn("crank-slider")[1], k)[0]
-    assert "--pole" in judged("crank-slider", "velocity", view("crank-slider", "velocity", wrong), tmp_path)
+    assert judged("crank-slider", "velocity", view("crank-slider", "velocity", wrong), tmp_path) == "wrong"
 
 
 @pytest.mark.slow
@@ -162,15 +159,6 @@ def test_forces_saved_anew_are_asked_about(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_a_print_of_another_plan_is_not_this_one(tmp_path: Path) -> None:
     assert judged("six-link", "acceleration", view("six-link", "velocity", drawn("six-link")[1]), tmp_path) != "right"
-
-
-def test_printed_heads_are_of_the_sizes_the_sheets_have() -> None:
-    """Whatever arrows a plan of motion has, their heads are among those looked for on a print."""
-    page = view("six-link", "acceleration", drawn("six-link")[1])
-    for arrow in (m for m in page.marks if isinstance(m, Arrow)):
-        _, head = arrow_parts(arrow)
-        size = abs(head[0] - (head[1] + head[2]) / 2), abs(head[1] - head[2])
-        assert any(size == pytest.approx((s.long, s.wide)) for s in shapes(abs(arrow.end - arrow.start))), arrow.name
 
 
 @pytest.mark.slow

@@ -21,12 +21,11 @@ cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
 from planes.check.blank import blank_pole, roomy  # noqa: E402
+from planes.check.evidence.ink import ink_of  # noqa: E402
 from planes.check.outcome import check  # noqa: E402
 from planes.check.sheet_mark import mark_on  # noqa: E402
 from planes.check.vision.image.decoding import load as picture_of  # noqa: E402
-from planes.check.vision.image.picture import Flat, flatten  # noqa: E402
-from planes.check.vision.marks.places import sheet_of  # noqa: E402
-from planes.check.vision.strokes.ink import ink_of, printed_on  # noqa: E402
+from planes.check.vision.image.picture import flatten  # noqa: E402
 from tests.helpers.class_pictures import scanned  # noqa: E402
 from tests.helpers.line_drawings import head  # noqa: E402
 from tests.physical import corpus, page  # noqa: E402
@@ -169,27 +168,6 @@ def test_no_mark_of_a_plan_stands_under_what_is_printed() -> None:
         pole = pole_place(ends)
         assert not any(within(pole + z, square) for z in (0j, *ends) for square in squares())
     assert pole_place([40 + 20j]) == pole_place([])
-
-
-@pytest.mark.parametrize("coded", [True, False])
-def test_a_line_that_runs_under_what_is_printed_is_not_seen_to_its_end(coded: bool) -> None:
-    """Nor is anything under a code that is not there: a blank of another program has none."""
-    sheet, scale = np.full((1680, 2376), 250, np.uint8), 8.0
-    flat = Flat(sheet, scale)
-    mark, code = squares()[1], squares()[-1]
-    ends = [mark[0], code[0]]
-    if coded:
-        (x, y), r = flat.px(code[0]), int(CODE_MM / 2 * scale)
-        sheet[int(y) - r : int(y) + r, int(x) - r : int(x) + r : 2] = 20
-    for z in ends:
-        a, b = (tuple(int(v) for v in flat.px(w)) for w in (150 + 100j, z))
-        cv2.line(sheet, a, b, 70, 4, cv2.LINE_AA)
-    assert len(printed_on(flat)) == 4 + coded
-    seen = sheet_of(flat)
-    assert seen is not None
-    for z, hidden in zip(ends, (True, coded), strict=True):
-        near = [p for p in seen.within(z, 25) if p.ended]
-        assert near and all(seen.torn(p) == hidden for p in near)
 
 
 @pytest.mark.slow

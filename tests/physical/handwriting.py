@@ -19,8 +19,8 @@ import matplotlib
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from planes.check.vision.marks import letter_net
-from planes.check.vision.marks.letter_net import SHAPES, features
+from planes.check.evidence import letter_net
+from planes.check.evidence.letter_net import SHAPES, features
 from render.paper.lettering import strokes as pen_paths
 
 EACH, HIDDEN, ROUNDS, BATCH = 600, 64, 20, 256

@@ -4,7 +4,7 @@ import csv
 import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from planes.check.grading.sign_faults import SignFault
@@ -32,7 +32,6 @@ _ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
 LARGEST = 2 * MB
 MOST = 2000  # rows
 LARGEST_MM = 10_000.0  # no sheet is larger
-MISREAD = 0.05  # for which share of a picture's marks another place is taken
 TOLD_MM = 0.3  # how surely a person points to a mark
 Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the pole
 
@@ -55,9 +54,9 @@ class ReadMark:
         return math.sqrt(max(self.error_mm**2 - sum(abs(z) ** 2 for z in self.shared) / 2, 0.0))
 
 
-def with_told(spots: Iterable[ReadMark], told: Mapping[str, complex], doubt: float) -> list[ReadMark]:
-    """Marks that were read, in some doubt, and those that were pointed to instead, which are in none."""
-    read = [replace(s, doubt=doubt) for s in spots if s.name not in told]
+def with_told(spots: Iterable[ReadMark], told: Mapping[str, complex]) -> list[ReadMark]:
+    """Marks that were read, and those that were pointed to instead, which are in no doubt."""
+    read = [s for s in spots if s.name not in told]
     return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in told.items())]
 
 

@@ -22,9 +22,12 @@ class DrawnVector(NamedTuple):
 @frozen
 class SignFault:
     """A sign that is wrong: the letters of ``mark`` and ``other`` are exchanged, or the vector from ``other`` to
-    ``mark`` has its head at the wrong end or none, or is ``off`` mm astray."""
+    ``mark`` has its head at the wrong end or none, or is ``off`` mm astray; or the whole plan, whose first is ``mark``,
+    is mirrored, or turned by ``off`` degrees."""
 
-    mistake: Literal["names_exchanged", "arrow_reversed", "arrow_missing", "vector_astray"]
+    mistake: Literal[
+        "names_exchanged", "arrow_reversed", "arrow_missing", "vector_astray", "plan_mirrored", "plan_turned"
+    ]
     mark: str
     other: str
     chance_wrong: float = 1.0

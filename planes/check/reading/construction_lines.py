@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-from planes.check.grading.paper import MISREAD
 from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, Stroke, headed
 
 UPON_MM = 0.1  # a vector is drawn upon its line
@@ -10,6 +9,7 @@ ASKEW = 0.02  # radians, by which lines along each other may part
 MEETING = 0.5  # of the ends of lines that are drawn from end to end, how many meet others
 ALONG_MM = 0.9  # a stroke no farther off runs along a way
 NAMED_MM = 6.0  # a word is nearer to the end it names
+MISREAD = 0.05  # for which share of a drawing's marks another place is taken
 CONFUSED = 0.0005  # for which share of the marks of such lines, without heads, another place is taken
 LOOSE = 0.9  # the same of lines that run past each other, or of which three and more lie upon each other
 PAST_MM, PAST = 20.0, 2  # how far lines run past where they meet; so many ends tell that they do

@@ -5,20 +5,20 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from planes.check.blank import blank_pole
+from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading.paper import MISREAD, Known, ReadPaper, with_told
+from planes.check.grading.paper import Known, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
 from planes.check.grading.remedies import asking
 from planes.check.sheet_mark import mark_of
+from planes.check.vision.from_aside import strange, tilt_told
 from planes.check.vision.image.decoding import DecodedPicture, load
 from planes.check.vision.image.frame import by_frame
 from planes.check.vision.image.lens import CameraTilt
 from planes.check.vision.image.picture import LARGEST_PX, Flat, by_scale, cv, find_marks, fits, flatten, smaller
 from planes.check.vision.image.two_points import by_points
-from planes.check.vision.looking import EXPLAINED, MOST_LINES, Look, looked, seen_best
-from planes.check.vision.marks.from_aside import strange, tilt_told
-from planes.check.vision.marks.places import Seen, sheet_of
-from planes.check.vision.marks.print_scale import printed_share
+from planes.check.vision.looking import Look, seen_best
+from planes.check.vision.print_scale import printed_share
 from planes.geometry.arrays import Greys
 from planes.plans.scales import fitting
 from planes.words import Phrase
@@ -40,14 +40,15 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     paper, best, pole = ReadPaper(file, whole=False, look=picture.look), None, known.pole
     for flat, named in _flats(bench, picture, known):
         bench = _as_printed(bench, flat)
-        look = seen_best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
-        if best is None or look.explained > best.explained:
+        held = _held(bench, flat, known)
+        look = seen_best(bench, flat, 0j if named else None if pole is None else flat.place(pole), held)
+        if best is None or (look.seen, look.cover) > (best.seen, best.cover):
             best, paper.scale_mark = look, None if flat.by_file else named
-        if best.flat.by in ("scale", "part") and best.explained >= EXPLAINED:
+        if best.flat.by in ("scale", "part") and best.seen:
             break
     best = best and _from_aside(bench, picture, known, best)
     told = best and (best.flat.by not in ("scale", "part") or pole is not None)
-    if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
+    if best is None or not (told or best.seen):
         raise _nothing_to_measure_by(picture.grey)
     paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box, paper.mu = shown(best.flat), best.box(bench), best.mu or bench.asked.mu
@@ -55,25 +56,17 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     if code and code.plan != bench.asked.plan and code.plan in known_plans(bench.plans):
         plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
         paper.notes.append(Phrase("check_code_says", **plans))
-    if best.crowd:
-        paper.reason = Phrase("check_crowd", count=f"> {2 * MOST_LINES}")
-    elif best.bare:
+    if best.bare:
         paper.reason = Phrase("check_no_lines")
-    elif best.explained < EXPLAINED:
-        paper.reason = asking("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}")
+    elif not best.seen:
+        paper.reason = asking("check_no_plan_seen", share=f"{100 * best.cover:.0f}")
     else:
-        pointed = bench.pointed(known.marks, best.flat.place) if best.spots else {}
-        paper.spots, paper.whole = with_told(best.spots, pointed, MISREAD), best.whole
+        pointed = bench.pointed(known.marks, best.flat.place)
+        paper.spots = with_told(best.spots, pointed)
         if best.mu and best.mu != bench.said_mu:
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
-        if not best.spots:
-            paper.reason = asking("check_force_unsure")
-        paper.untold, paper.apart = [n for n in best.untold if n not in pointed], best.apart
-        paper.named, paper.signs, paper.left = [*best.named], best.signs, best.in_doubt
-        if best.named:
-            paper.notes.append(Phrase("check_by_name", names=", ".join(best.named)))
-        if best.hidden:
-            paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
+        paper.untold = [n for n in best.untold if n not in pointed]
+        paper.signs, paper.left, paper.named = best.signs, best.in_doubt, best.named
     if best.flat.by == "marks" and not paper.spots and bench.asked.plan in ("velocity", "acceleration"):
         paper.rescaled = _rescaled(bench, best.flat)
     return paper
@@ -81,24 +74,30 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
 
 def _rescaled(bench: PreparedPlan, flat: Flat) -> ReadPaper | None:
     """What a blank shows if its plan of motion was drawn at a standard scale that is not the blank's."""
-    flat, pole = replace(flat, notes=[]), blank_pole(bench)
-    seen = sheet_of(flat, pole)
-    for mu in _scales_by_ink(bench, seen) if seen and len(seen.lines) <= MOST_LINES else ():
-        look = looked(bench.at(mu, told=True), flat, pole, seen)
-        if look.explained >= EXPLAINED and look.spots:
-            spots, untold, named = with_told(look.spots, {}, MISREAD), [*look.untold], [*look.named]
-            return ReadPaper(spots=spots, whole=look.whole, untold=untold, named=named, apart=look.apart)
+    flat = replace(flat, notes=[])
+    for mu in _scales_by_ink(bench, flat):
+        look = seen_best(bench.at(mu, told=True), flat, blank_pole(bench))
+        if look.seen:
+            return ReadPaper(spots=look.spots, untold=look.untold)
     return None
 
 
-def _scales_by_ink(bench: PreparedPlan, seen: Seen) -> list[float]:
+def _scales_by_ink(bench: PreparedPlan, flat: Flat) -> list[float]:
     """Standard scales at which a plan has about as much ink as is seen: lines run on past their vectors, and
     some lie upon others."""
     places = {POLE: 0j, **bench.true_marks}
     true = sum(abs(places[b] - places[a]) for a, b in bench.vectors)
-    larger = sum(line.length for line in seen.lines) / max(true, LEAST_MM)
+    larger = float(SheetInk.of_picture(flat).mm.sum()) / max(true, LEAST_MM)
     found = dict.fromkeys(fitting(bench.asked.plan, 1.0, bench.said_mu * larger * share) for share in INK_SHARES)
     return [mu for mu in found if abs(mu / bench.said_mu - 1) > ALIKE]
+
+
+def _held(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[str, complex] | None:
+    """The mark that was pointed to and tells a picture's scale, and where it is; none where its file tells that."""
+    if flat.told is None or flat.by_file:
+        return None
+    names = {n: z for k, z in known.marks.items() if (n := bench.names.find(k))}
+    return (flat.told[0], flat.place(names[flat.told[0]])) if flat.told[0] in names else None
 
 
 def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
@@ -110,7 +109,7 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
         return best
     held = replace(lens.held, slopes=lens.held.slopes + tilt)
     flat, _ = _by_hand(bench, picture, known.pole, known.marks, held)
-    other = seen_best(bench, flat, 0j)
+    other = seen_best(bench, flat, 0j, _held(bench, flat, known))
     likelier = strange(lens, best.pole, best.spots, true) - strange(lens, other.pole, other.spots, true)
     return other if other.spots and likelier > 0 else best
 

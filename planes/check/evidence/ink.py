@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy
 
+from planes.check.evidence.contrast import inked
 from planes.check.fiducials import ARM_MM, INSET_MM, SIDE_MM, Square, squares
 from planes.check.vision.image.picture import Flat, cv
-from planes.check.vision.strokes.contrast import inked
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
 
 LETTER_MM = 7.5  # smaller separate marks of ink are letters

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 
 import numpy
 
+from planes.check.evidence.ink import ink_of, light_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.parts import TOGETHER_MM
 from planes.check.vision.image.picture import Flat, cv
-from planes.check.vision.strokes.ink import ink_of, light_of
 from planes.geometry.arrays import Greys, Indices
 from planes.words.frozen import frozen
 from planes.words.names import kind_of

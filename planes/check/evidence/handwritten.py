@@ -11,10 +11,9 @@ from functools import cached_property
 
 import numpy
 
+from planes.check.evidence.ink import Ink
+from planes.check.evidence.letter_net import SHAPES, features, odds
 from planes.check.vision.image.picture import cv
-from planes.check.vision.marks.letter_net import SHAPES, features, odds
-from planes.check.vision.marks.places import Seen
-from planes.check.vision.strokes.hanging import tabled
 from planes.geometry.arrays import Array, Greys
 from planes.words.frozen import frozen
 
@@ -68,6 +67,10 @@ class HandWords:
         """How surely a name was read by the vector from a to b."""
         return self._weighed(name, a, b)[1]
 
+    def by(self, name: str, z: complex, reach_mm: float = 7.0) -> float:
+        """How likely a name stands by a place."""
+        return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < reach_mm), default=0.0)
+
     def unwritten(self, name: str) -> float:
         """What it costs to believe that nobody drew the vector of a name: less than nothing, where the others' names
         were read and this one was not."""
@@ -105,19 +108,26 @@ class LetterPiece:
     mask: Greys
 
 
-def words_on(seen: Seen, names: Iterable[str]) -> HandWords:
-    """The words of a sheet as they may be some names (remembered)."""
+@frozen
+class Erased:
+    """A drawn line that is no letter: its path in mm, how wide it is, and its heads (tip, the way back to its rear)."""
+
+    path: Sequence[complex]
+    width_mm: float
+    heads: Sequence[tuple[complex, complex]] = ()
+
+
+def words_beside(ink: Ink, lines: Sequence[Erased], names: Iterable[str]) -> HandWords:
+    """The words about some lines of a sheet as they may be some names."""
     known = tuple(names)
-    read: HandWords = seen.read.get(known) or HandWords(_each_once(_words(seen, known), known))
-    seen.read[known] = read
-    return read
+    return HandWords(_each_once(_words(ink, lines, known), known))
 
 
-def _words(seen: Seen, known: Sequence[str]) -> list[HandWord]:
+def _words(ink: Ink, lines: Sequence[Erased], known: Sequence[str]) -> list[HandWord]:
     """The words of a sheet, each as it may be any of the names."""
-    flat, found = seen.ink.flat, list[HandWord]()
-    for row in _rows(_pieces(seen), flat.scale):
-        shapes = _shapes(seen.ink.dark, row, WIDEST_MM * flat.scale)
+    flat, found = ink.flat, list[HandWord]()
+    for row in _rows(_pieces(ink, lines), flat.scale):
+        shapes = _shapes(ink.dark, row, WIDEST_MM * flat.scale)
         scores = numpy.array([_aligned(len(row), shapes, name) for name in (*known, "")])
         scores[-1] += OTHER
         told = numpy.exp((scores - scores.max()) / WARMTH)
@@ -139,10 +149,10 @@ def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord
     ]
 
 
-def _pieces(seen: Seen) -> list[LetterPiece]:
+def _pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
     """Pieces of ink off the lines of a sheet, but not far from them."""
-    cv2, scale = cv(), seen.ink.flat.scale
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(_off_lines(seen), connectivity=8)
+    cv2, scale = cv(), ink.flat.scale
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(_off_lines(ink, lines), connectivity=8)
     found: list[LetterPiece] = []
     for k, (x, y, w, h, area) in enumerate(stats.tolist()):
         if k and LEAST_MM * scale < min(max(w, h), area) and max(w, h) < MOST_MM * scale:
@@ -151,25 +161,20 @@ def _pieces(seen: Seen) -> list[LetterPiece]:
     return found if len(found) < MOST else []
 
 
-def _off_lines(seen: Seen) -> Greys:
+def _off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
     """Where there is ink near lines that is not theirs."""
-    cv2, flat = cv(), seen.ink.flat
-    dark = cv2.GaussianBlur(seen.ink.dark, (0, 0), SOFTENED_MM * flat.scale)
+    cv2, flat = cv(), ink.flat
+    dark = cv2.GaussianBlur(ink.dark, (0, 0), SOFTENED_MM * flat.scale)
     about = numpy.ones((round(ABOUT_MM * flat.scale),) * 2, numpy.uint8)
-    ruled = tabled(seen.lines)
-    middles = numpy.array([x.at((x.low + x.high) / 2) for x in seen.lines])
-    least = numpy.maximum(DARK * cv2.dilate(dark, about), LEAST_DARK * float(numpy.median(seen.ink.darkest(middles))))
+    middles = numpy.array([x.path[len(x.path) // 2] for x in lines])
+    least = numpy.maximum(DARK * cv2.dilate(dark, about), LEAST_DARK * float(numpy.median(ink.darkest(middles))))
     near = numpy.zeros_like(dark)
-    paths = [[flat.px(x.at(float(s))) for s in numpy.linspace(x.low, x.high, 9)] for x in seen.lines]
-    bent = [numpy.array(path).round().astype(numpy.int32) for path in paths]
-    cv2.polylines(
-        near, [path for k, path in enumerate(bent) if k not in ruled], False, 1, round(2 * AROUND_MM * flat.scale)
-    )
-    for line, path in zip(seen.lines, bent, strict=True):
-        cv2.polylines(near, [path], False, 0, max(1, round((line.width + ERASED_MM) * flat.scale)))
-        for head in line.heads:
-            way = head.sign * line.direction(head.s) * head.length
-            sides = [flat.px(head.z + way * off) for off in (0.0, HALF * 1j - 1, -HALF * 1j - 1)]
+    bent = [numpy.array([flat.px(z) for z in x.path]).round().astype(numpy.int32) for x in lines]
+    cv2.polylines(near, bent, False, 1, round(2 * AROUND_MM * flat.scale))
+    for line, path in zip(lines, bent, strict=True):
+        cv2.polylines(near, [path], False, 0, max(1, round((line.width_mm + ERASED_MM) * flat.scale)))
+        for tip, back in line.heads:
+            sides = [flat.px(tip + back * off) for off in (0.0, 1 + HALF * 1j, 1 - HALF * 1j)]
             cv2.fillConvexPoly(near, numpy.array(sides).round().astype(numpy.int32), 0)
     found: Greys = near * (dark > least)
     return found

@@ -1,0 +1,208 @@
+"""The ink of one sheet, asked by lines: what share of the way from a to b is drawn, whether there is a head at b, and
+how many millimetres of ink no line of a drawing explains.
+
+Ink is felt by a bank of ridge filters, each for one direction (steerable filters: Freeman and Adelson, IEEE PAMI 13,
+1991). Places are complex numbers, mm of the sheet, y up; lines are arrays of their ends, one row a drawing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy
+
+from planes.check.evidence.handwritten import Erased, HandWords, words_beside
+from planes.check.evidence.ink import Ink, ink_of
+from planes.check.vision.image.picture import Flat, cv
+from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
+
+PX_PER_MM = 3.0  # of the small picture in which ink is felt
+WAYS = 16  # directions in which it is felt, over half a turn
+LONG_PX, WIDE_PX, REACH_PX = 2.6, 1.0, 7  # of the filter: σ along, σ across, how far it reaches
+FULL, NONE = 0.60, 0.15  # shares of a plain line's response at which a line is wholly there, or not at all
+PLAIN, STRONG, FAINTEST = 0.6, 0.99, 0.02  # quantiles of the strong responses, which are of plain lines; the least one
+RIDGE, INKED = 0.45, 0.25  # the share of it that makes a ridge; of full darkness, ink
+LETTER_MM = 9.0  # smaller pieces of ink are letters: they explain nothing and need no explanation
+DARKEST = 180.0  # how much darker than paper a plain line is, of 255
+BESIDE_MM, TURNED = 0.8, 0.3  # how far aside, and at what sine, ink is still a line's own
+SLOPE = 0.004  # radians by which a drawn line may lie turned
+BEFORE_MM, BEYOND_MM, LESS = 10.0, 22.0, 0.55  # construction lines run on so far; the share they count as unexplained
+CROSS_MM = 3.2  # about the pole's printed cross ink needs no explanation
+HEAD_MM, BEHIND_MM = (1.6, 4.0), (5.5, 7.5)  # from a line's end, where a head is wider than its line; where it is over
+ASIDE_MM, BESIDE_STEP_MM = (-0.85, -0.6, 0.6, 0.85), 0.4  # where beside a line its head is felt
+SHORTEST_MM = 9.0  # of a line whose head is felt
+LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a line with none; to units of evidence
+LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of what is a drawn line's own and no letter
+GAP_STEP_MM, GONE = 0.5, 0.25  # by which a line is followed; the share of one below which it is not there
+SOFT_PX = 2  # a line file's lines are drawn so wide
+SHORT_MM = 1.0  # of a line that explains ink
+
+
+class Box(NamedTuple):
+    """A part of a sheet by two of its corners."""
+
+    low: complex
+    high: complex
+
+    def holds(self, z: Complexes) -> Booleans:
+        """Which places lie in it."""
+        held: Booleans = (z.real > self.low.real) & (z.real < self.high.real)
+        return held & (z.imag > self.low.imag) & (z.imag < self.high.imag)
+
+
+class SheetInk:
+    """The ink of one sheet. ``dark``: 0 of paper, 1 of a plain line, ``PX_PER_MM`` pixels to a millimetre; its lower
+    left corner is at ``corner``, its upper edge ``high_mm`` above."""
+
+    def __init__(self, dark: Array, corner: complex, high_mm: float, source: Ink | None = None) -> None:
+        self.source = source  # the ink it was made from, with its letters
+        self.top = corner.imag + high_mm
+        self.corner, (self.height, self.width) = corner, dark.shape
+        felt = numpy.stack([cv().filter2D(dark, -1, _filter(math.pi * k / WAYS)) for k in range(WAYS)])
+        most, way = felt.max(axis=0), felt.argmax(axis=0)
+        strong = most[most > max(float(numpy.quantile(most, STRONG)), FAINTEST)]
+        plain = float(numpy.quantile(strong, PLAIN)) if strong.size else 1.0
+        share = (numpy.clip((felt / plain - NONE) / (FULL - NONE), 0, 1) * 255).astype(numpy.uint8)
+        # by direction, row and column what share of a line is there: just there, a third of a mm about, two thirds
+        wider = (numpy.stack([cv().dilate(s, numpy.ones((n, n))) for s in share]).ravel() for n in (3, 5))
+        self.shares = (share.ravel(), *wider)
+        ridge = (most > RIDGE * plain) & _sharpest(most, way) & _of_lines(dark)
+        rows, columns = numpy.nonzero(ridge)
+        turn = math.pi * way[rows, columns] / WAYS
+        self.points: Complexes = corner.real + (columns + 0.5) / PX_PER_MM + 1j * (self.top - (rows + 0.5) / PX_PER_MM)
+        self.ways: Complexes = numpy.exp(-1j * turn)
+        self.mm: Array = 1 / numpy.maximum(abs(numpy.cos(turn)), abs(numpy.sin(turn))) / PX_PER_MM  # of line, a point
+        usual = float(numpy.quantile(dark[ridge], 0.5)) if ridge.any() else 1.0
+        self.even = numpy.minimum(dark / max(usual, 0.05), 1.0).ravel()
+
+    @classmethod
+    def of_picture(cls, flat: Flat, ink: Ink | None = None) -> SheetInk:
+        """Of a flat picture."""
+        ink, share = ink or ink_of(flat), PX_PER_MM / flat.scale
+        dark = ((255.0 - ink.even) / DARKEST).astype(numpy.float32)
+        return cls(
+            cv().resize(dark, None, fx=share, fy=share, interpolation=cv().INTER_AREA),
+            flat.corner,
+            flat.size_mm[1],
+            ink,
+        )
+
+    def _at(self, z: Complexes) -> tuple[Indices, Booleans]:
+        """Where places are in the picture's rows laid end to end, and which are on it."""
+        x = ((z.real - self.corner.real) * PX_PER_MM).astype(numpy.int32)
+        y = ((self.top - z.imag) * PX_PER_MM).astype(numpy.int32)
+        inside = (x >= 0) & (y >= 0) & (x < self.width) & (y < self.height)
+        return numpy.where(inside, y * self.width + x, 0), inside
+
+    def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
+        """The share of each line from a to b that is drawn, 0 to 1, felt at so many places of it, so many pixels
+        (:data:`PX_PER_MM`) about."""
+        way, share = b - a, (numpy.arange(samples) + 0.5) / samples
+        k = numpy.rint(-numpy.angle(way) / math.pi * WAYS).astype(numpy.int32) % WAYS
+        at, inside = self._at(a[..., None] + way[..., None] * share)
+        felt = self.shares[about][at + (k * (self.height * self.width))[..., None]]
+        drawn: Array = numpy.where(inside, felt, 0).mean(axis=-1) / 255.0
+        return drawn
+
+    def longest_gap(self, a: complex, b: complex) -> float:
+        """The longest piece of a line from a to b that is not drawn, mm."""
+        places: Complexes = a + (b - a) * numpy.linspace(0.0, 1.0, max(int(abs(b - a) / GAP_STEP_MM), 1) + 1)
+        drawn = numpy.r_[True, self.along(places[:-1], places[1:], 2, 2) > GONE, True]
+        return float(numpy.diff(numpy.flatnonzero(drawn)).max() - 1) * GAP_STEP_MM
+
+    def head(self, a: Complexes, b: Complexes) -> Array:
+        """How much speaks for a head at b of each line from a, in :data:`HEAD_RANGE`; 0 of short ones."""
+        length = abs(b - a)
+        way = (b - a) / numpy.maximum(length, 1e-9)
+        there, behind = (self._beside(b, way, mm) for mm in (HEAD_MM, BEHIND_MM))
+        felt = numpy.clip((there - behind - LEAST_HEAD) * HEAD_GAIN, *HEAD_RANGE)
+        return numpy.where(length > SHORTEST_MM, felt, 0.0)
+
+    def _beside(self, b: Complexes, way: Complexes, mm: tuple[float, float]) -> Array:
+        """How dark it is beside lines, so far back from their ends."""
+        back, off = numpy.meshgrid(numpy.arange(*mm, BESIDE_STEP_MM), ASIDE_MM)
+        at, inside = self._at(b[..., None] + way[..., None] * (1j * off - back).ravel())
+        dark: Array = numpy.where(inside, self.even[at], 0.0).mean(axis=-1)
+        return dark
+
+    def words(self, a: Complexes, b: Complexes, headed: bool, names: Iterable[str]) -> HandWords:
+        """The words about some lines, as they may be some names; none of what has no letters."""
+        if self.source is None or not a.size:
+            return HandWords()
+        lines = []
+        for start, end in zip(a.tolist(), b.tolist(), strict=True):
+            way = (end - start) / max(abs(end - start), 1e-9)
+            heads = [(end, -USUAL_HEAD_MM * way)] if headed else []
+            lines.append(Erased([start, (start + end) / 2, end], LINE_MM, heads))
+        return words_beside(self.source, lines, names)
+
+    def unexplained(
+        self, a: Complexes, b: Complexes, box: Box, pole: complex, loose_mm: float, signs: Complexes, reach: Array
+    ) -> Array:
+        """mm of ink in a box that no line of each row explains (``loose_mm`` aside at the most), nor any sign, by its
+        middle and how far it reaches; of what only carries a line on, a share."""
+        kept = box.holds(self.points) & (abs(self.points - pole) > CROSS_MM)
+        z, ways, mm = self.points[kept], self.ways[kept], self.mm[kept]
+        rows = numpy.round(numpy.stack([a, b], axis=-1), 2).reshape(-1, 2)
+        lines, which = numpy.unique(rows, axis=0, return_inverse=True)
+        own, near = numpy.zeros((2, len(lines), len(z)), bool)
+        for k, (start, end) in enumerate(lines):
+            length = abs(end - start)
+            if SHORT_MM < length < math.inf:
+                u = (end - start).conjugate() / length
+                q = (z - start) * u
+                beside = (abs(q.imag) < BESIDE_MM + loose_mm + SLOPE * length) & (abs((ways * u).imag) < TURNED)
+                own[k] = beside & (q.real > -1) & (q.real < length + 1)
+                near[k] = beside & (q.real > -BEFORE_MM) & (q.real < length + BEYOND_MM)
+        left = numpy.zeros(len(a))
+        for n, ks in enumerate(which.reshape(a.shape)):
+            sign = (abs(z[:, None] - signs[n]) < reach).any(axis=1)
+            mine, running = own[ks].any(axis=0) | sign, near[ks].any(axis=0) | sign
+            left[n] = mm[~running].sum() + LESS * mm[running & ~mine].sum()
+        return left
+
+
+def drawn(strokes: Iterable[tuple[complex, complex]], rim_mm: float = 30.0) -> SheetInk:
+    """The ink of a drawing of lines, mm, their heads among them."""
+    lines = [*strokes]
+    ends = numpy.array([z for line in lines for z in line])
+    low = complex(ends.real.min(), ends.imag.min()) - rim_mm * (1 + 1j)
+    size = complex(ends.real.max(), ends.imag.max()) + rim_mm * (1 + 1j) - low
+    page: Greys = numpy.zeros([2 * math.ceil(mm * PX_PER_MM) for mm in (size.imag, size.real)], numpy.uint8)
+    for line in lines:
+        ends_px = (32 * PX_PER_MM * (z - low) for z in line)
+        px = [(round(z.real) - 8, 16 * len(page) - round(z.imag) - 8) for z in ends_px]
+        cv().line(page, *px, 255, SOFT_PX, cv().LINE_AA, 4)
+    small = cv().resize(page, None, fx=0.5, fy=0.5, interpolation=cv().INTER_AREA)
+    return SheetInk((small / DARKEST).astype(numpy.float32), low, len(small) / PX_PER_MM)
+
+
+def _filter(angle: float) -> Array:
+    """Feels a thin line at an angle (of a picture, y down): long along it, a Mexican hat across."""
+    x, y = numpy.meshgrid(*[numpy.arange(-REACH_PX, REACH_PX + 1)] * 2)
+    along, across = x * math.cos(angle) + y * math.sin(angle), y * math.cos(angle) - x * math.sin(angle)
+    hat = (1 - (across / WIDE_PX) ** 2) * numpy.exp(-0.5 * (across / WIDE_PX) ** 2)
+    weight = numpy.exp(-0.5 * (along / LONG_PX) ** 2) * hat
+    weight -= weight.mean()
+    made: Array = (weight / abs(weight).sum()).astype(numpy.float32)
+    return made
+
+
+def _sharpest(most: Array, way: Indices) -> Booleans:
+    """Pixels that feel more of a line than those to either side of it."""
+    sharpest = numpy.zeros(most.shape, bool)
+    for eighth, (x, y) in enumerate(((0, 1), (-1, 1), (-1, 0), (1, 1))):  # across 0, 45, 90 and 135 degrees
+        one, two = (numpy.roll(most, (s * y, s * x), (0, 1)) for s in (1, -1))
+        sharpest |= ((way + 2) % WAYS // 4 == eighth) & (most >= one) & (most > two)
+    return sharpest
+
+
+def _of_lines(dark: Array) -> Booleans:
+    """Pixels of ink, and those beside it, in pieces too large for letters."""
+    _, pieces, stats, _ = cv().connectedComponentsWithStats((dark > INKED).astype(numpy.uint8), connectivity=8)
+    large = numpy.hypot(stats[:, 2], stats[:, 3]) > LETTER_MM * PX_PER_MM
+    large[0] = False
+    held: Booleans = large[cv().dilate(pieces.astype(numpy.float32), numpy.ones((3, 3))).astype(int)]
+    return held

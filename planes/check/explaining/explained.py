@@ -1,0 +1,195 @@
+"""What a sheet shows of a plan, by the likeliest of all drawings of it: its marks with their errors, and the odds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import combinations
+
+import numpy
+
+from planes.check.evidence.sheet_ink import SheetInk
+from planes.check.explaining import weights as w
+from planes.check.explaining.fitted_marks import fitted_marks
+from planes.check.explaining.plan_lines import END, PlanLines
+from planes.check.explaining.scorer import Laid, Scorer
+from planes.check.grading.judging import LEFT_OUT
+from planes.check.grading.paper import ReadMark
+from planes.check.grading.sign_faults import SignFault
+from planes.geometry.arrays import Booleans, Complexes
+from planes.words.names import POLE
+
+
+@dataclass
+class Explanation:
+    """The hypotheses of a plan settled on a sheet's ink, the likeliest first; its pole is about ``pole``."""
+
+    plan: PlanLines
+    ink: SheetInk
+    pole: complex
+    laid: list[Laid] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.scorer = Scorer(self.plan, self.ink, self.pole)
+        self.laid = self.scorer.weighed()
+        if self.plan.kind != "force" and self.best.places:
+            names, best = self.plan.names, self.best
+            places = numpy.array([best.places[n] for n in names])
+            fitted = fitted_marks(self.plan, self.ink, self.pole, places, best.sigmas)
+            best.places = dict(zip(names, fitted.tolist(), strict=True))
+
+    @cached_property
+    def right(self) -> Laid:
+        """The plan rightly drawn, as it lies on the ink."""
+        return next(one for one in self.laid if one.hypothesis.right)
+
+    @cached_property
+    def wrong(self) -> Laid | None:
+        """The likeliest drawing with a mistake that moves something."""
+        true = self.plan.true
+        mistakes = (one for one in self.laid if not one.hypothesis.right)
+        moved = (one for one in mistakes if any(abs(z - true[n]) > w.MOVED_MM for n, z in one.places.items()))
+        return next(moved, None)
+
+    @property
+    def chance_wrong(self) -> float:
+        """How likely a mistake was made, by these two."""
+        if self.wrong is None:
+            return 0.0
+        ahead = w.ODDS[0] + w.ODDS[1] * (self.wrong.score - self.right.score)
+        return 1 / (1 + math.exp(min(max(-ahead, -700.0), 700.0)))
+
+    @property
+    def best(self) -> Laid:
+        """The likelier of the two."""
+        return self.wrong if self.wrong and self.chance_wrong > 0.5 else self.right
+
+    @property
+    def doubt(self) -> float:
+        """How likely it is the other one."""
+        return min(self.chance_wrong, 1 - self.chance_wrong)
+
+    @property
+    def share(self) -> float:
+        """At what share of its size the sheet is seen: as it was printed, or as the mark was drawn that tells it."""
+        if self.plan.held is None:
+            return self.plan.share
+        free = replace(self.plan, held=None).draw(self.best.hypothesis, {}, 1)
+        mark, where = self.plan.held
+        return 1.0 if free is None else float(abs(free[0, self.plan.labels.index(mark)] / where))
+
+    @property
+    def explained(self) -> float:
+        """The share of the ink about the likeliest drawing that is its own."""
+        box = self.scorer.box
+        every = float(self.ink.mm[box.holds(self.ink.points)].sum()) if box else 0.0
+        return 1 - self.best.parts[1] / every if every and self.best.parts else 0.0
+
+    def exchanged(self) -> list[SignFault]:
+        """Two letters each by the other's mark alone, of a plan that is right."""
+        words, right = self.scorer.words, self.best
+        if not right.hypothesis.right or self.doubt > w.ASKED:
+            return []
+        ends = {n: self.pole + right.places[n] for n in self.plan.labels}
+        for one, two in combinations(ends, 2):
+            crossed = words.by(one, ends[two]) * words.by(two, ends[one])
+            straight = words.by(one, ends[one]) * words.by(two, ends[two])
+            apart = abs(ends[one] - ends[two]) > 2 * w.BESIDE_MM
+            if apart and crossed > max(w.CROSSED, w.RATHER * straight):
+                return [SignFault("names_exchanged", one, two, w.EXCHANGED)]
+        return []
+
+    def whole_fault(self) -> list[SignFault]:
+        """That the whole plan is mirrored or turned, its marks else right."""
+        h = self.best.hypothesis
+        if h.mirrored:
+            return [SignFault("plan_mirrored", self.plan.labels[0], POLE, 1 - self.doubt)]
+        angle = math.degrees(math.atan2(h.turn.imag, h.turn.real))
+        turned = abs(h.turn) > 0 and h.kind == "turned_whole"
+        return [SignFault("plan_turned", self.plan.labels[0], POLE, 1 - self.doubt, angle)] if turned else []
+
+    def _undone(self, z: complex) -> complex:
+        """A place of a plan that is mirrored or turned as a whole, as if it were not."""
+        h, pole = self.best.hypothesis, self.pole + self.best.places.get(POLE, 0j)
+        if h.mirrored:
+            return pole + ((z - pole) / h.turn).conjugate()
+        return pole + (z - pole) / h.turn if h.kind == "turned_whole" else z
+
+    def spots(self) -> list[ReadMark]:
+        """The marks that are seen, from the pole; of a force polygon its sides' ends, in the order they are laid."""
+        best, doubt = self.best, self.doubt if self.doubt > w.NO_DOUBT else 0.0
+        pole = ReadMark(POLE, self.pole + best.places.get(POLE, 0j), w.POLE_MM)
+        if self.plan.kind == "force":
+            return [pole, *self._sides(best, doubt)]
+        places = ((n, best.places.get(n, 0j)) for n in self.plan.labels)
+        shown = ((n, z) for n, z in places if best.sigmas.get(n, math.inf) < w.UNSEEN_MM and n != self._left_out)
+        return [pole, *(ReadMark(n, self._undone(self.pole + z), self._error_mm(best, n), doubt) for n, z in shown)]
+
+    @property
+    def _left_out(self) -> str | None:
+        """The mark of what the likeliest drawing leaves out."""
+        hypothesis = self.best.hypothesis
+        return hypothesis.mark if hypothesis.kind.endswith(LEFT_OUT) else None
+
+    def _sides(self, best: Laid, doubt: float) -> Iterator[ReadMark]:
+        places = numpy.array([[best.places[n] for n in self.plan.names]])
+        a, b = (z[0] for z in self.plan.laid(places, best.hypothesis.order))
+        for k in best.hypothesis.order or range(len(self.plan.sides)):
+            side = self.plan.sides[k]
+            if side.end != self._left_out and abs(b[k] - a[k]) > w.POINT_MM:
+                end = END if self.plan.lines[k][1] == END else side.end
+                yield ReadMark(side.name, self._undone(self.pole + complex(b[k])), self._error_mm(best, end), doubt)
+
+    def _error_mm(self, best: Laid, name: str) -> float:
+        """σ of a mark's place."""
+        sigma = min(best.sigmas.get(name, 0.0), w.UNSEEN_MM)
+        return math.hypot(w.READ_MM, w.SIGMAS * sigma, w.ASTRAY * best.moved.get(name, 0.0))
+
+    def named(self) -> list[str]:
+        """Marks that no ink tells, but their names, which stand by where they should be."""
+        if self.plan.kind == "force" or not self.best.hypothesis.right:
+            return []
+        hidden = (n for n in self.plan.labels if self.best.sigmas.get(n, math.inf) >= w.UNSEEN_MM)
+        return [n for n in hidden if self.scorer.words.by(n, self.pole + self.best.places[n]) > w.LIKELY]
+
+    def untold(self) -> list[str]:
+        """Marks that lie elsewhere in the likelier and the other one, where that may well be it."""
+        if self.wrong is None or (self.best is self.right and self.doubt < w.ASKED):
+            return []
+        places, true = self.wrong.places, self.plan.true
+        return [n for n in self.plan.labels if n == self.wrong.hypothesis.mark or abs(places[n] - true[n]) > w.MOVED_MM]
+
+    def faint(self) -> list[str]:
+        """Lines of the likeliest drawing that are hardly there, and those whose heads seem to be at their starts, by
+        the names of the vectors."""
+        if not self.best.places:
+            return []
+        places = numpy.array([[self.best.places[n] for n in self.plan.names]])
+        a, b = (z + self.pole for z in self.plan.laid(places, self.best.hypothesis.order))
+        length, needed = abs(b - a)[0], self.plan.needed
+        gaps = [
+            self.ink.longest_gap(p, q) if long else 0.0
+            for p, q, long in zip(a[0], b[0], length > w.LONG_MM, strict=True)
+        ]
+        gone = needed & (numpy.array(gaps) > w.TORN_MM)
+        here, there = self.ink.head(a, b)[0], self.ink.head(b, a)[0]
+        headed = needed & (length > w.HEADED_MM) & (self.plan.kind not in ("position", "force"))
+        headed &= ~_beside_another(a[0], b[0])
+        turned = headed & (here < w.NO_HEAD) & (there - here > w.TURNED)
+        if headed.sum() < w.FEWEST or numpy.median(here[headed]) < w.USUAL_HEAD:
+            turned[:] = False
+        return [self._name(k) for k in numpy.flatnonzero(gone | turned).tolist()]
+
+    def _name(self, k: int) -> str:
+        line = self.plan.lines[k]
+        return self.plan.bench.vectors.get(line) or line[1]
+
+
+def _beside_another(a: Complexes, b: Complexes) -> Booleans:
+    """Lines that begin where another one begins or ends that leads nearly the same way: its ink looks like a head."""
+    ways, z = numpy.r_[b - a, a - b], numpy.r_[a, b]
+    near = abs(a[:, None] - z) < w.HEADED_MM / 4
+    turned = abs(numpy.angle(ways / numpy.where((b - a)[:, None] == 0, 1, (b - a)[:, None]))) < w.NARROW
+    return numpy.asarray((near & turned & (abs(ways) > w.SHORT_MM)).sum(axis=1) > 1)

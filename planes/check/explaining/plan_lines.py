@@ -1,0 +1,199 @@
+"""A plan's lines as they lie on paper under any hypothesis, many drawings at once by one run of the program."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+
+import numpy
+
+from planes.check.explaining.weights import SHORT_MM
+from planes.check.grading.polygons import Side, sides_of
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.variants import Variant
+from planes.drafting.drawing import draw_steps
+from planes.drafting.steps import Step
+from planes.drafting.tools import Env, Tool
+from planes.geometry.arithmetic import Many, Point
+from planes.geometry.arrays import Array, Booleans, Complexes
+from planes.words.errors import PlanesError
+from planes.words.frozen import frozen
+from planes.words.names import POLE, at, kind_of, label_of
+
+END = "end"  # of a force polygon's last side: at the pole, if the polygon is closed
+HINGE_MM, SUPPORT_MM = 3.0, 9.5  # about a point of a scheme, and a support or slider, ink is their signs'
+HIDDEN_MM, RUNS_ON_MM = 0.8, 30.0  # of a link's line, under the signs at its ends; guides are drawn so far past sliders
+Line = tuple[str, str]
+
+
+@frozen
+class Hypothesis:
+    """What was done: of which kind, at which mark, how unlikely it is beforehand (a cost: minus a logarithm); the steps
+    it swaps, how far it moves marks (mm, by label), what it does to the whole plan, in which order sides are laid."""
+
+    kind: str = "right"
+    mark: str = ""
+    cost: float = 0.0
+    variant: Variant | None = None
+    nudges: Mapping[str, complex] = field(default_factory=dict)
+    turn: complex = 1 + 0j
+    mirrored: bool = False
+    order: tuple[int, ...] = ()
+
+    @property
+    def right(self) -> bool:
+        """Whether nothing was done wrongly."""
+        return self.kind == "right"
+
+
+class _Nudging(Tool):
+    """Draws many plans at once, some marks moved."""
+
+    def __init__(self, nudges: Mapping[str, Point], count: int) -> None:
+        super().__init__(Many(), True, shape=(count,))
+        self.nudges = nudges
+
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
+        made = super().make(step, way, things)
+        if step.makes in self.nudges:
+            made = things[step.makes] = made + self.nudges[step.makes]
+        return made
+
+
+@dataclass
+class PlanLines:
+    """The lines of a plan by their ends' labels; which of them must be there (a sum beside its parts need not). On a
+    sheet printed at a ``share`` of its size all is larger by as much; ``held`` is a mark by which its scale was told,
+    and where that lies, mm from the pole."""
+
+    bench: PreparedPlan
+    share: float = 1.0
+    held: tuple[str, complex] | None = None
+    to_fit: bool = True  # whether a printer may have made the sheet smaller than it should be
+    sides: list[Side] = field(default_factory=list)  # of a force polygon, from the pole round to its end
+
+    def __post_init__(self) -> None:
+        self.kind = kind_of(self.bench.asked.plan)
+        self.labels = [label_of(m) for m in self.bench.marks]
+        self.names = [*self.labels, *([END] if self.kind == "force" else []), POLE]  # no step makes the last ones
+        self.lines, needed = self._lines()
+        self.needed: Booleans = numpy.array(needed)
+        self.starts, self.ends = (numpy.array([self.names.index(line[k]) for line in self.lines]) for k in (0, 1))
+        self.true = {POLE: 0j, END: 0j, **self.bench.true_marks}
+
+    def _lines(self) -> tuple[list[Line], list[bool]]:
+        known, plan = {POLE, *self.labels}, self.bench.asked.plan
+        if self.kind == "position":
+            return self._links()
+        if self.kind == "force":
+            every = [s for s in sides_of(self.bench.plans, plan) if {s.start, s.end} <= known]
+            self.sides = longest_round(every)
+            inner = [(s.start, s.end) for s in every if s not in self.sides]
+            ring = [(s.start, s.end) for s in self.sides]
+            return [*ring[:-1], *((a, END) for a, _ in ring[-1:]), *inner], [True] * len(ring) + [False] * len(inner)
+        own = [v for v in self.bench.vectors if {*v} <= known]
+        corners = {label_of(m) for m in self.bench.program.corners}
+        sums = [(a, d) for a, b in own for c, d in own if b == c and b in corners and a not in (d, POLE)]
+        lines = [*dict.fromkeys([*own, *sums])]
+        return lines, [not any((a, m) in own and (m, b) in own for m in corners) for a, b in lines]
+
+    def _links(self) -> tuple[list[Line], list[bool]]:
+        """The sides of links: of a straight one the longest, of another the first must be there."""
+        lines: dict[Line, bool] = {}
+        for link in self.bench.plans.mechanism.links.values():
+            points = [n for n in link.points if n in self.labels and n != link.centre]
+            pairs = sorted(combinations(points, 2), key=lambda ab: -abs(link.points[ab[0]] - link.points[ab[1]]))
+            off = numpy.array([link.points[n] - link.points[points[0]] for n in points[1:]])
+            straight = len(off) > 1 and bool((abs((off / off[0]).imag) < 1e-6).all())
+            for pair in pairs[:1] if straight else pairs:
+                lines.setdefault(pair, straight or {*pair} == {*points[:2]})
+        return [*lines], [*lines.values()]
+
+    def signs(self, places: Complexes) -> tuple[Complexes, Complexes, Complexes, Array]:
+        """What a scheme shows beside its links, of each row: guides by two ends, and signs by middles and how far they
+        reach, mm."""
+        none, count = numpy.zeros((len(places), 0), complex), len(places)
+        if self.kind != "position":
+            return none, none, none, numpy.zeros(0)
+        mechanism, at_ = self.bench.plans.mechanism, {n: places[:, k] for k, n in enumerate(self.names)}
+        reach = dict.fromkeys(self.names, HINGE_MM) | dict.fromkeys((*mechanism.frame.points, POLE), SUPPORT_MM)
+        ways: list[tuple[Complexes, Complexes]] = []
+        for link in mechanism.links.values():
+            slider = next(iter(link.points))
+            if link.slides is None or slider not in at_:
+                continue
+            guide, reach[slider] = mechanism.guide(link.slides.guide), SUPPORT_MM
+            if guide.name in mechanism.frame.guides:
+                way = numpy.full(count, numpy.exp(1j * math.radians(guide.angle_deg)))
+                ways.append((at_[slider] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
+            elif (base := str(guide.through_point)) in at_:
+                off = at_[slider] - at_[base]
+                way = off / numpy.maximum(abs(off), 1e-6)
+                ways.append((at_[base] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
+        shown = [n for n in reach if n in at_]
+        a, b = (numpy.stack([w[k] for w in ways], axis=1) if ways else none for k in (0, 1))
+        return a, b, numpy.stack([at_[n] for n in shown], axis=1), numpy.array([reach[n] for n in shown])
+
+    def draw(self, hypothesis: Hypothesis, nudges: Mapping[str, Array], count: int) -> Complexes | None:
+        """Places of the marks (count × names, the pole last), mm from the sheet's pole, with further nudges; NaN where
+        they cannot be drawn, None where none can."""
+        both = {n: hypothesis.nudges.get(n, 0j) + nudges.get(n, 0j) for n in {*hypothesis.nudges, *nudges}}
+        moved = {at(self.bench.asked.plan, n): v for n, v in both.items() if n not in (END, POLE)}
+        variant, begun = hypothesis.variant, self.bench.begun(hypothesis.variant)
+        things = {**begun.things, **(variant.givens if variant else {})}
+        steps = self.bench.program.steps[begun.step :]
+        try:
+            with numpy.errstate(all="ignore"):
+                draw_steps(steps, things, _Nudging(moved, count), variant.swaps if variant else {})
+        except (PlanesError, ZeroDivisionError):
+            return None
+        own = [numpy.broadcast_to(numpy.asarray(things[m], complex), (count,)) for m in self.bench.marks]
+        rest = [numpy.broadcast_to(numpy.asarray(both.get(n, 0j)), (count,)) for n in self.names[len(own) :]]
+        places = numpy.stack(own, axis=1)
+        places = (places.conj() if hypothesis.mirrored else places) * (hypothesis.turn / self.share)
+        if self.held:
+            mark, where = self.held
+            with numpy.errstate(all="ignore"):
+                places *= (where / places[:, self.labels.index(mark)])[:, None]
+        places = numpy.concatenate([places, numpy.stack(rest, axis=1)], axis=1)
+        places[:, :-1] += places[:, -1:]  # the pole may lie aside, with all that is drawn from it
+        return places
+
+    def laid(self, places: Complexes, order: Sequence[int] = ()) -> tuple[Complexes, Complexes]:
+        """Starts and ends of the lines; the sides of a force polygon may be laid in another order."""
+        a, b = places[:, self.starts], places[:, self.ends]
+        if self.kind == "position":
+            with numpy.errstate(all="ignore"):
+                hidden = (b - a) * numpy.minimum(HIDDEN_MM / numpy.maximum(abs(b - a), 1e-6), 0.25)
+            return a + hidden, b - hidden
+        if order:
+            count, back = len(order), numpy.argsort(order)
+            sides = (b - a)[:, list(order)]
+            tips = places[:, -1:] + numpy.cumsum(sides, axis=1)
+            a[:, :count], b[:, :count] = (tips - sides)[:, back], tips[:, back]
+            b[:, count:] = a[:, count:]  # where its inner vectors lie then, nobody knows
+        return a, b
+
+
+def longest_round(sides: Sequence[Side], way: tuple[Side, ...] = ()) -> list[Side]:
+    """The longest way round by a polygon's sides, from the pole and back; what is not on it lies inside."""
+    here, passed, longest = way[-1].end if way else POLE, {s.end for s in way}, list[Side]()
+    for side in (s for s in sides if s.start == here and s.end not in passed):
+        rest = [side] if side.end == POLE else [side, *longest_round(sides, (*way, side))]
+        if rest[-1].end == POLE and len(rest) > len(longest):
+            longest = rest
+    return longest
+
+
+def upon_others(a: Complexes, b: Complexes, near_mm: float = 0.6) -> Booleans:
+    """Lines of each row that lie upon an earlier one, either way."""
+    apart = numpy.maximum(abs(a[:, :, None] - a[:, None, :]), abs(b[:, :, None] - b[:, None, :]))
+    return numpy.asarray(numpy.tril(apart < near_mm, -1).any(axis=2))
+
+
+def to_be_seen(a: Complexes, b: Complexes) -> Booleans:
+    """Lines long enough to be looked for, each once."""
+    shown = numpy.stack([~upon_others(a, b), numpy.isfinite(a), numpy.isfinite(b), abs(b - a) > SHORT_MM])
+    return numpy.asarray(shown.all(axis=0))

@@ -1,0 +1,247 @@
+"""Every hypothesis laid on a sheet's ink: what it covers, misses and leaves unexplained, heads, and a hand's errors.
+
+First all of them roughly, then the best of each kind by all ink, then the best few settled mark by mark: each mark may
+be a little off where the steps before it lead, and what follows is drawn from there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+import numpy
+
+from planes.check.evidence.handwritten import HandWords
+from planes.check.evidence.sheet_ink import Box, SheetInk
+from planes.check.explaining import weights as w
+from planes.check.explaining.beforehand import LOST, covered, omitted, orders, shares_of_print
+from planes.check.explaining.hypotheses import catalogue, free_sizes, wholes, with_size
+from planes.check.explaining.plan_lines import Hypothesis, PlanLines, to_be_seen
+from planes.geometry.arrays import Array, Complexes
+from planes.words.frozen import replace
+
+Moves = Mapping[str, complex | Array]
+"""By how much marks are moved, mm."""
+
+
+def rounded(z: complex) -> complex:
+    """A place to a tenth of a millimetre, by which what was found there is remembered."""
+    return complex(round(z.real, 1), round(z.imag, 1))
+
+
+@dataclass
+class Laid:
+    """A hypothesis settled on the ink: its score, the share of its lines that is there, its marks, mm from the pole, by
+    label, and how surely each lies there (σ, mm)."""
+
+    hypothesis: Hypothesis
+    score: float
+    cover: float = 0.0
+    places: dict[str, complex] = field(default_factory=dict)
+    sigmas: dict[str, float] = field(default_factory=dict)
+    parts: tuple[float, ...] = ()  # missing and strange mm, heads, hand, cost
+    moved: dict[str, float] = field(default_factory=dict)  # by how much from where steps lead, mm
+    letters: float = 0.0  # what names that stand elsewhere cost
+
+
+@dataclass
+class Scorer:
+    """Weighs hypotheses of one plan on one sheet, its pole at a place."""
+
+    plan: PlanLines
+    ink: SheetInk
+    pole: complex
+    words: HandWords = field(default_factory=HandWords)
+    box: Box | None = None  # where ink is to be explained: the same for all, or they could not be compared
+
+    def weighed(self) -> list[Laid]:
+        """The likeliest hypotheses settled, the best first; the right plan is one of them."""
+        self.plan.share, laid = self._printed_at(), list[Laid]()
+        other = next(iter(orders(self.plan, self.ink, self.pole)), Hypothesis()).order
+        bases = [Hypothesis(), Hypothesis(order=other, cost=w.ORDER)]
+        for base in bases[: 1 + bool(other)]:
+            likely = self.likeliest(base)
+            laid += [self.settled(h) for h in (likely if any(h.right for h in likely) else [*likely, base])]
+        best = max(laid, key=lambda one: one.score)
+        if best.cover < w.EXPLAINED:
+            single = [one.hypothesis for one in sorted(laid, key=lambda one: -one.score)]
+            for first in [h for h in single if not h.right and h.turn == 1][: w.FIRSTS]:
+                pairs = [h for h in self.likeliest(first, alone=True) if h != first]
+                laid += [self.settled(h) for h in pairs[: w.SECONDS]]
+        return self._by_names(sorted(laid, key=lambda one: -one.score))
+
+    def _printed_at(self) -> float:
+        """At what share of its size the sheet was printed: where some drawing, settled there, is likeliest."""
+        shares = shares_of_print(self.plan, self.ink, self.pole)
+        best, most = shares[0][0], -math.inf
+        for share, h in shares if len(shares) > 1 else ():
+            self.plan.share = share
+            score = self.settled(h).score - w.PRINTED * (share != 1)
+            best, most = (share, score) if score > most else (best, most)
+        return best
+
+    def _by_names(self, laid: list[Laid]) -> list[Laid]:
+        """The same with what the names written beside the lines tell, of a force polygon its order, too."""
+        best = laid[0]
+        if self.ink.source is None or not best.places:
+            return laid
+        a, b = (z[0] for z in self._lines(best.hypothesis, self._row(best)))
+        seen, force = abs(b - a) > w.SHORT_MM, self.plan.kind == "force"
+        names = [s.name for s in self.plan.sides] if force else self.plan.labels
+        self.words = self.ink.words(a[seen], b[seen], self.plan.kind != "position", names)
+        if force and self.words.words:
+            named = orders(self.plan, self.ink, self.pole, self.words)[: w.NAMED]
+            known = [(one.hypothesis.kind, one.hypothesis.mark, one.hypothesis.order) for one in laid]
+            laid += [self.settled(h) for h in named if (h.kind, h.mark, h.order) not in known]
+        for one in (one for one in laid if one.places and self.words.words):
+            start, end = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
+            places = [self.pole + one.places[n] for n in self.plan.labels]
+            ways = zip(names, *((start, end) if force else (places, places)), strict=False)
+            one.letters = sum(self.words.price(n, rounded(a), rounded(b)) for n, a, b in ways)
+            one.score -= w.LETTERS * one.letters
+        return sorted(laid, key=lambda one: -one.score)
+
+    def _row(self, one: Laid) -> Complexes:
+        return numpy.array([[one.places[n] for n in self.plan.names]])
+
+    def likeliest(self, base: Hypothesis, alone: bool = False) -> list[Hypothesis]:
+        """The best hypotheses of each kind and mark upon one; ``alone``, of its free sizes only."""
+        others = [] if alone else [replace(h, order=base.order) for h in (*catalogue(self.plan), *wholes(self.plan))]
+        rough: list[tuple[float, Hypothesis, Complexes]] = []
+        for h in (base, *others):
+            if (drawn := self.plan.draw(h, {}, 1)) is not None:
+                rough.append((float(self.covered(*self._lines(h, drawn), 2)[0][0]) - h.cost, h, drawn))
+        rough += self._free(base)
+        rough = sorted((r for r in rough if r[0] > LOST / 2), key=lambda r: -r[0])[: w.WEIGHED]
+        if not rough:
+            return []
+        drawn = numpy.concatenate([drawn for *_, drawn in rough])
+        self.box = self.box or self._room(numpy.concatenate([z.ravel() for z in self._lines(base, drawn)]))
+        scores = self.scored(base, drawn, True)[0] - numpy.array([h.cost for _, h, _ in rough])
+        best: dict[tuple[str, str], Hypothesis] = {}
+        for k in numpy.argsort(-scores, kind="stable").tolist():
+            best.setdefault((rough[k][1].kind, rough[k][1].mark), rough[k][1])
+        return [*best.values()][: w.SETTLED]
+
+    def _free(self, base: Hypothesis) -> list[tuple[float, Hypothesis, Complexes]]:
+        """The best free sizes upon a hypothesis, no two of a kind and mark alike."""
+        sizes = free_sizes(self.plan, base)
+        moves = {n: numpy.array([z if mark == n else 0j for _, mark, z in sizes]) for n in self.plan.names}
+        drawn = self.plan.draw(base, moves, len(sizes)) if sizes else None
+        if drawn is None:
+            return []
+        scores = self.covered(*self._lines(base, drawn), 2)[0] - numpy.array([w.COSTS[kind] for kind, *_ in sizes])
+        kept: dict[tuple[str, str], list[complex]] = {}
+        best = []
+        for k in numpy.argsort(-scores, kind="stable")[: w.MOST].tolist():
+            kind, mark, z = sizes[k]
+            near = kept.setdefault((kind, mark), [])
+            if len(near) < w.KEPT and all(abs(z - other) > w.APART_MM for other in near):
+                near.append(z)
+                best.append((float(scores[k]), with_size(self.plan, base, sizes[k]), drawn[k : k + 1]))
+        return best
+
+    def covered(self, a: Complexes, b: Complexes, about: int, gain: float = w.GAINED) -> tuple[Array, Array]:
+        """What lines of each row are worth that are there or not, and the share of the needed ones that is."""
+        return covered(self.plan, self.ink, self.pole, a, b, about, gain)
+
+    def heads(self, a: Complexes, b: Complexes) -> Array:
+        """What heads at the ends of the needed lines of each row tell."""
+        if self.plan.kind == "position":
+            return numpy.zeros(len(a))
+        there = to_be_seen(a, b) & self.plan.needed  # of lines upon each other one head speaks
+        felt = self.ink.head(numpy.where(there, a, 0j), numpy.where(there, b, 0j))
+        said: Array = w.HEAD * numpy.where(there, felt, 0.0).sum(axis=1)
+        return said
+
+    def scored(self, h: Hypothesis, drawn: Complexes, roughly: bool = False) -> tuple[Array, Array, Array]:
+        """The whole score of each row, the share of its needed lines that is there, and the ink it leaves, mm."""
+        a, b = self._lines(h, drawn)
+        score, cover = self.covered(a, b, 1 + roughly, 0.0)
+        score = score + self.heads(a, b)
+        if self.box is None:
+            return score, cover, numpy.zeros(len(a))
+        more_a, more_b, signs, reach = self.plan.signs(drawn)
+        a, b = (numpy.nan_to_num(numpy.hstack([z, more + self.pole])) for z, more in ((a, more_a), (b, more_b)))
+        loose = w.LOOSE_MM if roughly else 0.0
+        strange = self.ink.unexplained(a, b, self.box, self.pole, loose, signs + self.pole, reach)
+        return score - w.STRANGE * strange, cover, strange
+
+    def erred(self, moves: Moves) -> Array:
+        """What it costs that a hand put marks so far from where steps lead."""
+        cost = numpy.zeros(())
+        for n, v in moves.items():
+            cost = cost + w.HAND * numpy.abs(v) ** 2 / self._spread(n) ** 2
+        return cost
+
+    def _spread(self, name: str) -> float:
+        """How far a hand puts a mark from where steps lead, σ in mm."""
+        return w.HAND_MM + w.HAND_SHARE * abs(self.plan.true[name])
+
+    def settled(self, h: Hypothesis) -> Laid:
+        """A hypothesis with each mark where its ink is."""
+        held, scores = dict.fromkeys(self.plan.names, 0j), numpy.zeros(0)
+        for about, sizes in w.MOVES_MM:
+            scores = self._moved(h, held, about, self._moves(sizes))
+            if not scores.size:
+                return Laid(h, LOST)
+        return self._result(h, held, scores)
+
+    def _moves(self, sizes: Iterable[float]) -> list[tuple[str, complex]]:
+        ways = [complex(numpy.exp(0.25j * math.pi * k)) for k in range(8)]
+        return [(n, mm * way) for n in self.plan.names for mm in sizes for way in ways]
+
+    def _moved(self, h: Hypothesis, held: dict[str, complex], about: int, moves: list[tuple[str, complex]]) -> Array:
+        """What it is worth to move each mark on from where it is ``held``, once no move gains anything."""
+        best, scores = -math.inf, numpy.zeros(0)
+        for _ in range(w.ROUNDS):
+            tried = {n: numpy.full(len(moves) + 1, v) for n, v in held.items()}
+            for k, (n, z) in enumerate(moves, 1):
+                tried[n][k] += z
+            if (drawn := self.plan.draw(h, tried, len(moves) + 1)) is None:
+                return numpy.zeros(0)
+            a, b = self._lines(h, drawn)
+            scores = self.covered(a, b, about)[0] + self.heads(a, b) - self.erred(tried)
+            k = int(numpy.argmax(scores))
+            if k == 0 or scores[k] < best + w.ENOUGH:
+                break
+            best = float(scores[k])
+            held[moves[k - 1][0]] += moves[k - 1][1]
+        return scores
+
+    def _result(self, h: Hypothesis, held: Mapping[str, complex], scores: Array) -> Laid:
+        drawn = self.plan.draw(h, {n: numpy.array([v]) for n, v in held.items()}, 1)
+        if drawn is None:
+            return Laid(h, LOST)
+        a, b = self._lines(h, drawn)
+        score, cover, strange = self.scored(h, drawn)
+        hand = float(self.erred(held))
+        missing = (self.covered(a, b, 1, 0.0)[0] / -w.MISSING).item()
+        parts = (missing, float(strange[0]), (self.heads(a, b) / w.HEAD).item(), hand / w.HAND, h.cost)
+        left_out = omitted(self.plan, self.ink, a[0], b[0])
+        places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
+        moved, score_ = {n: abs(z) for n, z in held.items()}, float(score[0]) + left_out - hand - h.cost
+        return Laid(h, score_, float(cover[0]), places, self._sigmas(scores), parts, moved)
+
+    def _sigmas(self, scores: Array) -> dict[str, float]:
+        """How surely ink tells each mark where it settled, by how much worse it is elsewhere: a parabola's σ."""
+        sizes, sigmas = w.MOVES_MM[-1][1], dict[str, float]()
+        worse = (scores[0] - scores[1:]).reshape(len(self.plan.names), len(sizes), 8)[:, 0]  # at the largest move
+        for name, off in zip(self.plan.names, worse, strict=True):
+            own = w.HAND * (sizes[0] / self._spread(name)) ** 2  # what but a hand's habit speaks against it
+            least = float((off[:4] + off[4:]).min()) / 2 - own  # along the way it is known least
+            sigmas[name] = min(sizes[0] / math.sqrt(2 * max(least, 1e-3)), w.REACH_MM)
+            if self.plan.kind == "position" and any(name in line for line in self.plan.lines):
+                sigmas[name] = min(sigmas[name], w.SIGN_MM)  # its sign hides where its line ends
+        return sigmas
+
+    def _lines(self, h: Hypothesis, places: Complexes) -> tuple[Complexes, Complexes]:
+        a, b = self.plan.laid(places, h.order)
+        return a + self.pole, b + self.pole
+
+    def _room(self, z: Complexes) -> Box:
+        """About all that may have been drawn."""
+        z = z[numpy.isfinite(z) & (abs(z - self.pole) < w.ROOM_MM)]
+        rim = w.MARGIN_MM * (1 + 1j)
+        return Box(complex(z.real.min(), z.imag.min()) - rim, complex(z.real.max(), z.imag.max()) + rim)

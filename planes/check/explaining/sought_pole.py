@@ -1,0 +1,57 @@
+"""Where a plan's pole is that nobody told of: where its lines, laid from there, find the most ink."""
+
+from __future__ import annotations
+
+import numpy
+
+from planes.check.evidence.sheet_ink import SheetInk
+from planes.check.explaining import weights as w
+from planes.check.explaining.hypotheses import catalogue
+from planes.check.explaining.plan_lines import Hypothesis, PlanLines, to_be_seen
+from planes.geometry.arrays import Array, Complexes
+
+CELL_MM, NEAR_MM = 1.5, 1.0  # of places that are tried, where there is ink; about the best of them
+STEPS = numpy.arange(-NEAR_MM, NEAR_MM + 0.1, 0.5)
+PLAINLY = 0.9  # the share of its lines by which the right plan is plainly there
+AT_ONCE = 2000
+
+
+def sought_pole(plan: PlanLines, ink: SheetInk) -> complex | None:
+    """The likeliest pole of the right plan; where that is not plainly there, of a mistake's. None without ink."""
+    cells = numpy.unique(numpy.round(ink.points / CELL_MM)) * CELL_MM
+    if not cells.size:
+        return None
+    best, most = complex(cells[0]), -numpy.inf
+    for h in (Hypothesis(), *catalogue(plan)):
+        drawn = plan.draw(h, {}, 1)
+        if drawn is None or not numpy.isfinite(drawn).all():
+            continue
+        scores, shares = _laid_from(plan, ink, drawn, cells)
+        place = cells[scores.argmax()] + (STEPS[:, None] + 1j * STEPS).ravel()
+        scores, shares = _laid_from(plan, ink, drawn, place)
+        k = int(scores.argmax())
+        if scores[k] - h.cost > most:
+            best, most = complex(place[k]), float(scores[k]) - h.cost
+        if h.right and shares[k] > PLAINLY:
+            break
+    return best
+
+
+def _laid_from(plan: PlanLines, ink: SheetInk, drawn: Complexes, poles: Complexes) -> tuple[Array, Array]:
+    """What it is worth to lay a drawing's lines from each of some poles, and the share of them that is there; of a
+    force polygon those sides that begin or end there, in whatever order it is laid."""
+    a, b = plan.laid(drawn)
+    seen = (to_be_seen(a, b) & plan.needed)[0]
+    a, b = a[0, seen], b[0, seen]
+    if plan.kind == "force":
+        a, b = numpy.zeros(2 * len(a), complex), numpy.r_[b - a, a - b]
+    length = abs(b - a)
+    parts = numpy.array_split(poles[:, None], len(poles) // AT_ONCE + 1)
+    shares = numpy.concatenate([ink.along(a + p, b + p, w.COARSE, 2) for p in parts])
+    if plan.kind == "force":
+        half = len(a) // 2
+        ahead, back = shares[:, :half], shares[:, half:]
+        worth = (ahead * length[:half]).max(axis=1) + (back * length[half:]).max(axis=1)
+        return worth, numpy.minimum(ahead.max(axis=1), back.max(axis=1))
+    value = length * (w.GAINED * shares - w.MISSING * (1 - shares))
+    return value.sum(axis=1), (shares * length).sum(axis=1) / max(float(length.sum()), 1e-6)
