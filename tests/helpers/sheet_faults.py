@@ -3,6 +3,7 @@ out of the order of the calculation or of their rank, forces drawn upon each oth
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 from math import inf
@@ -21,6 +22,7 @@ LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304
 APART = 0.6  # of a letter between names that stand side by side
 LARGEST_MM = 7.0
 AS_LARGE = 1.01  # figures that differ by less are as large
+AT_ONE_MM, FORKED_MM = 0.1, 1.0
 BESIDE_MM, ASKEW = 4.0, 0.05  # two arrows on one line may share no more; lines that only cross, in radians
 
 
@@ -61,7 +63,7 @@ def out_of_order(sheet: Sheet) -> Iterator[str]:
 
 
 def superposed(sheet: Sheet) -> Iterator[str]:
-    """Forces that are drawn upon each other, in one view."""
+    """Forces that are drawn upon each other, in one view, and are not told apart by their numbered ends."""
     for view, _, _ in sheet.views:
         yield from _upon(view)
 
@@ -73,10 +75,25 @@ def _upon(view: View) -> Iterator[str]:
     parts = [m for m in forces if isinstance(m, Line) and m.name.endswith(PART)]  # of what ends outside of a detail
     ends = [(m.name, m.start, m.end) for m in arrows] + [(m.name, m.points[0], m.points[1]) for m in parts]
     lines = [shapely.LineString([(z.real, z.imag) for z in (a, b)]) for _, a, b in ends]
+    texts = [m for m in view.marks if isinstance(m, Text)]
+    numbered = {m.name.removeprefix("value ") for m in texts if re.search(r"\(\d+–\d+\)", m.text)}
+    numbered |= {name for name, a, b in ends if any(x in numbered and (a, b) == (d, c) for x, c, d in ends)}
     for (one, a), (two, b) in combinations(zip(ends, lines, strict=True), 2):
+        if {one[0].removesuffix(PART), two[0].removesuffix(PART)} <= numbered or _forked(one[1:], two[1:]):
+            continue
         turn = (one[2] - one[1]) * (two[2] - two[1]).conjugate()
         if abs(turn.imag) < ASKEW * abs(turn) and a.buffer(0.3).intersection(b).length > BESIDE_MM:
             yield f"{one[0]} and {two[0]} are drawn upon each other in {view.key}"
+
+
+def _forked(one: Sequence[complex], two: Sequence[complex]) -> bool:
+    """Whether two forces leave one corner of a polygon and part by more than a millimetre."""
+    joined = [(k, j) for k in (0, 1) for j in (0, 1) if abs(one[k] - two[j]) < AT_ONE_MM]
+    for k, j in joined:
+        a, b = one[1 - k] - one[k], two[1 - j] - two[j]
+        reach = min(abs(a), abs(b))
+        return abs(a / abs(a) - b / abs(b)) * reach > FORKED_MM
+    return False
 
 
 def longest(view: View) -> float:
