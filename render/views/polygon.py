@@ -28,6 +28,7 @@ SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
 ASIDE_MM = 2.0  # from a sum of forces to the forces it lies upon
+TICK = 0.25, 0.8  # of the way there
 TOUCH_MM = 0.5  # how near they may come where they slant but slightly
 MARK_MM = 5.0
 END_MM = 2.5  # numbers of ends
@@ -156,7 +157,7 @@ class Polygon:
             if placed == ends:
                 self.marks.append(arrow)
             else:
-                ticks = (Line(two, "thin", "construction") for two in zip(ends, placed, strict=True))
+                ticks = (Line(tick(*two), "thin", "construction") for two in zip(ends, placed, strict=True))
                 self.aside += (*ticks, arrow)
 
     def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:
@@ -226,6 +227,11 @@ class Polygon:
             away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
             found.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
         return found
+
+
+def tick(start: complex, end: complex) -> Ends:
+    """A tick between an end of a sum's forces and its own, which touches neither: it is no vector."""
+    return start + TICK[0] * (end - start), start + TICK[1] * (end - start)
 
 
 def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:

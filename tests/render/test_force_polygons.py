@@ -16,7 +16,7 @@ from render.paper.hues import PART
 from render.paper.marks import Arrow, Text
 from render.sheet.composer import drawn_plans
 from render.views.plotted import of_position
-from render.views.polygon import Polygon
+from render.views.polygon import Polygon, tick
 from tests.helpers import ROOT
 
 FEW = ["samples/shaper.yaml", "samples/six-link.yaml", *(f"samples/assignments/{k}.yaml" for k in (16, 31, 50, 61))]
@@ -64,5 +64,5 @@ def test_a_sum_stands_beside_its_forces_with_ticks_at_its_ends():
     *ticks, arrow = polygon.aside[-3:]
     assert arrow.name == "F_32" and len(ticks) == 2
     true = [polygon.mark(label) for label in next(k for k, names in polygon.arrows.items() if "F_32" in names)]
-    assert [t.points for t in ticks] == [(true[0], arrow.start), (true[1], arrow.end)]
+    assert [t.points for t in ticks] == [tick(true[0], arrow.start), tick(true[1], arrow.end)]
     assert abs(arrow.start - true[0]) in (pytest.approx(2.0), pytest.approx(4.0))
