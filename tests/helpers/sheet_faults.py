@@ -6,11 +6,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from itertools import combinations
-from math import inf
 
 import shapely
 
-from planes.scene import Scene
 from render.labels.footprints import bounds
 from render.paper.hues import PART
 from render.paper.marks import Arrow, Line, Text
@@ -103,18 +101,6 @@ def longest(view: View) -> float:
         drawn = [m for m in drawn if isinstance(m, Arrow) and not m.name.endswith(PART)]
     x0, y0, x1, y1 = bounds(drawn)
     return max(x1 - x0, y1 - y0)
-
-
-def out_of_rank(sheet: Sheet) -> Iterator[str]:
-    """Figures that are larger than the scheme with loads."""
-    figures = [v for v, _, _ in sheet.views if v.figure and v.key != "apart"]
-    largest = next((longest(v) for v in figures if v.key == "loaded"), inf)
-    yield from (f"{v.title!r} is larger than the scheme" for v in figures if longest(v) > AS_LARGE * largest)
-
-
-def may_be_out_of_rank(scene: Scene) -> bool:
-    """Whether a scene states μ_l, or the format of its sheets, so that its scheme may not grow."""
-    return bool(scene.mu.get("position") or scene.sheet.get("format"))
 
 
 def unsightly(sheet: Sheet) -> list[str]:
