@@ -107,9 +107,9 @@ class ManyPositions:
         links = [self.plans.mechanism.frame, *self.plans.mechanism.links.values()]
         hinged = {p for x in links if x is not link for p in x.points}
         own = self.plans.mechanism.joined(link)
-        ends = [p for p in own if p in hinged]
-        loose = [p for p in own if p not in hinged and p != link.centre] if len(ends) < 2 else []
-        joints = [self.place(result, p) for p in (*ends, *loose)]
+        held = [p for p in own if p in hinged]
+        loose = [p for p in own if p not in hinged and p != link.centre] if len(held) < 2 else []
+        joints = [self.place(result, p) for p in (*held, *loose)]
         if link.slides:
             joints.append(self.foot(link, link.slides.guide, result))
         rods = []

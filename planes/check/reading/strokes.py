@@ -50,9 +50,8 @@ class Words:
 
     def listed(self) -> list[Words]:
         """One for each name where several are written in a row: p, a, d, or F = R; with numbers of ends, G (1–2)."""
-        text = re.sub(r" \(\d+–\d+\)", "", self.text) if len(self.text) <= LONGEST_LIST else ""
-        names = [t.strip() for t in re.split("[,=]", text)]
-        return [replace(self, text=t) for t in names if t] or [self]
+        named = re.split(r"[,=]|\(\d+–\d+\)", self.text) if len(self.text) <= LONGEST_LIST else []
+        return [replace(self, text=t.strip()) for t in named if t.strip()] or [self]
 
     @property
     def middle(self) -> complex:
