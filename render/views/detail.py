@@ -14,6 +14,7 @@ from render.views.plotted import Ends, upon
 SHORT_MM = 3.0  # a vector shorter than this is drawn again
 TOGETHER_MM = 3.0  # short vectors nearer to each other than this are drawn in one detail
 ENLARGED = (2, 4, 5, 10, 20, 40, 50, 100)  # scales of ГОСТ 2.302
+ALONE_TIMES = 20  # so many times no force is enlarged by itself
 RADIUS_MM = 16.0  # of the largest detail
 LEAST_MM = 1.6  # radius of the smallest circle on the plan
 AROUND = 1.35  # a detail reaches so many times as far as its vectors
@@ -112,9 +113,11 @@ def one_line(one: Ends, other: Ends, shown: Iterable[Detail]) -> bool:
     return any(upon(a, b, UPON_MM) or upon(b, a, UPON_MM) for a, b in pairs)
 
 
-def details(vectors: Iterable[Ends], letters: Sequence[str]) -> list[Detail]:
-    """The details of the vectors that are too short; neighbours share one, but for those that are too short there."""
-    return [Detail(*_seat(group), letter) for group, letter in zip(groups_of(vectors), letters, strict=False)]
+def details(vectors: Iterable[Ends], letters: Sequence[str], alone: bool = True) -> list[Detail]:
+    """The details of the vectors that are too short; neighbours share one, but for those that are too short there. Not
+    ``alone``: a vector by itself that would have to be enlarged very much has none, it is a point with its name."""
+    groups = groups_of(vectors, alone)
+    return [Detail(*_seat(group), letter) for group, letter in zip(groups, letters, strict=False)]
 
 
 def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
@@ -125,7 +128,7 @@ def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
     return centre, radius, max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
 
 
-def groups_of(vectors: Iterable[Ends]) -> list[list[Ends]]:
+def groups_of(vectors: Iterable[Ends], alone: bool = True) -> list[list[Ends]]:
     """Short vectors by details: neighbours together, and once more, by themselves, those that are hardly seen there."""
     found = list[list[Ends]]()
     for group in _neighbours(ends for ends in vectors if abs(ends[1] - ends[0]) < SHORT_MM):
@@ -133,7 +136,7 @@ def groups_of(vectors: Iterable[Ends]) -> list[list[Ends]]:
         lost = [(a, b) for a, b in group if abs(b - a) * times < SEEN_MM]
         parted = len(lost) < len(group)
         found += [group, *groups_of(lost)] if parted else [[ends] for ends in group]
-    return found
+    return [group for group in found if alone or len(group) > 1 or _seat(group)[2] < ALONE_TIMES]
 
 
 def _neighbours(short: Iterable[Ends]) -> list[list[Ends]]:

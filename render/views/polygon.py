@@ -70,7 +70,7 @@ class Polygon:
         self.lines_of_action()
         self.vectors()
         ground = (*self.marks, *(dot(self.mark(POLE), 0.7, "plan") if self.of_rates else ()))
-        details = detail.details(self.places.values(), self.letters())
+        details = detail.details(self.places.values(), self.letters(), self.of_rates)
         named = self.named(details)
         circled = (*ground, *self.aside, *(d.circle() for d in details))
         strokes = hatched(triangles)
@@ -102,7 +102,7 @@ class Polygon:
             other = Polygon(self.plotted, plan, self.naming)
             other.collect()
             other.vectors()
-            self.counted[key] = len(detail.groups_of(other.places.values()))
+            self.counted[key] = len(detail.groups_of(other.places.values(), other.of_rates))
         return self.counted[key]
 
     def collect(self) -> None:
@@ -174,9 +174,9 @@ class Polygon:
         numbers = {corner: k for k, (_, corners) in enumerate(places, 1) for corner in corners}
         ends = gathered([(str(k), z) for k, (z, _) in enumerate(places, 1)], SAME_MM / times)
         found = [labels.Label(", ".join(n), z, END_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
-        for (start, end), names in self.arrows.items():
+        for k, ((start, end), names) in enumerate(self.arrows.items()):
             back = self.arrows.get((end, start), [])
-            if back and names[0] > back[0]:
+            if back and (end, start) in [*self.arrows][:k]:
                 continue  # it is named with the one against it
             text = " = ".join(map(self.naming.vector, names))
             text += f" ({numbers[start]}–{numbers[end]})" if {start, end} <= numbers.keys() else ""

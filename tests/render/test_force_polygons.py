@@ -53,7 +53,7 @@ def test_ends_of_forces_in_one_line_are_numbered():
     marks = polygon.drawn()
     texts = {m.name: m.text for m in marks if isinstance(m, Text)}
     assert texts["G_5"] == "G_{5} (1–2)" and texts["P_5"] == "P_{5} (3–4)"
-    assert texts["F_45"] == "F_{45} (1–4) = −F_{54} = −F_{43}"
+    assert texts["F_54"] == "F_{54} = F_{43} (4–1) = −F_{45}"
     assert {"1", "2", "3", "4"} <= {m.text for m in marks if isinstance(m, Text)}
     assert not any(re.search(r"раздвинут", m.text) for m in marks if isinstance(m, Text))
 
