@@ -27,8 +27,8 @@ from render.views.tables import Tables
 
 RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1}
 """Of kinds of plans that are shown beside the scheme: rates first."""
-MU = {"position": "l", "contour": "l", "velocity": "v", "acceleration": "a", "force": "F", "motion": "vq"}
-"""The index of μ by the kind of plans; velocities of a unit drive are v_q."""
+MU = {"position": "l", "contour": "l", "velocity": "v", "acceleration": "a", "force": "F", "motion": "q"}
+"""The index of μ by the kind of plans; velocities of a unit drive have a q."""
 NOTE_MM = tuple(share * MODULE_MM - GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4))
 """How wide the lines of a note may be, the shape liked best first."""
 

@@ -40,4 +40,4 @@ def test_what_is_told_beneath_adds_up(path):
 def test_the_lever_of_a_driver_at_rest_has_a_scale():
     """3000 N on an arm of 82.8 mm at 1000 mm/m make 248 N·m."""
     texts = {m.text for m in sheet("bntu-1", number=2).marks if isinstance(m, Text)}
-    assert "Рычаг Жуковского, μ_{vq} = 1000 мм/м" in texts and "82,8" in texts
+    assert "Рычаг Жуковского, μ_{q} = 1000 мм/м" in texts and "82,8" in texts
