@@ -40,7 +40,7 @@ from render.views.moments import MomentLines
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts, described
 from tests.helpers.mechanisms import KINDS, make, to_yaml
-from tests.helpers.sheet_faults import may_be_out_of_rank, out_of_rank, unsightly
+from tests.helpers.sheet_faults import unsightly
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
 ASSIGNMENTS = sorted((ROOT / "samples" / "assignments").glob("*.yaml"))
@@ -100,7 +100,7 @@ def look(job: Job, pictures: str | None = None) -> Looked:
     if pictures:
         sheet.write(Path(pictures) / f"{job.path.stem}-{job.number or 'page'}-{job.value or ''}.png")
     faults = [*clashes(sheet), *off_the_module(sheet), *unlettered(sheet), *untranslated(sheet, job.lang)]
-    faults += [*unsightly(sheet), *(() if may_be_out_of_rank(scene) else out_of_rank(sheet))]
+    faults += unsightly(sheet)
     faults += omissions(scene, values, sheet, job)
     led = leaders(sheet.marks)
     return Looked(

@@ -160,6 +160,5 @@ def polygon_marks(plotted: Plotted, plan: str, composer: Composer) -> Iterator[M
     polygon = Polygon(plotted, plan, composer.naming)
     polygon.collect()
     polygon.vectors()
-    ground = (*polygon.marks, *dot(polygon.mark(POLE), 0.7, "plan"))
-    names = polygon.mark_labels() if polygon.of_rates else polygon.vector_labels()
-    yield from (*ground, *place(names, ground).marks)
+    ground = (*polygon.marks, *polygon.aside, *dot(polygon.mark(POLE), 0.7, "plan"))
+    yield from (*ground, *place(polygon.named(), ground).marks)

@@ -90,6 +90,9 @@ def opened(scene: Scene, lang: Lang) -> list[View]:
     return [v for v in (code_view(scene, lang),) if v]
 
 
+MOST_TIMES = 2.0  # how much larger the scheme with loads may be than its groups
+
+
 @frozen
 class DrawnPosition:
     """One position of a scene, drawn at any sizes of its plans; each once."""
@@ -146,7 +149,7 @@ class DrawnPosition:
         size, mu = extent(now.drawing, SCHEME), now.scales[mu_of(SCHEME)]
         if sizes.of(LOADED) == sizes.factor or not size:
             return 1.0
-        mm = sizes.of(LOADED) * fits_on(self.scene.sheet, self.stated[0])[SCHEME]
+        mm = min(sizes.of(LOADED) * fits_on(self.scene.sheet, self.stated[0])[SCHEME], MOST_TIMES * size)
         return fitting(SCHEME, size / mu, mm) / mu
 
     def grown(self, sizes: Sizes) -> Position:

@@ -22,7 +22,7 @@ BESIDE = dict(zip(SHARES, [*SHARES.values(), 2.8][1:], strict=True))
 """On several of a format side by side, as A3x4: these are as high as the next larger one."""
 USUAL_GROUPS, MORE = 2, 1.2  # the plans of more groups are larger: so that labels have room, and sheets for all
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
-ONE_MU = 8.0  # how much larger one force plan may be than another that is drawn at its μ
+LEAST_MM = 50.0  # a force plan that would be smaller at the μ of the others has a second one
 
 
 def fits_on(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
@@ -34,14 +34,13 @@ def fits_on(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
     return {kind: share * mm for kind, mm in FIT_MM.items()}
 
 
-def leaders(sizes: Mapping[str, float]) -> dict[str, str]:
-    """By plan the largest of those that have one μ with it: forces are carried from one to another of these."""
-    found: dict[str, str] = {}
-    for plan in sorted(sizes, key=lambda p: -sizes[p]):
-        like = (p for p in found.values() if kind_of(p) == kind_of(plan) == "force")
-        near = (p for p in like if sizes[p] <= ONE_MU * sizes[plan])
-        found[plan] = next(near, plan)
-    return found
+def leaders(sizes: Mapping[str, float], fit_mm: Mapping[str, float] = FIT_MM) -> dict[str, str]:
+    """By plan, whose sizes in SI are given, the one whose μ it has: of all force plans, since forces are carried from
+    one to another, that of the largest, but for those too small at it, which have that of the largest of them."""
+    forces = sorted((p for p in sizes if kind_of(p) == "force"), key=lambda p: -sizes[p])
+    small = [p for p in forces if 0.0 < sizes[p] * fitting(p, sizes[forces[0]], fit_mm["force"]) < LEAST_MM]
+    found = {plan: forces[0] if plan in forces else plan for plan in sizes}
+    return found | dict.fromkeys(small, next(iter(small), ""))
 
 
 def unit_scales(plans: Plans) -> dict[str, float]:
@@ -70,7 +69,7 @@ def scales(
         now = {**plans.given, **unit_scales(plans), **(given or {})}
         drawing, failed = reached(plans.program, now)
         sizes = {plan: extent(drawing, plan) for plan, mu in fixed.items() if not mu}
-        for plan, leader in leaders(sizes).items():
+        for plan, leader in leaders(sizes, fit_mm).items():
             chosen[mu_of(plan)] = fitting(plan, sizes[leader], fit_mm[kind_of(plan)])
         if failed:  # tell it in millimetres of the paper
             run(plans.program, {**now, **chosen})

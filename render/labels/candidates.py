@@ -33,7 +33,7 @@ _ALONG = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
 _DIRECTIONS = np.array([cmath.rect(1, math.radians(22.5 * k)) for k in range(16)])
 _ROUND = np.array([cmath.rect(1, math.radians(15.0 * k)) for k in range(24)])
 _EYE = cmath.rect(1, math.radians(50))  # without a wish a label goes to the upper right
-LED_DOT_MM = 0.45  # radius of the dot a leader ends with on a line
+LED_DOT_MM = 0.45  # radius of the dot a leader ends with
 _LED, _LONGER = 25.0, 1.0  # cost of a leader line, and of each mm of it
 
 
@@ -65,7 +65,7 @@ class Label:
 
 class Placed(NamedTuple):
     """The labels that are not left out as texts, in the order they were given, and the leader lines some of them need;
-    dots at the ends of leaders to lines, and lines under texts."""
+    dots at the ends of leaders, and lines under texts."""
 
     texts: tuple[Text, ...]
     leaders: tuple[Line, ...]
@@ -236,6 +236,5 @@ def placed(labels: Sequence[Label], chosen: Candidates) -> Placed:
             signs.append(Line((complex(x0, y0), complex(x1, y0)), "thin", "text"))
         if not np.isnan(led[0].real):
             leaders.append(Line(tuple(map(complex, led)), "thin", "text", name="leader"))
-            if isinstance(label.at, tuple):
-                signs.append(Arc(complex(led[1]), LED_DOT_MM, style="thin", layer="text", fill="ink"))
+            signs.append(Arc(complex(led[1]), LED_DOT_MM, style="thin", layer="text", fill="ink"))
     return Placed(tuple(texts), tuple(leaders), tuple(signs))

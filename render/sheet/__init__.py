@@ -12,7 +12,7 @@ from planes.words.errors import SceneError
 from planes.words.frozen import frozen
 from render.files import Page
 from render.paper.typeset import plain
-from render.sheet.fitting import LETTERS, NOTE, Contents, Held, Way, attempts, fitted, keeps_ranks, laid, shaped
+from render.sheet.fitting import LETTERS, NOTE, Contents, Held, Way, attempts, fitted, laid, shaped
 from render.sheet.frame import FORMATS, Paper, said_cells
 from render.sheet.packing import packed, stacking_of, stacking_on
 from render.sheet.sizes import Sizes
@@ -35,8 +35,7 @@ class Sheet(Page):
 
 
 def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
-    """The sheet of a scene: the smallest format, or the one it names, on which all views find room; a larger one of A4
-    to A1, where only on that what is to be the largest figure is.
+    """The sheet of a scene: the smallest format, or the one it names, on which all views find room.
 
     Only where no format holds all of them are those left out that may be; the sheet then says so. A2×3 is taken where
     nothing less holds even the others, then A0, and A1×3 rather than plans whose μ is not that of the note.
@@ -72,9 +71,7 @@ class FilledPaper:
 
 
 def filled(contents: Contents, formats: Sequence[str], factor: float, whole: bool) -> FilledPaper | None:
-    """The first of some formats that holds the views and keeps their ranks; where none does, the first that holds
-    them."""
-    first = None
+    """The first of some formats that holds the views."""
     for name in formats:
         ways = attempts(contents, name, factor, whole)
         laid_out = (
@@ -83,10 +80,8 @@ def filled(contents: Contents, formats: Sequence[str], factor: float, whole: boo
         )
         one = next((one for one in laid_out if one.places), None)
         if one and (name == formats[-1] or NOTE not in (shaped(v.key) for v in one.waiting)):  # a larger one holds it
-            if keeps_ranks(one.contents, one.how, whole):
-                return one
-            first = first or one
-    return first
+            return one
+    return None
 
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:

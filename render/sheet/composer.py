@@ -27,6 +27,8 @@ from render.views.tables import Tables
 
 RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1}
 """Of kinds of plans that are shown beside the scheme: rates first."""
+MU = {"position": "l", "contour": "l", "velocity": "v", "acceleration": "a", "force": "F", "motion": "q"}
+"""The index of μ by the kind of plans; velocities of a unit drive have a q."""
 NOTE_MM = tuple(share * MODULE_MM - GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4))
 """How wide the lines of a note may be, the shape liked best first."""
 
@@ -113,8 +115,10 @@ class Composer:
     def mu(self, plotted: Plotted, plan: str) -> str:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
         kind = plotted.kind(plan)
-        letter = {"position": "l", "contour": "l", "velocity": "v", "acceleration": "a", "force": "F"}.get(kind, "")
-        return f"μ{letter and f'_{{{letter}}}'} = {self.naming.mu(plotted.scales[mu_of(plan)], kind)}"
+        letter, unit = MU.get(kind, ""), kind
+        if kind == "motion" and self.stated:
+            unit = "position" if self.stated.mechanism.drive.kind == "phi" else "vectors"
+        return f"μ{letter and f'_{{{letter}}}'} = {self.naming.mu(plotted.mu(plan), unit)}"
 
     def scheme(self, position: Position) -> View | None:
         """The scheme in the calculated position."""

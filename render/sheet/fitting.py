@@ -13,7 +13,7 @@ from render.sheet.composer import Together
 from render.sheet.frame import Paper
 from render.sheet.module import GAP_MM
 from render.sheet.packing import blocks, columns_of, packed, stacking_of
-from render.sheet.sizes import LARGEST, Extents, Sizes, grown, in_rank
+from render.sheet.sizes import LARGEST, Extents, Sizes, grown
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
@@ -136,7 +136,7 @@ def attempts(
             if not how:
                 return
             more, how = with_extras(contents, how, name, whole)
-            how, order = ranked(more, how, whole, Paper(name))
+            how, order = enlarged(more, how, whole, Paper(name))
         if (more.extras, how) in tried:
             return
         tried.add((more.extras, how))
@@ -169,23 +169,6 @@ def shown(contents: Contents, how: Way, whole: bool) -> list[View]:
     """The views of a sheet: all of them, or those only that it must hold."""
     wanted, spare = contents.lettered(*how)
     return [*wanted, *spare] if whole else wanted
-
-
-def ranked(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:
-    """The same with plans as large as there is room for, in the first letters with which they keep their ranks."""
-    letters = LETTERS[paper.name[:2]]
-    tried = ((how[0], one, *how[2:]) for one in letters[letters.index(how[1]) :])
-    best = first = enlarged(contents, next(tried), whole, paper)
-    while not keeps_ranks(contents, best[0], whole):
-        if not (way := next(tried, None)):
-            return first
-        best = enlarged(contents, way, whole, paper)
-    return best
-
-
-def keeps_ranks(contents: Contents, how: Way, whole: bool) -> bool:
-    """Whether what is to be the largest figure is, or its μ is not open."""
-    return not contents.extents(how[0]) or in_rank(shown(contents, how, whole))
 
 
 def enlarged(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:

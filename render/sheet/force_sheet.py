@@ -113,9 +113,8 @@ class ForceSheet:
         c, found = self.composer, Lever(position, self.composer.naming)
         if at("lever", POLE) not in position.drawing:
             return None
-        kind, title = "motion" if position.plans.at_rest else "velocity", say("lever", c.lang)
-        if kind == "velocity":
-            title += f", {c.mu(of_position(position), 'velocity')}"
+        kind = "motion" if position.plans.at_rest else "velocity"
+        title = f"{say('lever', c.lang)}, {c.mu(of_position(position), kind)}"
         key = ("lever", position.scales[mu_of(kind)])
         drawn = c.once(key, lambda: view("lever", title, found.drawn(), True))
         return c.stack("lever", drawn, c.moments(position, letter, ("lever",)))

@@ -28,7 +28,7 @@ from render.views.scheme import Scheme
 from render.views.special_points import special_points
 
 REDUCED_MM = (105.0, 75.0)
-"""How large the scheme would be at whose μ groups are drawn apart that would else be too wide."""
+"""How large the scheme would be at whose μ groups are drawn apart, and those that would else be too wide."""
 
 
 @dataclass
@@ -104,14 +104,15 @@ class Project:
         return c.once(("directions",), lambda: Directions(position, c.naming).view(say("directions", c.lang)))
 
     def groups(self, position: Position, letter: float) -> View | None:
-        """The structure: its figures have no μ, and are drawn smaller where they are wider than the title block."""
+        """The structure: its figures have no μ, and are drawn smaller than the scheme, still more where they are wider
+        than the title block."""
         c = self.composer
 
         def make() -> View:
             found = self.structure(position, letter)
-            for mm in REDUCED_MM:
-                if self.reduced and found.width > MODULE_MM - GAP_MM:
-                    found = min(found, self.structure(self.reduced(mm), letter), key=lambda v: v.width)
+            for k, mm in enumerate(REDUCED_MM):
+                if self.reduced and (not k or found.width > MODULE_MM - GAP_MM):
+                    found = min(found, self.structure(self.reduced(mm), letter), key=lambda v: v.width * v.height)
             return found
 
         return c.once(("groups", position.scales[mu_of("position")], letter), make)

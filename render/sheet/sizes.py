@@ -1,14 +1,9 @@
 """How large the figures of a sheet are drawn: all by one factor, then those with a scale of their own larger while
 there is room."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 
 from planes.words.frozen import frozen
-from planes.words.names import kind_of
-from render.labels.footprints import bounds
-from render.paper.hues import PART
-from render.paper.marks import Arrow, Text
-from render.views import View
 
 STEPS = (1.12, 1.25, 1.42, 1.6, 1.8, 2.0, 2.24, 2.5)  # μ of the standard series are no farther apart
 LARGEST = 0.55  # of the shorter side of the field, which a plan never exceeds by growing
@@ -56,18 +51,3 @@ def _next(sizes: Sizes, plan: str, extents: Extents, now: float) -> Sizes | None
     """The sizes at which a plan has the next larger μ; None where it is nothing or has no larger one near."""
     tried = (sizes.larger(plan, times) for times in STEPS)
     return next((s for s in tried if now > 0 and extents(s)[plan] > SAME * now), None)
-
-
-def in_rank(views: Iterable[View]) -> bool:
-    """Whether the scheme with loads, if there is one, is the largest figure."""
-    sizes = [(v.key, _longest(v)) for v in views if v.figure and v.key != APART]
-    most = max((size for _, size in sizes), default=0.0)
-    return all(SAME * size >= most for key, size in sizes if key == LOADED)
-
-
-def _longest(one: View) -> float:
-    """The longer side in mm of what a figure shows, without its words, and without the details of a plan."""
-    shown = [m for m in one.body if not isinstance(m, Text) and m.layer != "text"]
-    vectors = [m for m in shown if isinstance(m, Arrow) and not m.name.endswith(PART)]
-    x0, y0, x1, y1 = bounds(vectors if kind_of(one.key) == "force" else shown)
-    return max(x1 - x0, y1 - y0)

@@ -1,6 +1,6 @@
 """Details of a plan: what is too short to be read is circled, and drawn once more enlarged, with its own scale."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 from planes.words.frozen import frozen, replace
 from render import labels
@@ -9,11 +9,12 @@ from render.paper.hues import PART
 from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
 from render.paper.style import tall
 from render.views import TITLE_GAP
-from render.views.plotted import Ends, set_apart
+from render.views.plotted import Ends, upon
 
 SHORT_MM = 3.0  # a vector shorter than this is drawn again
 TOGETHER_MM = 3.0  # short vectors nearer to each other than this are drawn in one detail
 ENLARGED = (2, 4, 5, 10, 20, 40, 50, 100)  # scales of ГОСТ 2.302
+ALONE_TIMES = 20  # so many times no force is enlarged by itself
 RADIUS_MM = 16.0  # of the largest detail
 LEAST_MM = 1.6  # radius of the smallest circle on the plan
 AROUND = 1.35  # a detail reaches so many times as far as its vectors
@@ -21,7 +22,7 @@ LETTER_MM = 5.0
 MOST_LABELS = 4  # of a circle, on the plan too
 BESIDE_MM = 8.0
 LOOK_ALIKE = dict(zip("АВЕКМНРСТУ", "ABEKMHPCTY", strict=True))
-ASIDE_MM, TOUCH_MM = 2.0, 0.5  # between vectors of one line; how near those may come that slant but slightly
+UPON_MM = 1.0  # vectors that run side by side and no farther apart are read as one line
 SEEN_MM = 1.5  # what is shorter in its detail has another
 
 
@@ -68,30 +69,13 @@ class Detail:
         high = min((b * way.conjugate()).real, half)
         return (foot + low * way, foot + high * way) if high - low > 1.0 else None
 
-    def drawn(self, marks: Iterable[Mark], named: Sequence[labels.Label], apart: bool = False) -> tuple[Mark, ...]:
-        """The strokes of the plan within the circle, vectors of one line ``apart`` where they are to be, the labels of
-        what is seen whole, and the title."""
-        reach = self.times * self.radius
-        ground: list[Mark] = [Arc(0j, reach, style="thin", layer="dimension")]
-        ground += self.parts(marks, asides := self.asides(marks) if apart else {})
-        ground += labels.place([self.label(x, asides) for x in named if self.shows(x)], ground).marks
+    def drawn(self, marks: Iterable[Mark], named: Sequence[labels.Label]) -> tuple[Mark, ...]:
+        """The strokes of the plan within the circle, the labels of what is seen whole, and the title."""
+        ground: list[Mark] = [Arc(0j, self.times * self.radius, style="thin", layer="dimension")]
+        ground += (part for mark in marks for part in self.part(mark))
+        ground += labels.place([self.label(x) for x in named if self.shows(x)], ground).marks
         top = bounds(ground)[3]
         return (*ground, Text(self.title, complex(0, top + TITLE_GAP), tall(LETTER_MM), "middle", name=self.title))
-
-    def parts(self, marks: Iterable[Mark], asides: Mapping[str, complex]) -> list[Mark]:
-        """What is seen of all marks, with some vectors moved."""
-        return [moved(part, asides.get(_whole(part), 0j)) for mark in marks for part in self.part(mark)]
-
-    def asides(self, marks: Iterable[Mark]) -> dict[str, complex]:
-        """How far vectors are moved aside so that none lies upon another."""
-        taken, found = list[Ends](), dict[str, complex]()
-        for part in (part for mark in marks for part in self.part(mark) if _whole(part)):
-            ends = (part.start, part.end) if isinstance(part, Arrow) else part.points  # type: ignore[union-attr]
-            placed = set_apart((ends[0], ends[1]), taken, ASIDE_MM, ASIDE_MM / 2, TOUCH_MM)
-            taken.append(placed)
-            if placed[0] != ends[0]:
-                found[_whole(part)] = placed[0] - ends[0]
-        return found
 
     def part(self, mark: Mark) -> list[Mark]:
         """What is seen of one mark."""
@@ -115,21 +99,25 @@ class Detail:
         held = [x for x in named if self.shows(x)]
         return held if len(held) > MOST_LABELS else []
 
-    def label(self, label: labels.Label, asides: Mapping[str, complex]) -> labels.Label:
-        """The label at its enlarged place, or where its vector is moved."""
-        z, by = label.at, asides.get(label.name, 0j)
-        at = tuple(self.enlarged(x) + by for x in (z if isinstance(z, tuple) else (z,)))
-        return replace(label, at=(at[0], at[1]) if isinstance(z, tuple) else at[0], clear=0.7)
+    def label(self, label: labels.Label) -> labels.Label:
+        """The label at its enlarged place."""
+        z = label.at
+        at = (self.enlarged(z[0]), self.enlarged(z[1])) if isinstance(z, tuple) else self.enlarged(z)
+        return replace(label, at=at, clear=0.7)
 
 
-def _whole(part: Mark) -> str:
-    """The vector that a mark is a part of; nothing for other marks."""
-    return part.name.removesuffix(PART) if isinstance(part, (Arrow, Line)) and part.name.endswith(PART) else ""
+def one_line(one: Ends, other: Ends, shown: Iterable[Detail]) -> bool:
+    """Whether two vectors are read as one line, on the plan or in a detail that shows one of them whole."""
+    seen = ((d.seen(one), d.seen(other)) for d in shown if all(map(d.holds, one)) or all(map(d.holds, other)))
+    pairs = ((one, other), *((a, b) for a, b in seen if a and b))
+    return any(upon(a, b, UPON_MM) or upon(b, a, UPON_MM) for a, b in pairs)
 
 
-def details(vectors: Iterable[Ends], letters: Sequence[str]) -> list[Detail]:
-    """The details of the vectors that are too short; neighbours share one, but for those that are too short there."""
-    return [Detail(*_seat(group), letter) for group, letter in zip(groups_of(vectors), letters, strict=False)]
+def details(vectors: Iterable[Ends], letters: Sequence[str], alone: bool = True) -> list[Detail]:
+    """The details of the vectors that are too short; neighbours share one, but for those that are too short there. Not
+    ``alone``: a vector by itself that would have to be enlarged very much has none, it is a point with its name."""
+    groups = groups_of(vectors, alone)
+    return [Detail(*_seat(group), letter) for group, letter in zip(groups, letters, strict=False)]
 
 
 def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
@@ -140,7 +128,7 @@ def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
     return centre, radius, max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
 
 
-def groups_of(vectors: Iterable[Ends]) -> list[list[Ends]]:
+def groups_of(vectors: Iterable[Ends], alone: bool = True) -> list[list[Ends]]:
     """Short vectors by details: neighbours together, and once more, by themselves, those that are hardly seen there."""
     found = list[list[Ends]]()
     for group in _neighbours(ends for ends in vectors if abs(ends[1] - ends[0]) < SHORT_MM):
@@ -148,7 +136,7 @@ def groups_of(vectors: Iterable[Ends]) -> list[list[Ends]]:
         lost = [(a, b) for a, b in group if abs(b - a) * times < SEEN_MM]
         parted = len(lost) < len(group)
         found += [group, *groups_of(lost)] if parted else [[ends] for ends in group]
-    return found
+    return [group for group in found if alone or len(group) > 1 or _seat(group)[2] < ALONE_TIMES]
 
 
 def _neighbours(short: Iterable[Ends]) -> list[list[Ends]]:

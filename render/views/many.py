@@ -16,7 +16,8 @@ from planes.words.frozen import frozen
 from render.labels import Label
 from render.paper.marks import Line, Mark
 from render.views.dimensions import Size, in_mm, stroke
-from render.views.plotted import NEAR_MM, outline_of
+from render.views.plotted import NEAR_MM, along_joints, outline_of
+from render.views.senses import POSITION
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
 TOGETHER_MM = 2.0  # places nearer than this are numbered together
@@ -93,36 +94,34 @@ class ManyPositions:
         found: list[Mark] = []
         for one, result in self.shown():
             style = "thin" if one.extreme else "construction"
-            shapes = (x for link in self.plans.mechanism.links.values() for x in self.outlines(link, result))
-            found += (Line(tuple(shape), style, "construction", len(shape) > 2) for shape in shapes)
+            shapes = (x for link in self.plans.mechanism.links.values() for x in self.axes(link, result))
+            found += (Line(tuple(shape), style, "construction", name=POSITION) for shape in shapes)
         return [*found, *self.paths()]
 
     def shown(self) -> Iterator[tuple[Numbered, PlacedMechanism]]:
         """The numbered positions that are drawn, with their places."""
         return ((one, one.result) for one in self.numbered if one.result and self.near(one.result))
 
-    def outlines(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
-        """The bar or plate of a link, as the scheme shows it, and the rods of its guides as far as their sliders."""
-        hinged = {p for x in self.links if x is not link for p in x.points}
+    def axes(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
+        """One stroke through the joints of a link, and the rods of its guides as far as their sliders."""
+        links = [self.plans.mechanism.frame, *self.plans.mechanism.links.values()]
+        hinged = {p for x in links if x is not link for p in x.points}
         own = self.plans.mechanism.joined(link)
-        joints = [self.place(result, p) for p in own if p in hinged or p != link.centre]
+        held = [p for p in own if p in hinged]
+        loose = [p for p in own if p not in hinged and p != link.centre] if len(held) < 2 else []
+        joints = [self.place(result, p) for p in (*held, *loose)]
         if link.slides:
             joints.append(self.foot(link, link.slides.guide, result))
         rods = []
         for guide in link.guides:
-            feet = [self.foot(x, guide, result) for x in self.links if x.slides and x.slides.guide == guide]
+            feet = [self.foot(x, guide, result) for x in links if x.slides and x.slides.guide == guide]
             through, along = self.line(guide, result)
             ways = [(z - through) * along.conjugate() for z in joints]
             on = [w.real for w in ways if abs(w.imag) < NEAR_MM] or [w.real for w in ways[:1]]
             ends = [*on, *(((z - through) * along.conjugate()).real for z in feet)]
             joints += [through + on[0] * along]
             rods += [outline_of([through + min(ends) * along, through + max(ends) * along])] if feet else []
-        return [shape for shape in (outline_of(joints), *rods) if len(shape) > 1]
-
-    @property
-    def links(self) -> list[Link]:
-        """All links, the frame too."""
-        return [self.plans.mechanism.frame, *self.plans.mechanism.links.values()]
+        return [shape for shape in (along_joints(joints), *rods) if len(shape) > 1]
 
     def line(self, guide: str, result: PlacedMechanism) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""
@@ -171,8 +170,8 @@ class ManyPositions:
         return [say(key, lang, numbers=", ".join(numbers)) for key, numbers in told if numbers]
 
     def labels(self) -> list[Label]:
-        """Numbers of the positions at the end of the crank, or beneath a sliding driver, and where links end that turn
-        about the frame or slide on it."""
+        """Numbers of the positions at the end of the crank, or beneath a sliding driver; of extreme ones where sliders
+        of the frame stand, or rockers end where there is none."""
         drive, pair = self.plans.mechanism.drive, self.plans.structure.drive_pair
         link, found = self.plans.mechanism.links[drive.link], list[Label]()
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
@@ -180,11 +179,13 @@ class ManyPositions:
             z = self.place(result, ends[0]) if ends else self.tip(link, self.place(result, pair.point), result)
             side = -1j if drive.kind == "s" else z - self.place(result, pair.point)
             found.append(Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
-        return [*found, *(label for link, point in self.followers() for label in self.stations(link, point))]
+        held = [*self.followers()]
+        sliding = [one for one in held if one[0].slides] or held
+        return [*found, *(label for link, point in sliding for label in self.stations(link, point))]
 
     def tip(self, link: Link, pivot: complex, result: PlacedMechanism) -> complex:
         """Where what is drawn of a link ends that has no point but its pivot."""
-        drawn = (z for shape in self.outlines(link, result) for z in shape)
+        drawn = (z for shape in self.axes(link, result) for z in shape)
         return max(drawn, key=lambda z: abs(z - pivot), default=pivot)
 
     def followers(self) -> Iterator[tuple[Link, str]]:
@@ -199,7 +200,8 @@ class ManyPositions:
                 yield link, max(free, key=lambda p: abs(link.points[p] - link.points[held[0]]))
 
     def stations(self, link: Link, point: str) -> Iterator[Label]:
-        """Numbers along the path of a point, those of one place together."""
+        """Numbers of the extreme positions along the path of a point, those of one place together; the first and the
+        last of all, where that hardly moves."""
         places: list[tuple[complex, list[str]]] = []
         for one, result in self.shown():
             z = self.place(result, point)
@@ -207,9 +209,13 @@ class ManyPositions:
             if near is None:
                 places.append((z, near := []))
             near.append(one.number)
+        extreme = {one.number for one, _ in self.shown() if one.extreme}
         for z, numbers in places:
-            text = ", ".join(numbers)
-            yield Label(text, z, 2.5, side=self.outside(link, z), name=f"position {text} of {point}")
+            row = [n for n in numbers if n.isdigit()]
+            text = ", ".join(n for n in numbers if n in extreme)
+            text = f"{row[0]}–{row[-1]}" if len(places) == 1 and len(row) > 2 else text
+            if text:
+                yield Label(text, z, 2.5, side=self.outside(link, z), name=f"position {text} of {point}")
 
     def outside(self, link: Link, z: complex) -> complex:
         """Away from what a link turns about, or from the guide of the frame it slides on."""
@@ -222,7 +228,7 @@ class ManyPositions:
     def finely(self) -> list[complex]:
         """Places all along the links in the positions that are drawn."""
         moving = self.plans.mechanism.links.values()
-        shapes = [shape for _, r in self.shown() for x in moving for shape in self.outlines(x, r)]
+        shapes = [shape for _, r in self.shown() for x in moving for shape in self.axes(x, r)]
         return [a + k / FINE * (b - a) for shape in shapes for a, b in pairwise(shape) for k in range(FINE + 1)]
 
     def strokes(self, lang: Lang) -> list[Size]:

@@ -206,6 +206,15 @@ def outline_of(places: list[complex]) -> list[complex]:
     return [complex(x, y) for x, y in list(hull.exterior.coords)[:-1]]
 
 
+def along_joints(places: list[complex]) -> list[complex]:
+    """The ends of a bar, or the corners of a plate from joint to joint, without its longest side: one stroke."""
+    corners = outline_of(places)
+    if len(corners) < 3:
+        return corners
+    k = max(range(len(corners)), key=lambda k: abs(corners[k] - corners[k - 1]))
+    return [*corners[k:], *corners[:k]]
+
+
 def nearest(z: complex, outline: list[complex]) -> complex:
     """The point of a link's outline that is nearest to a place."""
     corners = [(c.real, c.imag) for c in outline]

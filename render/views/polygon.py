@@ -1,42 +1,47 @@
 """A plan of rates or forces as marks: arrows, lines of action, traces of similarity and the names of all."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import combinations
 
 from planes.drafting.equations import Term
-from planes.drafting.steps import Carry, Image, Similar
-from planes.drafting.steps.crossings import Cross
 from planes.plans.scales import ZERO_MM
 from planes.words import say
-from planes.words.names import POLE, at, label_of, plan_of
+from planes.words.names import POLE, at, label_of
 from planes.words.naming import Naming
 from planes.words.read_off import measured
 from planes.words.units import UNIT, number
 from render import labels
 from render.labels.footprints import overprinted
-from render.paper.marks import Arrow, Layer, Line, Mark, Text
+from render.paper.marks import Arrow, Layer, Line, Mark
 from render.paper.symbols import dot
 from render.paper.typeset import plain
 from render.views import detail, remark
 from render.views.hatching import hatched
 from render.views.plotted import Ends, Plotted, set_apart
 from render.views.senses import parted
+from render.views.traces import traces
 
 NOTHING_MM = 1e-10  # a vector shorter than this is none
 SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
-ASIDE_MM = 2.0  # between vectors of one line
+ASIDE_MM = 2.0  # from a sum of forces to the forces it lies upon
+TICK = 0.3, 0.8  # of the way there
 TOUCH_MM = 0.5  # how near they may come where they slant but slightly
 MARK_MM = 5.0
+END_MM = 2.5  # numbers of ends
 VALUE = "value"  # in the names of labels with one
 FORCE_MM = 3.5
 
 
 @dataclass
 class Polygon:
-    """One plan being drawn: every vector once, though several names may stand for it."""
+    """One plan being drawn: every vector once, though several names may stand for it.
+
+    Forces stand head to tail. Those that lie upon each other are told by their numbered ends; only a sum of them is
+    drawn ``aside``, with ticks to its ends."""
 
     plotted: Plotted
     plan: str
@@ -44,8 +49,7 @@ class Polygon:
     arrows: dict[tuple[str, str], list[str]] = field(default_factory=dict)
     marks: list[Mark] = field(default_factory=list)
     places: dict[tuple[str, str], Ends] = field(default_factory=dict)
-    triangles: list[tuple[complex, complex, complex]] = field(default_factory=list)
-    shifted: bool = False
+    aside: list[Mark] = field(default_factory=list)
     counted: dict[tuple[str, float], int] = field(default_factory=dict)  # details of plans at their μ
     valued: bool = False  # whether vectors have their values beside them
 
@@ -61,14 +65,15 @@ class Polygon:
     def drawn(self) -> tuple[Mark, ...]:
         """All marks of the plan, its labels too."""
         self.collect()
-        self.traces()
+        lines, triangles = traces(self.plotted, self.plan, self.arrows)
+        self.marks += lines
         self.lines_of_action()
         self.vectors()
         ground = (*self.marks, *(dot(self.mark(POLE), 0.7, "plan") if self.of_rates else ()))
-        named = self.mark_labels() if self.of_rates else self.vector_labels()
-        details = detail.details(self.places.values(), self.letters())
-        circled = (*ground, *(d.circle() for d in details))
-        strokes = hatched(self.triangles)
+        details = detail.details(self.places.values(), self.letters(), self.of_rates)
+        named = self.named(details)
+        circled = (*ground, *self.aside, *(d.circle() for d in details))
+        strokes = hatched(triangles)
         inside = {x for d in details for x in d.alone(named) if x.at != self.mark(POLE)}
         outer = [x for x in named if x not in inside]
         outer += [d.named() for d in details]
@@ -76,20 +81,12 @@ class Polygon:
         if self.valued and overprinted((*circled, *placed.marks)):
             placed = labels.place(outer, circled, None, strokes)
         marks = (*parted(strokes, placed.texts), *circled, *placed.marks)
-        apart = {d: self.mark_labels(SAME_MM / d.times) if self.of_rates else named for d in details}
-        marks = detail.beside(marks, [d.drawn(ground, apart[d], not self.of_rates) for d in details])
-        self.shifted |= not self.of_rates and any(d.asides(ground) for d in details)
-        for text in self.remarks(placed.texts):
+        marks = detail.beside(marks, [d.drawn(ground, self.named(details, d.times)) for d in details])
+        if any(t.name.startswith(VALUE) for t in placed.texts):
+            lang = self.naming.lang
+            text = say("values_beside", lang, unit=say(UNIT[self.plotted.kind(self.plan)], lang))
             marks = (*marks, *remark(f"({text})", marks))
         return marks
-
-    def remarks(self, texts: Iterable[Text]) -> Iterator[str]:
-        """What must be known of the plan: that vectors are moved aside, and the unit of the values at them."""
-        lang = self.naming.lang
-        if self.shifted:
-            yield say("shifted", lang)
-        if any(t.name.startswith(VALUE) for t in texts):
-            yield say("values_beside", lang, unit=say(UNIT[self.plotted.kind(self.plan)], lang))
 
     def letters(self) -> list[str]:
         """Letters for the details of this plan, after those of the plans before it."""
@@ -105,7 +102,7 @@ class Polygon:
             other = Polygon(self.plotted, plan, self.naming)
             other.collect()
             other.vectors()
-            self.counted[key] = len(detail.groups_of(other.places.values()))
+            self.counted[key] = len(detail.groups_of(other.places.values(), other.of_rates))
         return self.counted[key]
 
     def collect(self) -> None:
@@ -144,44 +141,24 @@ class Polygon:
             ends = (start, end + BEYOND_MM * way / abs(way)) if abs(way) > ZERO_MM else (end - along, end + along)
             self.marks.append(Line(ends, "construction", "construction"))
 
-    def traces(self) -> None:
-        """The sides of the similar triangles by which points of links were found."""
-        for step in self.plotted.drawing.program.steps:
-            if plan_of(step.makes) != self.plan:
-                continue
-            if step.quantity == "false" and isinstance(step, (Carry, Cross)):
-                for mark in (step.start,) if isinstance(step, Carry) else (step.start, step.other):
-                    self.trace(self.mark(label_of(mark)), self.mark(label_of(step.makes)))
-            if not isinstance(step, (Similar, Image)):
-                continue
-            base = (step.start, step.end) if isinstance(step, Similar) else step.image
-            if step.start not in base:  # laid off from a mark of its own: there is no triangle on the base
-                self.trace(self.mark(label_of(step.start)), self.mark(label_of(step.makes)))
-                continue
-            corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
-            a, x, b = map(self.mark, corners)
-            flat = abs(b - a) < ZERO_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_MM
-            sides = [(a, b)] * (tuple(corners[::2]) not in self.arrows) + [(a, x), (x, b)] * (not flat)
-            for side in sides:
-                self.trace(*side)
-            if not flat and step.quantity != "false":
-                self.triangles.append((a, x, b))
-
-    def trace(self, start: complex, end: complex) -> None:
-        """A construction line."""
-        if abs(end - start) > ZERO_MM:
-            self.marks.append(Line((start, end), "thin", "construction"))
-
     def vectors(self) -> None:
-        """The arrows: results thick, what they are made of thinner; forces of one line side by side."""
-        for (start, end), names in sorted(self.arrows.items(), key=lambda item: not self.is_result(*item)):
+        """The arrows: results thick, what they are made of thinner; sums of forces beside what they lie upon."""
+        terms = {ends for t in self.terms() for ends in ((t.start, t.end), (t.end, t.start))}
+        order = sorted(self.arrows.items(), key=lambda item: (item[0] not in terms, not self.is_result(*item)))
+        for (start, end), names in order:
             ends, thick = (self.mark(start), self.mark(end)), self.is_result((start, end), names)
-            placed = ends if self.of_rates else set_apart(ends, self.places.values(), ASIDE_MM, ASIDE_MM / 2, TOUCH_MM)
-            self.shifted |= placed != ends
+            moves = not self.of_rates and (start, end) not in terms
+            placed = ends
+            if moves and abs(ends[1] - ends[0]) >= detail.SHORT_MM:
+                placed = set_apart(ends, self.places.values(), ASIDE_MM, detail.UPON_MM, TOUCH_MM)
             self.places[start, end] = placed
             layer: Layer = "result" if thick else "plan" if self.of_rates else "force"
-            tail, tip = placed
-            self.marks.append(Arrow(tail, tip, "result" if thick else "vector", layer, names[0]))
+            arrow = Arrow(*placed, "result" if thick else "vector", layer, names[0])
+            if placed == ends:
+                self.marks.append(arrow)
+            else:
+                ticks = (Line(tick(*two), "thin", "construction") for two in zip(ends, placed, strict=True))
+                self.aside += (*ticks, arrow)
 
     def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:
         """Whole vectors from the pole, and whole forces that were found here."""
@@ -189,26 +166,55 @@ class Polygon:
             return any("^" not in name and name not in self.given for name in names)
         return ends[0] == POLE and at(self.plan, ends[1]) not in self.plotted.drawing.program.corners
 
-    def vector_labels(self) -> list[labels.Label]:
-        """Names beside their vectors; equal reactions share one label."""
-        told = ((ends, names, " = ".join(map(self.naming.vector, names))) for ends, names in self.arrows.items())
-        return [labels.Label(text, self.places[ends], FORCE_MM, name=names[0]) for ends, names, text in told]
+    def named(self, details: Sequence[detail.Detail] = (), times: float = 1.0) -> list[labels.Label]:
+        """The names of marks or vectors, as they stand where the plan is drawn so many times larger."""
+        if self.of_rates:
+            return self.mark_labels(SAME_MM / times)
+        places = self.numbered(details)
+        numbers = {corner: k for k, (_, corners) in enumerate(places, 1) for corner in corners}
+        ends = gathered([(str(k), z) for k, (z, _) in enumerate(places, 1)], SAME_MM / times)
+        found = [labels.Label(", ".join(n), z, END_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
+        for k, ((start, end), names) in enumerate(self.arrows.items()):
+            back = self.arrows.get((end, start), [])
+            if back and (end, start) in [*self.arrows][:k]:
+                continue  # it is named with the one against it
+            text = " = ".join(map(self.naming.vector, names))
+            text += f" ({numbers[start]}–{numbers[end]})" if {start, end} <= numbers.keys() else ""
+            text += "".join(f" = −{self.naming.vector(name)}" for name in back)
+            found.append(labels.Label(text, self.places[start, end], FORCE_MM, name=names[0]))
+        return found
+
+    def numbered(self, details: Sequence[detail.Detail]) -> list[tuple[complex, list[str]]]:
+        """The ends of the vectors that lie upon each other here or in a detail, along the polygon."""
+        standing = {(a, b): (self.mark(a), self.mark(b)) for a, b in self.arrows}
+        standing = {key: ends for key, ends in standing.items() if self.places[key] == ends}
+        lying = {
+            key
+            for two in combinations(standing, 2)
+            if detail.one_line(standing[two[0]], standing[two[1]], details)
+            for key in two
+        }
+        lying |= {key[::-1] for key in lying}
+        terms = [(t.start, t.end) for t in self.terms()]
+        corners = dict.fromkeys(z for key in (*terms, *standing) if key in lying for z in key)
+        return gathered([(corner, self.mark(corner)) for corner in corners], ZERO_MM)
 
     def with_values(self, named: Sequence[labels.Label]) -> list[labels.Label]:
         """The same labels with the values of vectors, if these are wanted: of forces after their names; of rates, whose
         ends are named, with names of their own, as far as there is room."""
-        at = {self.places[ends]: (ends, names) for ends, names in self.arrows.items() if self.valued}
-        told = {place: self.value(ends, names) for place, (ends, names) in at.items()}
+        at = {self.places[ends]: names for ends, names in self.arrows.items() if self.valued}
         if self.of_rates:
-            own = (labels.Label(text, place, FORCE_MM, name=VALUE, told=True) for place, text in told.items())
-            return [*named, *own]
-        return [replace(x, text=told[x.at], name=f"{VALUE} {x.name}") if x.at in told else x for x in named]
+            texts = ((place, " = ".join(map(self.naming.vector, names))) for place, names in at.items())
+            own = [labels.Label(text, place, FORCE_MM, name=VALUE, told=True) for place, text in texts]
+            return [*named, *map(self.with_value, own)]
+        return [replace(self.with_value(x), name=f"{VALUE} {x.name}") if x.at in at else x for x in named]
 
-    def value(self, ends: tuple[str, str], names: Sequence[str]) -> str:
-        """The names of a vector with its value."""
-        size = abs(self.mark(ends[1]) - self.mark(ends[0])) / self.plotted.mu(self.plan)
-        named = [*map(self.naming.vector, names), measured(size, self.naming.lang)]
-        return (" = " if len(names) > 1 else " ").join(named)
+    def with_value(self, label: labels.Label) -> labels.Label:
+        """The label of a vector with its value."""
+        assert isinstance(label.at, tuple)
+        size = abs(label.at[1] - label.at[0]) / self.plotted.mu(self.plan)
+        sign = " = " if " = " in label.text else " "
+        return replace(label, text=f"{label.text}{sign}{measured(size, self.naming.lang)}")
 
     def mark_labels(self, same: float = SAME_MM) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one label."""
@@ -221,6 +227,11 @@ class Polygon:
             away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
             found.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
         return found
+
+
+def tick(start: complex, end: complex) -> Ends:
+    """A tick between an end of a sum's forces and its own, which touches neither: it is no vector."""
+    return start + TICK[0] * (end - start), start + TICK[1] * (end - start)
 
 
 def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:

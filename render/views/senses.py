@@ -17,6 +17,7 @@ from render.paper.typeset import box_of
 from render.views.plotted import Places
 
 LETTER_MM = 5.0
+POSITION = "position"  # how names of links in other positions, and of the numbers of those, begin
 CLEAR_MM = 0.6  # between a letter and the thin line that is broken for it
 
 
@@ -70,11 +71,16 @@ def freest(
 
 def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:
     """Marks with their letters in places found for them; construction lines and hatching are broken where a letter
-    stands on them."""
+    stands on them, but links in other positions not for their numbers, which find their places first."""
+    kept = [m for m in marks if isinstance(m, Line) and m.name == POSITION]
+    numbers = [x for x in named if x.name.startswith(POSITION)]
     gives = [isinstance(m, Hatch) or (isinstance(m, Line) and m.layer == "construction") for m in marks]
     thin, rest = list(compress(marks, gives)), [m for m, way in zip(marks, gives, strict=True) if not way]
-    placed = labels.place(named, rest, None, thin)
-    return (*parted(thin, placed.texts), *rest, *placed.marks)
+    first = labels.place(numbers, [*rest, *kept], None, [m for m in thin if m not in kept])
+    others = [x for x in named if x not in numbers]
+    placed = labels.place(others, [*rest, *first.marks], None, thin)
+    lines = (*parted([m for m in thin if m not in kept], [*first.texts, *placed.texts]), *parted(kept, placed.texts))
+    return (*lines, *rest, *first.marks, *placed.marks)
 
 
 def parted(lines: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:

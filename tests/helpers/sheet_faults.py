@@ -3,13 +3,12 @@ out of the order of the calculation or of their rank, forces drawn upon each oth
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import combinations
-from math import inf
 
 import shapely
 
-from planes.scene import Scene
 from render.labels.footprints import bounds
 from render.paper.hues import PART
 from render.paper.marks import Arrow, Line, Text
@@ -21,6 +20,7 @@ LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304
 APART = 0.6  # of a letter between names that stand side by side
 LARGEST_MM = 7.0
 AS_LARGE = 1.01  # figures that differ by less are as large
+AT_ONE_MM, FORKED_MM = 0.1, 1.0
 BESIDE_MM, ASKEW = 4.0, 0.05  # two arrows on one line may share no more; lines that only cross, in radians
 
 
@@ -61,7 +61,7 @@ def out_of_order(sheet: Sheet) -> Iterator[str]:
 
 
 def superposed(sheet: Sheet) -> Iterator[str]:
-    """Forces that are drawn upon each other, in one view."""
+    """Forces that are drawn upon each other, in one view, and are not told apart by their numbered ends."""
     for view, _, _ in sheet.views:
         yield from _upon(view)
 
@@ -73,10 +73,25 @@ def _upon(view: View) -> Iterator[str]:
     parts = [m for m in forces if isinstance(m, Line) and m.name.endswith(PART)]  # of what ends outside of a detail
     ends = [(m.name, m.start, m.end) for m in arrows] + [(m.name, m.points[0], m.points[1]) for m in parts]
     lines = [shapely.LineString([(z.real, z.imag) for z in (a, b)]) for _, a, b in ends]
+    texts = [m for m in view.marks if isinstance(m, Text)]
+    numbered = {m.name.removeprefix("value ") for m in texts if re.search(r"\(\d+–\d+\)", m.text)}
+    numbered |= {name for name, a, b in ends if any(x in numbered and (a, b) == (d, c) for x, c, d in ends)}
     for (one, a), (two, b) in combinations(zip(ends, lines, strict=True), 2):
+        if {one[0].removesuffix(PART), two[0].removesuffix(PART)} <= numbered or _forked(one[1:], two[1:]):
+            continue
         turn = (one[2] - one[1]) * (two[2] - two[1]).conjugate()
         if abs(turn.imag) < ASKEW * abs(turn) and a.buffer(0.3).intersection(b).length > BESIDE_MM:
             yield f"{one[0]} and {two[0]} are drawn upon each other in {view.key}"
+
+
+def _forked(one: Sequence[complex], two: Sequence[complex]) -> bool:
+    """Whether two forces leave one corner of a polygon and part by more than a millimetre."""
+    joined = [(k, j) for k in (0, 1) for j in (0, 1) if abs(one[k] - two[j]) < AT_ONE_MM]
+    for k, j in joined:
+        a, b = one[1 - k] - one[k], two[1 - j] - two[j]
+        reach = min(abs(a), abs(b))
+        return abs(a / abs(a) - b / abs(b)) * reach > FORKED_MM
+    return False
 
 
 def longest(view: View) -> float:
@@ -86,18 +101,6 @@ def longest(view: View) -> float:
         drawn = [m for m in drawn if isinstance(m, Arrow) and not m.name.endswith(PART)]
     x0, y0, x1, y1 = bounds(drawn)
     return max(x1 - x0, y1 - y0)
-
-
-def out_of_rank(sheet: Sheet) -> Iterator[str]:
-    """Figures that are larger than the scheme with loads."""
-    figures = [v for v, _, _ in sheet.views if v.figure and v.key != "apart"]
-    largest = next((longest(v) for v in figures if v.key == "loaded"), inf)
-    yield from (f"{v.title!r} is larger than the scheme" for v in figures if longest(v) > AS_LARGE * largest)
-
-
-def may_be_out_of_rank(scene: Scene) -> bool:
-    """Whether a scene states μ_l, or the format of its sheets, so that its scheme may not grow."""
-    return bool(scene.mu.get("position") or scene.sheet.get("format"))
 
 
 def unsightly(sheet: Sheet) -> list[str]:

@@ -9,14 +9,13 @@ import pytest
 
 from planes.check.grading.prepared_plan import known_plans
 from planes.cli import main
-from planes.scene import load
 from planes.words import Lang
 from tests.check.test_own_sheets import checked, drawn, made, mistakes, spoiled, view
 from tests.helpers import ROOT
 from tests.helpers.comparing import balanced, differences, draw, expected, pose
 from tests.helpers.conflicts import conflicts
 from tests.helpers.oracle import solve as oracle_solve
-from tests.helpers.sheet_faults import may_be_out_of_rank, out_of_rank, unsightly
+from tests.helpers.sheet_faults import unsightly
 from tests.helpers.sheets import sheet
 from tests.sample_oracle import numeric
 
@@ -28,7 +27,6 @@ SAMPLES = (
     "class-four/tray",
     "class-four/two-guides",
 )
-REACHING = {"class-four/tray"}
 """Samples whose group has arms longer than the scheme, with no room on A1 for its next scale."""
 
 
@@ -101,7 +99,6 @@ def test_its_papers_are_written(sample: str, lang: Lang, tmp_path: Path) -> None
             said = [w for w in said if not re.search("особого положения|dead point", w)]
         assert not said, said
         assert not unsightly(page), unsightly(page)
-        assert may_be_out_of_rank(load(path(sample))) or sample in REACHING or not [*out_of_rank(page)]
         found = [str(c) for v, _, _ in page.views for c in conflicts((), v.marks) if v.figure]
         assert not [c for c in found if " lies on 'line of text" not in c], found
     for command, suffix in (("lesson", "html"), ("note", "docx")):

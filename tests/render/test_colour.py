@@ -57,6 +57,6 @@ def test_the_option_colours_a_view(tmp_path):
 
 
 def test_what_a_detail_shows_of_a_vector_has_its_hue():
-    seen = colours(sheet("assignments/44", number=2, colour=True))
+    seen = colours(sheet("assignments/12", number=2, colour=True))
     shown = {name: hue for name, hue in seen.items() if name.endswith(PART) and name[0] in "FGI"}
     assert len(shown) > 2 and all(hue == seen[name.removesuffix(PART)] != BLACK for name, hue in shown.items())

@@ -19,6 +19,7 @@ from planes.scene import load
 from planes.solving import plans_of, solve
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
+from render.labels import Label
 from render.labels.footprints import overprinted
 from render.paper.marks import Arrow, Line, Shape, Text
 from render.paper.style import BASE_MM
@@ -26,7 +27,9 @@ from render.paper.typeset import plain
 from render.views.curve_pieces import runs
 from render.views.dimensions import Size, sizes_drawn, stroke
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
+from render.views.plotted import along_joints
 from render.views.scheme import Scheme
+from render.views.senses import POSITION, labelled
 from tests.helpers import ROOT, sheets
 from tests.helpers.conflicts import conflicts
 from tests.helpers.glyphs import missing
@@ -195,12 +198,12 @@ def test_sheet_1_shows_many_positions_and_the_stroke_unless_they_are_not_wanted(
     assert not any(isinstance(m, Text) and m.name.startswith("position ") for m in without.marks)
 
 
-def test_sliders_and_rockers_are_numbered_those_of_one_place_together():
+def test_sliders_are_numbered_in_their_extreme_places():
     marks = scheme_of("crank-slider").marks
     at = {m.name.partition(" of ")[2]: m.text for m in marks if isinstance(m, Text) and " of " in m.name}
     assert set(at) == {"B"}
     stations = [m.text for m in marks if isinstance(m, Text) and m.name.endswith(" of B")]
-    assert "1, 11" in stations and "0" in stations and "6" in stations
+    assert stations == ["0", "6"]  # its extreme places
 
 
 def test_a_stroke_that_is_not_drawn_whole_is_not_measured():
@@ -245,3 +248,21 @@ def test_the_comma_of_a_size_is_clear_of_the_heads_beneath_it(long: float) -> No
     near = Line((complex(0.2 * long, -12), complex(0.2 * long, -4)), "thin", "scheme")
     *_, one, other, text = size.marks([near] if long > 20 else [])
     assert isinstance(text, Text) and overprinted([one, other, text]) == []
+
+
+def test_a_plate_in_another_position_is_one_stroke_through_its_joints_and_numbers_break_no_link():
+    stroke = along_joints([0j, 10 + 4j, 4 - 3j, 12 + 0j])
+    assert stroke in ([0j, 4 - 3j, 12 + 0j, 10 + 4j], [10 + 4j, 12 + 0j, 4 - 3j, 0j])  # without its longest side
+    link = Line((-30 + 0j, 30 + 0j), "construction", "construction", name=POSITION)
+    named = [Label("7", 0j, 2.5, name="position 7"), Label("B", 20 + 0j, 5.0, name="B")]
+    kept = [m for m in labelled(named, [link]) if isinstance(m, Line) and m.layer == "construction"]
+    assert kept == [link]  # a letter finds room beside it, too
+
+
+def test_a_slider_that_hardly_moves_has_the_first_and_last_number():
+    plans = plans_of(load(ROOT / "samples" / "crank-slider.yaml"))[0]
+    drawn = solve(replace(load(ROOT / "samples" / "crank-slider.yaml"), find=None)).positions[0]
+    here = PlacedMechanism(drawn.r, {name: f.number for name, f in drawn.of("links", "angle_deg").items()})
+    numbered = [Numbered(str(k), here, k == 0) for k in range(13)]
+    many = ManyPositions(plans, numbered, [here, here], drawn.scales["mu_position"])
+    assert [x.text for x in many.labels() if " of " in x.name] == ["0–12"]

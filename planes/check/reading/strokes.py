@@ -49,9 +49,9 @@ class Words:
     led: bool = False  # whether a line with a dot leads from it there
 
     def listed(self) -> list[Words]:
-        """One for each name where several are written in a row: p, a, d, or F = R."""
-        names = [t.strip() for t in re.split("[,=]", self.text)] if len(self.text) <= LONGEST_LIST else []
-        return [replace(self, text=t) for t in names if t] or [self]
+        """One for each name where several are written in a row: p, a, d, or F = R; with numbers of ends, G (1–2)."""
+        named = re.split(r"[,=]|\(\d+–\d+\)", self.text) if len(self.text) <= LONGEST_LIST else []
+        return [replace(self, text=t.strip()) for t in named if t.strip()] or [self]
 
     @property
     def middle(self) -> complex:

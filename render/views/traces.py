@@ -1,0 +1,39 @@
+"""Traces of similarity on a plan: the sides of the triangles by which points of links were found."""
+
+from collections.abc import Collection, Iterator
+
+from planes.drafting.steps import Carry, Image, Similar
+from planes.drafting.steps.crossings import Cross
+from planes.plans.scales import ZERO_MM
+from planes.words.names import label_of, plan_of
+from render.paper.marks import Line
+from render.views.plotted import Ends, Plotted
+
+Triangle = tuple[complex, complex, complex]
+
+
+def traces(plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]) -> tuple[list[Line], list[Triangle]]:
+    """Construction lines of a plan whose vectors are ``drawn`` between those marks, and the triangles to be hatched."""
+    sides, triangles = list(_of_false_points(plotted, plan)), list[Triangle]()
+    for step in plotted.drawing.program.steps:
+        if plan_of(step.makes) != plan or not isinstance(step, (Similar, Image)):
+            continue
+        base = (step.start, step.end) if isinstance(step, Similar) else step.image
+        if step.start not in base:  # laid off from a mark of its own: there is no triangle on the base
+            sides.append((plotted.mark(plan, label_of(step.start)), plotted.mark(plan, label_of(step.makes))))
+            continue
+        corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
+        a, x, b = (plotted.mark(plan, corner) for corner in corners)
+        flat = abs(b - a) < ZERO_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_MM
+        sides += [(a, b)] * (tuple(corners[::2]) not in drawn) + [(a, x), (x, b)] * (not flat)
+        if not flat and step.quantity != "false":
+            triangles.append((a, x, b))
+    return [Line(ends, "thin", "construction") for ends in sides if abs(ends[1] - ends[0]) > ZERO_MM], triangles
+
+
+def _of_false_points(plotted: Plotted, plan: str) -> Iterator[Ends]:
+    """The lines by which points of false positions were found."""
+    for step in plotted.drawing.program.steps:
+        if plan_of(step.makes) == plan and step.quantity == "false" and isinstance(step, (Carry, Cross)):
+            for mark in (step.start,) if isinstance(step, Carry) else (step.start, step.other):
+                yield plotted.mark(plan, label_of(mark)), plotted.mark(plan, label_of(step.makes))

@@ -1,0 +1,33 @@
+"""One μ for all force plans, and a second one for those that would be under 50 mm at it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from planes.plans.scales import FIT_MM, LEAST_MM, extent, leaders
+from planes.scene import load
+from planes.solving import solve
+from planes.words.names import kind_of, mu_of
+from tests.helpers import ROOT
+
+
+@pytest.mark.parametrize("number", ["07", "44", "58", "65"])
+def test_no_force_plan_is_under_fifty_millimetres(number):
+    (position,) = solve(replace(load(ROOT / "samples" / "assignments" / f"{number}.yaml"), find=None)).positions
+    plans = [p for p in position.plans.drawn if kind_of(p) == "force"]
+    assert min(extent(position.drawing, p) for p in plans) >= LEAST_MM
+    assert len({position.scales[mu_of(p)] for p in plans}) <= 2
+
+
+def test_a_second_scale_is_that_of_the_largest_of_the_small_ones():
+    sizes = {"force:a": 1000.0, "force:b": 900.0, "force:c": 90.0, "force:d": 80.0, "force:e": 0.0, "velocity": 5.0}
+    assert leaders(sizes, FIT_MM) == {
+        "force:a": "force:a",
+        "force:b": "force:a",
+        "force:c": "force:c",
+        "force:d": "force:c",
+        "force:e": "force:a",
+        "velocity": "velocity",
+    }

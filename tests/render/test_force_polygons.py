@@ -1,0 +1,68 @@
+"""Force polygons close: terms stand head to tail at their places, what lies on one line is told by numbered ends."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from planes.plans.measuring import lettering
+from planes.scene import load
+from planes.solving import solve
+from planes.words.names import kind_of
+from planes.words.naming import Naming
+from render.paper.hues import PART
+from render.paper.marks import Arrow, Text
+from render.sheet.composer import drawn_plans
+from render.views.plotted import of_position
+from render.views.polygon import Polygon, tick
+from tests.helpers import ROOT
+
+FEW = ["samples/shaper.yaml", "samples/six-link.yaml", *(f"samples/assignments/{k}.yaml" for k in (16, 31, 50, 61))]
+ALL = sorted(str(p.relative_to(ROOT)) for p in (ROOT / "samples").rglob("*.yaml") if p.parent.name != "course")
+
+
+def polygons(path):
+    """The force polygons of a scene, drawn."""
+    scene = load(ROOT / path)
+    if scene.mechanism is None:
+        return
+    position = solve(replace(scene, find=None)).positions[0]
+    plotted, naming = of_position(position), Naming("ru", **lettering(scene, position.plans))
+    for plan in (p for p in drawn_plans(plotted, position) if kind_of(p) == "force"):
+        yield Polygon(plotted, plan, naming)
+
+
+@pytest.mark.parametrize("path", [*FEW, *(pytest.param(p, marks=pytest.mark.slow) for p in ALL if p not in FEW)])
+def test_terms_stand_head_to_tail(path):
+    for polygon in polygons(path):
+        arrows = {m.name: m for m in polygon.drawn() if isinstance(m, Arrow) and not m.name.endswith(PART)}
+        for equation in (e for e in polygon.plotted.equations if e.plan == polygon.plan):
+            for term in equation.terms:
+                for ends in (term.start, term.end), (term.end, term.start):
+                    for drawn in (arrows[names[0]] for names in (polygon.arrows.get(ends),) if names):
+                        off = [
+                            abs(z - polygon.mark(end)) for z, end in zip((drawn.start, drawn.end), ends, strict=True)
+                        ]
+                        assert max(off) < 1e-9, (polygon.plan, term.name)
+
+
+def test_ends_of_forces_in_one_line_are_numbered():
+    (polygon,) = (p for p in polygons("samples/assignments/31.yaml") if p.plan == "force:4-5")
+    marks = polygon.drawn()
+    texts = {m.name: m.text for m in marks if isinstance(m, Text)}
+    assert texts["G_5"] == "G_{5} (1–2)" and texts["P_5"] == "P_{5} (3–4)"
+    assert texts["F_54"] == "F_{54} = F_{43} (4–1) = −F_{45}"
+    assert {"1", "2", "3", "4"} <= {m.text for m in marks if isinstance(m, Text)}
+    assert not any(re.search(r"раздвинут", m.text) for m in marks if isinstance(m, Text))
+
+
+def test_a_sum_stands_beside_its_forces_with_ticks_at_its_ends():
+    (polygon,) = (p for p in polygons("samples/assignments/16.yaml") if p.plan == "force:2-3")
+    polygon.drawn()
+    *ticks, arrow = polygon.aside[-3:]
+    assert arrow.name == "F_32" and len(ticks) == 2
+    true = [polygon.mark(label) for label in next(k for k, names in polygon.arrows.items() if "F_32" in names)]
+    assert [t.points for t in ticks] == [tick(true[0], arrow.start), tick(true[1], arrow.end)]
+    assert abs(arrow.start - true[0]) in (pytest.approx(2.0), pytest.approx(4.0))
