@@ -108,7 +108,8 @@ class SheetInk:
 
     def longest_gap(self, a: complex, b: complex) -> float:
         """The longest piece of a line from a to b that is not drawn, mm."""
-        places: Complexes = a + (b - a) * numpy.linspace(0.0, 1.0, max(int(abs(b - a) / GAP_STEP_MM), 1) + 1)
+        share = numpy.linspace(0.0, 1.0, max(int(abs(b - a) / GAP_STEP_MM), 1) + 1)
+        places: Complexes = (a + (b - a) * share).astype(numpy.complex128)
         drawn = numpy.r_[True, self.along(places[:-1], places[1:], 2, 2) > GONE, True]
         return float(numpy.diff(numpy.flatnonzero(drawn)).max() - 1) * GAP_STEP_MM
 
