@@ -55,7 +55,7 @@ def shot(of: corpus.Work, factor: str, file: Path, **more: Any) -> corpus.Pictur
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("factor", ["frame, title block", "second plan", "table, names"])
+@pytest.mark.parametrize("factor", ["second plan", "table, names"])
 def test_only_the_plan_is_priced(factor: str, tmp_path: Path) -> None:
     """A title block, another plan, a table and names beside the drawing change neither verdict."""
     whole = Tally()

@@ -185,7 +185,7 @@ def test_a_slip_of_a_document_is_a_sentence(
     (at / "scene.yaml").write_text((at / "scene.yaml").read_text("utf-8").replace("l_AB: 0.1", "l_AB: 0.11"), "utf-8")
     assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 1
     said = capsys.readouterr()
-    slip = "Студент-1/lesson.html: a slip of the program (ZeroDivisionError: division by zero, test_course_command"
+    slip = "Студент-1/lesson.html: an error in the program (ZeroDivisionError: division by zero, test_course_command"
     assert slip in said.err
     assert (at / "out/students/Студент-1/task.pdf").is_file()
     assert not (at / "out/teacher/Студент-1/lesson.html").exists()

@@ -86,10 +86,11 @@ def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[st
     seen = Explanation(plan, ink, pole) if pole is not None else None
     if seen is None or pole is None:
         return Look(flat, 0j)
-    look = Look(flat, pole, cover=seen.best.cover, explained=seen.explained)
+    look = Look(flat, 0j if near is None else pole, cover=seen.best.cover, explained=seen.explained)
     least = LEAST_EXPLAINED[near is None]
     if seen.best.cover < LEAST_COVER or seen.best.cover * seen.explained < least:
         return look
+    look.pole = pole
     spots = measured_by(flat, pole, seen.spots(), bench)
     look.spots, look.untold, look.in_doubt = resized_by(flat, pole, seen.share, spots), seen.untold(), seen.faint()
     look.named = seen.named()
