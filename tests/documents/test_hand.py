@@ -89,7 +89,8 @@ def test_the_crank_is_turned_by_its_end_and_made_longer_with_shift(browser: Any,
         assert {n for n in home if home[n] != turned[n]} == {drive}
         assert "Shift" in page.inner_text("#follow")
         page.click("#undo")
-        assert page.evaluate("live.given") == home and page.is_disabled("#undo") and page.is_enabled("#redo")
+        until(page, "document.getElementById('undo').disabled")
+        assert page.evaluate("live.given") == home and page.is_enabled("#redo")
         dragged(page, (x, y), (12, 9), shift=True)
         assert changed([home], [page.evaluate("live.given")]) == {"l_AB"} and page.is_disabled("#redo")
 
