@@ -20,7 +20,6 @@ from planes.check.explaining.weights import (
     SHORTER_MM,
     STEP_MM,
 )
-from planes.check.grading.prepared_plan import variants_of
 from planes.words.frozen import replace
 from planes.words.names import POLE
 
@@ -34,8 +33,9 @@ SHOWN_MM = 3.5  # what turns or scales a plan moves at the least
 
 def catalogue(plan: PlanLines) -> list[Hypothesis]:
     """The mistakes of the catalogue."""
-    known = variants_of(plan.bench, {}, plan.bench.said_mu)
-    return [Hypothesis(v.mistake, v.blames, COSTS["catalogue"] - 0.5 * math.log(v.weight), v) for v in known]
+    return [
+        Hypothesis(v.mistake, v.blames, COSTS["catalogue"] - 0.5 * math.log(v.weight), v) for v in plan.bench.mistakes
+    ]
 
 
 def wholes(plan: PlanLines) -> list[Hypothesis]:

@@ -92,6 +92,11 @@ class PreparedPlan:
         return {label_of(m): complex(truth[m]) for m in self.marks}
 
     @cached_property
+    def mistakes(self) -> list[Variant]:
+        """The mistakes of the catalogue, at the stated scale, with no mark of a person's own."""
+        return variants_of(self, {}, self.said_mu)
+
+    @cached_property
     def vectors(self) -> dict[tuple[str, str], str]:
         """The names of a motion plan's vectors by the labels of their ends."""
         own = (s for s in self.plans.segments_of.get(self.asked.plan, ()) if s.start != s.end)

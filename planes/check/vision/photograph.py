@@ -8,7 +8,7 @@ from planes.check.blank import blank_pole
 from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import Known, ReadPaper, with_told
-from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans, variants_of
+from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans
 from planes.check.grading.remedies import asking
 from planes.check.sheet_mark import mark_of
 from planes.check.vision.from_aside import strange, tilt_told
@@ -166,7 +166,7 @@ def _by_hand(
 def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: str) -> complex:
     """The vector to a mark, so many pixels long: as it should be, or, if no sheet is as large as that would make it, as
     the mistake has it that makes it most like A4."""
-    ways = (drawn_at(bench, v, name) for v in variants_of(bench, {}, bench.said_mu))
+    ways = (drawn_at(bench, v, name) for v in bench.mistakes)
     true = bench.true_marks[name]
     if length < 1 or not true or fits(picture.grey, length / abs(true)):
         return true
