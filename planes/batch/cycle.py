@@ -80,7 +80,9 @@ class Cycle(Ready):
         """The program on a tape, drawn in SI, or at the scales that are given."""
         must = [not c.beside for c in self.columns]  # an arm ends where its force does
         takes = [c.take for c in self.columns]
-        return trace(self.program, self.given, takes, self.folded, must=must, forces=self.forces)
+        still = self.given.keys() - self.known - {self.plans.drive_given}
+        units = {n: self.given[n] for n in still if np.isin(self.given[n], (0, 1, -1))}  # once folded they cost nothing
+        return trace(self.program, self.given, takes, {**units, **self.folded}, must=must, forces=self.forces)
 
     @cached_property
     def forces(self) -> list[tuple[str, str]]:
@@ -99,6 +101,21 @@ class Cycle(Ready):
     def reasons(self) -> tuple[Reason, ...]:
         """What each code means: code k is the reason k - 1."""
         return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires if r != UNCLEAR)
+
+    @cached_property
+    def _undecided(self) -> list[int]:
+        """The codes of proofs: what fails them may be only rounded."""
+        return [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
+
+    @cached_property
+    def _alone(self) -> bool:
+        """Whether nothing but the drive moves, and all may move with it."""
+        return not self.moved and not self.plans.laws
+
+    @cached_property
+    def _dim(self) -> bool:
+        """Whether no position is clear of rounding."""
+        return far_apart(self.plans.given, self.plans.means)
 
     @cached_property
     def claims(self) -> Claims:
@@ -129,7 +146,7 @@ class Cycle(Ready):
         return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
-        self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False
+        self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False, out: Array | None = None
     ) -> Iterator[Block]:
         """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
 
@@ -141,28 +158,37 @@ class Cycle(Ready):
         size = min(chunk, self.loop(fast).row)
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)
-            yield self.block(part, np.arange(start, start + len(part)), fast, bare)
+            into = None if out is None else out[:, start : start + size]
+            yield self.block(part, slice(start, start + len(part)), fast, bare, into)
 
     def loop(self, fast: bool) -> Loop:
         """The loop, compiled or by arrays."""
         return self.compiled if fast else self.arrays
 
-    def block(self, part: Array, at: Indices, fast: bool, bare: bool) -> Block:
+    def block(self, part: Array, at: Indices | slice, fast: bool, bare: bool, out: Array | None = None) -> Block:
         """The block of the positions numbered ``at``; where leads cross flatly, by plans in which others meet."""
-        block = self._looked_at(self._whole(part, *self._run(self.loop(fast), part, at)), at, bare)
+        table, codes = self._run(self.loop(fast), part, at, out)
+        if codes is None and not self._dim:
+            return Block(part, table, np.zeros(len(part), np.int16))
+        at = np.arange(at.start, at.stop) if isinstance(at, slice) else at
+        block = self._looked_at(self._whole(part, table, codes), at, bare)
         self.others.draw(block, at, fast, bare)
         return block
 
-    def table(self, values: Array, fast: bool) -> Array:
-        """A row of all values for each column, however few digits they have."""
-        return np.hstack([b.table for b in self.blocks(values, fast=fast, bare=True)])
+    def table(self, values: Array, fast: bool, out: Array | None = None) -> Array:
+        """A row of all values for each column, however few digits they have; in ``out``, where it is given."""
+        out = np.empty((len(self.columns), len(values))) if out is None else out
+        for _ in self.blocks(values, fast=fast, bare=True, out=out):
+            pass
+        return out
 
-    def _run(self, loop: Loop, part: Array, at: Indices) -> tuple[Array, Indices | None]:
+    def _run(
+        self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None
+    ) -> tuple[Array, Indices | None]:
         """The table by a loop, and the codes (None: nothing failed); what it only suspects is drawn."""
-        moving = self.moving(part, at)
-        table, codes = loop(np.array([moving[name] for name in loop.inputs]))
-        undecided = [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
-        if codes is None or not (suspect := np.isin(codes, undecided)).any():
+        moving = {self.plans.drive_given: part} if self._alone else self.moving(part, at)
+        table, codes = loop([np.asarray(moving[name]) for name in loop.inputs], out)
+        if codes is None or not (suspect := np.isin(codes, self._undecided)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
         table[:, suspect], found = self._drawn(some, int(suspect.sum()))
@@ -197,8 +223,7 @@ class Cycle(Ready):
 
     def _looked_at(self, block: Block, at: Indices, bare: bool) -> Block:
         """The block with NaN for numbers without digits, where it is not clear."""
-        dim = far_apart(self.plans.given, self.plans.means)  # no position is clear of rounding
-        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & dim)
+        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self._dim)
         block.codes[where] = 0
         if len(where) and not bare:
             found = self.claims.bounds(block.values[where], at[where])

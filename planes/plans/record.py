@@ -101,7 +101,7 @@ class Plans:
         """Whether there is a mechanism: what moves has other positions."""
         return bool(self.mechanism.links)
 
-    @property
+    @cached_property
     def drive_given(self) -> str:
         """Name of the given that moves the driver: its angle in degrees, or s in m; one that nothing reads."""
         return self.mechanism.drive.given if self.moves else STILL
