@@ -64,12 +64,19 @@ class CompiledLoop(Loop):
         failed = self.run(begin, filled, codes, self._fixed, count, wide)
         return out, whole[inputs, :count].view(np.int64).astype(np.int16) if failed else None
 
+    def fill(self, values: Array, out: Array) -> bool:
+        """All positions of the only input by one call, each output straight into its row of ``out``; whether every one
+        of them holds. Other threads may run beside it."""
+        codes = np.empty(len(values), np.int64)
+        places = _address(values), _address(out[0]), _address(codes), self._fixed
+        return not self.run(*places, len(values), out.strides[0] >> 3)
+
     @cached_property
     def _fixed(self) -> int:
         return _address(self.fixed)
 
 
-def _address(array: Array) -> int:
+def _address(array: Array | Indices) -> int:
     return ctypes.addressof(ctypes.c_char.from_buffer(array.data))
 
 

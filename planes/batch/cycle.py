@@ -5,8 +5,10 @@ in what depends on what failed. A program is recorded once and gone through by a
 compiled loop (``compiled``) where it is installed; what a loop suspects of a contradiction is drawn, and proved.
 """
 
+from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
+from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
@@ -175,12 +177,38 @@ class Cycle(Ready):
         self.others.draw(block, at, fast, bare)
         return block
 
-    def table(self, values: Array, fast: bool, out: Array | None = None) -> Array:
-        """A row of all values for each column, however few digits they have; in ``out``, where it is given."""
+    def table(
+        self, values: Array, fast: bool | None = None, out: Array | None = None, threads: int = 1, bare: bool = True
+    ) -> tuple[Array, Indices]:
+        """A row of all values for each column (in ``out``, where it is given), and the codes. ``fast`` and ``bare`` are
+        those of :meth:`blocks`. Several ``threads`` share the positions: machine code lets them run beside each other.
+        """
+        fast, values = pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
         out = np.empty((len(self.columns), len(values))) if out is None else out
-        for _ in self.blocks(values, fast=fast, bare=True, out=out):
-            pass
-        return out
+        codes: Indices = np.zeros(len(values), np.intp)
+        threads = threads if self._alone else 1
+        cuts = [round(k * len(values) / threads) for k in range(threads + 1)]
+        parts = [(values[a:b], fast, bare, out[:, a:b], codes[a:b]) for a, b in pairwise(cuts)]
+        if threads == 1:
+            self._fill(*parts[0])
+        else:
+            from concurrent.futures import ThreadPoolExecutor
+
+            self._fill(values[:1], fast, bare, out[:, :1], codes[:1])  # what threads share is made before they begin
+            with ThreadPoolExecutor(threads) as pool:
+                deque(pool.map(lambda part: self._fill(*part), parts), maxlen=0)
+        return out, codes
+
+    def _fill(self, values: Array, fast: bool, bare: bool, out: Array, codes: Indices) -> None:
+        """Every column into its row of ``out``: by one call of machine code where all positions hold."""
+        straight = fast and self._alone and not self._dim and out.strides[1] == values.itemsize
+        if straight and len(values) and self.compiled.fill(values, out):
+            codes[:] = 0
+            return
+        start = 0
+        for block in self.blocks(values, fast=fast, bare=bare, out=out):
+            codes[start : start + len(block.codes)] = block.codes
+            start += len(block.codes)
 
     def _run(
         self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None

@@ -14,6 +14,7 @@ from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.symbols import Num, Vec, number, place_of
 from planes.batch.tape import Tape
 from planes.batch.tracing import Recording, Trace
+from planes.scene import load
 from tests.helpers import ROOT
 
 needs_compiler = pytest.mark.needs("llvmlite")
@@ -110,3 +111,21 @@ def test_a_structure_is_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
         (block,) = c.blocks([150.0], fast=True)
         assert abs(block.table[0, 0]) == pytest.approx(2.3885508115275518 * float(variant) / 20, rel=1e-12)
     assert texts[0] == texts[1]
+
+
+@needs_compiler
+@pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "class-three/press", "class-four/tray", "lift"])
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_table_is_its_blocks(name: str, threads: int) -> None:
+    """By one call where all holds, by blocks where something does not: the limits of six-link are among the places."""
+    from planes.batch.cycle import Cycle
+    from planes.solving import plans_of
+
+    stated = plans_of(load(str(ROOT / "samples" / f"{name}.yaml")))[0]
+    cycle, own = Cycle(stated), stated.mechanism.drive.position
+    for reach in (1e-3, 200.0 if stated.mechanism.drive.kind == "phi" else 0.02):
+        values = np.linspace(own - reach, own + reach, 5001)
+        blocks = list(cycle.blocks(values, fast=True))
+        table, codes = cycle.table(values, True, np.full((len(cycle.columns), 5001), 7.0), threads, bare=False)
+        assert np.array_equal(table, np.hstack([b.table for b in blocks]), equal_nan=True)
+        assert np.array_equal(codes, np.hstack([b.codes for b in blocks]))
