@@ -1,12 +1,15 @@
-"""`python -m tests.benchmarks [--write]`: the same columns of the same mechanisms by us and by others, in turns.
+"""`python -m tests.benchmarks [--write | --limits]`: the same columns of the same mechanisms by us and by others.
 
-One process; everybody runs once a round, and of the rounds the least and the middle one are told, as processor time a
-position. ``--write`` puts the tables into docs/measurements.md, with the processor they were taken on.
+One process; everybody runs once a round, in turns; of the rounds the least and the middle one are told, as processor
+time a position. ``--write`` puts the tables into docs/measurements.md, with the processor they were taken on, and the
+errors near a limit into the pages on accuracy; ``--limits`` does that alone.
 """
 
 from __future__ import annotations
 
+import csv
 import ctypes
+import math
 import os
 import platform
 import subprocess
@@ -29,7 +32,16 @@ from planes.batch.cycle import Cycle
 COUNTS = (360, 10_000, 1_000_000)
 ROUNDS, POSITIONS = 15, 300_000  # of a count; gone through a round, at the least
 FLAGS = ("-O3", "-march=native", "-fopenmp-simd", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC")
-MARKS = "<!-- speed: python -m tests.benchmarks --write -->", "<!-- end of speed -->"
+AT = {"en": "relative distance", "ru": "относительное расстояние"}
+SHOWN = {
+    "exact, one compiled loop": ("construction, compiled", "построение, скомпилированное"),
+    "claimed error": ("its claimed error", "его названная погрешность"),
+    "numba by hand": ("closed formulas by hand (numba)", "замкнутые формулы вручную (numba)"),
+    "pylinkage 1.3.0": ("pylinkage 1.3.0", "pylinkage 1.3.0"),
+    "Newton's iteration": ("Newton's iteration", "итерации Ньютона"),
+    "differences of places": ("differences of positions", "разности положений"),
+    "24-bit numbers": ("construction in 24-bit numbers", "построение в 24-битных числах"),
+}
 Work = Callable[[], object]
 
 
@@ -122,15 +134,37 @@ def tables() -> str:
     return "\n".join([*lines, f"Two threads beside one, one table of {COUNTS[-1]:,} positions: {ways} times as quick."])
 
 
-def write(text: str) -> None:
-    """Into the page of measurements, between its marks."""
-    page = ROOT / "docs" / "measurements.md"
-    before, rest = page.read_text("utf-8").split(MARKS[0])
-    page.write_text(f"{before}{MARKS[0]}\n\n{text}\n\n{MARKS[1]}{rest.split(MARKS[1])[1]}", "utf-8")
+def near_the_limit(lang: str) -> str:
+    """Errors on the way to a limit, out of a chart's table, as Markdown."""
+    rows = list(csv.reader((ROOT / "samples/charts/kind-1-rrr.csv").read_text("utf-8").splitlines()))
+    head, *table = (
+        row for row in rows[next(k for k, row in enumerate(rows) if "claimed error" in row) :] if len(row) > 3
+    )
+    names = [head.index(name) for name in SHOWN if name in head]
+    kept = {power: min(table, key=lambda row: abs(math.log10(float(row[0] or 1)) + power)) for power in (3, 5, 7, 9)}
+    lines = [
+        f"| {AT[lang]} | {' | '.join(f'10⁻{chr(0x2070 + power) if power > 3 else chr(0xB3)}' for power in kept)} |"
+    ]
+    lines.append("|---|" + "---|" * len(kept))
+    for k in names:
+        cells = (f"{float(row[k]):.0e}" if row[k] and float(row[k]) < 1 else "–" for row in kept.values())
+        lines.append(f"| {SHOWN[head[k]][lang == 'ru']} | {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def put(page: str, name: str, text: str) -> None:
+    """A text into a page, between its marks."""
+    path = ROOT / "docs" / page
+    begin, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
+    before, rest = path.read_text("utf-8").split(begin)
+    path.write_text(f"{before}{begin}\n\n{text}\n\n{end}{rest.split(end)[1]}", "utf-8")
 
 
 if __name__ == "__main__":
-    made = tables()
-    print(made)
-    if "--write" in sys.argv:
-        write(made)
+    if "--limits" not in sys.argv:
+        made = tables()
+        print(made)
+        if "--write" in sys.argv:
+            put("measurements.md", "speed", made)
+    for lang in ("en", "ru") if {"--write", "--limits"} & {*sys.argv} else ():
+        put(f"site/{lang}/accuracy.md", "limits", near_the_limit(lang))
