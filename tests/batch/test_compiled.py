@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import platform
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -39,7 +41,7 @@ def test_what_is_known_is_folded_away_and_nothing_is_recorded_twice() -> None:
 
 def looped(tape: Tape, outputs: list[Any], loop: type[Loop] = compiled.CompiledLoop, **inputs: Any) -> Any:
     trace = Trace(tape, tuple(place_of(tape, x) for x in outputs), (), (), (), frozenset())
-    return loop(trace, tuple(inputs), {})(np.array(list(inputs.values())))[0]
+    return loop(trace, tuple(inputs), {})([np.asarray(x, float) for x in inputs.values()])[0]
 
 
 @needs_compiler
@@ -129,3 +131,24 @@ def test_a_table_is_its_blocks(name: str, threads: int) -> None:
         table, codes = cycle.table(values, True, np.full((len(cycle.columns), 5001), 7.0), threads, bare=False)
         assert np.array_equal(table, np.hstack([b.table for b in blocks]), equal_nan=True)
         assert np.array_equal(codes, np.hstack([b.codes for b in blocks]))
+
+
+@needs_compiler
+@pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="processors of this family")
+@pytest.mark.parametrize("cpu", ["haswell", "x86-64"])  # vectors of four and no more; of two, without fused operations
+def test_an_older_processor_reckons_the_same(cpu: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    import llvmlite.binding as llvm
+
+    from planes.batch.cycle import Cycle
+    from planes.solving import plans_of
+
+    stated = plans_of(load(str(ROOT / "samples" / "six-link.yaml")))[0]
+    values = stated.mechanism.drive.position + np.linspace(-5, 5, 3001)
+    here, there = Cycle(stated), Cycle(stated)
+    monkeypatch.setattr(llvm, "get_host_cpu_name", lambda: cpu)
+    monkeypatch.setattr(llvm, "get_host_cpu_features", lambda: SimpleNamespace(flatten=lambda: ""))
+    there.compiled.__dict__["run"] = compiled._compiled.__wrapped__(there.compiled.text)
+    (table, codes), (older, others) = (c.table(values, True) for c in (here, there))
+    assert np.array_equal(codes, others) and not codes.any()
+    largest = np.abs(table).max(axis=1)
+    assert (np.abs(older - table).max(axis=1) <= 1e-11 * largest + 1e-12).all()
