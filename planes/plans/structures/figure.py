@@ -1,0 +1,69 @@
+"""What is drawn beside the marks of a plan of statics: strings, rays, lines of action, and the signs of supports."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Literal
+
+from planes.scene.mechanism import FRAME, Drive, Link, Load, Mechanism
+from planes.scene.structures import Framework, StaticLoad, Support
+from planes.words.frozen import frozen
+
+StrokeKind = Literal["string", "ray", "closing", "action", "culmann"]
+
+
+@frozen
+class Stroke:
+    """A thin line of a plan from mark to mark, with its letter."""
+
+    plan: str
+    kind: StrokeKind
+    name: str
+    start: str
+    end: str
+
+
+@frozen
+class Figure:
+    """The lines of all plans, forces that are results of composition by the mark and the direction they act at, the
+    supports, and the members of a truss by the names of their forces."""
+
+    strokes: tuple[Stroke, ...] = ()
+    results: tuple[tuple[str, str, str], ...] = ()
+    supports: tuple[Support, ...] = ()
+    spread: tuple[StaticLoad, ...] = ()
+    members: tuple[tuple[str, str, str], ...] = ()
+    regions: bool = False  # whether a plan of forces is lettered by the regions between them (Bow)
+
+
+@dataclass
+class FigureDraft:
+    """The same while it is drawn."""
+
+    strokes: list[Stroke] = field(default_factory=list)
+    results: list[tuple[str, str, str]] = field(default_factory=list)
+
+    def stroke(self, plan: str, kind: StrokeKind, name: str, start: str, end: str) -> None:
+        """Add a line, unless it begins where it ends."""
+        if start != end:
+            self.strokes.append(Stroke(plan, kind, name, start, end))
+
+
+def as_mechanism(f: Framework) -> Mechanism:
+    """The bodies, rods and hinges as links, for whoever draws the scheme."""
+    hinged = [s.point for s in f.supports if s.kind == "hinge"]
+    frame = Link(FRAME, MappingProxyType({p: f.points[p] for p in dict.fromkeys((*hinged, *sorted(f.fixed)))}))
+    links = {name: Link(name, MappingProxyType(dict(points))) for name, points in _links(f)}
+    loads = tuple(
+        Load(load.body, "moment" if load.direction_deg is None else "force", load.size, load.point or None)
+        for load in f.loads
+    )
+    return Mechanism(frame, MappingProxyType(links), Drive(FRAME, "s", 0.0), () if f.members else loads)
+
+
+def _links(f: Framework) -> Iterator[tuple[str, dict[str, complex]]]:
+    if f.members:
+        yield from (("".join(ends), {p: f.points[p] for p in ends}) for ends in f.members)
+    else:
+        yield from ((name, {p: f.points[p] for p in points}) for name, points in f.bodies.items())
+    yield from ((s.point + s.to, {p: f.points[p] for p in (s.point, s.to)}) for s in f.supports if s.to)
