@@ -46,6 +46,7 @@ class StaticLoad:
     place: complex = 0j
     point: str = ""  # the named point it acts at; "" of the resultant of a distributed load
     spread: tuple[str, str] | None = None
+    intensity: tuple[float, float] = (0.0, 0.0)  # N/m at both
 
 
 @frozen
@@ -209,7 +210,15 @@ class _FrameworkReader:
         body = next((n for n, own in bodies.items() if {*ends} <= {*own}), None)
         if body is None:
             raise reader.error(Phrase("point_loose", what=what, name=ends[1]), table)
-        return StaticLoad(self.free(f"Q_{''.join(ends)}"), body, size, angle, place, spread=(ends[0], ends[1]))
+        return StaticLoad(
+            self.free(f"Q_{''.join(ends)}"),
+            body,
+            size,
+            angle,
+            place,
+            spread=(ends[0], ends[1]),
+            intensity=(first, last),
+        )
 
     def pole(self) -> tuple[complex | None, tuple[str, ...]]:
         """The pole of a string polygon, or the points its strings are to go through."""

@@ -111,6 +111,9 @@ class GivenTable:
         """Every number of the mechanism, or of the vectors."""
         m = self.position.plans.mechanism
         yield from self.vectors()
+        if self.position.plans.figure:
+            yield from self.points()
+            return
         for point, z in m.frame.points.items():
             yield from self.place(self.naming.point(point).replace("_{", "").replace("}", ""), z)
         for guide in m.frame.guides.values():
@@ -134,8 +137,17 @@ class GivenTable:
         given, drawn = self.position.plans.given, self.position.drawing
         for name, (start, _) in self.position.plans.vectors.items():
             for key, sign, unit in ((f"|{name}|", "", UNIT[kind_of(start)]), (f"angle_∠{name}", "∠", "°")):
-                if key in given and key in drawn:
+                if key in given and key in drawn and not (unit == "N" and key in self.position.plans.means):
                     yield GivenRow(sign + self.naming.vector(name), float(given[key]), unit, place=bool(sign))
+
+    def points(self) -> Iterator[GivenRow]:
+        """The points of bodies in equilibrium, and their loads."""
+        plans = self.position.plans
+        for name, m in plans.means.items():
+            if m.quantity == "place":
+                z = plans.given[name]
+                yield from self.place(self.naming.point(m.of).replace("_{", "").replace("}", ""), complex(z))
+        yield from self.loads()
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:
         """The coordinates of a place."""

@@ -22,6 +22,7 @@ from render.views.moments import MomentLines
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
+from render.views.space_diagram import SpaceDiagram
 from render.views.special_points import special_points
 from render.views.tables import Tables
 
@@ -81,7 +82,7 @@ class Composer:
     def views(self, position: Position, letter: float, together: Together) -> list[View]:
         """Every view of one position, in the order they are read."""
         plotted = of_position(position)
-        found = [self.scheme(position)] if position.plans.moves else []
+        found = [self.scheme(position) if position.plans.moves else self.space(position)]
         found += self.plans(plotted, drawn_plans(plotted, position), letter, together.equations)
         found += [*self.tables(position, letter).all(together.rates), *self.notes(letter)]
         return [v for v in found if v]
@@ -130,6 +131,14 @@ class Composer:
             return view("scheme", title, drawn, True)
 
         return self.once(key, make)
+
+    def space(self, position: Position) -> View | None:
+        """The space diagram of bodies in equilibrium; of vectors alone there is none."""
+        if not position.plans.figure:
+            return None
+        title, found = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming)
+        key = ("space", position.scales[mu_of("position")])
+        return self.once(key, lambda: view("space", title, found.drawn(), True))
 
     def titled(self, position: Position, key: str, **names: str) -> str:
         """The title of a scheme, with its μ."""

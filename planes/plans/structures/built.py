@@ -12,7 +12,7 @@ from planes.plans.assur.groups import Pair
 from planes.plans.assur.structure import Structure
 from planes.plans.force.loads import Couple, Force, Loads
 from planes.plans.passive_motion import LinkValues
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME, BodyPoint
 from planes.plans.proving import closed
 from planes.plans.record import STILL, Plans
 from planes.plans.scales import unit_scales
@@ -25,7 +25,7 @@ from planes.scene.structures import Framework, StaticLoad, Support
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import replace
-from planes.words.names import Meaning, at, force_plan
+from planes.words.names import Meaning, at, force_plan, label_of
 
 BESIDE = "'"  # ends the name of a hinge's force on the body that was found later
 
@@ -89,7 +89,8 @@ class FrameworkBuilder:
         size = d.give(f"|{load.name}|", load.size, Meaning("load", load.name, link=load.body))
         along = d.aim(f"∠{load.name}", angle, Meaning("given", load.name))
         mark = at(SCHEME, load.point) if load.point else d.put(SCHEME, f"_{load.name}", load.place, Meaning("moved"))
-        self.forces[load.body].append(Force(load.name, load.body, size, along, mark, "load"))
+        spot = BodyPoint(label_of(mark), load.point)
+        self.forces[load.body].append(Force(load.name, load.body, size, along, mark, "load", spot))
         self.sizes[load.name] = load.size * cmath.rect(1.0, math.radians(angle))
 
     @cached_property
@@ -161,7 +162,13 @@ class FrameworkBuilder:
         d, f = self.draft, self.framework
         program = Program(tuple(d.steps.values()), tuple(closed(d)))
         figure = Figure(
-            tuple(self.figure.strokes), tuple(self.figure.results), f.supports, tuple(x for x in f.loads if x.spread)
+            tuple(self.figure.strokes),
+            tuple(self.figure.results),
+            f.supports,
+            tuple(x for x in f.loads if x.spread),
+            knots=tuple(self.figure.knots),
+            poles=tuple(self.figure.poles),
+            numbered=frozenset(f.bodies if len(f.bodies) > 1 else ()),
         )
         mechanism = replace(as_mechanism(f), where=self.scene.where)
         acting = {name: self.forces.get(name, []) for name in (*mechanism.links, *f.bodies)}

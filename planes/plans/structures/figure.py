@@ -33,6 +33,9 @@ class Figure:
     supports: tuple[Support, ...] = ()
     spread: tuple[StaticLoad, ...] = ()
     members: tuple[tuple[str, str, str], ...] = ()
+    knots: tuple[str, ...] = ()  # lettered points where lines of action meet
+    numbered: frozenset[str] = frozenset()  # bodies, where there are several
+    poles: tuple[str, ...] = ()  # marks from which rays are drawn, which are no vectors of a plan
     regions: bool = False  # whether a plan of forces is lettered by the regions between them (Bow)
 
 
@@ -42,6 +45,8 @@ class FigureDraft:
 
     strokes: list[Stroke] = field(default_factory=list)
     results: list[tuple[str, str, str]] = field(default_factory=list)
+    knots: list[str] = field(default_factory=list)
+    poles: list[str] = field(default_factory=list)
 
     def stroke(self, plan: str, kind: StrokeKind, name: str, start: str, end: str) -> None:
         """Add a line, unless it begins where it ends."""

@@ -156,6 +156,7 @@ class FreeBody:
         mark = self.draft.step(Cross(self.fresh(label), start, along, other, across))
         self.figure.stroke(SCHEME, "action", "", start, mark)
         self.figure.stroke(SCHEME, "action", "", other, mark)
+        self.figure.knots.append(mark)
         return mark
 
     # by lines of action

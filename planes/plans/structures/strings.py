@@ -37,6 +37,7 @@ class StringPolygon:
         size, angle = abs(self.pole), math.degrees(cmath.phase(self.pole))
         along = d.aim(f"∠{O}", angle, Meaning("given", O))
         d.lay_off(plan, O, at(plan, POLE), along, d.give(f"|p{O}|", size))
+        b.figure.poles.append(at(plan, O))
         ends = [POLE, *(t.end for t in b.chain)]
         for k, end in enumerate(ends):
             means = Meaning("along", str(k))
@@ -56,6 +57,7 @@ class StringPolygon:
         """The mark of the scheme where the outermost strings meet, and the direction of the resultant there."""
         b, last = self.body, str(len(self.rays) - 1)
         mark = b.draft.step(Cross(b.fresh("K"), self.knots[1], self.rays[0], self.knots[-1], self.rays[-1]))
+        b.figure.knots.append(mark)
         b.figure.stroke(SCHEME, "string", "0", self.knots[1], mark)
         b.figure.stroke(SCHEME, "string", last, self.knots[-1], mark)
         return mark, total(b, mark)
@@ -91,6 +93,7 @@ def by_strings(b: FreeBody, pole: complex) -> None:
     found = Term(f"N_{last}", O, start, drawn=True)
     parted = Term(f"N_{CLOSING}", O, x, None, closing, b.action(closing))
     b.draft.draw(Equation(b.plan, ((found, b.seek(line, start, x)), (parted,))))
+    b.figure.stroke(b.plan, "ray", CLOSING, at(b.plan, O), at(b.plan, x))
     b.found[line.name] = (start, x)
     b.chain += (Term(line.name, start, x, drawn=True),)
     b.close(anchor)
