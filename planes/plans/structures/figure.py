@@ -1,6 +1,6 @@
 """What is drawn beside the marks of a plan of statics: strings, rays, lines of action, and the signs of supports."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal
@@ -36,7 +36,7 @@ class Figure:
     knots: tuple[str, ...] = ()  # lettered points where lines of action meet
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
     poles: tuple[str, ...] = ()  # marks from which rays are drawn, which are no vectors of a plan
-    regions: bool = False  # whether a plan of forces is lettered by the regions between them (Bow)
+    letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by their places on the scheme, m
 
 
 @dataclass
