@@ -11,12 +11,13 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.words import Lang, say
 from planes.words.lettering import indexed
-from planes.words.names import kind_of, links_of, mu_of
+from planes.words.names import CREMONA, kind_of, links_of, mu_of
 from planes.words.naming import Naming
 from render.labels import rough
 from render.paper.style import LARGER, large
 from render.sheet.module import GAP_MM, MODULE_MM
 from render.views import REMARK_MM, View, paragraph, stacked, view
+from render.views.cremona import Cremona
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
 from render.views.plotted import Plotted, of_position
@@ -147,6 +148,9 @@ class Composer:
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
+        if plan == CREMONA:
+            found = Cremona(plotted, self.naming)
+            return self.once(("plan", plan, plotted.mu(plan)), lambda: view(plan, title, found.drawn(), True))
         polygon = Polygon(plotted, plan, self.naming, counted=self.details, valued=bool(self.scene.sheet.get("values")))
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
         return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title)))
@@ -155,9 +159,12 @@ class Composer:
         """The name of a plan in its title."""
         if kind_of(plan) != "force":
             return say(plan, self.lang)
+        if plan == CREMONA:
+            return say("cremona", self.lang)
         numbers = [self.naming.link(x) for x in links_of(plan) if x]
         driver = self.scene.mechanism and links_of(plan) == (self.scene.mechanism.drive.link,)
-        key = "force_group" if len(numbers) > 1 else "force_driver" if driver else "force_link"
+        alone = "force_driver" if driver else "force_link" if self.scene.mechanism else "force_body"
+        key = "force_group" if len(numbers) > 1 else alone
         return say(key if numbers else "force_any", self.lang, links="–".join(numbers))
 
     def formulas(

@@ -106,6 +106,7 @@ def of_vectors(position: Position, composer: Composer) -> Makers:
         "asked": partial(composer.formulas, plotted, shown, LETTER_MM, "", True),
         "given": tables.given,
         "measured": tables.vectors,
+        "members": tables.members,
         "values": tables.values,
     }
 

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from planes.plans.position.bodies import SCHEME
-from planes.plans.structures.figure import Figure
+from planes.plans.structures.figure import Figure, strains
 from planes.scene.mechanism import Link
-from planes.scene.structures import StaticLoad, Support
+from planes.scene.structures import ALONE, StaticLoad, Support
 from planes.solving import Position
-from planes.words.names import at, label_of
+from planes.words.names import at, label_of, mu_of
 from planes.words.naming import Naming
 from render import labels
 from render.paper import symbols
@@ -22,9 +22,9 @@ from render.views.scheme import Scheme
 from render.views.strings import STRING_MM, drawn_strokes
 
 WHEEL_MM = 0.9  # radius of a roller's wheels
+REGION_MM = 5.0  # letters of regions
 WALL_MM = 14.0  # of a clamp
 SPREAD_MM, SPREAD_GAP_MM = 9.0, 9.0  # how high a distributed load is drawn, and how far apart its arrows stand
-KINDS = {1: "tension", -1: "compression", 0: "idle"}
 
 
 class BodyScheme(Scheme):
@@ -69,9 +69,11 @@ class SpaceDiagram:
     def loads(self) -> Loading:
         """Loads, reactions towards their points, and resultants of composition."""
         plans = self.position.plans
-        bodies = tuple(x for x in plans.mechanism.links if x in plans.acting.forces)
-        loading = Loading(self.position, self.naming, bodies)
+        loading = Loading(self.position, self.naming, () if self.figure.members else tuple(plans.mechanism.links))
         loading.loads(False, from_outside=True)
+        for f in (f for f in plans.acting.forces[ALONE] if f.spot and self.figure.members):
+            way = complex(self.position.drawing[f.along]) * math.copysign(1.0, float(self.position.drawing[f.size]))
+            loading.force(f.name, self.at(f.point), way, from_outside=True)
         for s in self.figure.supports:
             start, end = (self.at(x) for x in plans.vectors[s.name])
             if abs(end - start) > NEAR_MM and not s.to:
@@ -81,22 +83,20 @@ class SpaceDiagram:
         return loading
 
     def knots(self) -> Iterator[labels.Label]:
-        """Letters of the points where lines of action meet."""
+        """Letters of the points where lines of action meet, and of regions."""
+        mu = self.position.scales[mu_of(SCHEME)]
+        for text, z in self.figure.letters.items():
+            yield labels.Label(text, z * mu, REGION_MM, name=f"region {text}")
         for mark in self.figure.knots:
             yield labels.Label(self.naming.point(label_of(mark)), self.at(mark), STRING_MM, clear=0.8, name=mark)
 
     def members(self) -> Iterator[Mark]:
         """The members of a truss, as they are stretched or pressed."""
+        senses = strains(self.figure, self.position.drawing)
         for name, one, other in self.figure.members:
-            sense = KINDS[self.sense(name)]
+            sense = senses.get(name, "idle")
             style = "thin" if sense == "idle" else "thick"
             yield Line((self.at(at(SCHEME, one)), self.at(at(SCHEME, other))), style, name=f"{sense} {name}")
-
-    def sense(self, name: str) -> int:
-        """+1 of a stretched member, -1 of a pressed one, 0 of one that carries nothing."""
-        value = self.position.of("values")[name].number
-        most = max(abs(self.position.of("values")[n].number) for n, _, _ in self.figure.members)
-        return 0 if abs(value) <= 1e-9 * most else int(math.copysign(1, value))
 
     # signs
 

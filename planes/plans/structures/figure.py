@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal
 
+from planes.drafting.drawing import Drawing
 from planes.scene.mechanism import FRAME, Drive, Link, Load, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
 from planes.words.frozen import frozen
@@ -72,3 +73,14 @@ def _links(f: Framework) -> Iterator[tuple[str, dict[str, complex]]]:
     else:
         yield from ((name, {p: f.points[p] for p in points}) for name, points in f.bodies.items())
     yield from ((s.point + s.to, {p: f.points[p] for p in (s.point, s.to)}) for s in f.supports if s.to)
+
+
+Strain = Literal["tension", "compression", "idle"]
+NOTHING = 1e-9  # of the largest force: none
+
+
+def strains(figure: Figure | None, drawing: Drawing) -> dict[str, Strain]:
+    """How every member that was drawn is strained, by the name of its force."""
+    told = {n: float(drawing[n]) for n, _, _ in figure.members if n in drawing} if figure else {}
+    most = max(map(abs, told.values()), default=0.0)
+    return {n: "idle" if abs(v) <= NOTHING * most else "tension" if v > 0 else "compression" for n, v in told.items()}

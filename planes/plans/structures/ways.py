@@ -45,7 +45,7 @@ class WayFinder:
     def plainest(self) -> str:
         """A way that suits."""
         b = self.body
-        if b.couples or not b.forces or (b.anchor and b.anchor.kind == "clamp"):
+        if self.framework.members or b.couples or not b.forces or (b.anchor and b.anchor.kind == "clamp"):
             return "moments"
         if len(b.forces) == 1 and b.supports:
             line = b.lines[0] if b.lines else None
