@@ -192,6 +192,7 @@ class FrameworkBuilder:
         plan = CremonaPlan(self.draft, self.framework, regions, outer)
         if left := plan.draw():
             raise self.error(Phrase("members_unreached", names=tuple(left)), "members")
+        self.figure.said |= dict.fromkeys(plan.joints, "region")
         self.values |= plan.measure()
         self.cremona = plan
 
@@ -214,6 +215,7 @@ class FrameworkBuilder:
             f.supports,
             tuple(x for x in f.loads if x.spread),
             knots=tuple(self.figure.knots),
+            said=self.figure.said,
             poles=tuple(self.figure.poles),
             members=tuple((f"S_{a}{b}", a, b) for a, b in f.members),
             letters=dict(self.cremona.regions.places) if self.cremona else {},

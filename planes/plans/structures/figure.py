@@ -36,6 +36,7 @@ class Figure:
     members: tuple[tuple[str, str, str], ...] = ()
     knots: tuple[str, ...] = ()  # lettered points where lines of action meet
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
+    said: Mapping[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
     poles: tuple[str, ...] = ()  # marks from which rays are drawn, which are no vectors of a plan
     letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by their places on the scheme, m
 
@@ -48,6 +49,7 @@ class FigureDraft:
     results: list[tuple[str, str, str]] = field(default_factory=list)
     knots: list[str] = field(default_factory=list)
     poles: list[str] = field(default_factory=list)
+    said: dict[str, str] = field(default_factory=dict)
 
     def stroke(self, plan: str, kind: StrokeKind, name: str, start: str, end: str) -> None:
         """Add a line, unless it begins where it ends."""

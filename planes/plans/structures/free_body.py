@@ -169,6 +169,7 @@ class FreeBody:
         way = self.draft.ray(SCHEME, anchor.point, label_of(mark))
         self.figure.stroke(SCHEME, "action", "", self.spot(anchor), mark)
         self.meet(line, anchor, way)
+        self.figure.said |= {mark: "meeting", at(self.plan, end_of(line.name)): "three_forces"}
 
     def culmann(self, point: str, along: str, order: tuple[Support, Support, Support]) -> None:
         """A load along a line and three lines: it meets one of them, the others meet, and the line through both
@@ -184,4 +185,5 @@ class FreeBody:
         self.draft.draw(Equation(self.plan, ((*self.chain, terms[0]), (terms[1],))))
         parts = self.seek(two, x, end), self.seek(three, end, POLE)
         self.draft.draw(Equation(self.plan, ((Term(both, x, POLE, drawn=True),), parts)))
+        self.figure.said |= {k: "meeting", m: "meeting", at(self.plan, x): "culmann"}
         self.found |= {one.name: (self.reached, x), two.name: (x, end), three.name: (end, POLE)}

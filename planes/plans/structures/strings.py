@@ -38,6 +38,7 @@ class StringPolygon:
         along = d.aim(f"∠{O}", angle, Meaning("given", O))
         d.lay_off(plan, O, at(plan, POLE), along, d.give(f"|p{O}|", size))
         b.figure.poles.append(at(plan, O))
+        b.figure.said[at(plan, O)] = "rays"
         ends = [POLE, *(t.end for t in b.chain)]
         for k, end in enumerate(ends):
             means = Meaning("along", str(k))
@@ -52,12 +53,14 @@ class StringPolygon:
             b.figure.stroke(SCHEME, "action", "", f.point, knot)
             b.figure.stroke(SCHEME, "string", str(k), self.knots[-1], knot)
             self.knots.append(knot)
+            b.figure.said[knot] = "string"
 
     def resultant(self) -> tuple[str, str]:
         """The mark of the scheme where the outermost strings meet, and the direction of the resultant there."""
         b, last = self.body, str(len(self.rays) - 1)
         mark = b.draft.step(Cross(b.fresh("K"), self.knots[1], self.rays[0], self.knots[-1], self.rays[-1]))
         b.figure.knots.append(mark)
+        b.figure.said[mark] = "outermost"
         b.figure.stroke(SCHEME, "string", "0", self.knots[1], mark)
         b.figure.stroke(SCHEME, "string", last, self.knots[-1], mark)
         return mark, total(b, mark)
@@ -69,6 +72,7 @@ class StringPolygon:
         knot = d.step(Cross(b.fresh(f"{last + 1}"), self.knots[-1], self.rays[-1], spot, along))
         b.figure.stroke(SCHEME, "action", "", spot, knot)
         b.figure.stroke(SCHEME, "string", str(last), self.knots[-1], knot)
+        b.figure.said[knot] = "string"
         b.figure.stroke(SCHEME, "closing", CLOSING, self.knots[0], knot)
         return d.through(f"∥{CLOSING}", self.knots[0], knot, Meaning("along", CLOSING))
 
@@ -94,6 +98,7 @@ def by_strings(b: FreeBody, pole: complex) -> None:
     parted = Term(f"N_{CLOSING}", O, x, None, closing, b.action(closing))
     b.draft.draw(Equation(b.plan, ((found, b.seek(line, start, x)), (parted,))))
     b.figure.stroke(b.plan, "ray", CLOSING, at(b.plan, O), at(b.plan, x))
+    b.figure.said[at(b.plan, x)] = "closing_line"
     b.found[line.name] = (start, x)
     b.chain += (Term(line.name, start, x, drawn=True),)
     b.close(anchor)
