@@ -9,7 +9,7 @@ from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
 from planes.plans import Plans
-from planes.plans.structures.figure import Figure
+from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words.names import at, label_of, parts_of, plan_of
 from planes.words.records import Json
@@ -37,7 +37,7 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
     return {**own, "drawn": drawn_beside(plans.figure, plans) if plans.figure else None}
 
 
-def drawn_beside(figure: Figure, plans: Plans) -> Json:
+def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
     """What is drawn of statics beside links: lines, loads where they act, rollers and walls, and which plan has the
     letters of regions, with the members that are its lines."""
     strokes = [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes]

@@ -10,7 +10,7 @@ from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.rows import reckoned
 from planes.lesson.steps import Names, Said, StepWords, Words
 from planes.plans import Plans
-from planes.plans.structures.figure import Stroke
+from planes.plans.structures.figure import FigureLine
 from planes.words import Lang, say, table
 from planes.words.names import POLE, at, lettered
 from planes.words.units import number
@@ -28,7 +28,7 @@ class StatedWords(StepWords):
         return said if f"lesson_{said}" in table("en") else key, said, {**names, "name": next(strings, "")}
 
     @property
-    def strings(self) -> tuple[Stroke, ...]:
+    def strings(self) -> tuple[FigureLine, ...]:
         """The strings of a figure of statics."""
         return tuple(x for x in self.plans.figure.strokes if x.kind == "string") if self.plans.figure else ()
 

@@ -12,6 +12,7 @@ VECTORS_KEYS = ("vectors", "equations", "values", "mu")
 STATICS_KEYS = ("points", "bodies", "members", "supports", "loads", "method", "pole")
 KINDS = {"frame": MECHANISM_KEYS, "vectors": VECTORS_KEYS, "points": STATICS_KEYS}
 """The keys of a scene, by the one that tells its kind."""
+KEYS = tuple(dict.fromkeys((*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS, *STATICS_KEYS)))
 NEEDED = {"frame": ("frame", "links", "drive"), "vectors": ("vectors", "equations"), "points": ("points",)}
 _EXAMPLES = {
     "frame": "frame: {points: {O: [0, 0]}}",
@@ -29,9 +30,7 @@ def check_outline(reader: Reader, table: SourceTable) -> None:
     version = reader.text(table.entries["planes"], "planes")
     if version != FORMAT:
         raise reader.error(Phrase("other_format", version=shown(version)), table.entries["planes"])
-    reader.table(
-        table, Phrase("the_scene"), tuple(dict.fromkeys((*COMMON_KEYS, *(k for keys in KINDS.values() for k in keys))))
-    )
+    reader.table(table, Phrase("the_scene"), KEYS)
     vectors = next((key for key in VECTORS_KEYS if key in table.entries), None)
     kind = "points" if "points" in table.entries else "vectors" if vectors else "frame"
     own = KINDS[kind]

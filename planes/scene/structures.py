@@ -11,6 +11,8 @@ from planes.words.frozen import field, frozen
 
 SupportKind = Literal["hinge", "roller", "rod", "rope", "clamp"]
 SUPPORT_KINDS: tuple[SupportKind, ...] = get_args(SupportKind)
+SUPPORT_KEYS = ("roller", "rod", "rope")  # with the normal, or the fixed point they lead to
+POLE_KEYS = ("through",)
 METHODS = ("moments", "string", "three-forces", "composition", "culmann")
 STATIC_LOAD_KEYS = ("point", "force", "direction", "body", "moment", "from", "to", "intensity")
 MOST_POINTS = 60
@@ -152,7 +154,7 @@ class _FrameworkReader:
             if kind in ("rod", "rope"):
                 raise reader.error(Phrase("rod_to", what=what, kind=kind), node)
             return Support(kind, point, self.free(f"R_{point}"))  # type: ignore[arg-type]  # one of its words
-        kind = reader.one_of(reader.table(node, what, SUPPORT_KINDS[1:4]), SUPPORT_KINDS[1:4], what)
+        kind = reader.one_of(reader.table(node, what, SUPPORT_KEYS), SUPPORT_KEYS, what)
         if kind == "roller":
             normal = reader.number(node.entries[kind], part(kind, what))
             return Support("roller", point, self.free(f"R_{point}"), normal)
@@ -227,24 +229,8 @@ class _FrameworkReader:
             return None, ()
         if not isinstance(node, SourceTable):
             return self.reader.place(node, section("pole")), ()
-        self.reader.table(node, section("pole"), ("through",))
+        self.reader.table(node, section("pole"), POLE_KEYS)
         names = self.list_of(self.reader.required(node, "through", section("pole")), part("through", section("pole")))
         if len(names) not in (2, 3):
             raise self.reader.error(Phrase("through_count", count=len(names)), node)
         return None, names
-
-
-def apart(places: Mapping[str, complex], members: tuple[tuple[str, str], ...]) -> tuple[str, str] | None:
-    """The names of two members that cross where there is no joint; None where none do."""
-    lines = [("".join(m), places[m[0]], places[m[1]], {*m}) for m in members]
-    for k, (one, a, b, ends) in enumerate(lines):
-        for other, c, d, more in lines[k + 1 :]:
-            if not ends & more and _crossing(a, b, c, d):
-                return one, other
-    return None
-
-
-def _crossing(a: complex, b: complex, c: complex, d: complex) -> bool:
-    """Whether two segments meet between their ends."""
-    sides = [((q - p) * (z - p).conjugate()).imag for p, q, z in ((a, b, c), (a, b, d), (c, d, a), (c, d, b))]
-    return sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0

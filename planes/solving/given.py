@@ -111,11 +111,11 @@ class GivenTable:
         """Every number of the mechanism, or of the vectors."""
         m = self.position.plans.mechanism
         yield from self.vectors()
-        if self.position.plans.figure:
-            yield from self.points()
-            return
-        for point, z in m.frame.points.items():
+        for point, z in (self.position.plans.figure or m.frame).points.items():
             yield from self.place(self.naming.point(point).replace("_{", "").replace("}", ""), z)
+        if self.position.plans.figure:
+            yield from self.loads()
+            return
         for guide in m.frame.guides.values():
             yield from self.frame_guide(guide)
         for link in m.links.values():
@@ -139,15 +139,6 @@ class GivenTable:
             for key, sign, unit in ((f"|{name}|", "", UNIT[kind_of(start)]), (f"angle_∠{name}", "∠", "°")):
                 if key in given and key in drawn and not (unit == "N" and key in self.position.plans.means):
                     yield GivenRow(sign + self.naming.vector(name), float(given[key]), unit, place=bool(sign))
-
-    def points(self) -> Iterator[GivenRow]:
-        """The points of bodies in equilibrium, and their loads."""
-        plans = self.position.plans
-        for name, m in plans.means.items():
-            if m.quantity == "place":
-                z = plans.given[name]
-                yield from self.place(self.naming.point(m.of).replace("_{", "").replace("}", ""), complex(z))
-        yield from self.loads()
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:
         """The coordinates of a place."""

@@ -13,7 +13,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
 from planes.plans.apart import LinkApart, links_apart
 from planes.plans.position.bodies import SCHEME
-from planes.plans.structures.figure import Figure
+from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.words.frozen import frozen, replace
@@ -31,7 +31,7 @@ class Plotted:
     equations: tuple[Equation, ...]
     scales: Mapping[str, float]
     fixed: tuple[str, ...] = ()
-    figure: Figure | None = None
+    figure: StaticsFigure | None = None
 
     def mark(self, plan: str, label: str) -> complex:
         """Where a mark stands, mm from the pole of its plan."""

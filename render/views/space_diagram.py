@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from planes.plans.position.bodies import SCHEME
-from planes.plans.structures.figure import Figure, strains
+from planes.plans.structures.figure import StaticsFigure, strains
 from planes.scene.mechanism import Link
 from planes.scene.structures import ALONE, StaticLoad, Support
 from planes.solving import Position
@@ -47,7 +47,7 @@ class SpaceDiagram:
     def __post_init__(self) -> None:
         plans = self.position.plans
         assert plans.figure
-        self.figure: Figure = plans.figure
+        self.figure: StaticsFigure = plans.figure
         self.scheme = BodyScheme(self.position, self.naming)
         self.places = self.scheme.places
 

@@ -1,7 +1,7 @@
 """The thin lines of statics on a plan: strings and their rays, closing lines, lines of action drawn out."""
 
 from planes.drafting.drawing import Drawing
-from planes.plans.structures.figure import Figure
+from planes.plans.structures.figure import StaticsFigure
 from render import labels
 from render.paper.marks import Line, Mark
 from render.views.plotted import NEAR_MM
@@ -10,7 +10,7 @@ STRING_MM = 3.5  # letters of strings and rays
 STYLES = {"string": "thin", "ray": "thin", "closing": "dash", "culmann": "dash", "action": "construction"}
 
 
-def drawn_strokes(drawing: Drawing, figure: Figure | None, plan: str) -> tuple[list[Mark], list[labels.Label]]:
+def drawn_strokes(drawing: Drawing, figure: StaticsFigure | None, plan: str) -> tuple[list[Mark], list[labels.Label]]:
     """The lines of a plan, with the letters of strings and rays; on a plan of forces the pole has its letter, too."""
     marks, named, poles = list[Mark](), list[labels.Label](), dict[complex, labels.Label]()
     for s in figure.strokes if figure else ():

@@ -17,19 +17,18 @@ from planes.plans.proving import closed
 from planes.plans.record import STILL, Plans
 from planes.plans.scales import unit_scales
 from planes.plans.structures.cremona import CremonaPlan
-from planes.plans.structures.figure import Figure, FigureDraft, as_mechanism
+from planes.plans.structures.figure import FigureDraft, StaticsFigure, as_mechanism
 from planes.plans.structures.free_body import FreeBody
-from planes.plans.structures.regions import Outside, Regions
+from planes.plans.structures.trusses import check_truss, truss_plan
 from planes.plans.structures.ways import WayFinder
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
-from planes.scene.structures import ALONE, Framework, StaticLoad, Support, apart
+from planes.scene.structures import ALONE, Framework, StaticLoad, Support
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import replace
 from planes.words.names import Meaning, at, force_plan, label_of
 
-NOTHING = 1e-9  # of the largest force: none
 BESIDE = "'"  # ends the name of a hinge's force on the body that was found later
 
 
@@ -71,7 +70,7 @@ class FrameworkBuilder:
             self.solve(name)
             self.left.remove(name)
         if self.framework.members:
-            self.truss()
+            self.cremona = self.truss()
         return self.tried(self.plans())
 
     # what is given
@@ -115,25 +114,12 @@ class FrameworkBuilder:
         """Whether reactions are as many as equations."""
         f = self.framework
         if f.members:
-            self.check_truss()
+            check_truss(f, self.error)
         held = sum(s.held for s in f.supports) + 2 * len(self.hinges)
         needed = 3 * len(f.bodies)
         if (f.supports and held != needed) or (not f.supports and len(f.bodies) > 1):
             key = "statics_loose" if held < needed else "statics_redundant"
             raise self.error(Phrase(key, held=held, needed=needed, count=abs(held - needed)), "supports")
-
-    def check_truss(self) -> None:
-        """Whether a truss has as many members and reactions as its joints have equations: 2j = m + r."""
-        f = self.framework
-        joints = {p for m in f.members for p in m}
-        m, r = len(f.members), sum(s.held for s in f.supports)
-        told = {"joints": len(joints), "members": m, "held": r, "count": abs(2 * len(joints) - m - r)}
-        if 2 * len(joints) != m + r:
-            raise self.error(Phrase("truss_loose" if m + r < 2 * len(joints) else "truss_redundant", **told), "members")
-        if loose := [p for p in f.points if p not in joints and p not in f.fixed]:
-            raise self.error(Phrase("joint_loose", names=tuple(loose)), "points")
-        if two := apart(f.points, f.members):
-            raise self.error(Phrase("members_cross", one=two[0], two=two[1]), "members")
 
     def supports_of(self, name: str) -> list[Support]:
         """What holds a body: its supports, and its hinges with bodies that are not solved yet."""
@@ -176,25 +162,14 @@ class FrameworkBuilder:
         drawing = run(program, {**self.draft.given, **{f"mu_{plan}": 1.0 for plan in program.marks}})
         return complex(drawing[end] - drawing[start])
 
-    # a truss
-
-    def truss(self) -> None:
+    def truss(self) -> CremonaPlan:
         """The plan of the members, from loads and reactions."""
         outer = {f.name: f for f in self.forces[ALONE]} | {s.name: self.pushing(s) for s in self.framework.supports}
         sizes = self.sizes | {s.name: self.measured(s.name) for s in self.framework.supports}
-        most = max(map(abs, sizes.values()), default=0.0)
-        forces = [Outside(n, label_of(f.point), sizes[n]) for n, f in outer.items() if abs(sizes[n]) > NOTHING * most]
-        regions = Regions(self.framework, forces)
-        if not forces:
-            raise self.error(Phrase("truss_idle"), "loads")
-        if joint := regions.find():
-            raise self.error(Phrase("joint_inside", name=joint), "members")
-        plan = CremonaPlan(self.draft, self.framework, regions, outer)
-        if left := plan.draw():
-            raise self.error(Phrase("members_unreached", names=tuple(left)), "members")
+        plan = truss_plan(self.draft, self.framework, outer, sizes, self.error)
         self.figure.said |= dict.fromkeys(plan.joints, "region")
         self.values |= plan.measure()
-        self.cremona = plan
+        return plan
 
     def pushing(self, s: Support) -> Force:
         """A reaction that has been found, as a force on the truss."""
@@ -209,10 +184,11 @@ class FrameworkBuilder:
         """The record of what was drawn."""
         d, f = self.draft, self.framework
         program = Program(tuple(d.steps.values()), tuple(closed(d)))
-        figure = Figure(
+        figure = StaticsFigure(
             tuple(self.figure.strokes),
             tuple(self.figure.results),
             f.supports,
+            f.points,
             tuple(x for x in f.loads if x.spread),
             knots=tuple(self.figure.knots),
             said=self.figure.said,

@@ -10,28 +10,29 @@ from planes.scene.mechanism import FRAME, Drive, Link, Load, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
 from planes.words.frozen import frozen
 
-StrokeKind = Literal["string", "ray", "closing", "action", "culmann"]
+LineKind = Literal["string", "ray", "closing", "action", "culmann"]
 
 
 @frozen
-class Stroke:
+class FigureLine:
     """A thin line of a plan from mark to mark, with its letter."""
 
     plan: str
-    kind: StrokeKind
+    kind: LineKind
     name: str
     start: str
     end: str
 
 
 @frozen
-class Figure:
+class StaticsFigure:
     """The lines of all plans, forces that are results of composition by the mark and the direction they act at, the
     supports, and the members of a truss by the names of their forces."""
 
-    strokes: tuple[Stroke, ...] = ()
+    strokes: tuple[FigureLine, ...] = ()
     results: tuple[tuple[str, str, str], ...] = ()
     supports: tuple[Support, ...] = ()
+    points: Mapping[str, complex] = field(default_factory=dict)  # by name, m
     spread: tuple[StaticLoad, ...] = ()
     members: tuple[tuple[str, str, str], ...] = ()
     knots: tuple[str, ...] = ()  # lettered points where lines of action meet
@@ -45,16 +46,16 @@ class Figure:
 class FigureDraft:
     """The same while it is drawn."""
 
-    strokes: list[Stroke] = field(default_factory=list)
+    strokes: list[FigureLine] = field(default_factory=list)
     results: list[tuple[str, str, str]] = field(default_factory=list)
     knots: list[str] = field(default_factory=list)
     poles: list[str] = field(default_factory=list)
     said: dict[str, str] = field(default_factory=dict)
 
-    def stroke(self, plan: str, kind: StrokeKind, name: str, start: str, end: str) -> None:
+    def stroke(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
         """Add a line, unless it begins where it ends."""
         if start != end:
-            self.strokes.append(Stroke(plan, kind, name, start, end))
+            self.strokes.append(FigureLine(plan, kind, name, start, end))
 
 
 def as_mechanism(f: Framework) -> Mechanism:
@@ -81,7 +82,7 @@ Strain = Literal["tension", "compression", "idle"]
 NOTHING = 1e-9  # of the largest force: none
 
 
-def strains(figure: Figure | None, drawing: Drawing) -> dict[str, Strain]:
+def strains(figure: StaticsFigure | None, drawing: Drawing) -> dict[str, Strain]:
     """How every member that was drawn is strained, by the name of its force."""
     told = {n: float(drawing[n]) for n, _, _ in figure.members if n in drawing} if figure else {}
     most = max(map(abs, told.values()), default=0.0)

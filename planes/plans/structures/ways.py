@@ -138,7 +138,8 @@ class WayFinder:
                 raise self.refusal("load_parallel", name=b.lines[0].name)
             b.three_forces(point, along)
         else:
-            b.culmann(point, along, max(permutations(b.lines), key=lambda order: min(self.sharp(load, order))))
+            one, two, three = max(permutations(b.lines), key=lambda order: min(self.sharp(load, order)))
+            b.culmann(point, along, (one, two, three))
 
     def sharp(self, load: complex, order: tuple[Support, ...]) -> Iterator[float]:
         """The sines of the angles at which Culmann's lines meet in an order."""
