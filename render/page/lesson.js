@@ -67,7 +67,7 @@ $("progress").max = String(data.frames.length);
 const { from, to, at } = data.drive;
 Object.assign($("crank"), { min: from, max: to, step: (to - from) / 360, value: at });
 if (!own) document.body.classList.add("within"); // the studio has title and language
-if (!data.moves) document.body.classList.add(data.scheme.drawn ? "standing" : "still"); // no crank; of vectors no scheme
+if (!data.moves) document.body.classList.add(data.scheme.drawn ? "standing" : "still"); // no crank, or no scheme
 function language() {
   zones();
   knobs();

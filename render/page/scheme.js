@@ -79,8 +79,9 @@ export class Scheme extends Drawing {
       for (const x of [-5, 5]) svg("circle", { class: "hinge", cx: x * u, cy: 16 * u, r: 2.6 * u }, node);
       svg("path", { class: "hatch", d: `M${-15 * u} ${19 * u}h${30 * u}` }, node);
       const turn = (s.turn - 90) * Math.PI / 180, c = Math.cos(turn), d = Math.sin(turn);
-      const at = (/** @type {number} */ x, /** @type {number} */ y) => [p[0] + u * (x * c + y * d), p[1] - u * (x * d - y * c)];
-      this.strokes.push([at(0, 0), at(-9, 13)], [at(0, 0), at(9, 13)], [at(-15, 19), at(15, 19)], [at(-9, 13), at(9, 13)]);
+      const at = (/** @type {number} */ x, /** @type {number} */ y) =>
+        [p[0] + u * (x * c + y * d), p[1] - u * (x * d - y * c)];
+      this.strokes.push([at(0, 0), at(-9, 13)], [at(0, 0), at(9, 13)], [at(-15, 19), at(15, 19)]);
     }
   }
   // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
@@ -149,7 +150,8 @@ export class Scheme extends Drawing {
         "data-name": "link:" + l.name }, this.node);
       shape.forEach((p, k, a) => this.strokes.push([p, a[(k + 1) % a.length]]));
     } else if (shape.length === 2) this.line(shape[0], shape[1], cls, "link:" + l.name);
-    if (pts.length > 1 && (!this.data.scheme.drawn || this.data.scheme.drawn.numbered.includes(l.name))) { // the number of the link, at its middle
+    const { drawn } = this.data.scheme, numbered = !drawn || drawn.numbered.includes(l.name);
+    if (pts.length > 1 && numbered) { // the number of the link, at its middle
       const m = [(pts[0][0] + pts[1][0]) / 2, (pts[0][1] + pts[1][1]) / 2], n = distance(pts[0], pts[1]);
       if (n > 34) this.number(l.name, pts[0], pts[1], m, n);
     }

@@ -52,7 +52,7 @@ def columns_of(scene: dict[str, Any]) -> list[tuple[str, str, complex, complex]]
             if kind == "clamp":
                 found.append((f"M_{point}", point, points[point], 0j))
             if kind == "roller":
-                found.append((name, point, points[point], unit(90 if value == "" else value)))
+                found.append((name, point, points[point], unit(90.0 if value == "" else float(value))))
             if kind in ("rod", "rope"):
                 way = points[value] - points[point]
                 found.append((name, point, points[point], way / abs(way)))

@@ -73,7 +73,18 @@ def chained(r: random.Random, method: str) -> str:
     return text + f"method: {method}\n"
 
 
+def arched(r: random.Random, method: str) -> str:
+    """Three hinges, a force on either side of the middle one, a distributed load and a couple."""
+    text = places(A=0j, B=complex(8, r.uniform(-1, 1)), C=complex(r.uniform(3, 5), r.uniform(2, 4)), D=1 + 1j, E=6 + 2j)
+    text += "bodies: {1: [A, D, C], 2: [C, E, B]}\nsupports: {A: hinge, B: hinge}\nloads:\n"
+    for p in "DE":
+        text += f"  - {{point: {p}, force: {r.uniform(1, 9)!r}, direction: {r.uniform(-180, 180)!r}}}\n"
+    text += f"  - {{from: A, to: C, intensity: {r.uniform(1, 3)!r}}}\n  - {{moment: {r.uniform(-5, 5)!r}, body: 2}}\n"
+    return text + f"method: {method}\n"
+
+
 KINDS = [
+    (arched, "moments"),
     (beam, "moments"),
     (beam, "string"),
     (beam, "three-forces"),
@@ -182,6 +193,7 @@ def test_a_truss_says_how_its_members_are_strained() -> None:
 
 
 BAR = "points: {A: [0, 0], B: [4, 0], C: [1, 0], E: [4, 3]}\nbodies: {1: [A, C, B]}\n"
+ARCH = "points: {A: [0, 0], B: [8, 0], C: [4, 3]}\nbodies: {1: [A, C], 2: [C, B]}\nsupports: {A: hinge, B: hinge}\n"
 LOAD = "loads: [{point: C, force: 5, direction: -90}]\n"
 TRIANGLE = "points: {A: [0, 0], B: [4, 0], C: [2, 2], D: [2, 3]}\n"
 PINNED = "supports: {A: hinge, B: roller}\nloads: [{point: C, force: 5, direction: -90}]\n"
@@ -218,6 +230,8 @@ PINNED = "supports: {A: hinge, B: roller}\nloads: [{point: C, force: 5, directio
         (TRIANGLE + "members: [AB, BC, CX]\n" + PINNED, "which two points"),
         (TRIANGLE + "members: [AB, BC, AB]\n" + PINNED, "listed once"),
         (TRIANGLE + "members: [AD, DB, AB, AC, CB]\n" + PINNED, "inside the truss"),
+        (ARCH.replace("C: [4, 3]", "C: [4, 0]"), "lie on one line"),
+        (ARCH.replace("B: hinge", "B: roller"), "this is a mechanism"),
         (BAR + "vectors: {F: {value: 1, direction: 0}}\n", "do not go together"),
     ],
 )

@@ -1,34 +1,34 @@
 """The plans of a scene of statics: one body after another, each as soon as three numbers of its reactions are left."""
 
-import cmath
-import math
 from collections.abc import Iterator
 from functools import cached_property
 
-from planes.drafting.draft import Draft
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.plans.assur.groups import Pair
 from planes.plans.assur.structure import Structure
-from planes.plans.force.loads import Couple, Force, Loads
+from planes.plans.force.loads import Force, Loads
 from planes.plans.passive_motion import LinkValues
-from planes.plans.position.bodies import SCHEME, BodyPoint
+from planes.plans.position.bodies import SCHEME
 from planes.plans.proving import closed
 from planes.plans.record import STILL, Plans
 from planes.plans.scales import unit_scales
+from planes.plans.structures.arch import Arch
 from planes.plans.structures.cremona import CremonaPlan
-from planes.plans.structures.figure import FigureDraft, StaticsFigure, as_mechanism
+from planes.plans.structures.figure import StaticsFigure, as_mechanism
 from planes.plans.structures.free_body import FreeBody
+from planes.plans.structures.stated_loads import StatedLoads
 from planes.plans.structures.trusses import check_truss, truss_plan
 from planes.plans.structures.ways import WayFinder
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
-from planes.scene.structures import ALONE, Framework, StaticLoad, Support
+from planes.scene.structures import ALONE, Framework, Support
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import replace
-from planes.words.names import Meaning, at, force_plan, label_of
+from planes.words.names import Meaning, at, force_plan
 
+NOTHING = 1e-9  # the sine of the angle of lines that run alike
 BESIDE = "'"  # ends the name of a hinge's force on the body that was found later
 
 
@@ -40,24 +40,8 @@ def framework_plans(scene: Scene, framework: Framework) -> Plans:
         raise SceneError(error.phrase, scene.file, scene.where.get(("points",))) from None
 
 
-class FrameworkBuilder:
+class FrameworkBuilder(StatedLoads):
     """Draws the bodies of a framework."""
-
-    def __init__(self, scene: Scene, framework: Framework) -> None:
-        self.scene, self.framework = scene, framework
-        self.draft, self.figure = Draft(), FigureDraft()
-        self.forces: dict[str, list[Force]] = {name: [] for name in framework.bodies}
-        self.couples: dict[str, list[Couple]] = {name: [] for name in framework.bodies}
-        self.left = list(framework.bodies)
-        self.cremona: CremonaPlan | None = None
-        self.spans: dict[str, tuple[str, str]] = {}
-        self.values: dict[str, str] = {}
-        self.sizes: dict[str, complex] = {}  # of known forces in N, by which a way and a pole are chosen
-
-    def error(self, phrase: Phrase, *path: str) -> SceneError:
-        """A refusal that points at the line of what it speaks of."""
-        where = self.scene.where
-        return SceneError(phrase, self.scene.file, where.get(path, where.get(("points",))))
 
     def build(self) -> Plans:
         """All bodies; then the members of a truss."""
@@ -66,37 +50,13 @@ class FrameworkBuilder:
         while self.left:
             name = next((n for n in self.left if sum(s.held for s in self.supports_of(n)) <= 3), None)
             if name is None:
-                raise self.error(Phrase("bodies_together", names=tuple(self.left)), "bodies")
+                self.arch()
+                continue
             self.solve(name)
             self.left.remove(name)
         if self.framework.members:
             self.cremona = self.truss()
         return self.tried(self.plans())
-
-    # what is given
-
-    def place(self) -> None:
-        """Points of the scheme, and loads at them."""
-        d, f = self.draft, self.framework
-        d.pole(SCHEME)
-        for name, z in f.points.items():
-            d.put(SCHEME, name, z)
-        for load in f.loads:
-            if load.direction_deg is None:
-                value = d.give(f"|{load.name}|", load.size, Meaning("couple", load.name, link=load.body))
-                self.couples[load.body].append(Couple(load.name, load.body, value))
-            else:
-                self.force(load, load.direction_deg)
-
-    def force(self, load: StaticLoad, angle: float) -> None:
-        """A force at its point, or at one of its own: the middle of what it is the resultant of."""
-        d = self.draft
-        size = d.give(f"|{load.name}|", load.size, Meaning("load", load.name, link=load.body))
-        along = d.aim(f"∠{load.name}", angle, Meaning("given", load.name))
-        mark = at(SCHEME, load.point) if load.point else d.put(SCHEME, f"_{load.name}", load.place, Meaning("moved"))
-        spot = BodyPoint(label_of(mark), load.point)
-        self.forces[load.body].append(Force(load.name, load.body, size, along, mark, "load", spot))
-        self.sizes[load.name] = load.size * cmath.rect(1.0, math.radians(angle))
 
     @cached_property
     def hinges(self) -> dict[str, tuple[str, str]]:
@@ -138,14 +98,37 @@ class FrameworkBuilder:
     def solve(self, name: str) -> None:
         """The plan of a body, and what it hands to the bodies it hangs on."""
         plan = force_plan(*([name] if len(self.framework.bodies) > 1 else []))
-        supports = self.supports_of(name)
-        body = FreeBody(self.draft, self.figure, name, plan, self.forces[name], self.couples[name], supports)
+        body = self.body(name, plan, self.supports_of(name))
         WayFinder(self.scene, self.framework, body, self.sizes).draw()
         self.spans |= {n: (at(plan, a), at(plan, b)) for n, (a, b) in body.found.items()}
         if body.anchor and body.anchor.kind == "clamp":
             self.values[f"M_{body.anchor.point}"] = f"M_{body.anchor.point}"
         for s in self.shared(name):
             self.hand(s, next(n for n in self.hinges[s.point] if n != name))
+
+    def body(self, name: str, plan: str, supports: list[Support]) -> FreeBody:
+        """A body by itself."""
+        return FreeBody(self.draft, self.figure, name, plan, self.forces[name], self.couples[name], supports)
+
+    def arch(self) -> None:
+        """Two bodies that can be solved only together: on a hinge of the ground each, and in one with each other."""
+        for point, names in self.hinges.items():
+            held = [[s for s in self.supports_of(x) if s.point != point] for x in names]
+            if {*names} <= {*self.left} and all([s.kind for s in own] == ["hinge"] for own in held):
+                springings = [s for own in held for s in own if s.point not in self.hinges]
+                if len(springings) == 2:
+                    break
+        else:
+            raise self.error(Phrase("bodies_together", names=tuple(self.left)), "bodies")
+        flat = [springings[0].point, point, springings[1].point]
+        a, c, b = (self.framework.points[x] for x in flat)
+        if abs(((a - c) * (b - c).conjugate()).imag) <= NOTHING * abs(a - c) * abs(b - c):
+            raise self.error(Phrase("arch_flat", names=tuple(flat)), "points")
+        plan = force_plan(*(names if len(self.framework.bodies) > 2 else []))
+        bodies = [self.body(x, plan, own) for x, own in zip(names, held, strict=True)]
+        spans = Arch(*bodies, Support("hinge", point, f"R_{point}")).draw()
+        self.spans |= {n: (at(plan, start), at(plan, end)) for n, (start, end) in spans.items()}
+        self.left = [x for x in self.left if x not in names]
 
     def hand(self, s: Support, other: str) -> None:
         """The reaction of a hinge, the other way, on the body there."""
