@@ -4,11 +4,11 @@ clockwise around the joint, points away from it. Where two members reach no regi
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 from planes.drafting.draft import Draft, Moments
-from planes.drafting.equations import Term
+from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Drop, Product
 from planes.plans.force.loads import Force
@@ -42,6 +42,8 @@ class CremonaPlan:
                 break
             self.drawn.append(region)
             left.pop(region)
+        if not left:
+            self.close()
         return ["".join(m) for m in self.framework.members if {*self.sides(m)} & left.keys()]
 
     def outside(self) -> None:
@@ -53,6 +55,9 @@ class CremonaPlan:
                 self.draft.lay(CREMONA, Term(f.name, start, end, force.size, force.along, means=force.means))
             self.draft.show(CREMONA, start, end, f.name)
             self.drawn.append(start)
+        ordered = [(f.name, self.regions.before[f.name], self.regions.after[f.name]) for f in self.regions.ordered]
+        *chain, last = [Term(*one, drawn=True) for one in ordered]
+        self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
 
     def sides(self, member: Side) -> tuple[str, str]:
         """The regions on the left and on the right of a member, gone through from its first joint."""
@@ -72,11 +77,49 @@ class CremonaPlan:
         pairs = [p for p in combinations(self.around(region), 2) if self.sine(p[0][0], p[1][0]) > ALIKE]
         pairs.sort(key=lambda p: not {*p[0][0]} & {*p[1][0]})
         for (one, start), (two, other) in pairs[:1]:
-            rays = (self.draft.ray(SCHEME, *m) for m in (one, two))
-            (along, across), mark = rays, at(CREMONA, region)
-            self.draft.step(Cross(mark, at(CREMONA, start), along, at(CREMONA, other), across))
-            self.joints[mark] = next(iter({*one} & {*two}), "")
+            joint = next(iter({*one} & {*two}), "")
+            self.joints[at(CREMONA, region)] = joint
+            if joint and self.balanced(joint, region):
+                continue
+            along, across = (self.draft.ray(SCHEME, *m) for m in (one, two))
+            self.draft.step(Cross(at(CREMONA, region), at(CREMONA, start), along, at(CREMONA, other), across))
         return bool(pairs)
+
+    def balanced(self, joint: str, region: str) -> bool:
+        """The polygon of a joint by which a region is drawn, if that is all that is not known of it."""
+        terms = self.regions.around_joint(joint)
+        if {x for _, *ends in terms for x in ends} - {*self.drawn, region}:
+            return False
+        first = next(k for k, (_, start, _) in enumerate(terms) if start == region)
+        *chain, last = [self.term(*one, open_=region in one[1:]) for one in (*terms[first + 1 :], *terms[: first + 1])][
+            :
+        ]
+        known, one = tuple(chain[:-1]), chain[-1]
+        back = replace(last, start=last.end, end=last.start, sign=-last.sign)
+        self.draft.draw(Equation(CREMONA, ((*known, one), (back,))))
+        return True
+
+    def term(self, name: str, start: str, end: str, open_: bool) -> Term:
+        """A force around a joint from region to region: drawn before, or a member of which the line is known."""
+        member = next((m for m in self.framework.members if f"S_{m[0]}{m[1]}" == name), None)
+        sign = 1 if member is None or self.sides(member) == (start, end) else -1
+        if member is None or not open_:
+            return Term(name, start, end, drawn=True, sign=sign)
+        along = self.draft.ray(SCHEME, *member)
+        return Term(name, start, end, None, along, f"∥{member[0]}{member[1]}", sign=sign)
+
+    def close(self) -> None:
+        """The polygons of members that no joint was drawn for; each is closed by one of them."""
+        told = {t.name for e in self.draft.equations if e.plan == CREMONA for t in e.terms}
+        for a, b in self.framework.members:
+            name = f"S_{a}{b}"
+            if name not in told:
+                terms = self.regions.around_joint(a)
+                k = next(k for k, one in enumerate(terms) if one[0] == name)
+                chain = [self.term(*one, open_=False) for one in (*terms[k + 1 :], *terms[:k])]
+                last = self.term(*terms[k], open_=False)
+                self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
+                told |= {t.name for t in chain} | {name}
 
     def sine(self, one: Side, two: Side) -> float:
         """The sine of the angle between two members."""

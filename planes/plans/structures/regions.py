@@ -93,6 +93,19 @@ class Regions:
         """The middle of a region's corners."""
         return sum(self.framework.points[a] for a, _ in face) / len(face)
 
+    def around_joint(self, joint: str) -> list[tuple[str, str, str]]:
+        """Every force on a joint clockwise: its name, and the regions before and after it."""
+        found = [(f.name, self.before[f.name], self.after[f.name]) for f in self.forces if f.joint == joint]
+        for a, b in (m for m in self.framework.members if joint in m):
+            other = b if a == joint else a
+            found.append((f"S_{a}{b}", self.right[other, joint], self.right[joint, other]))
+        ordered, left = found[:1], found[1:]
+        while left:
+            after = next((x for x in left if x[1] == ordered[-1][2]), left[0])
+            ordered.append(after)
+            left.remove(after)
+        return ordered
+
     # outside
 
     def around(self, outer: list[Side]) -> None:

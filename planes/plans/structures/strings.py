@@ -36,7 +36,7 @@ class StringPolygon:
         b, d, plan = self.body, self.body.draft, self.body.plan
         size, angle = abs(self.pole), math.degrees(cmath.phase(self.pole))
         along = d.aim(f"∠{O}", angle, Meaning("given", O))
-        d.lay_off(plan, O, at(plan, POLE), along, d.give(f"|p{O}|", size))
+        d.lay_off(plan, O, at(plan, POLE), along, d.give(f"|p{O}|", size), Meaning("special"))
         b.figure.poles.append(at(plan, O))
         b.figure.said[at(plan, O)] = "rays"
         ends = [POLE, *(t.end for t in b.chain)]
