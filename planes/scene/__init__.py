@@ -23,7 +23,7 @@ from planes.scene.vectors import Statement, VectorGiven, read_statement
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
-from planes.words.names import latin
+from planes.words.names import CREMONA, latin
 from planes.words.records import Pictured
 from planes.words.units import Convention, mu_text
 
@@ -168,6 +168,7 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
     mu, quantity = settings.read_plans(reader, reader.optional(table, "plans")), None
     if of_vectors:
         mu, quantity = settings.read_vector_mu(reader, table, mu)
+    mu = {**mu, CREMONA: mu["force"]} if statics else mu
     if "note" in table.entries and "text" in table.entries:
         reader.one_of(table, ("note", "text"), Phrase("the_scene"))
     said = {key: reader.optional(table, key) for key in ("title", "note", "missing")}

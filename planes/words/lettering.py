@@ -8,7 +8,7 @@ it), "B°s" (where a driver's stroke is counted from); a direction "∥CL", "⊥
 import re
 
 from planes.words import Phrase, Told
-from planes.words.names import CREMONA, kind_of, label_of, letter_of, links_of, written
+from planes.words.names import kind_of, label_of, letter_of, links_of, written
 
 _SPELLED = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta", "rho")
 GREEK = dict(zip(_SPELLED, "ωεφαβγδψθρ", strict=True))
@@ -83,8 +83,8 @@ def line_in_words(along: str, start: str) -> Phrase:
 
 def plan_phrase(plan: str) -> Phrase:
     """The name of a plan in words."""
-    if plan in ("force", CREMONA):
-        return Phrase("plan_forces" if plan == "force" else "plan_cremona")
+    if plan == "force":
+        return Phrase("plan_forces")
     links = links_of(plan)
     if kind_of(plan) == "force" and len(links) == 1:
         return Phrase("plan_force_alone", links=links[0])

@@ -37,7 +37,7 @@ export class Plan extends Lensed {
     const begun = (/** @type {Segment} */ s) => !force ||
       s.names.some((/** @type {string} */ n) => born(n, key) <= upto);
     for (const s of this.data.segments) if (s.plan === key && begun(s)) this.segment(s, there, lit, force, names);
-    const drawn = this.data.scheme.drawn, lettered = drawn && drawn.members.length && key === "force:S";
+    const drawn = this.data.scheme.drawn, lettered = drawn && drawn.members.length && key === "cremona";
     if (drawn) this.strokesOf(drawn, key, there);
     if (lever) this.lever(there);
     if (this.shifted) this.remark();

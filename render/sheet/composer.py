@@ -27,9 +27,17 @@ from render.views.space_diagram import SpaceDiagram
 from render.views.special_points import special_points
 from render.views.tables import Tables
 
-RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1}
+RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1, "cremona": 2}
 """Of kinds of plans that are shown beside the scheme: rates first."""
-MU = {"position": "l", "contour": "l", "velocity": "v", "acceleration": "a", "force": "F", "motion": "q"}
+MU = {
+    "position": "l",
+    "contour": "l",
+    "velocity": "v",
+    "acceleration": "a",
+    "force": "F",
+    "cremona": "F",
+    "motion": "q",
+}
 """The index of μ by the kind of plans; velocities of a unit drive have a q."""
 NOTE_MM = tuple(share * MODULE_MM - GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4))
 """How wide the lines of a note may be, the shape liked best first."""
@@ -159,8 +167,6 @@ class Composer:
         """The name of a plan in its title."""
         if kind_of(plan) != "force":
             return say(plan, self.lang)
-        if plan == CREMONA:
-            return say("cremona", self.lang)
         numbers = [self.naming.link(x) for x in links_of(plan) if x]
         driver = self.scene.mechanism and links_of(plan) == (self.scene.mechanism.drive.link,)
         alone = "force_driver" if driver else "force_link" if self.scene.mechanism else "force_body"
