@@ -48,7 +48,7 @@ export class Plan extends Lensed {
       if (q && m.startsWith(key + ":")) svg("circle", { cx: q[0], cy: q[1], r: 5.5, class: "fresh" }, this.node);
     }
     if (lever && frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], frame.terms);
-    if (pole && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
+    if (pole && !lettered && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
     if (force) for (const [a, b, n] of names) if (!lettered || !drawn.members.includes(n[0])) this.along(a, b, n, key);
     if (!force || lettered) for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q,
       this.fixed(g.names, key), key);
