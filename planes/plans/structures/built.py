@@ -125,8 +125,8 @@ class FrameworkBuilder(StatedLoads):
         if abs(((a - c) * (b - c).conjugate()).imag) <= NOTHING * abs(a - c) * abs(b - c):
             raise self.error(Phrase("arch_flat", names=tuple(flat)), "points")
         plan = force_plan(*(names if len(self.framework.bodies) > 2 else []))
-        bodies = [self.body(x, plan, own) for x, own in zip(names, held, strict=True)]
-        spans = Arch(*bodies, Support("hinge", point, f"R_{point}")).draw()
+        one, two = (self.body(x, plan, own) for x, own in zip(names, held, strict=True))
+        spans = Arch(one, two, Support("hinge", point, f"R_{point}")).draw()
         self.spans |= {n: (at(plan, start), at(plan, end)) for n, (start, end) in spans.items()}
         self.left = [x for x in self.left if x not in names]
 
