@@ -50,6 +50,7 @@ SPOILS = ("scan", "scan", "phone", "phone", "night", "folds", "coffee", "red", "
 SPOILS = (*SPOILS, "squared", "lined", "cream")
 MISTAKES = ("catalogue", "length", "angle", "offset", "mirrored", "scale", "two")
 MOVED_MM = 5.0  # what a mistake moves at least
+SHOWN_MM = 25.0  # what is drawn at least: a polygon without its only force is an empty sheet
 
 
 @dataclass(frozen=True)
@@ -353,6 +354,11 @@ def taken(colour: Any, spoil: str, rng: random.Random) -> Any:
     return np.rot90(out, rng.choice((1, 2, 3))).copy() if spoil == "turned" else out
 
 
+def _mm(at: Mapping[str, complex], bench: PreparedPlan) -> float:
+    """How much is drawn, mm."""
+    return sum(abs(at[a] - at[b]) for a, b in lines_of(bench))
+
+
 def made(k: int, seed: str, folder: Path, fonts: Sequence[Path]) -> dict[str, Any]:
     """The picture of a number, made now or before, with what it shows."""
     file = folder / f"{seed}-{k:04}.jpg"
@@ -364,7 +370,12 @@ def made(k: int, seed: str, folder: Path, fonts: Sequence[Path]) -> dict[str, An
         bench, kind = rng.choice(benches()), "right" if k % 2 else rng.choice(MISTAKES)
         spoilt = Spoilt() if kind == "right" else spoiled(bench, kind, rng)
         drawn = spoilt and places(bench, spoilt, rng)
-        if spoilt and drawn and all(abs(z) < 100 for z in drawn.values()):
+        if (
+            spoilt
+            and drawn
+            and all(abs(z) < 100 for z in drawn.values())
+            and _mm({POLE: 0j, **drawn}, bench) > SHOWN_MM
+        ):
             break
     spoil = rng.choice(SPOILS)
     cv2.imwrite(

@@ -12,10 +12,9 @@ from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, var
 from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.remedies import asking, told_to
 from planes.check.grading.sign_faults import SignFault
-from planes.check.grading.signs import exchanged
+from planes.check.grading.signs import NEAR, exchanged, plan_scaled
 from planes.check.grading.written_numbers import Account, account
 from planes.plans.quantities import catalogue
-from planes.plans.scales import fitting
 from planes.words import Phrase, Written, under
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
@@ -24,7 +23,6 @@ from planes.words.records import Described
 
 # what is so far, and half as far as it is long, from where steps lead is not called right, if errors may be so large
 ASTRAY_MM = 4.0
-NEAR = 0.02  # how near a scale told by vectors is to a standard one that is meant
 STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
 
 
@@ -130,26 +128,22 @@ def check(asked: Asked, paper: ReadPaper) -> Outcome:
     out = Outcome(bench, paper, notes=list(paper.notes))
     try:
         _look(out)
-        if paper.mu and not asked.mu and not out.mistake and (said := _at_another_scale(asked, out)):
-            out.unreadable, out.notes = (said, out.notes) if out.unreadable else (None, [*out.notes, said])
+        if paper.mu and not asked.mu and not (out.mistake or paper.signs):
+            out = _at_its_scale(asked, out) or out
     except PlanesError as error:
         out.unreadable = error.phrase if isinstance(error.phrase, Phrase) else asking("check_nothing_read", names="")
     return out
 
 
-def _at_another_scale(asked: Asked, out: Outcome) -> Phrase | None:
-    """At which scale a drawing is right that is not so at its sheet's: what all its vectors show, a standard one if it
-    is near to that."""
-    paper = out.paper.rescaled or out.paper
-    free = grade(prepare(asked), paper) if paper.spots and out.verdict in ("wrong", "unreadable") else None
+def _at_its_scale(asked: Asked, out: Outcome) -> Outcome | None:
+    """What is not right at its sheet's scale, and is at the one that all its vectors show, as it is there."""
+    free = grade(prepare(asked), out.paper) if out.paper.spots and out.verdict in ("wrong", "unreadable") else None
     if free is None or abs(free.mu / out.bench.said_mu - 1) <= NEAR or free.fault or readable(free):
         return None
-    near = fitting(asked.plan, 1.0, free.mu * (1 + NEAR))
-    for mu in (near, free.mu):
-        if abs(mu / free.mu - 1) <= NEAR and check(replace(asked, mu=mu), paper).verdict in ("right", "right_as_seen"):
-            drawn, said = (out.bench.mu_said(float(f"{one:.3g}")) for one in (mu, out.bench.said_mu))
-            return Phrase("check_other_scale", drawn=drawn, said=said)
-    return None
+    paper = replace(out.paper, signs=[plan_scaled(out.bench, free.mu)])
+    scaled = Outcome(out.bench.at(free.mu, told=True), paper, notes=list(paper.notes))
+    _look(scaled)
+    return None if scaled.unreadable or (scaled.grading and scaled.grading.fault) else scaled
 
 
 def _look(out: Outcome) -> None:

@@ -14,12 +14,13 @@ from planes.crank_slider.given import FOUR, UNITS
 from planes.crank_slider.parts import STEELS
 from planes.crank_slider.reading import KEYS as CRANK_SLIDER_KEYS
 from planes.crank_slider.reading_table import INDICATOR
-from planes.scene import COMMON_KEYS, MECHANISM_KEYS, VECTORS_KEYS
 from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS
 from planes.scene.motion import DRIVE_KEYS, LOAD_KEYS, ORDERS
+from planes.scene.outline import KEYS, NEEDED
 from planes.scene.settings import SHEET_KEYS, SHEET_LISTS, SHEET_NUMBERS, SHEET_WORDS, YES_OR_NO
+from planes.scene.structures import METHODS, POLE_KEYS, STATIC_LOAD_KEYS, SUPPORT_KEYS, SUPPORT_KINDS
 from planes.scene.vectors import VECTOR_KEYS
 from planes.words import Lang, langs, say, under
 from planes.words.records import Json
@@ -80,11 +81,12 @@ class Schemas:
         return {**form, "description": self.told[f"{what}_{key}"]}
 
     def scene(self) -> Json:
-        """The scene: a mechanism, or vectors."""
-        forms = self.common() | self.mechanism() | self.vectors()
-        keys = (*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS)
-        needs = [{"required": ["frame", "links", "drive"]}, {"required": ["vectors", "equations"]}]
-        return {**self.of("scene", keys, forms, ("planes",)), "anyOf": needs}
+        """The scene: a mechanism, vectors, or bodies in equilibrium."""
+        mechanism, statics = self.mechanism(), self.statics()
+        loads = one_of(mechanism["loads"], statics["loads"])
+        forms = self.common() | mechanism | self.vectors() | statics | {"loads": loads}
+        needs = [{"required": [*keys]} for keys in NEEDED.values()]
+        return {**self.of("scene", KEYS, forms, ("planes",)), "anyOf": needs}
 
     def common(self) -> Json:
         """What either scene may have."""
@@ -142,6 +144,21 @@ class Schemas:
         vector = one_of(self.of("vector", VECTOR_KEYS, {"similar": TEXT, "as": many(TEXT, 2)}), EMPTY)
         equations, values = one_of(TEXT, many(one_of(TEXT, named(TEXT)))), named(NUMBER)
         return {"vectors": named(vector), "equations": equations, "values": values, "mu": TEXT}
+
+    def statics(self) -> Json:
+        """The parts of a scene of bodies in equilibrium."""
+        support = one_of(words_of(SUPPORT_KINDS), self.of("support", SUPPORT_KEYS, {"rod": NAME, "rope": NAME}))
+        load = dict.fromkeys(("point", "from", "to", "body"), NAME) | {"intensity": one_of(NUMBER, PAIR)}
+        pole = one_of(self.place(), self.of("pole", POLE_KEYS, {"through": many(NAME, 2)}, POLE_KEYS))
+        return {
+            "points": named(one_of(PAIR, self.place())),
+            "bodies": named(many(NAME)),
+            "members": many(one_of(TEXT, many(NAME, 2))),
+            "supports": named(one_of(support, many(support))),
+            "loads": many(self.of("static_load", STATIC_LOAD_KEYS, load), 0),
+            "method": words_of(METHODS),
+            "pole": pole,
+        }
 
     def sheet(self) -> Json:
         """What stands on the sheet."""

@@ -60,8 +60,9 @@ class Teller:
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
         put: list[s.Step] = [step for step in self.drawing.program.steps if isinstance(step, s.Put) and step.at]
-        fixed: Names = {"names": ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put)}
-        found = [self.frame("fixed", "position", tuple(p.makes for p in put), names=fixed)] if put else []
+        fixed: Names = {"names": ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)}
+        key = "points" if self.plans.figure else "fixed"
+        found = [self.frame(key, "position", tuple(p.makes for p in put), names=fixed)] if put else []
         readings: list[s.Step] = []
         for step in self.drawing.program.steps:
             if step.makes in self.moments or step.makes in self.rates:
@@ -117,7 +118,7 @@ class Teller:
         index, found = self.equation_of(plan, makes)
         rows = tuple(row for said in names.values() if isinstance(said, tuple) for row in said)
         own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT.finditer(said))
-        scale = [("k", mu_of(plan))] if key in ("pole", "fixed") else []
+        scale = [("k", mu_of(plan))] if key in ("pole", "fixed", "points") else []
         numbers = (*scale, *own, *(n for row in rows for n in row.slots()))
         names = {**names, "mu": partial(mu_said, plan, convention=self.convention)}
 
@@ -154,7 +155,8 @@ class Teller:
         if self.plans.moves and not any(f.plan in ("velocity", "acceleration") for f in before):
             rates = []
         if not self.plans.moves:
-            return [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
+            found = [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
+            return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]
         crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
         plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
         found = [*self.stating.turns(rates, plan, self.frame)]

@@ -86,6 +86,7 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     # directions of guides, and of the forces in moment equations
     ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
     loaded = [*arms(plans), *told.teller.bodies.drawn.values()]
+    ways += [f.along for forces in plans.acting.forces.values() for f in forces if plans.figure and f.spot]
     ways += [line.along for c in plans.centres for line in c.lines]
     ways += [f["along"] for one in loaded for f in one["forces"]]
     sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
@@ -134,7 +135,7 @@ def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
     fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
     return {
         "key": plan,
-        "links": list(links_of(plan)) if kind_of(plan) == "force" else [],
+        "links": [x for x in links_of(plan) if x in plans.mechanism.links or plans.moves] * (kind_of(plan) == "force"),
         "mu": in_both(partial(mu_said, plan, convention=convention)),
         "title": in_both(partial(title_of, plan)),
         "fixed": fixed,
@@ -146,7 +147,9 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     found: dict[tuple[str, str, str], Json] = {}
     named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
     for s in plans.segments:
-        if s.start != s.end and s.plan not in ("position", "motion") and at(s.plan, s.end) in drawing:
+        rays = plans.figure.poles if plans.figure else ()
+        shown = s.plan not in ("position", "motion") and at(s.plan, s.start) not in rays
+        if s.start != s.end and shown and at(s.plan, s.end) in drawing:
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
             new["corner"] = at(s.plan, s.end) in drawing.program.corners
             names = found.setdefault((s.plan, s.start, s.end), new)["names"]

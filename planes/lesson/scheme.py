@@ -9,6 +9,7 @@ from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
 from planes.plans import Plans
+from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words.names import at, label_of, parts_of, plan_of
 from planes.words.records import Json
@@ -32,7 +33,23 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
             if mark in drawing:
                 guides.append({"name": g.name, "link": link.name, "mark": mark})
     fixed = [at("position", p) for p in pivots(m)]
-    return {"links": links, "guides": guides, "pivots": fixed, "driver": m.drive.link, "frame": FRAME}
+    own = {"links": links, "guides": guides, "pivots": fixed, "driver": m.drive.link, "frame": FRAME}
+    return {**own, "drawn": drawn_beside(plans.figure, plans) if plans.figure else None}
+
+
+def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
+    """What is drawn of statics beside links: lines, loads where they act, rollers and walls, and which plan has the
+    letters of regions, with the members that are its lines."""
+    strokes = [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes]
+    loads = [
+        {"name": f.name, "mark": f.point, "along": f.along, "size": f.size}
+        for forces in plans.acting.forces.values()
+        for f in forces
+        if f.spot
+    ]
+    signs = [{"kind": s.kind, "mark": at("position", s.point), "turn": s.normal_deg} for s in figure.supports]
+    members = [name for name, _, _ in figure.members]
+    return {"strokes": strokes, "loads": loads, "signs": signs, "members": members, "numbered": [*figure.numbered]}
 
 
 def pivots(m: Mechanism) -> list[str]:

@@ -10,6 +10,7 @@ from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.rows import reckoned
 from planes.lesson.steps import Names, Said, StepWords, Words
 from planes.plans import Plans
+from planes.plans.structures.figure import FigureLine
 from planes.words import Lang, say, table
 from planes.words.names import POLE, at, lettered
 from planes.words.units import number
@@ -19,6 +20,20 @@ class StatedWords(StepWords):
     """Finds the words of the steps of one drawing of stated vectors."""
 
     def of(self, step: s.Step) -> Words:
+        key, reason, names = self.plain(step)
+        said = self.plans.figure.said.get(step.makes) if self.plans.figure else None
+        if said is None:
+            return key, reason, names
+        strings = (x.name for x in self.strings if x.end == step.makes)
+        return said if f"lesson_{said}" in table("en") else key, said, {**names, "name": next(strings, "")}
+
+    @property
+    def strings(self) -> tuple[FigureLine, ...]:
+        """The strings of a figure of statics."""
+        return tuple(x for x in self.plans.figure.strokes if x.kind == "string") if self.plans.figure else ()
+
+    def plain(self, step: s.Step) -> Words:
+        """The words of a step by its kind alone."""
         match step:
             case s.Put():
                 return "pole", "pole_stated", {}

@@ -181,7 +181,8 @@ class StepWords:
     def vector(self, step: s.LayOff) -> str:
         """The name of the vector a step lays off."""
         plan, label = plan_of(step.makes), label_of(step.makes)
-        terms = [t.name for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
+        ends = [t for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
+        terms = [t.name for t in sorted(ends, key=lambda t: t.start != label_of(step.start))]
         segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
         return (terms or segments or [label])[0]
 

@@ -18,6 +18,7 @@ from planes.plans.motion.legs import SlideReading
 from planes.plans.other_leads import Leads, Restating
 from planes.plans.passive_motion import LinkValues, values_of
 from planes.plans.position.decimals import AsWritten, Lost
+from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen
@@ -66,6 +67,7 @@ class Plans:
     passive: tuple[Link, ...] = ()  # that hold what is held already: the mechanism is stated without them
     vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: the marks they run between
     values: Mapping[str, str] = field(default_factory=dict)  # reckoned from them: their names in the program
+    figure: StaticsFigure | None = None  # of bodies in equilibrium: what is drawn beside the marks
     centres: tuple[Centre, ...] = ()  # of links, where they are asked for, and what is checked by them
     checks: tuple[Check, ...] = ()
 
@@ -99,7 +101,7 @@ class Plans:
     @property
     def moves(self) -> bool:
         """Whether there is a mechanism: what moves has other positions."""
-        return bool(self.mechanism.links)
+        return self.mechanism.drive.link != FRAME
 
     @cached_property
     def drive_given(self) -> str:

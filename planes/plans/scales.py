@@ -14,7 +14,7 @@ from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.units import standard_mu, standard_scale
 
 FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
-FIT_MM |= {"contour": 100.0, "vectors": 100.0}
+FIT_MM |= {"contour": 100.0, "vectors": 100.0, "cremona": 140.0}
 """How large a plan may be on the paper when nothing else is said."""
 SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 """How large plans are on a format that a scene names, against the usual: as its sides are."""

@@ -14,30 +14,20 @@ from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import FRAME, Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_loads
+from planes.scene.outline import MECHANISM_KEYS, check_outline
 from planes.scene.parameters import TOLD, choose, read_laws, read_parameters, read_variants, used_values, with_numbers
 from planes.scene.reader import Reader, entries_of, line_of
 from planes.scene.source import Node, SourceTable
+from planes.scene.structures import read_framework
 from planes.scene.vectors import Statement, VectorGiven, read_statement
 from planes.words import Phrase
-from planes.words.errors import Doubt, SceneError, shown
+from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
-from planes.words.names import latin
+from planes.words.names import CREMONA, latin
 from planes.words.records import Pictured
 from planes.words.units import Convention, mu_text
 
 __all__ = ["ReadWith", "Scene", "Statement", "VectorGiven", "load", "loads"]
-
-FORMAT = "1"
-COMMON_KEYS = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet", "plans")
-MECHANISM_KEYS = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "crank_slider")
-VECTORS_KEYS = ("vectors", "equations", "values", "mu")
-_EXAMPLES = {
-    "frame": "frame: {points: {O: [0, 0]}}",
-    "links": "links: {1: {points: {O: 0, A: 0.1}}}",
-    "drive": "drive: {link: 1, phi: 30, omega: 10}",
-    "equations": 'equations: ["v_C = v_B + v_CB"]',
-    "vectors": "vectors: {v_B: {value: 2, direction: 120}, v_C: {direction: 80}}",
-}
 
 
 def _none() -> Mapping[Any, Any]:
@@ -156,7 +146,7 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     """Read the text of a scene file, as :func:`load` does."""
     table = source.parse(text, file)
     reader = Reader(file)
-    _check_outline(reader, table)
+    check_outline(reader, table)
     variant = variant and unicodedata.normalize("NFC", variant[:1000])
     given, variants = reader.optional(table, "parameters"), reader.optional(table, "variants")
     tables = read_variants(reader, variants, given)
@@ -173,14 +163,17 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
 def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
     where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
     of_vectors = "vectors" in table.entries
-    mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
+    statics = read_framework(reader, table) if "points" in table.entries else None
+    mechanism = None if of_vectors or statics else _mechanism(reader, table, where, stated)
     mu, quantity = settings.read_plans(reader, reader.optional(table, "plans")), None
     if of_vectors:
         mu, quantity = settings.read_vector_mu(reader, table, mu)
+    mu = {**mu, CREMONA: mu["force"]} if statics else mu
     if "note" in table.entries and "text" in table.entries:
         reader.one_of(table, ("note", "text"), Phrase("the_scene"))
     said = {key: reader.optional(table, key) for key in ("title", "note", "missing")}
     said["note"] = said["note"] or reader.optional(table, "text")
+    statement = read_statement(reader, table, quantity) if of_vectors else None
     words = {key: MappingProxyType(settings.read_words(reader, node, key)) for key, node in said.items()}
     return Scene(
         file=reader.file,
@@ -188,7 +181,7 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         note=words["note"],
         reading=reading,
         mechanism=mechanism,
-        statement=read_statement(reader, table, quantity) if of_vectors else None,
+        statement=Statement.of_statics(statics, reader.parameters) if statics else statement,
         mu=MappingProxyType(mu),
         find=settings.read_find(reader, reader.optional(table, "find")),
         sheet=MappingProxyType(dict(settings.read_sheet(reader, reader.optional(table, "sheet")))),
@@ -198,32 +191,6 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
         mu_written=settings.convention_written(table),
     )
-
-
-def _check_outline(reader: Reader, table: SourceTable) -> None:
-    """Format, keys, and whether it is a mechanism or vectors."""
-    if "planes" not in table.entries:
-        raise SceneError(Phrase("no_format"), reader.file, 1)
-    version = reader.text(table.entries["planes"], "planes")
-    if version != FORMAT:
-        raise reader.error(Phrase("other_format", version=shown(version)), table.entries["planes"])
-    reader.table(table, Phrase("the_scene"), (*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS))
-    vectors = next((key for key in VECTORS_KEYS if key in table.entries), None)
-    mechanism = next((key for key in MECHANISM_KEYS if key in table.entries), None)
-    if vectors and mechanism:
-        if vectors == "mu":
-            raise reader.error(Phrase("mu_place"), table.lines["mu"])
-        why = Phrase("two_scenes", mechanism=mechanism, vectors=vectors)
-        raise reader.error(why, max(table.lines[vectors], table.lines[mechanism]))
-    _check_required(reader, table, vectors is not None)
-
-
-def _check_required(reader: Reader, table: SourceTable, of_vectors: bool) -> None:
-    for key in ("vectors", "equations") if of_vectors else ("frame", "links", "drive"):
-        if key not in table.entries:
-            raise SceneError(Phrase("part_missing", key=key, example=_EXAMPLES[key]), reader.file, 1)
-        if reader.optional(table, key) is None:
-            raise reader.error(Phrase("part_empty", what=key), table.lines[key])
 
 
 def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping[str, Node]) -> Mechanism:

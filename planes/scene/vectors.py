@@ -8,6 +8,7 @@ from types import MappingProxyType
 from planes.scene.expressions import evaluate, is_name
 from planes.scene.reader import MAX_NAME, MOST, Reader, part
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.structures import Framework
 from planes.scene.vector_amounts import VectorAmount, read_amount
 from planes.scene.vector_equations import VECTOR, VectorEquation, read_equation
 from planes.words import Phrase, Told
@@ -53,13 +54,19 @@ class VectorGiven:
 @frozen
 class Statement:
     """All that a scene of vectors states; ``values`` are numbers reckoned from its vectors and ``parameters``,
-    ``quantity`` the plan whose unit its ``mu`` has."""
+    ``quantity`` the plan whose unit its ``mu`` has. Of a scene of ``statics`` that states the vectors."""
 
     vectors: Mapping[str, VectorGiven]
     equations: tuple[VectorEquation, ...]
     values: Mapping[str, Amount] = field(default_factory=lambda: MappingProxyType({}))
     parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     quantity: str | None = None
+    statics: Framework | None = None
+
+    @classmethod
+    def of_statics(cls, statics: Framework, parameters: Mapping[str, float]) -> "Statement":
+        """The statement of bodies in equilibrium."""
+        return cls(MappingProxyType({}), (), parameters=parameters, statics=statics)
 
 
 def read_statement(reader: Reader, scene: SourceTable, quantity: str | None) -> Statement:

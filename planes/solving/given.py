@@ -111,8 +111,11 @@ class GivenTable:
         """Every number of the mechanism, or of the vectors."""
         m = self.position.plans.mechanism
         yield from self.vectors()
-        for point, z in m.frame.points.items():
+        for point, z in (self.position.plans.figure or m.frame).points.items():
             yield from self.place(self.naming.point(point).replace("_{", "").replace("}", ""), z)
+        if self.position.plans.figure:
+            yield from self.loads()
+            return
         for guide in m.frame.guides.values():
             yield from self.frame_guide(guide)
         for link in m.links.values():
@@ -134,7 +137,7 @@ class GivenTable:
         given, drawn = self.position.plans.given, self.position.drawing
         for name, (start, _) in self.position.plans.vectors.items():
             for key, sign, unit in ((f"|{name}|", "", UNIT[kind_of(start)]), (f"angle_∠{name}", "∠", "°")):
-                if key in given and key in drawn:
+                if key in given and key in drawn and not (unit == "N" and key in self.position.plans.means):
                     yield GivenRow(sign + self.naming.vector(name), float(given[key]), unit, place=bool(sign))
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:

@@ -11,6 +11,8 @@ from typing import Literal
 from planes.words.frozen import frozen
 
 POLE = "p"
+CREMONA = "cremona"
+"""The plan of a truss, whose marks are the regions between forces."""
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
 Mark = Literal["guide", "moved", "foot", "trial", "special", "false", "centre", "normal", "coriolis", "relative"]

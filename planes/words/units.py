@@ -22,7 +22,9 @@ PLANS = ("position", "velocity", "acceleration", "force")
 SERIES = (1.0, 2.0, 2.5, 4.0, 5.0)
 
 UNIT = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
-UNIT |= {"contour": "m", "vectors": "units"}
+UNIT |= {"contour": "m", "vectors": "units", "cremona": "N"}
+ALIKE = {"contour": "position", "cremona": "force"}
+"""Plans that have the unit of another."""
 RATES = {False: ("rad", "rad/s", "rad/s²"), True: ("m", "m/s", "m/s²")}
 """Units of a link's place and its rates: of one that turns, and of one that slides."""
 RATE_UNITS = {"v": "m/s", "a": "m/s²", "omega": "rad/s", "epsilon": "rad/s²"}
@@ -60,6 +62,7 @@ def fitting_units(plan: str) -> tuple[Phrase, ...]:
 
 
 def _read(text: str, plan: str) -> tuple[float, str, Convention]:
+    plan = ALIKE.get(plan, plan)
     if plan not in (*PLANS, "vectors"):
         raise UnitError(Phrase("mu_no_plan", plan=plan, names=PLANS))
     brief = text if len(text) <= 60 else text[:59] + "…"

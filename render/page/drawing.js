@@ -28,6 +28,15 @@ export class Drawing extends Figure {
     this.arrow(at(last - Math.min(0.4, 9 / r)), d, "force", name);
     return at;
   }
+  /** @type {(drawn: Statics, plan: string, there: There) => void} */
+  strokesOf(drawn, plan, there) { // strings, rays and lines of action, with their letters
+    for (const s of drawn.strokes) {
+      const [a, b] = s.plan === plan ? s.ends.map(there) : [];
+      if (!a || !b) continue;
+      this.line(a, b, s.kind === "action" || s.kind === "culmann" ? "trace" : "string", s.name);
+      if (s.name) this.along(a, b, [s.name], plan);
+    }
+  }
   /** @type {(c: Couple, nth: number) => void} */
   couple(c, nth) { // about the middle of its link, each further one of it wider
     const l = this.data.scheme.links.find(l => l.name === c.link);

@@ -18,7 +18,7 @@ import { inWords } from "./rows.js";
 import { contents, facing, go, told } from "./stepper.js";
 import { TOOLS, handed, task } from "./task.js";
 import { forget, rested } from "./undo.js";
-import { described, filled, number, plain, say } from "./words.js";
+import { SCHEME, described, filled, number, plain, say } from "./words.js";
 
 const READ_MS = 120;
 let read = 0;
@@ -33,7 +33,7 @@ function paint() {
   }
   scheme.show("position", seen, practising && f.moments === null ? null : f);
   const mu = (/** @type {PlanOf} */ p) => practice.waits("mu", p.key) ? "?" : filled(p.mu[state.lang]);
-  $("scheme-title").textContent = `${say("scheme")}, μ = ${mu(data.plans[0])}`;
+  $("scheme-title").textContent = `${say(SCHEME)}, μ = ${mu(data.plans[0])}`;
   if (key !== "position") {
     plan.show(key, seen, f, practising);
     const p = data.plans.find(p => p.key === key);
@@ -67,7 +67,7 @@ $("progress").max = String(data.frames.length);
 const { from, to, at } = data.drive;
 Object.assign($("crank"), { min: from, max: to, step: (to - from) / 360, value: at });
 if (!own) document.body.classList.add("within"); // the studio has title and language
-if (!data.moves) document.body.classList.add("still"); // vectors alone: no scheme, no crank
+if (!data.moves) document.body.classList.add(data.scheme.drawn ? "standing" : "still"); // no crank, or no scheme
 function language() {
   zones();
   knobs();

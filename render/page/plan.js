@@ -37,6 +37,8 @@ export class Plan extends Lensed {
     const begun = (/** @type {Segment} */ s) => !force ||
       s.names.some((/** @type {string} */ n) => born(n, key) <= upto);
     for (const s of this.data.segments) if (s.plan === key && begun(s)) this.segment(s, there, lit, force, names);
+    const drawn = this.data.scheme.drawn, lettered = drawn && drawn.members.length && key === "cremona";
+    if (drawn) this.strokesOf(drawn, key, there);
     if (lever) this.lever(there);
     if (this.shifted) this.remark();
     const pole = there(`${key}:p`);
@@ -46,9 +48,9 @@ export class Plan extends Lensed {
       if (q && m.startsWith(key + ":")) svg("circle", { cx: q[0], cy: q[1], r: 5.5, class: "fresh" }, this.node);
     }
     if (lever && frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], frame.terms);
-    if (pole && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
-    if (force) for (const [a, b, n] of names) this.along(a, b, n, key);
-    else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q,
+    if (pole && !lettered && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
+    if (force) for (const [a, b, n] of names) if (!lettered || !drawn.members.includes(n[0])) this.along(a, b, n, key);
+    if (!force || lettered) for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q,
       this.fixed(g.names, key), key);
     this.settle();
     if (!hidden && !state.spin) this.lenses(key, this.drawn);

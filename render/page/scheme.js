@@ -33,6 +33,7 @@ export class Scheme extends Drawing {
     const own = frame ? this.data.plans.find(p => p.key === frame.plan).links : [];
     const apart = (/** @type {Link} */ l) => own.length && !own.includes(l.name);
     for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");
+    if (scheme.drawn) this.standing(scheme.drawn, there, !own.length && !told);
     for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), live.angle("∥" + l.slides));
     for (const l of scheme.links) if (l.round) this.rounded(l, there(l.points[0]), there(l.round.centre));
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
@@ -52,6 +53,36 @@ export class Scheme extends Drawing {
     for (const show of overlays) show(this, frame, seen);
     this.settle();
     end();
+  }
+  /** @type {(drawn: Statics, there: There, loaded: boolean) => void} */
+  standing(drawn, there, loaded) { // strings and lines of action, signs of supports, loads where they act: not to scale
+    this.strokesOf(drawn, "position", there);
+    for (const s of drawn.signs) if (s.kind !== "hinge" && there(s.mark)) this.sign(there(s.mark), s);
+    for (const f of loaded ? drawn.loads : []) {
+      const p = there(f.mark), angle = live.angle(f.along), size = live.value(f.size);
+      if (!p || angle == null || !size) continue;
+      const long = (this.size ? 30 : 44) * Math.sign(size), turn = angle * Math.PI / 180;
+      const from = [p[0] - long * Math.cos(turn), p[1] + long * Math.sin(turn)];
+      this.arrow(from, p, "force", f.name);
+      this.along(from, p, [f.name], "force");
+    }
+  }
+  /** @type {(p: Spot, s: { kind: string, turn: number }) => void} */
+  sign(p, s) { // a roller on its base, or the wall of a clamp
+    const u = this.size ? 0.75 : 1;
+    if (s.kind === "clamp") {
+      const rows = [-2, -1, 0, 1, 2].map(k => `M${p[0]} ${p[1] + k * 7 * u}l${-6 * u} ${6 * u}`);
+      svg("path", { class: "hatch", d: `M${p[0]} ${p[1] - 18 * u}v${36 * u}${rows.join("")}` }, this.node);
+    } else if (s.kind === "roller") {
+      const node = svg("g", { transform: `translate(${p[0]} ${p[1]}) rotate(${90 - s.turn})` }, this.node);
+      svg("path", { class: "ground", d: `M0 0l${-9 * u} ${13 * u}h${18 * u}z` }, node);
+      for (const x of [-5, 5]) svg("circle", { class: "hinge", cx: x * u, cy: 16 * u, r: 2.6 * u }, node);
+      svg("path", { class: "hatch", d: `M${-15 * u} ${19 * u}h${30 * u}` }, node);
+      const turn = (s.turn - 90) * Math.PI / 180, c = Math.cos(turn), d = Math.sin(turn);
+      const at = (/** @type {number} */ x, /** @type {number} */ y) =>
+        [p[0] + u * (x * c + y * d), p[1] - u * (x * d - y * c)];
+      this.strokes.push([at(0, 0), at(-9, 13)], [at(0, 0), at(9, 13)], [at(-15, 19), at(15, 19)]);
+    }
   }
   // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
   /** @type {(frame: Frame) => void} */
@@ -119,7 +150,8 @@ export class Scheme extends Drawing {
         "data-name": "link:" + l.name }, this.node);
       shape.forEach((p, k, a) => this.strokes.push([p, a[(k + 1) % a.length]]));
     } else if (shape.length === 2) this.line(shape[0], shape[1], cls, "link:" + l.name);
-    if (pts.length > 1) { // the number of the link, at its middle
+    const { drawn } = this.data.scheme, numbered = !drawn || drawn.numbered.includes(l.name);
+    if (pts.length > 1 && numbered) { // the number of the link, at its middle
       const m = [(pts[0][0] + pts[1][0]) / 2, (pts[0][1] + pts[1][1]) / 2], n = distance(pts[0], pts[1]);
       if (n > 34) this.number(l.name, pts[0], pts[1], m, n);
     }

@@ -6,7 +6,7 @@ import { kit } from "./kit.js";
 import { data, draw, live, state } from "./page.js";
 import { put } from "./put.js";
 import { noted, typeset } from "./rows.js";
-import { say, sentence } from "./words.js";
+import { SCHEME, say, sentence } from "./words.js";
 
 let faced = /** @type {any} */ (null), roomy = true;
 
@@ -23,7 +23,7 @@ export function facing(f, resized) {
 const chapters = data.frames.map((f, k) => k).filter(k => !k ||
   data.frames[k].chapter !== data.frames[k - 1].chapter);
 export function contents() { // the plans in their order, each by its title
-  const title = (/** @type {string} */ key) => key === "position" ? say("scheme") :
+  const title = (/** @type {string} */ key) => key === "position" ? say(SCHEME) :
     key === "centres" ? say("centres") : data.plans.find(p => p.key === key).title[state.lang];
   $("chapter").innerHTML = chapters.map((k, n) =>
     `<option value="${n}">${n + 1}. ${safe(title(data.frames[k].chapter))}</option>`).join("");

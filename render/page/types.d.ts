@@ -63,7 +63,7 @@ interface LessonData {
   title: Said; moves: boolean; formula: string; drive: Drive; home: Numbers; knobs: Knob[]; drags: Record<string, string[]>; id: string;
   plans: PlanOf[]; segments: Segment[]; traces: Record<string, Trace>; moments: Moments[]; acts: Said; under: Said;
   bodies: Record<string, Moments>; reckoned: { words: Record<string, Said>; units: Record<string, Said> };
-  scheme: { links: Link[]; guides: Guide[]; pivots: string[]; driver: string }; helpers: string[]; equations: Equation[];
+  scheme: { links: Link[]; guides: Guide[]; pivots: string[]; driver: string; drawn: Statics }; helpers: string[]; equations: Equation[];
   frames: Frame[]; related: Record<string, string[]>; leaning?: Record<string, any>; units: Record<string, Said>;
   results: { name: string; value: string; unit: Said }[]; marks: Record<string, number[]>; values: Numbers;
   turned: Record<string, number[]>; sharp: Numbers; holds: { at: number; said: Said }[]; slips: Slip[]; lines: Said;
@@ -71,6 +71,12 @@ interface LessonData {
   blunt: Record<string, Said>; centres: Record<string, string[][]>;
   noted: Record<string, Said>;
   number: number; titles: Said[]; paragraphs: { frame: number; view: string; knobs: string[]; said: Said }[]; // an essay's
+}
+
+interface Statics {
+  strokes: { plan: string; kind: string; name: string; ends: string[] }[];
+  loads: { name: string; mark: string; along: string; size: string }[];
+  signs: { kind: string; mark: string; turn: number }[]; members: string[]; numbered: string[];
 }
 
 interface Label { names: string[]; half: number; size: number; all: number[][]; key: string; node?: SVGElement; }

@@ -1,6 +1,7 @@
 // Words of the page: sentences with their numbers, names with their indices.
 import { html, lettered } from "./letters.js";
 import { data, live, state, words } from "./page.js";
+export const SCHEME = data.scheme?.drawn ? "space_diagram" : "scheme"; // what the figure of links is called
 /** @type {(key: string) => string} */
 export function say(key) { return words[state.lang][key]; }
 /** @type {(text: string) => string} */
@@ -67,7 +68,7 @@ export function described(key, seen) { // what is on a figure, for those who hea
   const list = scheme
     ? data.scheme.links.flatMap(l => l.points).filter(n => seen.has(n) && live.at(n)).map(n => n.slice(9))
     : data.segments.filter(s => s.plan === key && there(s)).flatMap(s => s.names);
-  const title = scheme ? say("scheme") : data.plans.find(p => p.key === key)?.title[state.lang] ?? "";
+  const title = scheme ? say(SCHEME) : data.plans.find(p => p.key === key)?.title[state.lang] ?? "";
   const names = [...new Set(list)].map(n => spoken(n, key)).join(", ");
   return `${title}. ${names ? say(scheme ? "hear_points" : "hear_vectors").replace("{names}", names) :
     say("hear_nothing")}`;

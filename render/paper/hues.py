@@ -11,7 +11,7 @@ from render.paper.marks import Arrow, Line, Mark
 
 VELOCITY, ACCELERATION, LOAD, INERTIA, REACTION = "#0072B2", "#D55E00", "#009E73", "#B0548A", "#2E86B8"
 _OF_LETTERS = {"v": VELOCITY, "a": ACCELERATION, "I": INERTIA, "Φ": INERTIA, "F": REACTION, "R": REACTION}
-_OF_LETTERS |= dict.fromkeys(("G", "P"), LOAD)
+_OF_LETTERS |= dict.fromkeys(("G", "P"), LOAD) | {"tension S": VELOCITY, "compression S": ACCELERATION}
 BAR, PART = " bar", " in part"  # ends of the names of bars over letters, and of what a detail shows of a vector
 
 

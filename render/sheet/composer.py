@@ -11,23 +11,33 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.words import Lang, say
 from planes.words.lettering import indexed
-from planes.words.names import kind_of, links_of, mu_of
+from planes.words.names import CREMONA, kind_of, links_of, mu_of
 from planes.words.naming import Naming
 from render.labels import rough
 from render.paper.style import LARGER, large
 from render.sheet.module import GAP_MM, MODULE_MM
 from render.views import REMARK_MM, View, paragraph, stacked, view
+from render.views.cremona import Cremona
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
+from render.views.space_diagram import SpaceDiagram
 from render.views.special_points import special_points
 from render.views.tables import Tables
 
-RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1}
+RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1, "cremona": 2}
 """Of kinds of plans that are shown beside the scheme: rates first."""
-MU = {"position": "l", "contour": "l", "velocity": "v", "acceleration": "a", "force": "F", "motion": "q"}
+MU = {
+    "position": "l",
+    "contour": "l",
+    "velocity": "v",
+    "acceleration": "a",
+    "force": "F",
+    "cremona": "F",
+    "motion": "q",
+}
 """The index of μ by the kind of plans; velocities of a unit drive have a q."""
 NOTE_MM = tuple(share * MODULE_MM - GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4))
 """How wide the lines of a note may be, the shape liked best first."""
@@ -81,7 +91,7 @@ class Composer:
     def views(self, position: Position, letter: float, together: Together) -> list[View]:
         """Every view of one position, in the order they are read."""
         plotted = of_position(position)
-        found = [self.scheme(position)] if position.plans.moves else []
+        found = [self.scheme(position) if position.plans.moves else self.space(position)]
         found += self.plans(plotted, drawn_plans(plotted, position), letter, together.equations)
         found += [*self.tables(position, letter).all(together.rates), *self.notes(letter)]
         return [v for v in found if v]
@@ -131,6 +141,14 @@ class Composer:
 
         return self.once(key, make)
 
+    def space(self, position: Position) -> View | None:
+        """The space diagram of bodies in equilibrium; of vectors alone there is none."""
+        if not position.plans.figure:
+            return None
+        title, found = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming)
+        key = ("space", position.scales[mu_of("position")])
+        return self.once(key, lambda: view("space", title, found.drawn(), True))
+
     def titled(self, position: Position, key: str, **names: str) -> str:
         """The title of a scheme, with its μ."""
         return f"{say(key, self.lang, **names)}, {self.mu(of_position(position), 'position')}"
@@ -138,6 +156,9 @@ class Composer:
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
+        if plan == CREMONA:
+            found = Cremona(plotted, self.naming)
+            return self.once(("plan", plan, plotted.mu(plan)), lambda: view(plan, title, found.drawn(), True))
         polygon = Polygon(plotted, plan, self.naming, counted=self.details, valued=bool(self.scene.sheet.get("values")))
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
         return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title)))
@@ -148,7 +169,8 @@ class Composer:
             return say(plan, self.lang)
         numbers = [self.naming.link(x) for x in links_of(plan) if x]
         driver = self.scene.mechanism and links_of(plan) == (self.scene.mechanism.drive.link,)
-        key = "force_group" if len(numbers) > 1 else "force_driver" if driver else "force_link"
+        alone = "force_driver" if driver else "force_link" if self.scene.mechanism else "force_body"
+        key = "force_group" if len(numbers) > 1 else alone
         return say(key if numbers else "force_any", self.lang, links="–".join(numbers))
 
     def formulas(

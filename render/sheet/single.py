@@ -98,7 +98,10 @@ def of_vectors(position: Position, composer: Composer) -> Makers:
     """The views of a scene of vectors alone."""
     plotted, tables = of_position(position), composer.tables(position, LETTER_MM)
     shown = tuple(drawn_plans(plotted, position))
+    own: Makers = {"space": partial(composer.space, position), "members": tables.members}
+    space: Makers = own if position.plans.figure else {}
     return {
+        **space,
         **{name_of_view(plan): partial(composer.plan, plotted, plan) for plan in shown},
         "equations": partial(composer.formulas, plotted, shown, LETTER_MM, say("equations", composer.lang)),
         "asked": partial(composer.formulas, plotted, shown, LETTER_MM, "", True),

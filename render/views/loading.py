@@ -66,14 +66,14 @@ class Loading:
         self.places, self.drawing = Places(self.position), self.position.drawing
         self.arrows = Arrows([rod for link in self.links for rod in self.places.rods(link)])
 
-    def loads(self, carried: bool) -> None:
+    def loads(self, carried: bool, from_outside: bool = False) -> None:
         """Weights, inertia, loads; and, where ``carried``, the reactions that came from groups solved before."""
         acting, inner = self.position.plans.acting, self.inner() if carried else set[str]()
         for link in self.links:
             for f in (f for f in acting.forces[link] if f.spot or (carried and f.name not in inner)):
                 if f.size in self.drawing and self.big(float(self.drawing[f.size])):
                     way = complex(self.drawing[f.along]) * _sign(self.drawing[f.size])
-                    self.force(f.name, complex(self.drawing[f.point]), way)
+                    self.force(f.name, complex(self.drawing[f.point]), way, from_outside)
             couples = (c for c in acting.couples[link] if not c.handed or (carried and c.value not in inner))
             for k, couple in enumerate(couples):
                 value = float(self.drawing[couple.value]) * couple.sign if couple.value in self.drawing else 0.0

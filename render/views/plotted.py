@@ -13,6 +13,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
 from planes.plans.apart import LinkApart, links_apart
 from planes.plans.position.bodies import SCHEME
+from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.words.frozen import frozen, replace
@@ -30,6 +31,7 @@ class Plotted:
     equations: tuple[Equation, ...]
     scales: Mapping[str, float]
     fixed: tuple[str, ...] = ()
+    figure: StaticsFigure | None = None
 
     def mark(self, plan: str, label: str) -> complex:
         """Where a mark stands, mm from the pole of its plan."""
@@ -66,7 +68,7 @@ def of_position(p: Position) -> Plotted:
     """The plans of a mechanism in one position."""
     m = p.plans.mechanism
     shared = tuple(n.lower() for n in m.frame.points if any(n in link.points for link in m.links.values()))
-    return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared)
+    return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared, p.plans.figure)
 
 
 def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:

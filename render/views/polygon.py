@@ -21,6 +21,7 @@ from render.views import detail, remark
 from render.views.hatching import hatched
 from render.views.plotted import Ends, Plotted, set_apart
 from render.views.senses import parted
+from render.views.strings import drawn_strokes
 from render.views.traces import traces
 
 NOTHING_MM = 1e-10  # a vector shorter than this is none
@@ -69,9 +70,11 @@ class Polygon:
         self.marks += lines
         self.lines_of_action()
         self.vectors()
+        rays, lettered = drawn_strokes(self.plotted.drawing, self.plotted.figure, self.plan)
+        self.marks += rays
         ground = (*self.marks, *(dot(self.mark(POLE), 0.7, "plan") if self.of_rates else ()))
         details = detail.details(self.places.values(), self.letters(), self.of_rates)
-        named = self.named(details)
+        named = [*self.named(details), *lettered]
         circled = (*ground, *self.aside, *(d.circle() for d in details))
         strokes = hatched(triangles)
         inside = {x for d in details for x in d.alone(named) if x.at != self.mark(POLE)}
@@ -107,7 +110,8 @@ class Polygon:
 
     def collect(self) -> None:
         """Every measured segment by its ends."""
-        for s in self.plotted.drawn_segments(self.plan):
+        rays = self.plotted.figure.poles if self.plotted.figure else ()
+        for s in (s for s in self.plotted.drawn_segments(self.plan) if at(s.plan, s.start) not in rays):
             if abs(self.mark(s.end) - self.mark(s.start)) > ZERO_MM:
                 names = self.arrows.setdefault((s.start, s.end), [])
                 names += [s.name] * (s.name not in names)

@@ -3,16 +3,18 @@
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import zip_longest
 
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.force.loads import force_name
+from planes.plans.structures.figure import Strain, strains
 from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.tables import difference
 from planes.words import say
 from planes.words.frozen import field, frozen
-from planes.words.names import kind_of, parts_of, plan_of
+from planes.words.names import CREMONA, kind_of, parts_of, plan_of
 from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
 from planes.words.units import RATES, UNIT, number
@@ -44,11 +46,28 @@ class Tables:
 
     def values(self) -> View | None:
         """What is reckoned from the vectors."""
-        found = [(f, f.quantity.columns[0].unit) for f in self.position.of("values").values()]
+        found = [
+            (f, f.quantity.columns[0].unit) for n, f in self.position.of("values").items() if n not in self.strains
+        ]
         told = ((f, unit, self.turning if unit in RATES[False] else self.number) for f, unit in found)
         name = self.naming.vector
         rows = [[name(f.quantity.name), tell(f.number), unit and self.say(unit)] for f, unit, tell in told]
         return self.table("values", self.say("values_found"), ["", "", ""], rows)
+
+    @cached_property
+    def strains(self) -> dict[str, Strain]:
+        """How the members of a truss are strained, by the names of their forces."""
+        return strains(self.position.plans.figure, self.position.drawing)
+
+    def members(self) -> View | None:
+        """Length on the plan, force and strain of every member of a truss."""
+        values, rows, mu = self.position.of("values"), [], of_position(self.position).mu
+        for name, strain in self.strains.items():
+            force = values[name].number if name in values and strain != "idle" else 0.0
+            mm = self.tenths(abs(force) * mu(CREMONA))
+            rows.append([self.naming.vector(name), mm, self.number(force), self.say(f"strain_{strain}")])
+        head = ["", self.say("mm"), self.say("N"), ""]
+        return self.table("members", self.say("members_table"), head, rows)
 
     def say(self, key: str) -> str:
         """A word of the sheet."""
@@ -81,7 +100,7 @@ class Tables:
     def all(self, joined: bool = True) -> list[View]:
         """Every table that has something to say; what was measured on both plans of rates ``joined`` in one."""
         if not self.position.plans.moves:
-            return [t for t in (self.given(), self.vectors(), self.values()) if t]
+            return [t for t in (self.given(), self.vectors(), self.members(), self.values()) if t]
         return [t for t in (self.given(), *self.rates(joined), self.links(), self.reactions(), self.check()) if t]
 
     def given(self) -> View | None:

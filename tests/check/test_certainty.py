@@ -44,11 +44,11 @@ def test_a_plan_drawn_wholly_at_another_scale_is_told_at_which(plan: str, share:
     def told(marks: dict[str, complex]) -> list[str]:
         spots = [ReadMark(n, z, 0.2, MISREAD) for n, z in {"p": 0j, **marks}.items()]
         out = check(Asked(scene, plan), ReadPaper("t", spots, mu=bench.said_mu))
-        return [p.told("en") for p in (out.sentence, *out.notes) if p.key == "check_other_scale"]
+        return [out.sentence.told("en")] if (out.verdict, out.mistake) == ("wrong", "plan_scaled") else []
 
     larger = {n: share * z for n, z in true.items()}
     (said,) = told(larger)
-    assert f"at {share * bench.said_mu:g} mm/" in said and f"for {bench.said_mu:g} mm/" in said
+    assert f"at {share * bench.said_mu:g} mm/" in said and f" {share:g} of those" in said
     assert not told(true) and not told({**larger, last: 1.6 * larger[last]})
 
 

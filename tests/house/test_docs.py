@@ -8,7 +8,7 @@ import re
 import pytest
 
 import planes
-from planes.scene import COMMON_KEYS, MECHANISM_KEYS, VECTORS_KEYS
+from planes.scene.outline import KEYS
 from planes.words import table
 from tests.helpers import ROOT
 from tests.helpers.prose import sentences, words_of
@@ -17,17 +17,19 @@ SCENE, JSON, CHECKING = ((ROOT / "docs" / f"{name}.md").read_text("utf-8") for n
 SCENES = re.findall(r"```yaml\n(.*?)```", SCENE, re.S)
 
 
-@pytest.mark.parametrize("text", SCENES, ids=["mechanism", "vectors"])
+@pytest.mark.parametrize("text", SCENES, ids=["mechanism", "vectors", "statics"])
 def test_the_scenes_of_the_format_are_read(text: str) -> None:
     scene = planes.loads(text)
     if scene.mechanism:
         assert planes.solve(scene).omega["2"] == pytest.approx(8.12247, abs=1e-5)
+    elif scene.statement and scene.statement.statics:
+        assert planes.solve(scene).value("R_B") == pytest.approx(2750j)
     else:
         assert planes.solve(scene).value("omega_2") == pytest.approx(-4.6572, abs=1e-4)
 
 
 def test_every_part_of_a_scene_is_described() -> None:
-    known = {*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS} - {"note", "text", "missing", "sheet", "crank_slider"}
+    known = {*KEYS} - {"note", "text", "missing", "sheet", "crank_slider"}
     assert not {key for key in known if not re.search(rf"\b{key}\b", SCENE)}
 
 

@@ -38,6 +38,7 @@ LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of what is a drawn line's own and no letter
 GAP_STEP_MM, GONE = 0.5, 0.25  # by which a line is followed; the share of one below which it is not there
 SOFT_PX = 2  # a line file's lines are drawn so wide
 SHORT_MM = 1.0  # of a line that explains ink
+TURNS, ACROSS, EDGE_TO_EDGE, LEAST_EDGE_MM = 720, 0.2, 0.6, 120.0  # of lines that are the paper's own: see below
 
 
 class Box(NamedTuple):
@@ -74,6 +75,7 @@ class SheetInk:
         self.points: Complexes = corner.real + (columns + 0.5) / PX_PER_MM + 1j * (self.top - (rows + 0.5) / PX_PER_MM)
         self.ways: Complexes = numpy.exp(-1j * turn)
         self.mm: Array = 1 / numpy.maximum(abs(numpy.cos(turn)), abs(numpy.sin(turn))) / PX_PER_MM  # of line, a point
+        self.mm[self._paper_own()] = 0.0
         usual = float(numpy.quantile(dark[ridge], 0.5)) if ridge.any() else 1.0
         self.even = numpy.minimum(dark / max(usual, 0.05), 1.0).ravel()
 
@@ -95,6 +97,23 @@ class SheetInk:
         y = ((self.top - z.imag) * PX_PER_MM).astype(numpy.int32)
         inside = (x >= 0) & (y >= 0) & (x < self.width) & (y < self.height)
         return numpy.where(inside, y * self.width + x, 0), inside
+
+    def _paper_own(self) -> Booleans:
+        """Which points lie on a line that runs from edge to edge of the sheet, as folds and ruling do: found by its
+        angle and its distance from the middle (Duda and Hart, Comm. ACM 15, 1972)."""
+        half = complex(self.width, self.height) / PX_PER_MM / 2
+        z, own = self.points - (self.corner.real + half.real + 1j * (self.top - half.imag)), self.mm > math.inf
+        bins = math.ceil(abs(half)) * 2 + 1
+        for k in range(TURNS):
+            u = complex(math.cos(math.pi * k / TURNS), math.sin(math.pi * k / TURNS))
+            near = numpy.flatnonzero(abs((self.ways * u.conjugate()).imag) < ACROSS)
+            off = (z[near] * u.conjugate()).imag
+            at = numpy.rint(off + bins // 2).astype(numpy.int32)
+            there = numpy.bincount(at, self.mm[near], bins)
+            for line in numpy.flatnonzero(there > LEAST_EDGE_MM):
+                if there[line] > EDGE_TO_EDGE * _chord_mm(half, u, line - bins // 2):
+                    own[near[abs(off - (line - bins // 2)) < BESIDE_MM]] = True
+        return own
 
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
         """The share of each line from a to b that is drawn, 0 to 1, felt at so many places of it, so many pixels
@@ -189,6 +208,18 @@ def _filter(angle: float) -> Array:
     weight -= weight.mean()
     made: Array = (weight / abs(weight).sum()).astype(numpy.float32)
     return made
+
+
+def _chord_mm(half: complex, u: complex, off: float) -> float:
+    """How long a line is inside a rectangle by its middle, that leads along u and passes ``off`` to its left."""
+    base, low, high = off * 1j * u, -math.inf, math.inf
+    for at, way, most in ((base.real, u.real, half.real), (base.imag, u.imag, half.imag)):
+        if abs(way) > 1e-9:
+            ends = sorted(((-most - at) / way, (most - at) / way))
+            low, high = max(low, ends[0]), min(high, ends[1])
+        elif abs(at) > most:
+            return math.inf
+    return high - low if high > low else math.inf
 
 
 def _sharpest(most: Array, way: Indices) -> Booleans:

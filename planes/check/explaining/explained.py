@@ -18,6 +18,7 @@ from planes.check.explaining.scorer import Laid, Scorer
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.sign_faults import SignFault
+from planes.check.grading.signs import plan_scaled
 from planes.geometry.arrays import Booleans, Complexes
 from planes.words.names import POLE
 
@@ -102,8 +103,10 @@ class Explanation:
         return []
 
     def whole_fault(self) -> list[SignFault]:
-        """That the whole plan is mirrored or turned, its marks else right."""
-        h = self.best.hypothesis
+        """That the whole plan is mirrored, turned or at another scale than its sheet's, its marks else right."""
+        h, bench = self.best.hypothesis, self.plan.bench
+        if h.kind == "scaled" and bench.asked.mu:
+            return [plan_scaled(bench, bench.said_mu * abs(h.turn), 1 - self.doubt)]
         if h.mirrored:
             return [SignFault("plan_mirrored", self.plan.labels[0], POLE, 1 - self.doubt)]
         angle = math.degrees(math.atan2(h.turn.imag, h.turn.real))
@@ -115,7 +118,8 @@ class Explanation:
         h, pole = self.best.hypothesis, self.pole + self.best.places.get(POLE, 0j)
         if h.mirrored:
             return pole + ((z - pole) / h.turn).conjugate()
-        return pole + (z - pole) / h.turn if h.kind == "turned_whole" else z
+        whole = h.kind == "turned_whole" or (h.kind == "scaled" and self.plan.bench.asked.mu)
+        return pole + (z - pole) / h.turn if whole else z
 
     def spots(self) -> list[ReadMark]:
         """The marks that are seen, from the pole; of a force polygon its sides' ends, in the order they are laid."""

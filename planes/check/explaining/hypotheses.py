@@ -13,6 +13,7 @@ from planes.check.explaining.weights import (
     COSTS,
     GRID_MM,
     LEAST_MM,
+    LONG_MM,
     LONGER,
     LONGEST_MM,
     REACH_MM,
@@ -26,8 +27,9 @@ from planes.words.names import POLE
 Free = tuple[str, str, complex]
 """A free size: of which kind, at which mark, by how much it moves that (mm)."""
 SMALLEST_PLAN_MM = 30.0
-SCALES = 0.7, 1.2  # of a whole plan: the logarithm of the largest, steps in mm at its rim
+SCALES = 1.7, 1.2  # of a whole plan: the logarithm of the largest, steps in mm at its rim
 PRINTERS = 0.9, 1.06  # a plan larger or smaller by so much may be its printer's doing
+WAYS_DIFFER = 0.17  # sine of the angle between ways that differ
 SHOWN_MM = 3.5  # what turns or scales a plan moves at the least
 
 
@@ -47,10 +49,19 @@ def wholes(plan: PlanLines) -> list[Hypothesis]:
     top, step = SCALES
     sizes = [k for k in numpy.exp(numpy.arange(-top, top, step / reach)).tolist() if not PRINTERS[0] < k < PRINTERS[1]]
     turns = [complex(t) for t in (1j, -1, -1j, *numpy.exp(1j * small), *numpy.exp(-1j * small))]
-    scaled = [] if plan.held else [Hypothesis("scaled", "", COSTS["whole"], turn=k + 0j) for k in sizes]
-    turned = [] if plan.held else [Hypothesis("turned_whole", "", COSTS["whole"], turn=t) for t in turns]
+    free = not plan.held and _of_many_ways(plan)  # of a plan of one way all of it and its first length are one
+    scaled = [] if not free else [Hypothesis("scaled", "", COSTS["whole"], turn=k + 0j) for k in sizes]
+    turned = [] if not free else [Hypothesis("turned_whole", "", COSTS["whole"], turn=t) for t in turns]
     mirrors = [Hypothesis("mirrored", "", COSTS["whole"], turn=t, mirrored=True) for t in (1 + 0j, -1 + 0j)]
     return [*mirrors, *turned, *scaled]
+
+
+def _of_many_ways(plan: PlanLines) -> bool:
+    """Whether a plan's longer lines lead more than one way."""
+    places = numpy.array([plan.true[n] for n in plan.names])
+    ways = (places[plan.ends] - places[plan.starts])[plan.needed]
+    ways = ways[abs(ways) > LONG_MM]
+    return bool(len(ways)) and bool((abs((ways / ways[0]).imag) > WAYS_DIFFER * abs(ways / ways[0])).any())
 
 
 def free_sizes(plan: PlanLines, base: Hypothesis) -> list[Free]:

@@ -43,8 +43,8 @@ def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) ->
 def _centred(w: PlanSteps) -> Iterator[Variant]:
     """A guide of the frame drawn through the driver's pivot, as if it were not offset."""
     mechanism = w.plans.mechanism
-    driver = mechanism.links[mechanism.drive.link]
-    pivot = next((f"place_{n}" for n in driver.points if n in mechanism.frame.points), "")
+    driver = mechanism.links[mechanism.drive.link].points if w.plans.moves else ()
+    pivot = next((f"place_{n}" for n in driver if n in mechanism.frame.points), "")
     for guide in mechanism.frame.guides if pivot in w.plans.given else ():
         place = f"place_°{guide}"
         if place in w.program.givens and _apart(w, place, pivot, f"angle_∥{guide}"):

@@ -94,7 +94,6 @@ class ReadPaper:
     apart: bool = False  # whether a mistake explains its force polygon, and no right one nearly as well
     notes: list[Phrase] = field(default_factory=list)
     reason: Phrase | None = None  # why none of its marks could be read
-    rescaled: "ReadPaper | None" = None  # what it shows at another scale than its blank's, if it shows nothing at that
 
     def refuse(self, key: str, **parts: object) -> PlanesError:
         """A refusal that names the file."""

@@ -75,7 +75,8 @@ def between(bench: PreparedPlan) -> list[Side]:
 def sides_of(plans: Plans, plan: str) -> list[Side]:
     """All vectors of a force plan as the program draws them, the closing ones last."""
     found: dict[str, Side] = {}
-    for t in (t for e in plans.equations if e.plan == plan for t in e.terms):
+    terms = (t for e in plans.equations if e.plan == plan for t in e.terms)
+    for t in (t for t in terms if not {at(plan, t.start), at(plan, t.end)} & plans.helpers):
         name, ends = end_of(t.name), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
         found.setdefault(name, Side(name, *ends))
     return list(found.values())
@@ -97,14 +98,14 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, 
     vectors: Vectors = {}
     polygons = [{end_of(t.name): t.end for t in e.terms} for e in plans.equations if e.plan == plan]
     seen: dict[str, ReadMark] = {}
-    for before, spot in pairwise([spots[0], *spots]):
+    out.unknown += [spot.name for spot in spots if names.find(spot.name) is None]
+    known = [spot for spot in spots if spot.name not in out.unknown]
+    for before, spot in pairwise([*known[:1], *known]):
         name, last = names.find(spot.name), names.find(before.name)
         if name in sides and any(last in p and name not in p and _whole(p, seen) for p in polygons):
             before = seen.get(sides[name].start, before)
         seen[name or ""] = spot
-        if name is None:
-            out.unknown.append(spot.name)
-        elif name != POLE:
+        if name is not None and name != POLE:
             old, error = vectors.get(name, NO_VECTOR), (before.error_mm**2 + spot.error_mm**2) ** 0.5
             vector, doubt = old.place + spot.place - before.place, max(spot.doubt, old.doubt)
             vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)

@@ -23,13 +23,19 @@ class DrawnVector(NamedTuple):
 class SignFault:
     """A sign that is wrong: the letters of ``mark`` and ``other`` are exchanged, or the vector from ``other`` to
     ``mark`` has its head at the wrong end or none, or is ``off`` mm astray; or the whole plan, whose first is ``mark``,
-    is mirrored, or turned by ``off`` degrees."""
+    is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``."""
 
     mistake: Literal[
-        "names_exchanged", "arrow_reversed", "arrow_missing", "vector_astray", "plan_mirrored", "plan_turned"
+        "names_exchanged",
+        "arrow_reversed",
+        "arrow_missing",
+        "vector_astray",
+        "plan_mirrored",
+        "plan_turned",
+        "plan_scaled",
     ]
     mark: str
-    other: str
+    other: str | Written
     chance_wrong: float = 1.0
     off: float = 0.0
 
@@ -43,12 +49,13 @@ class SignFault:
     @property
     def marks(self) -> tuple[str, ...]:
         """The marks that are wrong."""
-        return (self.mark, self.other) if self.mistake == "names_exchanged" else (self.mark,)
+        return (self.mark, str(self.other)) if self.mistake == "names_exchanged" else (self.mark,)
 
     @property
     def fault(self) -> Phrase:
         """What it is, and how to mend it."""
-        return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other, off=Written(f"{self.off:.1f}"))
+        off = f"{self.off:.3g}" if self.mistake == "plan_scaled" else f"{self.off:.1f}"
+        return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other, off=Written(off))
 
 
 def arrow_faults(vectors: Mapping[Vector, DrawnVector]) -> Iterator[SignFault]:

@@ -1,4 +1,4 @@
-"""Letters of a drawing that were exchanged: with two of them in each other's place it is right."""
+"""What alone is wrong of a drawing that is right else: two letters exchanged, or its scale."""
 
 from dataclasses import replace
 from itertools import combinations
@@ -7,9 +7,11 @@ from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.sign_faults import SignFault
+from planes.plans.scales import fitting
 from planes.words.names import POLE, kind_of, label_of
 
 APART_MM = 3.0  # marks nearer to each other may share their letters
+NEAR = 0.02  # how near a scale told by vectors is to a standard one that is meant
 
 
 def exchanged(bench: PreparedPlan, paper: ReadPaper, found: Grading) -> tuple[Grading, SignFault] | None:
@@ -31,3 +33,10 @@ def exchanged(bench: PreparedPlan, paper: ReadPaper, found: Grading) -> tuple[Gr
         if mended and not mended.fault and mended.said_mu >= found.said_mu:
             return mended, SignFault("names_exchanged", names[one], names[two], found.judgement.chance_wrong)
     return None
+
+
+def plan_scaled(bench: PreparedPlan, mu: float, chance: float = 1.0) -> SignFault:
+    """That a whole plan is drawn at another scale than asked, mm per unit: a standard one, if it is near to that."""
+    standard = fitting(bench.asked.plan, 1.0, mu * (1 + NEAR))
+    drawn = bench.mu_said(standard if abs(standard / mu - 1) <= NEAR else float(f"{mu:.3g}"))
+    return SignFault("plan_scaled", label_of(bench.marks[0]), drawn, chance, mu / bench.said_mu)

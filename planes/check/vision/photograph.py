@@ -4,8 +4,6 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from planes.check.blank import blank_pole
-from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import Known, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans
@@ -20,14 +18,10 @@ from planes.check.vision.image.two_points import by_points
 from planes.check.vision.looking import Look, seen_best
 from planes.check.vision.print_scale import printed_share
 from planes.geometry.arrays import Greys
-from planes.plans.scales import fitting
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
 from planes.words.names import POLE, label_of
-
-INK_SHARES = (1.05, 0.9, 1.3, 0.75, 1.6, 0.6)  # of the ink that is seen, that a plan's vectors may be
-LEAST_MM, ALIKE = 10.0, 0.02  # of a plan's vectors together; scales that are one
 
 
 def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> ReadPaper:
@@ -67,29 +61,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         paper.untold = [n for n in best.untold if n not in pointed]
         paper.signs, paper.left, paper.named = best.signs, best.in_doubt, best.named
-    if best.flat.by == "marks" and not paper.spots and bench.asked.plan in ("velocity", "acceleration"):
-        paper.rescaled = _rescaled(bench, best.flat)
     return paper
-
-
-def _rescaled(bench: PreparedPlan, flat: Flat) -> ReadPaper | None:
-    """What a blank shows if its plan of motion was drawn at a standard scale that is not the blank's."""
-    flat = replace(flat, notes=[])
-    for mu in _scales_by_ink(bench, flat):
-        look = seen_best(bench.at(mu, told=True), flat, blank_pole(bench))
-        if look.seen:
-            return ReadPaper(spots=look.spots, untold=look.untold)
-    return None
-
-
-def _scales_by_ink(bench: PreparedPlan, flat: Flat) -> list[float]:
-    """Standard scales at which a plan has about as much ink as is seen: lines run on past their vectors, and
-    some lie upon others."""
-    places = {POLE: 0j, **bench.true_marks}
-    true = sum(abs(places[b] - places[a]) for a, b in bench.vectors)
-    larger = float(SheetInk.of_picture(flat).mm.sum()) / max(true, LEAST_MM)
-    found = dict.fromkeys(fitting(bench.asked.plan, 1.0, bench.said_mu * larger * share) for share in INK_SHARES)
-    return [mu for mu in found if abs(mu / bench.said_mu - 1) > ALIKE]
 
 
 def _held(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[str, complex] | None:

@@ -43,8 +43,9 @@ def derived(plans: Plans) -> Iterator[Derived]:
 
 def of_laws(plans: Plans) -> Iterator[Derived]:
     """Loads that are laws, each what it is in the position; values that are reckoned from stated vectors."""
+    members = {name for name, _, _ in plans.figure.members} if plans.figure else ()
     for name, value in plans.values.items():
-        yield Derived((name,), unit_of_value(name), value, "values")
+        yield Derived((name,), "N" if name in members else unit_of_value(name), value, "values")
 
     for name in plans.acting.laws:
         load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)

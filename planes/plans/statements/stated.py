@@ -19,6 +19,7 @@ from planes.plans.statements.nearer_way import chosen_side
 from planes.plans.statements.stated_chains import Chains
 from planes.plans.statements.stated_plans import plans_of_equations
 from planes.plans.statements.stated_vectors import StatedVectors
+from planes.plans.structures.built import framework_plans
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.scene.vector_equations import Side, SideTerm, VectorEquation
@@ -31,6 +32,8 @@ from planes.words.lettering import name_in_words
 def stated_plans(scene: Scene) -> Plans:
     """State every plan of a scene of vectors. :class:`SceneError` with file:line where an equation cannot be drawn."""
     assert scene.statement
+    if scene.statement.statics:
+        return framework_plans(scene, scene.statement.statics)
     try:
         return StatedPlansBuilder(scene, scene.statement).build()
     except ProgramError as error:

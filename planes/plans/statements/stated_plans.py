@@ -9,16 +9,15 @@ from planes.scene.vectors import Statement
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import kind_of
+from planes.words.units import ALIKE
 
 _LETTERS = {"contour": r"[rl]_", "velocity": "v_", "acceleration": "a_", "force": r"[FRGINTPQΦФ][_\d]"}
-QUANTITIES = {"contour": "position"}
-"""The plans of a scene of vectors that have the unit of another."""
 
 
 def plans_of_equations(scene: Scene, statement: Statement) -> dict[tuple[int, str], str]:
     """The plan of every equation, by its line and text. :class:`SceneError` where its vectors are of two kinds, or μ
     fits none of them."""
-    asked = {v: k for k, v in QUANTITIES.items()}.get(statement.quantity or "", statement.quantity)
+    asked = {v: k for k, v in ALIKE.items() if k in _LETTERS}.get(statement.quantity or "", statement.quantity)
     found = {}
     for e in statement.equations:
         kind = _kind(scene, e) or asked or "vectors"
@@ -26,7 +25,7 @@ def plans_of_equations(scene: Scene, statement: Statement) -> dict[tuple[int, st
     kinds = {kind_of(plan) for plan in found.values()}
     if asked and asked not in kinds:
         equation = statement.equations[0]
-        kind = QUANTITIES.get(kind := kind_of(found[equation.line, equation.text]), kind)
+        kind = ALIKE.get(kind := kind_of(found[equation.line, equation.text]), kind)
         told = {"plan": Phrase(f"scale_{kind}"), "units": Phrase(f"units_{kind}")}
         raise SceneError(Phrase("vectors_mu", name=equation.names[0], **told), scene.file, scene.where.get(("mu",)))
     return found
@@ -41,7 +40,7 @@ def _kind(scene: Scene, e: VectorEquation) -> str:
     kinds = [kind for kind in first if kind]
     if len(kinds) > 1:
         one, other = kinds[:2]
-        told = {k: Phrase(f"scale_{QUANTITIES.get(v, v)}") for k, v in (("one", one), ("other", other))}
+        told = {k: Phrase(f"scale_{ALIKE.get(v, v)}") for k, v in (("one", one), ("other", other))}
         raise SceneError(Phrase("vectors_mixed", name=first[one], other_name=first[other], **told), scene.file, e.line)
     return kinds[0] if kinds else ""
 

@@ -1,0 +1,1 @@
+"""Bodies and trusses in equilibrium, by graphical statics: strings and poles, lines of action, Bow's letters."""

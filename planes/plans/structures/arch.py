@@ -1,0 +1,53 @@
+"""Two bodies in one hinge, each on a hinge of the ground: neither can be solved by itself. Across its own two hinges
+the reaction of either comes by moments about the common one; along them both meet in one polygon.
+"""
+
+from dataclasses import dataclass, replace
+
+from planes.drafting.equations import Equation, Term
+from planes.plans.force.loads import Force
+from planes.plans.position.bodies import SCHEME
+from planes.plans.structures.free_body import FreeBody
+from planes.scene.structures import Support
+from planes.words.names import POLE, at, end_of
+
+
+@dataclass
+class Arch:
+    """Both bodies, the ``first`` and the ``last``, on one plan; their common hinge is the support ``crown``."""
+
+    first: FreeBody
+    last: FreeBody
+    crown: Support
+
+    def draw(self) -> dict[str, tuple[str, str]]:
+        """The plan; the marks between which every reaction stands, that of the crown on the last body."""
+        one, two = self.first, self.last
+        d, plan = one.draft, one.plan
+        (a, across), (b, other) = (self.springing(x) for x in (one, two))
+        forces = [across, *one.forces, *two.forces, other]
+        both = replace(one, forces=forces, chain=())
+        both.lay()
+        start, parted, end = both.chain[0].end, both.chain[len(one.forces)].end, both.chain[-1].start
+        x = end_of(f"{b.name}^n")
+        last = Term(f"{b.name}^n", both.reached, x, None, self.ray(b), f"∥{b.point}{self.crown.point}")
+        back = Term(f"{a.name}^n", POLE, x, None, self.ray(a), f"∥{a.point}{self.crown.point}", sign=-1)
+        d.draw(Equation(plan, ((*both.chain, last), (back,))))
+        d.show(plan, x, start, a.name)
+        d.show(plan, end, x, b.name)
+        own = tuple(t for t in both.chain if t.name in {f.name for f in two.forces})
+        found = Term(b.name, end, x, drawn=True)
+        d.conclude(Equation(plan, ((*own, found, Term(self.crown.name, x, parted)), ())))
+        return {a.name: (x, start), b.name: (end, x), self.crown.name: (x, parted)}
+
+    def ray(self, s: Support) -> str:
+        """The line of a body's two hinges."""
+        return self.first.draft.ray(SCHEME, s.point, self.crown.point)
+
+    def springing(self, body: FreeBody) -> tuple[Support, Force]:
+        """A body's hinge on the ground, and the part of its reaction across the line of both hinges."""
+        s = next(s for s in body.supports if s.held == 2 and s.point != self.crown.point)
+        name, along, spot = f"{s.name}^t", body.draft.square(self.ray(s)), body.spot(s)
+        crown = at(SCHEME, self.crown.point)
+        body.moments(crown, name, body.arm(name, spot, along, crown))
+        return s, Force(name, body.name, name, along, spot, "tangential")

@@ -1,0 +1,226 @@
+"""The plans of a scene of statics: one body after another, each as soon as three numbers of its reactions are left."""
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from planes.drafting.drawing import run
+from planes.drafting.program import Program
+from planes.plans.assur.groups import Pair
+from planes.plans.assur.structure import Structure
+from planes.plans.force.loads import Force, Loads
+from planes.plans.passive_motion import LinkValues
+from planes.plans.position.bodies import SCHEME
+from planes.plans.proving import closed
+from planes.plans.record import STILL, Plans
+from planes.plans.scales import unit_scales
+from planes.plans.structures.arch import Arch
+from planes.plans.structures.cremona import CremonaPlan
+from planes.plans.structures.figure import StaticsFigure, as_mechanism
+from planes.plans.structures.free_body import FreeBody
+from planes.plans.structures.stated_loads import StatedLoads
+from planes.plans.structures.trusses import check_truss, truss_plan
+from planes.plans.structures.ways import WayFinder
+from planes.scene import Scene
+from planes.scene.mechanism import FRAME
+from planes.scene.structures import ALONE, Framework, Support
+from planes.words import Phrase
+from planes.words.errors import PlanFailure, ProgramError, SceneError
+from planes.words.frozen import replace
+from planes.words.names import Meaning, at, force_plan
+
+NOTHING = 1e-9  # the sine of the angle of lines that run alike
+BESIDE = "'"  # ends the name of a hinge's force on the body that was found later
+
+
+def framework_plans(scene: Scene, framework: Framework) -> Plans:
+    """State every plan of a scene of statics; :class:`SceneError` where it is a mechanism, or not determinate."""
+    try:
+        return FrameworkBuilder(scene, framework).build()
+    except ProgramError as error:
+        raise SceneError(error.phrase, scene.file, scene.where.get(("points",))) from None
+
+
+class FrameworkBuilder(StatedLoads):
+    """Draws the bodies of a framework."""
+
+    def build(self) -> Plans:
+        """All bodies; then the members of a truss."""
+        self.place()
+        self.check()
+        while self.left:
+            name = next((n for n in self.left if sum(s.held for s in self.supports_of(n)) <= 3), None)
+            if name is None:
+                self.arch()
+                continue
+            self.solve(name)
+            self.left.remove(name)
+        if self.framework.members:
+            self.cremona = self.truss()
+        return self.tried(self.plans())
+
+    @cached_property
+    def hinges(self) -> dict[str, tuple[str, str]]:
+        """The points two bodies share."""
+        bodies, found = self.framework.bodies, dict[str, tuple[str, str]]()
+        for point in self.framework.points:
+            owners = [name for name, points in bodies.items() if point in points]
+            if len(owners) > 2:
+                raise self.error(Phrase("hinge_many", point=point, names=tuple(owners)), "bodies")
+            if len(owners) == 2:
+                found[point] = (owners[0], owners[1])
+        return found
+
+    def check(self) -> None:
+        """Whether reactions are as many as equations."""
+        f = self.framework
+        if f.members:
+            check_truss(f, self.error)
+        held = sum(s.held for s in f.supports) + 2 * len(self.hinges)
+        needed = 3 * len(f.bodies)
+        if (f.supports and held != needed) or (not f.supports and len(f.bodies) > 1):
+            key = "statics_loose" if held < needed else "statics_redundant"
+            raise self.error(Phrase(key, held=held, needed=needed, count=abs(held - needed)), "supports")
+
+    def supports_of(self, name: str) -> list[Support]:
+        """What holds a body: its supports, and its hinges with bodies that are not solved yet."""
+        points = self.framework.bodies[name]
+        owners = {p: next(n for n, own in self.framework.bodies.items() if p in own) for p in points}
+        own = [s for s in self.framework.supports if owners.get(s.point) == name]
+        return [*own, *self.shared(name)]
+
+    def shared(self, name: str) -> list[Support]:
+        """The hinges of a body with bodies that are not solved yet."""
+        there = [p for p, two in self.hinges.items() if name in two and {*two} <= {*self.left}]
+        return [Support("hinge", p, f"R_{p}") for p in there]
+
+    # one body
+
+    def solve(self, name: str) -> None:
+        """The plan of a body, and what it hands to the bodies it hangs on."""
+        plan = force_plan(*([name] if len(self.framework.bodies) > 1 else []))
+        body = self.body(name, plan, self.supports_of(name))
+        WayFinder(self.scene, self.framework, body, self.sizes).draw()
+        self.spans |= {n: (at(plan, a), at(plan, b)) for n, (a, b) in body.found.items()}
+        if body.anchor and body.anchor.kind == "clamp":
+            self.values[f"M_{body.anchor.point}"] = f"M_{body.anchor.point}"
+        for s in self.shared(name):
+            self.hand(s, next(n for n in self.hinges[s.point] if n != name))
+
+    def body(self, name: str, plan: str, supports: list[Support]) -> FreeBody:
+        """A body by itself."""
+        return FreeBody(self.draft, self.figure, name, plan, self.forces[name], self.couples[name], supports)
+
+    def arch(self) -> None:
+        """Two bodies that can be solved only together: on a hinge of the ground each, and in one with each other."""
+        for point, names in self.hinges.items():
+            held = [[s for s in self.supports_of(x) if s.point != point] for x in names]
+            if {*names} <= {*self.left} and all([s.kind for s in own] == ["hinge"] for own in held):
+                springings = [s for own in held for s in own if s.point not in self.hinges]
+                if len(springings) == 2:
+                    break
+        else:
+            raise self.error(Phrase("bodies_together", names=tuple(self.left)), "bodies")
+        flat = [springings[0].point, point, springings[1].point]
+        a, c, b = (self.framework.points[x] for x in flat)
+        if abs(((a - c) * (b - c).conjugate()).imag) <= NOTHING * abs(a - c) * abs(b - c):
+            raise self.error(Phrase("arch_flat", names=tuple(flat)), "points")
+        plan = force_plan(*(names if len(self.framework.bodies) > 2 else []))
+        one, two = (self.body(x, plan, own) for x, own in zip(names, held, strict=True))
+        spans = Arch(one, two, Support("hinge", point, f"R_{point}")).draw()
+        self.spans |= {n: (at(plan, start), at(plan, end)) for n, (start, end) in spans.items()}
+        self.left = [x for x in self.left if x not in names]
+
+    def hand(self, s: Support, other: str) -> None:
+        """The reaction of a hinge, the other way, on the body there."""
+        d, (start, end) = self.draft, self.spans[s.name]
+        size = d.measure(s.name, start, end)
+        along = d.through(f"→{s.name}{BESIDE}", end, start, Meaning("against", s.name))
+        self.forces[other].append(Force(s.name + BESIDE, other, size, along, at(SCHEME, s.point), "reaction"))
+        self.sizes[s.name + BESIDE] = -self.measured(s.name)
+
+    def measured(self, name: str) -> complex:
+        """A reaction that has been drawn, N."""
+        start, end = self.spans[name]
+        program = Program(tuple(self.draft.steps.values())).sliced([start, end])
+        drawing = run(program, {**self.draft.given, **{f"mu_{plan}": 1.0 for plan in program.marks}})
+        return complex(drawing[end] - drawing[start])
+
+    def truss(self) -> CremonaPlan:
+        """The plan of the members, from loads and reactions."""
+        outer = {f.name: f for f in self.forces[ALONE]} | {s.name: self.pushing(s) for s in self.framework.supports}
+        sizes = self.sizes | {s.name: self.measured(s.name) for s in self.framework.supports}
+        plan = truss_plan(self.draft, self.framework, outer, sizes, self.error)
+        self.figure.said |= dict.fromkeys(plan.joints, "region")
+        self.values |= plan.measure()
+        return plan
+
+    def pushing(self, s: Support) -> Force:
+        """A reaction that has been found, as a force on the truss."""
+        d, (start, end) = self.draft, self.spans[s.name]
+        along = d.through(f"→{s.name}", start, end, Meaning("with", s.name))
+        size = d.measure(f"{s.name}″", start, end)
+        return Force(s.name, ALONE, size, along, at(SCHEME, s.point), "reaction")
+
+    # all together
+
+    def plans(self) -> Plans:
+        """The record of what was drawn."""
+        d, f = self.draft, self.framework
+        program = Program(tuple(d.steps.values()), tuple(closed(d)))
+        figure = StaticsFigure(
+            tuple(self.figure.strokes),
+            tuple(self.figure.results),
+            f.supports,
+            f.points,
+            tuple(x for x in f.loads if x.spread),
+            knots=tuple(self.figure.knots),
+            said=self.figure.said,
+            poles=tuple(self.figure.poles),
+            members=tuple((f"S_{a}{b}", a, b) for a, b in f.members),
+            letters=dict(self.cremona.regions.places) if self.cremona else {},
+            numbered=frozenset(f.bodies if len(f.bodies) > 1 else ()),
+        )
+        mechanism = replace(as_mechanism(f), where=self.scene.where)
+        acting = {name: self.forces.get(name, []) for name in (*mechanism.links, *f.bodies)}
+        couples = {name: self.couples.get(name, []) for name in acting}
+        loads = {x.name: self.laid(x.name) for x in f.loads if x.direction_deg is not None}
+        return Plans(
+            mechanism=mechanism,
+            structure=Structure(0, 0, Pair("R", FRAME, FRAME), (), FRAME),
+            program=program,
+            given={**d.given, STILL: 0.0},
+            equations=tuple(d.equations),
+            moments=tuple(d.moments),
+            segments=tuple(dict.fromkeys(d.segments)),
+            acting=Loads(acting, couples),
+            means=d.means | {s.makes: s.means for s in program.steps if s.means},
+            vectors={**{n: ends for n, ends in loads.items() if ends}, **dict(self.results()), **self.spans},
+            values=self.values,
+            links={FRAME: LinkValues("", "", "")},
+            figure=figure,
+        )
+
+    def laid(self, name: str) -> tuple[str, str]:
+        """The marks a load is laid off between."""
+        terms = ((e.plan, t) for e in self.draft.equations for t in e.terms if t.name == name)
+        plan, term = next(terms, ("", None))
+        return (at(plan, term.start), at(plan, term.end)) if term else ("", "")
+
+    def results(self) -> Iterator[tuple[str, tuple[str, str]]]:
+        """The resultants of whole plans."""
+        for e in self.draft.equations:
+            if e.total:
+                yield e.total, (at(e.plan, e.chains[0][0].start), at(e.plan, e.chains[0][-1].end))
+
+    def tried(self, plans: Plans) -> Plans:
+        """Refuse what cannot be drawn, and ropes that would have to push."""
+        try:
+            drawing = run(plans.program, {**plans.given, **unit_scales(plans)})
+        except PlanFailure as failure:
+            raise self.error(Phrase("about", what=Phrase("the_scene"), why=failure.phrase), "method") from None
+        for s in (s for s in self.framework.supports if s.kind == "rope"):
+            start, end = plans.vectors[s.name]
+            points = self.framework.points
+            if ((drawing[end] - drawing[start]) * (points[s.to] - points[s.point]).conjugate()).real < 0:
+                raise self.error(Phrase("rope_pushes", name=s.point + s.to), "supports", s.point)
+        return plans

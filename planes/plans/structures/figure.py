@@ -1,0 +1,89 @@
+"""What is drawn beside the marks of a plan of statics: strings, rays, lines of action, and the signs of supports."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Literal
+
+from planes.drafting.drawing import Drawing
+from planes.scene.mechanism import FRAME, Drive, Link, Load, Mechanism
+from planes.scene.structures import Framework, StaticLoad, Support
+from planes.words.frozen import frozen
+
+LineKind = Literal["string", "ray", "closing", "action", "culmann"]
+
+
+@frozen
+class FigureLine:
+    """A thin line of a plan from mark to mark, with its letter."""
+
+    plan: str
+    kind: LineKind
+    name: str
+    start: str
+    end: str
+
+
+@frozen
+class StaticsFigure:
+    """The lines of all plans, forces that are results of composition by the mark and the direction they act at, the
+    supports, and the members of a truss by the names of their forces."""
+
+    strokes: tuple[FigureLine, ...] = ()
+    results: tuple[tuple[str, str, str], ...] = ()
+    supports: tuple[Support, ...] = ()
+    points: Mapping[str, complex] = field(default_factory=dict)  # by name, m
+    spread: tuple[StaticLoad, ...] = ()
+    members: tuple[tuple[str, str, str], ...] = ()
+    knots: tuple[str, ...] = ()  # lettered points where lines of action meet
+    numbered: frozenset[str] = frozenset()  # bodies, where there are several
+    said: Mapping[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
+    poles: tuple[str, ...] = ()  # marks from which rays are drawn, which are no vectors of a plan
+    letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by their places on the scheme, m
+
+
+@dataclass
+class FigureDraft:
+    """The same while it is drawn."""
+
+    strokes: list[FigureLine] = field(default_factory=list)
+    results: list[tuple[str, str, str]] = field(default_factory=list)
+    knots: list[str] = field(default_factory=list)
+    poles: list[str] = field(default_factory=list)
+    said: dict[str, str] = field(default_factory=dict)
+
+    def stroke(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
+        """Add a line, unless it begins where it ends."""
+        if start != end:
+            self.strokes.append(FigureLine(plan, kind, name, start, end))
+
+
+def as_mechanism(f: Framework) -> Mechanism:
+    """The bodies, rods and hinges as links, for whoever draws the scheme."""
+    hinged = [s.point for s in f.supports if s.kind == "hinge"]
+    frame = Link(FRAME, MappingProxyType({p: f.points[p] for p in dict.fromkeys((*hinged, *sorted(f.fixed)))}))
+    links = {name: Link(name, MappingProxyType(dict(points))) for name, points in _links(f)}
+    loads = tuple(
+        Load(load.body, "moment" if load.direction_deg is None else "force", load.size, load.point or None)
+        for load in f.loads
+    )
+    return Mechanism(frame, MappingProxyType(links), Drive(FRAME, "s", 0.0), () if f.members else loads)
+
+
+def _links(f: Framework) -> Iterator[tuple[str, dict[str, complex]]]:
+    if f.members:
+        yield from (("".join(ends), {p: f.points[p] for p in ends}) for ends in f.members)
+    else:
+        yield from ((name, {p: f.points[p] for p in points}) for name, points in f.bodies.items())
+    yield from ((s.point + s.to, {p: f.points[p] for p in (s.point, s.to)}) for s in f.supports if s.to)
+
+
+Strain = Literal["tension", "compression", "idle"]
+NOTHING = 1e-9  # of the largest force: none
+
+
+def strains(figure: StaticsFigure | None, drawing: Drawing) -> dict[str, Strain]:
+    """How every member that was drawn is strained, by the name of its force."""
+    told = {n: float(drawing[n]) for n, _, _ in figure.members if n in drawing} if figure else {}
+    most = max(map(abs, told.values()), default=0.0)
+    return {n: "idle" if abs(v) <= NOTHING * most else "tension" if v > 0 else "compression" for n, v in told.items()}

@@ -1,0 +1,189 @@
+"""One body in equilibrium: its loads laid off on its plan of forces, and three numbers of its reactions found.
+
+What a body hangs on is a hinge and a line (of a roller, a rod, a rope), three lines, or a clamp. Two lines of action
+meet, and a third force in equilibrium with both goes through that point; of four, the resultant of two goes through
+both meetings (Culmann). Many loads are brought to their resultant first, by a string polygon or by composition.
+"""
+
+from dataclasses import dataclass, field, replace
+
+from planes.drafting.draft import Draft, Moments
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps.crossings import Cross
+from planes.drafting.steps.reckoning import Drop, Product
+from planes.plans.force.loads import Couple, Force
+from planes.plans.position.bodies import SCHEME
+from planes.plans.structures.figure import FigureDraft
+from planes.scene.structures import Support
+from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
+
+Chain = tuple[Term, ...]
+
+
+@dataclass
+class FreeBody:
+    """A body by its name with what acts on it; ``found`` are the marks each of its reactions stands between."""
+
+    draft: Draft
+    figure: FigureDraft
+    name: str
+    plan: str
+    forces: list[Force]
+    couples: list[Couple]
+    supports: list[Support]
+    found: dict[str, tuple[str, str]] = field(default_factory=dict)
+    chain: Chain = ()
+
+    @property
+    def lines(self) -> list[Support]:
+        """The supports whose reactions have a line."""
+        return [s for s in self.supports if s.held == 1]
+
+    @property
+    def anchor(self) -> Support | None:
+        """The hinge or the clamp."""
+        return next((s for s in self.supports if s.held > 1), None)
+
+    def lay(self) -> str:
+        """Lay all loads off one after another; the label where the last ends."""
+        self.draft.pole(self.plan)
+        self.chain = ()
+        for f in self.forces:
+            self.append(f)
+        return self.reached
+
+    def append(self, force: Force) -> None:
+        """Lay one more known force off."""
+        f, end = force, end_of(force.name)
+        self.chain += (Term(f.name, self.reached, end, f.size, f.along, self.action(f.along), means=f.means),)
+        self.draft.lay(self.plan, self.chain[-1])
+
+    @property
+    def reached(self) -> str:
+        """The label where the polygon ends so far."""
+        return self.chain[-1].end if self.chain else POLE
+
+    def action(self, along: str) -> str:
+        """A line of action as it is written."""
+        means = self.draft.steps[along].means
+        return means.action if means else ""
+
+    def along(self, s: Support) -> str:
+        """The line of a reaction: the normal of a roller, a rod from its body on."""
+        if s.to:
+            return self.draft.ray(SCHEME, s.point, s.to)
+        return self.draft.aim(f"∠{s.name}", s.normal_deg, Meaning("given", s.name))
+
+    def spot(self, s: Support) -> str:
+        """Where a support holds the body."""
+        return at(SCHEME, s.point)
+
+    def seek(self, s: Support, start: str, end: str, along: str | None = None) -> Term:
+        """A reaction of which its line is known, or nothing."""
+        along = along or self.along(s)
+        return Term(s.name, start, end, None, along, self.action(along))
+
+    def meet(self, one: Support, other: Support, along: str) -> None:
+        """From where the polygon ends the ``one`` reaction, along its line ``other`` back to the pole."""
+        x, start = end_of(one.name), self.reached
+        terms = self.seek(one, start, x), replace(self.seek(other, POLE, x, along), sign=-1)
+        self.draft.draw(Equation(self.plan, ((*self.chain, terms[0]), (terms[1],))))
+        self.found |= {one.name: (start, x), other.name: (x, POLE)}
+
+    def close(self, s: Support) -> None:
+        """The last reaction closes the polygon: its length and direction are read."""
+        self.draft.conclude(Equation(self.plan, ((*self.chain, Term(s.name, self.reached, POLE)), ())))
+        self.found[s.name] = (self.reached, POLE)
+
+    # moments
+
+    def moments(self, about: str, unknown: str, arm: str = "") -> None:
+        """The moments of all loads about a mark give one unknown: a force by its ``arm``, a couple without."""
+        d, tail = self.draft, ((arm, -1),) if arm else ()
+        products, shown = [], []
+        for f in self.forces:
+            if f.point != about:
+                own = self.arm(f.name, f.point, f.along, about)
+                products.append(Product(-1.0, ((f.size, 1), (own, 1), *tail)))
+                shown.append((f.name, own))
+        for c in self.couples:
+            products.append(Product(-1.0 * c.sign, ((c.value, 1), *tail)))
+            shown.append((c.name, ""))
+        d.total(unknown, products)
+        d.moments.append(Moments(label_of(about), (self.name,), tuple(shown), unknown, arm))
+
+    def arm(self, name: str, point: str, along: str, about: str) -> str:
+        """The arm of a force about a mark, dropped and measured on the scheme."""
+        means = Meaning("arm", name, about, self.name)
+        return self.draft.step(Drop(f"h_{name}_{label_of(about)}", point, along, about, mu_of(SCHEME), means=means))
+
+    def by_moments(self) -> None:
+        """A clamp's couple, or a line's reaction, by moments; the rest closes the polygon."""
+        self.lay()
+        anchor, lines = self.anchor, self.lines
+        if anchor is None:
+            one, two, three = lines
+            about = self.crossing(two, three)
+            self.reckon(one, about)
+            self.meet(two, three, self.along(three))
+            return
+        if anchor.kind == "clamp":
+            self.moments(self.spot(anchor), f"M_{anchor.point}")
+        else:
+            self.reckon(lines[0], self.spot(anchor))
+        self.close(anchor)
+
+    def reckon(self, s: Support, about: str) -> None:
+        """A reaction by the moments about a mark, and laid off."""
+        along = self.along(s)
+        self.moments(about, s.name, self.arm(s.name, self.spot(s), along, about))
+        start = self.reached
+        self.append(Force(s.name, self.name, s.name, along, self.spot(s), "load"))
+        self.found[s.name] = (start, self.reached)
+
+    def crossing(self, one: Support, other: Support) -> str:
+        """Where the lines of two reactions meet on the scheme."""
+        return self.cross("K", self.spot(one), self.along(one), self.spot(other), self.along(other))
+
+    def fresh(self, label: str) -> str:
+        """A mark of the scheme nobody has drawn."""
+        while at(SCHEME, label) in self.draft.steps:
+            label += "′"
+        return at(SCHEME, label)
+
+    def cross(self, label: str, start: str, along: str, other: str, across: str) -> str:
+        """A point of the scheme where two lines meet, both drawn out to it."""
+        mark = self.draft.step(Cross(self.fresh(label), start, along, other, across))
+        self.figure.stroke(SCHEME, "action", "", start, mark)
+        self.figure.stroke(SCHEME, "action", "", other, mark)
+        self.figure.knots.append(mark)
+        return mark
+
+    # by lines of action
+
+    def three_forces(self, point: str, along: str) -> None:
+        """A load along a line, a line, a hinge: the reaction of the hinge goes through the point where they meet."""
+        anchor, (line,) = self.anchor, self.lines
+        assert anchor
+        mark = self.cross("K", point, along, self.spot(line), self.along(line))
+        way = self.draft.ray(SCHEME, anchor.point, label_of(mark))
+        self.figure.stroke(SCHEME, "action", "", self.spot(anchor), mark)
+        self.meet(line, anchor, way)
+        self.figure.said |= {mark: "meeting", at(self.plan, end_of(line.name)): "three_forces"}
+
+    def culmann(self, point: str, along: str, order: tuple[Support, Support, Support]) -> None:
+        """A load along a line and three lines: it meets one of them, the others meet, and the line through both
+        meetings parts the polygon."""
+        one, two, three = order
+        k = self.cross("K", point, along, self.spot(one), self.along(one))
+        m = self.cross("L", self.spot(two), self.along(two), self.spot(three), self.along(three))
+        way = self.draft.ray(SCHEME, label_of(k), label_of(m))
+        self.figure.stroke(SCHEME, "culmann", "", k, m)
+        x, end = end_of(one.name), end_of(two.name)
+        both = f"R_{''.join(dict.fromkeys(two.point + three.point))}"
+        terms = self.seek(one, self.reached, x), Term(both, POLE, x, None, way, self.action(way), sign=-1)
+        self.draft.draw(Equation(self.plan, ((*self.chain, terms[0]), (terms[1],))))
+        parts = self.seek(two, x, end), self.seek(three, end, POLE)
+        self.draft.draw(Equation(self.plan, ((Term(both, x, POLE, drawn=True),), parts)))
+        self.figure.said |= {k: "meeting", m: "meeting", at(self.plan, x): "culmann"}
+        self.found |= {one.name: (self.reached, x), two.name: (x, end), three.name: (end, POLE)}

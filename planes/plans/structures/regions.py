@@ -1,0 +1,160 @@
+"""Bow's letters: the regions into which a truss and the forces on it part the plane.
+
+Around a joint the regions follow one another clockwise, and so do the forces in its polygon; around the truss, too.
+"""
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+from planes.scene.structures import Framework
+from planes.words.names import POLE
+
+LETTERS = POLE + "abcdefghijklmnoqrstuvwxyz"
+"""Of regions: that before the first force is the pole of the plan."""
+OFF = 0.12  # how far outside of the truss the letter of an outer region stands, of the truss's size
+Side = tuple[str, str]  # a member gone through from one joint to the other: its region is on the right
+Visit = tuple[str, str, str]  # a joint of the contour, with the next one clockwise and the one before
+
+
+def letter(k: int) -> str:
+    """The letter of a region: p, a, b, … z, a1, b1, …"""
+    turn, own = divmod(k - 1, len(LETTERS) - 1)
+    return LETTERS[own + 1] + str(turn or "") if k else POLE
+
+
+@dataclass
+class Outside:
+    """A force from outside: its name, its joint, and the way it points."""
+
+    name: str
+    joint: str
+    way: complex
+
+
+@dataclass
+class Regions:
+    """The regions by the sides of members: ``right`` is that of each side; ``before`` and ``after`` are those of each
+    force, which are ``ordered`` clockwise around the truss."""
+
+    framework: Framework
+    forces: list[Outside]
+    right: dict[Side, str] = field(default_factory=dict)
+    before: dict[str, str] = field(default_factory=dict)
+    after: dict[str, str] = field(default_factory=dict)
+    ordered: list[Outside] = field(default_factory=list)
+    places: dict[str, complex] = field(default_factory=dict)  # of letters on the scheme, m
+
+    def find(self) -> str | None:
+        """Letter all regions; or the name of a joint inside the truss that is loaded, for which there is no place."""
+        faces = self.faces()
+        outer = max(faces, key=self.area)
+        border = {a for a, _ in outer}
+        if loose := next((f.joint for f in self.forces if f.joint not in border), None):
+            return loose
+        self.around(outer)
+        inner = sorted((f for f in faces if f is not outer), key=lambda f: (round(self.middle(f).real, 6), f))
+        for k, face in enumerate(inner, len(self.ordered)):
+            self.right |= dict.fromkeys(face, letter(k))
+            self.places[letter(k)] = self.middle(face)
+        return None
+
+    def way(self, start: str, end: str) -> complex:
+        """From joint to joint."""
+        return self.framework.points[end] - self.framework.points[start]
+
+    def faces(self) -> list[list[Side]]:
+        """Every region by its sides, itself on their right: inner ones go clockwise, the outer counter-clockwise."""
+        left = dict.fromkeys(side for a, b in self.framework.members for side in ((a, b), (b, a)))
+        found = list[list[Side]]()
+        while left:
+            face, side = list[Side](), next(iter(left))
+            while side in left:
+                face.append(side)
+                left.pop(side)
+                side = self.next(side)
+            found.append(face)
+        return found
+
+    def next(self, side: Side) -> Side:
+        """The side that goes on with the same region on its right: the first counter-clockwise from the way back."""
+        a, b = side
+        ends = [y if x == b else x for x, y in self.framework.members if b in (x, y)]
+        return b, min(ends, key=lambda c: turn(self.way(b, a), self.way(b, c)))
+
+    def area(self, face: list[Side]) -> float:
+        """The area a region's sides go around, positive counter-clockwise."""
+        points = self.framework.points
+        return sum((points[a].conjugate() * points[b]).imag for a, b in face) / 2
+
+    def middle(self, face: list[Side]) -> complex:
+        """The middle of a region's corners."""
+        return sum(self.framework.points[a] for a, _ in face) / len(face)
+
+    def around_joint(self, joint: str) -> list[tuple[str, str, str]]:
+        """Every force on a joint clockwise: its name, and the regions before and after it."""
+        found = [(f.name, self.before[f.name], self.after[f.name]) for f in self.forces if f.joint == joint]
+        for a, b in (m for m in self.framework.members if joint in m):
+            other = b if a == joint else a
+            found.append((f"S_{a}{b}", self.right[other, joint], self.right[joint, other]))
+        ordered, left = found[:1], found[1:]
+        while left:
+            after = next((x for x in left if x[1] == ordered[-1][2]), left[0])
+            ordered.append(after)
+            left.remove(after)
+        return ordered
+
+    # outside
+
+    def around(self, outer: list[Side]) -> None:
+        """Letter the outer regions from force to force, clockwise around the truss from its first load on."""
+        visits: list[Visit] = [(b, a, c) for (a, b), (_, c) in pairwise([*outer, outer[0]])][::-1]
+        order = list(self.met(visits))
+        first = next(k for k, (_, f) in enumerate(order) if f is self.forces[0])
+        first = next(k for k, (visit, _) in enumerate(order) if visit == order[first][0])
+        order = order[first:] + order[:first]
+        self.ordered = [f for _, f in order]
+        for k, f in enumerate(self.ordered):
+            self.before[f.name], self.after[f.name] = letter(k), letter((k + 1) % len(order))
+        passed, start, now = {visit: self.after[f.name] for visit, f in order}, order[0][0], POLE
+        runs: dict[str, list[Visit]] = {}
+        for k in [*range(start, len(visits)), *range(start)]:
+            now = passed.get(k, now)
+            joint, onward, _ = visits[k]
+            self.right[onward, joint] = now
+            runs.setdefault(now, []).append(visits[k])
+        self.places |= {region: self.outer_place(own) for region, own in runs.items()}
+
+    def met(self, visits: list[Visit]) -> Iterator[tuple[int, Outside]]:
+        """The forces as they are met along the contour, each with the number of the visit."""
+        left = list(self.forces)
+        for k, (joint, onward, back) in enumerate(visits):
+            sector = turn(self.way(joint, onward), self.way(joint, back))
+            later = any(v[0] == joint for v in visits[k + 1 :])
+            here = [(self.angle(f, onward), f) for f in left if f.joint == joint]
+            here = [(angle, f) for angle, f in here if angle <= sector + 1e-9 or not later]
+            for _, f in sorted(here, key=lambda one: -one[0]):
+                left.remove(f)
+                yield k, f
+
+    def angle(self, f: Outside, onward: str) -> float:
+        """Where a force is drawn outside of the truss, counter-clockwise from the next joint: whichever way it points,
+        its arrow comes from there or leads there."""
+        start = self.way(f.joint, onward)
+        return min(turn(start, f.way), turn(start, -f.way))
+
+    def outer_place(self, run: list[Visit]) -> complex:
+        """Where the letter of an outer region stands: beside the middle member of its stretch of the contour."""
+        joint, onward, _ = run[(len(run) - 1) // 2]
+        points = self.framework.points
+        size = max(abs(a - b) for a in points.values() for b in points.values())
+        way = self.way(joint, onward)
+        return points[joint] + way / 2 + 1j * way / abs(way) * OFF * size
+
+
+def turn(start: complex, way: complex) -> float:
+    """How far counter-clockwise one way is from another, in (0, 2π]."""
+    angle = cmath.phase(way / start) % math.tau
+    return angle if angle > 1e-9 else math.tau

@@ -1,0 +1,61 @@
+"""A truss: what must hold of its joints and members before it is drawn, and its plan from the forces outside of it."""
+
+from collections.abc import Callable, Mapping
+
+from planes.drafting.draft import Draft
+from planes.plans.force.loads import Force
+from planes.plans.structures.cremona import CremonaPlan
+from planes.plans.structures.regions import Outside, Regions
+from planes.scene.structures import Framework
+from planes.words import Phrase
+from planes.words.errors import SceneError
+from planes.words.names import label_of
+
+NOTHING = 1e-9  # of the largest force: none
+Refusal = Callable[..., SceneError]
+
+
+def check_truss(f: Framework, error: Refusal) -> None:
+    """Whether a truss has as many members and reactions as its joints have equations: 2j = m + r."""
+    joints = {p for m in f.members for p in m}
+    m, r = len(f.members), sum(s.held for s in f.supports)
+    told = {"joints": len(joints), "members": m, "held": r, "count": abs(2 * len(joints) - m - r)}
+    if loose := [p for p in f.points if p not in joints and p not in f.fixed]:
+        raise error(Phrase("joint_loose", names=tuple(loose)), "points")
+    if 2 * len(joints) != m + r:
+        raise error(Phrase("truss_loose" if m + r < 2 * len(joints) else "truss_redundant", **told), "members")
+    if two := apart(f.points, f.members):
+        raise error(Phrase("members_cross", one=two[0], two=two[1]), "members")
+
+
+def truss_plan(
+    draft: Draft, f: Framework, outer: Mapping[str, Force], sizes: Mapping[str, complex], error: Refusal
+) -> CremonaPlan:
+    """The plan drawn, from ``outer`` forces of known ``sizes``, N."""
+    most = max(map(abs, sizes.values()), default=0.0)
+    forces = [Outside(n, label_of(x.point), sizes[n]) for n, x in outer.items() if abs(sizes[n]) > NOTHING * most]
+    if not forces:
+        raise error(Phrase("truss_idle"), "loads")
+    regions = Regions(f, forces)
+    if joint := regions.find():
+        raise error(Phrase("joint_inside", name=joint), "members")
+    plan = CremonaPlan(draft, f, regions, outer)
+    if left := plan.draw():
+        raise error(Phrase("members_unreached", names=tuple(left)), "members")
+    return plan
+
+
+def apart(places: Mapping[str, complex], members: tuple[tuple[str, str], ...]) -> tuple[str, str] | None:
+    """The names of two members that cross where there is no joint; None where none do."""
+    lines = [("".join(m), places[m[0]], places[m[1]], {*m}) for m in members]
+    for k, (one, a, b, ends) in enumerate(lines):
+        for other, c, d, more in lines[k + 1 :]:
+            if not ends & more and _crossing(a, b, c, d):
+                return one, other
+    return None
+
+
+def _crossing(a: complex, b: complex, c: complex, d: complex) -> bool:
+    """Whether two segments meet between their ends."""
+    sides = [((q - p) * (z - p).conjugate()).imag for p, q, z in ((a, b, c), (a, b, d), (c, d, a), (c, d, b))]
+    return sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0

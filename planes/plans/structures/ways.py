@@ -1,0 +1,152 @@
+"""Which way a body's reactions are found: as the scene says, else the plainest that its loads and supports allow."""
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from itertools import combinations, permutations
+
+from planes.plans.structures.free_body import FreeBody
+from planes.plans.structures.strings import StringPolygon, by_composition, by_strings, chosen_pole, sine
+from planes.scene import Scene
+from planes.scene.structures import Framework, Support
+from planes.words import Phrase
+from planes.words.errors import SceneError
+
+BLUNT = 1e-9  # the sine of the angle of lines that run alike; arms beside the size of a body
+SLIGHT = 0.05  # a sharper crossing than this is one that can be drawn
+
+
+class WayFinder:
+    """Chooses by the numbers of a scene, and draws; ``sizes`` are the known forces, N."""
+
+    def __init__(self, scene: Scene, framework: Framework, body: FreeBody, sizes: Mapping[str, complex]) -> None:
+        self.scene, self.framework, self.body = scene, framework, body
+        self.forces = [sizes[f.name] for f in body.forces]
+        self.size = max((abs(a - b) for a, b in combinations(framework.points.values(), 2)), default=1.0)
+
+    def refusal(self, key: str, **told: object) -> SceneError:
+        """Why it cannot be drawn so."""
+        where = self.scene.where
+        line = where.get(("method",), where.get(("supports",), where.get(("points",))))
+        return SceneError(Phrase(key, **told), self.scene.file, line)
+
+    def draw(self) -> None:
+        """Find all reactions of the body."""
+        self.check()
+        ways = {
+            "moments": self.body.by_moments,
+            "string": self.strings,
+            "three-forces": self.single,
+            "composition": self.composed,
+            "culmann": self.single,
+        }
+        ways[self.framework.method or self.plainest()]()
+
+    def plainest(self) -> str:
+        """A way that suits."""
+        b = self.body
+        if self.framework.members or b.couples or not b.forces or (b.anchor and b.anchor.kind == "clamp"):
+            return "moments"
+        if len(b.forces) == 1 and b.supports:
+            line = b.lines[0] if b.lines else None
+            meets = line is not None and sine(self.forces[0], self.way(line)) > SLIGHT
+            return ("three-forces" if meets else "string") if b.anchor else "culmann"
+        return "string"
+
+    def way(self, s: Support) -> complex:
+        """The direction of a reaction's line."""
+        points = self.framework.points
+        return points[s.to] - points[s.point] if s.to else cmath.rect(1.0, math.radians(s.normal_deg))
+
+    def check(self) -> None:
+        """Supports that do not hold: a line through the hinge, three lines through one point or all alike."""
+        b, points = self.body, self.framework.points
+        if b.anchor and b.lines:
+            line = b.lines[0]
+            lever = points[line.point] - points[b.anchor.point]
+            if sine(lever, self.way(line)) <= BLUNT:
+                raise self.refusal("line_through_hinge", name=line.name, point=b.anchor.point)
+        elif not b.anchor and b.lines:
+            rows = [self.row(s) for s in b.lines]
+            if abs(_determinant(rows)) <= BLUNT:
+                raise self.refusal("lines_concurrent", names=tuple(s.name for s in b.lines))
+
+    def row(self, s: Support) -> tuple[float, float, float]:
+        """Both parts of a unit reaction and its moment beside the size of the scheme."""
+        points, way = self.framework.points, self.way(s) / abs(self.way(s))
+        place = points[s.point] - next(iter(points.values()))
+        return way.real, way.imag, (place.conjugate() * way).imag / self.size
+
+    def suits(self, method: str) -> None:
+        """Refuse what a way by lines of action cannot take."""
+        b = self.body
+        if b.couples:
+            raise self.refusal("method_couples", method=method, name=b.couples[0].name)
+        if not b.forces:
+            raise self.refusal("method_forces", method=method)
+        if b.anchor and b.anchor.kind == "clamp":
+            raise self.refusal("method_clamp", method=method, point=b.anchor.point)
+
+    def strings(self) -> None:
+        """By the string polygon: its closing line, or the resultant it gives."""
+        b = self.body
+        self.suits("string")
+        if b.anchor:
+            by_strings(b, self.pole(b.lines[0]))
+            return
+        b.lay()
+        polygon = StringPolygon(b, self.pole(None))
+        polygon.draw(b.forces[0].point)
+        if abs(sum(self.forces)) <= BLUNT * max(map(abs, self.forces)):
+            raise self.refusal("forces_couple")
+        self.by_resultant(*polygon.resultant())
+
+    def pole(self, line: Support | None) -> complex:
+        """The pole said, or one that suits."""
+        if self.framework.pole is not None:
+            return self.framework.pole
+        return chosen_pole(self.forces, self.way(line) if line else None, self.forces)
+
+    def composed(self) -> None:
+        """By the resultant of loads taken together one after another."""
+        self.suits("composition")
+        self.body.lay()
+        self.by_resultant(*by_composition(self.body))
+
+    def single(self) -> None:
+        """One load, or the resultant of all by its string polygon."""
+        b = self.body
+        method = "culmann" if b.supports and not b.anchor else "three-forces"
+        self.suits(self.framework.method or method)
+        if self.framework.method not in (None, method):
+            raise self.refusal("method_supports", method=self.framework.method)
+        b.lay()
+        if len(b.forces) == 1:
+            self.by_resultant(b.forces[0].point, b.forces[0].along)
+            return
+        polygon = StringPolygon(b, self.pole(None))
+        polygon.draw(b.forces[0].point)
+        self.by_resultant(*polygon.resultant())
+
+    def by_resultant(self, point: str, along: str) -> None:
+        """The reactions to one force along a line; none where nothing holds the body."""
+        b, load = self.body, sum(self.forces)
+        if not b.supports:
+            return
+        if b.anchor:
+            if sine(load, self.way(b.lines[0])) <= BLUNT:
+                raise self.refusal("load_parallel", name=b.lines[0].name)
+            b.three_forces(point, along)
+        else:
+            one, two, three = max(permutations(b.lines), key=lambda order: min(self.sharp(load, order)))
+            b.culmann(point, along, (one, two, three))
+
+    def sharp(self, load: complex, order: tuple[Support, ...]) -> Iterator[float]:
+        """The sines of the angles at which Culmann's lines meet in an order."""
+        one, two, three = map(self.way, order)
+        yield from (round(sine(load, one), 3), round(sine(two, three), 3))
+
+
+def _determinant(rows: list[tuple[float, float, float]]) -> float:
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)

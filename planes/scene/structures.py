@@ -1,0 +1,236 @@
+"""A scene of statics: bodies or a truss by their points, what holds and loads them, and the way to the reactions."""
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+from typing import Literal, get_args
+
+from planes.scene.reader import MOST, Reader, part, section
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.words import Phrase, Told
+from planes.words.frozen import field, frozen
+
+SupportKind = Literal["hinge", "roller", "rod", "rope", "clamp"]
+SUPPORT_KINDS: tuple[SupportKind, ...] = get_args(SupportKind)
+SUPPORT_KEYS = ("roller", "rod", "rope")  # with the normal, or the fixed point they lead to
+POLE_KEYS = ("through",)
+METHODS = ("moments", "string", "three-forces", "composition", "culmann")
+STATIC_LOAD_KEYS = ("point", "force", "direction", "body", "moment", "from", "to", "intensity")
+MOST_POINTS = 60
+ALONE = "1"
+"""The name of the only body of a scene that names none."""
+
+
+@frozen
+class Support:
+    """What holds a body at a point: a roller by its normal, a rod or a rope by the fixed point it leads ``to``."""
+
+    kind: SupportKind
+    point: str
+    name: str  # of its reaction
+    normal_deg: float = 90.0
+    to: str = ""
+
+    @property
+    def held(self) -> int:
+        """How many numbers its reaction has."""
+        return {"hinge": 2, "clamp": 3}.get(self.kind, 1)
+
+
+@frozen
+class StaticLoad:
+    """A force of ``size`` N at a place, or a couple of ``size`` N·m on a body; ``spread`` are the points between which
+    a distributed load of this resultant lies."""
+
+    name: str
+    body: str
+    size: float
+    direction_deg: float | None = None  # of a couple none
+    place: complex = 0j
+    point: str = ""  # the named point it acts at; "" of the resultant of a distributed load
+    spread: tuple[str, str] | None = None
+    intensity: tuple[float, float] = (0.0, 0.0)  # N/m at both
+
+
+@frozen
+class Framework:
+    """All that a scene of statics says. ``method`` is None where the program is to choose; the ``pole`` of a string
+    polygon is in N from where the polygon of forces begins, or such that the strings go ``through`` given points."""
+
+    points: Mapping[str, complex]
+    bodies: Mapping[str, tuple[str, ...]]
+    members: tuple[tuple[str, str], ...] = ()
+    supports: tuple[Support, ...] = ()
+    loads: tuple[StaticLoad, ...] = ()
+    method: str | None = None
+    pole: complex | None = None
+    through: tuple[str, ...] = ()
+    fixed: frozenset[str] = field(default_factory=frozenset)  # points of the ground that rods and ropes lead to
+
+
+def read_framework(reader: Reader, scene: SourceTable) -> Framework:
+    """The parts of a scene of statics."""
+    return _FrameworkReader(reader, scene).read()
+
+
+class _FrameworkReader:
+    """Reads points first, and what is named by them after."""
+
+    def __init__(self, reader: Reader, scene: SourceTable) -> None:
+        self.reader, self.scene = reader, scene
+        table = reader.names(scene.entries["points"], "points", Phrase("a_point"))
+        if len(table.entries) > MOST_POINTS:
+            raise reader.error(Phrase("points_many", count=len(table.entries), most=MOST_POINTS), table)
+        self.points = {n: reader.place(x, Phrase("point_of", name=n)) for n, x in table.entries.items()}
+        self.taken: dict[str, int] = {}
+
+    def read(self) -> Framework:
+        members = tuple(self.members())
+        supports = tuple(s for name, node in self.table("supports") for s in self.held(name, node))
+        fixed = frozenset(s.to for s in supports if s.to)
+        bodies = self.bodies(members, fixed)
+        entries = self.reader.optional(self.scene, "loads")
+        nodes = enumerate([] if entries is None else self.reader.items(entries, "loads"), 1)
+        loads = tuple(self.load(node, Phrase("load", number=k), bodies) for k, node in nodes)
+        method = self.reader.optional(self.scene, "method")
+        way = None if method is None else self.reader.word(method, section("method"), METHODS)
+        pole, through = self.pole()
+        places = MappingProxyType(self.points)
+        return Framework(places, MappingProxyType(bodies), members, supports, loads, way, pole, through, fixed)
+
+    def table(self, key: str) -> Iterator[tuple[str, Node]]:
+        """What stands under a key of the scene, by its names."""
+        node = self.reader.optional(self.scene, key)
+        yield from () if node is None else self.reader.table(node, section(key)).entries.items()
+
+    def named(self, node: Node, what: Told) -> str:
+        """A point of the scene."""
+        return self.reader.known(node, what, self.points, Phrase("points_all"))
+
+    def free(self, name: str) -> str:
+        """A name nobody has: numbered where somebody does."""
+        self.taken[name] = self.taken.get(name, 0) + 1
+        return name if self.taken[name] == 1 else f"{name}_{self.taken[name]}"
+
+    def bodies(self, members: tuple[tuple[str, str], ...], fixed: frozenset[str]) -> dict[str, tuple[str, ...]]:
+        """The rigid bodies by their points: a truss is one; all points are of one where none is named."""
+        own = {name: self.list_of(node, Phrase("body_of", name=name)) for name, node in self.table("bodies")}
+        if own and members:
+            self.reader.one_of(self.scene, ("bodies", "members"), Phrase("the_scene"))
+        return own or {ALONE: tuple(p for p in self.points if p not in fixed)}
+
+    def list_of(self, node: Node, what: Told) -> tuple[str, ...]:
+        """Points in a list."""
+        return tuple(dict.fromkeys(self.named(x, what) for x in self.reader.items(node, what)))
+
+    def members(self) -> Iterator[tuple[str, str]]:
+        """The members of a truss: [AB, BC] or [[A1, B], …]."""
+        node, seen = self.reader.optional(self.scene, "members"), set[frozenset[str]]()
+        for k, entry in enumerate([] if node is None else self.reader.items(node, "members"), 1):
+            what = Phrase("entry", number=k, what=section("members"))
+            ends = self.list_of(entry, what) if isinstance(entry, Items) else self.split(entry, what)
+            if len(ends) != 2 or frozenset(ends) in seen:
+                raise self.reader.error(Phrase("member_ends", what=what, names=ends), entry)
+            seen.add(frozenset(ends))
+            yield ends
+
+    def split(self, node: Node, what: Told) -> tuple[str, ...]:
+        """The two points of a member's name."""
+        text = self.reader.text(node, what)
+        ways = [(text[:k], text[k:]) for k in range(1, len(text)) if {text[:k], text[k:]} <= self.points.keys()]
+        if len(ways) != 1:
+            raise self.reader.error(Phrase("member_name", what=what, name=text[:60]), node)
+        return ways[0]
+
+    def held(self, point: str, node: Node) -> Iterator[Support]:
+        """What holds a point: one support, or several."""
+        name = self.reader.known(SourceScalar(point, node.line), section("supports"), self.points, Phrase("points_all"))
+        for entry in node.items if isinstance(node, Items) else [node]:
+            yield self.support(name, entry)
+
+    def support(self, point: str, node: Node) -> Support:
+        what, reader = Phrase("support_of", name=point), self.reader
+        if not isinstance(node, SourceTable):
+            kind = reader.word(node, what, SUPPORT_KINDS)
+            if kind in ("rod", "rope"):
+                raise reader.error(Phrase("rod_to", what=what, kind=kind), node)
+            return Support(kind, point, self.free(f"R_{point}"))  # type: ignore[arg-type]  # one of its words
+        kind = reader.one_of(reader.table(node, what, SUPPORT_KEYS), SUPPORT_KEYS, what)
+        if kind == "roller":
+            normal = reader.number(node.entries[kind], part(kind, what))
+            return Support("roller", point, self.free(f"R_{point}"), normal)
+        to = self.named(node.entries[kind], part(kind, what))
+        if self.points[to] == self.points[point]:
+            raise reader.error(Phrase("rod_to", what=what, kind=kind), node)
+        return Support(kind, point, self.free(f"S_{point}{to}"), to=to)  # type: ignore[arg-type]  # one of its words
+
+    def load(self, node: Node, what: Told, bodies: Mapping[str, tuple[str, ...]]) -> StaticLoad:
+        reader = self.reader
+        table = reader.table(node, what, STATIC_LOAD_KEYS)
+        kind = reader.one_of(table, ("force", "moment", "intensity"), what)
+        if kind == "moment":
+            alone = next(iter(bodies)) if len(bodies) == 1 and "body" not in table.entries else None
+            body = alone or self.of_body(reader.required(table, "body", what), what, bodies)
+            return StaticLoad(self.free(f"M_{body}"), body, reader.number(table.entries[kind], part(kind, what)))
+        angle = reader.said(table, "direction", what)
+        angle = -90.0 if angle is None and kind == "intensity" else angle
+        if angle is None:
+            raise reader.error(Phrase("force_no_direction", what=what), table)
+        if kind == "intensity":
+            return self.spread(table, what, bodies, angle)
+        point = self.named(reader.required(table, "point", what), part("point", what))
+        size = reader.number(reader.required(table, kind, what), part(kind, what))
+        body = self.body(table, point, bodies, what)
+        return StaticLoad(self.free(f"P_{point}"), body, size, angle, self.points[point], point)
+
+    def of_body(self, node: Node, what: Told, bodies: Mapping[str, tuple[str, ...]]) -> str:
+        """A body by its name."""
+        return self.reader.known(node, part("body", what), bodies, Phrase("bodies_all"))
+
+    def body(self, table: SourceTable, point: str, bodies: Mapping[str, tuple[str, ...]], what: Told) -> str:
+        """The body a load acts on: the first of those that have its point, unless one is named."""
+        if "body" in table.entries:
+            return self.of_body(table.entries["body"], what, bodies)
+        own = next((name for name, points in bodies.items() if point in points), None)
+        if own is None:
+            raise self.reader.error(Phrase("point_loose", what=what, name=point), table)
+        return own
+
+    def spread(self, table: SourceTable, what: Told, bodies: Mapping[str, tuple[str, ...]], angle: float) -> StaticLoad:
+        """The resultant of a distributed load: N/m, the same all along, or from one value to another."""
+        reader = self.reader
+        ends = [self.named(reader.required(table, key, what), part(key, what)) for key in ("from", "to")]
+        node = table.entries["intensity"]
+        nodes = reader.items(node, what) if isinstance(node, Items) else [node, node]
+        if len(nodes) != 2:
+            raise reader.error(Phrase("intensity_pair", what=what, count=len(nodes)), node)
+        first, last = (reader.number(x, part("intensity", what)) for x in nodes)
+        start, end = (self.points[p] for p in ends)
+        size = abs(end - start) * (first + last) / 2
+        if not 0.0 < abs(size) < MOST or first * last < 0.0:
+            raise reader.error(Phrase("intensity_none", what=what, one=ends[0], two=ends[1]), table)
+        place = start + (end - start) * (first + 2 * last) / (3 * (first + last))
+        body = next((n for n, own in bodies.items() if {*ends} <= {*own}), None)
+        if body is None:
+            raise reader.error(Phrase("point_loose", what=what, name=ends[1]), table)
+        return StaticLoad(
+            self.free(f"Q_{''.join(ends)}"),
+            body,
+            size,
+            angle,
+            place,
+            spread=(ends[0], ends[1]),
+            intensity=(first, last),
+        )
+
+    def pole(self) -> tuple[complex | None, tuple[str, ...]]:
+        """The pole of a string polygon, or the points its strings are to go through."""
+        node = self.reader.optional(self.scene, "pole")
+        if node is None:
+            return None, ()
+        if not isinstance(node, SourceTable):
+            return self.reader.place(node, section("pole")), ()
+        self.reader.table(node, section("pole"), POLE_KEYS)
+        names = self.list_of(self.reader.required(node, "through", section("pole")), part("through", section("pole")))
+        if len(names) not in (2, 3):
+            raise self.reader.error(Phrase("through_count", count=len(names)), node)
+        return None, names

@@ -1,0 +1,144 @@
+"""The space diagram of bodies in equilibrium: bodies or members, supports, loads, strings and lines of action."""
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from planes.plans.position.bodies import SCHEME
+from planes.plans.structures.figure import StaticsFigure, strains
+from planes.scene.mechanism import Link
+from planes.scene.structures import ALONE, StaticLoad, Support
+from planes.solving import Position
+from planes.words.names import at, label_of, mu_of
+from planes.words.naming import Naming
+from render import labels
+from render.paper import symbols
+from render.paper.marks import Arc, Arrow, Line, Mark
+from render.paper.style import BASE_MM, HINGE_MM, LEG_MM
+from render.views.loading import Loading
+from render.views.plotted import NEAR_MM
+from render.views.scheme import Scheme
+from render.views.strings import STRING_MM, drawn_strokes
+
+WHEEL_MM = 0.9  # radius of a roller's wheels
+REGION_MM = 5.0  # letters of regions
+WALL_MM = 14.0  # of a clamp
+SPREAD_MM, SPREAD_GAP_MM = 9.0, 9.0  # how high a distributed load is drawn, and how far apart its arrows stand
+
+
+class BodyScheme(Scheme):
+    """The scheme of bodies: those are numbered only where there are several, and rods never."""
+
+    def number(self, link: Link, outline: list[complex]) -> None:
+        """The number of one body of several."""
+        figure = self.position.plans.figure
+        if figure and link.name in figure.numbered:
+            super().number(link, outline)
+
+
+@dataclass
+class SpaceDiagram:
+    """The diagram being drawn."""
+
+    position: Position
+    naming: Naming
+
+    def __post_init__(self) -> None:
+        plans = self.position.plans
+        assert plans.figure
+        self.figure: StaticsFigure = plans.figure
+        self.scheme = BodyScheme(self.position, self.naming)
+        self.places = self.scheme.places
+
+    def drawn(self) -> tuple[Mark, ...]:
+        """All marks with their letters."""
+        strokes, named = drawn_strokes(self.position.drawing, self.figure, SCHEME)
+        signs = [m for s in self.figure.supports for m in self.sign(s)]
+        members = list(self.members())
+        loading = self.loads()
+        scheme = self.scheme
+        more = [*strokes, *members, *signs, *loading.marks]
+        more += [m for x in self.figure.spread for m in self.spread(x)]
+        return scheme.drawn(False, more, [*named, *loading.named, *self.knots()])
+
+    def at(self, mark: str) -> complex:
+        """Where a mark stands on the paper."""
+        return complex(self.position.drawing[mark])
+
+    def loads(self) -> Loading:
+        """Loads, reactions towards their points, and resultants of composition."""
+        plans = self.position.plans
+        loading = Loading(self.position, self.naming, () if self.figure.members else tuple(plans.mechanism.links))
+        loading.loads(False, from_outside=True)
+        for f in (f for f in plans.acting.forces[ALONE] if f.spot and self.figure.members):
+            way = complex(self.position.drawing[f.along]) * math.copysign(1.0, float(self.position.drawing[f.size]))
+            loading.force(f.name, self.at(f.point), way, from_outside=True)
+        for s in self.figure.supports:
+            start, end = (self.at(x) for x in plans.vectors[s.name])
+            if abs(end - start) > NEAR_MM and not s.to:
+                loading.force(s.name, self.places.at(s.point), (end - start) / abs(end - start))
+        for name, mark, along in self.figure.results:
+            loading.force(name, self.at(mark), complex(self.position.drawing[along]))
+        return loading
+
+    def knots(self) -> Iterator[labels.Label]:
+        """Letters of the points where lines of action meet, and of regions."""
+        mu = self.position.scales[mu_of(SCHEME)]
+        for text, z in self.figure.letters.items():
+            yield labels.Label(text, z * mu, REGION_MM, name=f"region {text}")
+        for mark in self.figure.knots:
+            yield labels.Label(self.naming.point(label_of(mark)), self.at(mark), STRING_MM, clear=0.8, name=mark)
+
+    def members(self) -> Iterator[Mark]:
+        """The members of a truss, as they are stretched or pressed."""
+        senses = strains(self.figure, self.position.drawing)
+        for name, one, other in self.figure.members:
+            sense = senses.get(name, "idle")
+            style = "thin" if sense == "idle" else "thick"
+            yield Line((self.at(at(SCHEME, one)), self.at(at(SCHEME, other))), style, name=f"{sense} {name}")
+
+    # signs
+
+    def sign(self, s: Support) -> tuple[Mark, ...]:
+        """A roller on its base, a clamp's wall; hinges are drawn with the bodies."""
+        z = self.places.at(s.point)
+        if s.kind == "roller":
+            return roller(z, s.normal_deg - 90.0)
+        return self.wall(z, s.point) if s.kind == "clamp" else ()
+
+    def wall(self, z: complex, point: str) -> tuple[Mark, ...]:
+        """The wall a body is clamped in: across the body there, hatched away from it."""
+        points = next(x.points for x in self.position.plans.mechanism.links.values() if point in x.points)
+        others = [self.places.at(p) - z for p in points if p != point]
+        way = min(others, key=abs, default=1 + 0j)
+        return symbols.base(z, math.degrees(cmath.phase(way)) + 90.0, WALL_MM, side=1)
+
+    def spread(self, load: StaticLoad) -> Iterator[Mark]:
+        """A distributed load: arrows beneath one line, as high as its intensities."""
+        assert load.spread and load.direction_deg is not None
+        start, end = (self.places.at(p) for p in load.spread)
+        way = symbols.unit(load.direction_deg) * math.copysign(1.0, load.size)
+        high = [SPREAD_MM * abs(q) / max(map(abs, load.intensity)) for q in load.intensity]
+        count = max(2, round(abs(end - start) / SPREAD_GAP_MM))
+        tops = [start - high[0] * way, end - high[1] * way]
+        yield Line((tops[0], tops[1]), "thin", "force")
+        for k in range(count + 1):
+            share = k / count
+            foot, top = start + share * (end - start), tops[0] + share * (tops[1] - tops[0])
+            if abs(foot - top) > 2.0:
+                yield Arrow(top, foot, "thin", "force")
+
+
+def roller(z: complex, angle_deg: float) -> tuple[Mark, ...]:
+    """A hinge on wheels: it holds across the base alone, whose turn is the angle."""
+    along = symbols.unit(angle_deg)
+    foot = z - 1j * along * (LEG_MM - 2 * WHEEL_MM)
+    ends = [foot + side * 0.5 * LEG_MM * along for side in (-1, 1)]
+    legs = [Line((z + HINGE_MM * ((end - z) / abs(end - z)), end)) for end in ends]
+    wheels = [
+        Arc(end + side * -WHEEL_MM * along - 1j * along * WHEEL_MM, WHEEL_MM, style="thin")
+        for side, end in zip((-1, 1), ends, strict=True)
+    ]
+    base = symbols.base(z - 1j * along * LEG_MM, angle_deg, BASE_MM)
+    return (*base, Line((ends[0], ends[1])), *legs, *wheels, *symbols.hinge(z))

@@ -1,0 +1,243 @@
+"""Bodies and trusses in equilibrium: reactions and members against linear equations that know no plan, and refusals."""
+
+from __future__ import annotations
+
+import math
+import random
+
+import pytest
+
+from planes.scene import loads
+from planes.solving import solve
+from planes.words.errors import SceneError
+from tests.helpers.equilibrium import members, reactions
+
+TINY = 1e-12
+
+
+def places(**points: complex) -> str:
+    return "points: {" + ", ".join(f"{n}: [{z.real!r}, {z.imag!r}]" for n, z in points.items()) + "}\n"
+
+
+def agrees(text: str) -> None:
+    """Every reaction as the independent solver has it, to twelve digits of the largest."""
+    (position,) = solve(loads("planes: 1\n" + text)).positions
+    found, truth = position.of("vectors"), reactions(text)
+    values = position.of("values")
+    most = max(abs(z) for n, z in truth.items() if not n.startswith("M_"))
+    for name, z in truth.items():
+        own = values[name].number if name.startswith("M_") else found[name].vector
+        assert abs(own - z) <= TINY * max(most, abs(z)), (name, own, z)
+
+
+def beam(r: random.Random, method: str) -> str:
+    """A hinge, a roller at any angle, and one to five forces at any angles."""
+    count = 1 if method == "three-forces" else r.randint(1, 5)
+    loaded = {f"P{k}": complex(r.uniform(0.3, 5.7), r.uniform(-1, 1)) for k in range(count)}
+    text = places(A=0j, B=complex(6, r.uniform(-1, 1)), **loaded)
+    text += f"supports: {{A: hinge, B: {{roller: {r.uniform(50, 130)!r}}}}}\nloads:\n"
+    text += "".join(
+        f"  - {{point: {p}, force: {r.uniform(1, 9)!r}, direction: {r.uniform(-150, -30)!r}}}\n" for p in loaded
+    )
+    return text + f"method: {method}\n"
+
+
+def three_rods(r: random.Random, method: str) -> str:
+    """A body on three rods that are far from one point."""
+    ways = [cmath_rect(r.uniform(1, 2), t + r.uniform(-0.3, 0.3)) for t in (1.9, 3.6, -1.2)]
+    text = places(A=0j, B=3 + 0j, C=1.5 + 1j, D=complex(r.uniform(1, 2), 0.5), E=ways[0], F=ways[1], G=3 + ways[2])
+    text += "bodies: {1: [A, B, C, D]}\nsupports: {A: [{rod: E}, {rod: F}], B: {rod: G}}\n"
+    text += f"loads: [{{point: D, force: {r.uniform(1, 9)!r}, direction: {r.uniform(-120, -60)!r}}}]\n"
+    return text + f"method: {method}\n"
+
+
+def cmath_rect(size: float, angle: float) -> complex:
+    return complex(size * math.cos(angle), size * math.sin(angle))
+
+
+def clamped(r: random.Random, method: str) -> str:
+    """A clamp under a force, a distributed load and a couple."""
+    text = places(A=0j, B=complex(r.uniform(1, 4), 0), C=complex(r.uniform(1, 4), r.uniform(-2, 2)))
+    force, turn, angle, first, last = (r.uniform(*x) for x in ((1, 9), (-180, 180), (-120, -60), (0, 3), (1, 5)))
+    text += f"supports: {{A: clamp}}\nloads:\n  - {{point: C, force: {force!r}, direction: {turn!r}}}\n"
+    text += f"  - {{from: A, to: B, intensity: [{first!r}, {last!r}], direction: {angle!r}}}\n"
+    return text + f"  - {{moment: {r.uniform(-9, 9)!r}}}\nmethod: {method}\n"
+
+
+def chained(r: random.Random, method: str) -> str:
+    """A beam that hangs on another."""
+    text = places(A=0j, B=4 + 0j, C=complex(r.uniform(4.5, 6), 0), D=9 + 0j, E=complex(r.uniform(1, 3), 0), F=7 + 0j)
+    text += "bodies: {1: [A, E, B, C], 2: [C, F, D]}\nsupports: {A: hinge, B: roller, D: roller}\nloads:\n"
+    for p in "EF":
+        text += f"  - {{point: {p}, force: {r.uniform(1, 9)!r}, direction: {r.uniform(-130, -50)!r}}}\n"
+    return text + f"method: {method}\n"
+
+
+def arched(r: random.Random, method: str) -> str:
+    """Three hinges, a force on either side of the middle one, a distributed load and a couple."""
+    text = places(A=0j, B=complex(8, r.uniform(-1, 1)), C=complex(r.uniform(3, 5), r.uniform(2, 4)), D=1 + 1j, E=6 + 2j)
+    text += "bodies: {1: [A, D, C], 2: [C, E, B]}\nsupports: {A: hinge, B: hinge}\nloads:\n"
+    for p in "DE":
+        text += f"  - {{point: {p}, force: {r.uniform(1, 9)!r}, direction: {r.uniform(-180, 180)!r}}}\n"
+    text += f"  - {{from: A, to: C, intensity: {r.uniform(1, 3)!r}}}\n  - {{moment: {r.uniform(-5, 5)!r}, body: 2}}\n"
+    return text + f"method: {method}\n"
+
+
+KINDS = [
+    (arched, "moments"),
+    (beam, "moments"),
+    (beam, "string"),
+    (beam, "three-forces"),
+    (beam, "composition"),
+    (three_rods, "moments"),
+    (three_rods, "culmann"),
+    (three_rods, "string"),
+    (clamped, "moments"),
+    (chained, "moments"),
+    (chained, "string"),
+]
+
+
+def sharp(make: object, method: str, r: random.Random) -> str | None:
+    """Loads taken together must meet well: composition fails where they do not, and says so."""
+    text = make(r, method)  # type: ignore[operator]
+    try:
+        solve(loads("planes: 1\n" + text))
+    except SceneError:
+        assert method == "composition"
+        return None
+    return str(text)
+
+
+@pytest.mark.parametrize(("make", "method"), KINDS)
+def test_reactions_are_those_of_linear_equations(make: object, method: str) -> None:
+    r = random.Random(f"{make.__name__} {method}")  # type: ignore[attr-defined]
+    for text in [sharp(make, method, r) for _ in range(5)]:
+        if text:
+            agrees(text)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("make", "method"), KINDS)
+def test_two_hundred_of_each_kind(make: object, method: str) -> None:
+    r = random.Random(f"many {make.__name__} {method}")  # type: ignore[attr-defined]
+    drawn = [text for _ in range(200) if (text := sharp(make, method, r))]
+    for text in drawn:
+        agrees(text)
+    assert len(drawn) > 150
+
+
+def girder(r: random.Random) -> str:
+    """A truss of triangles between two chords, loaded along both."""
+    n = r.randint(2, 6)
+    low = {f"B{k}": complex(k + r.uniform(-0.1, 0.1), r.uniform(-0.2, 0.2)) for k in range(n + 1)}
+    high = {f"T{k}": complex(k + 0.5 + r.uniform(-0.1, 0.1), r.uniform(0.6, 1.4)) for k in range(n)}
+    pairs = [(f"B{k}", f"B{k + 1}") for k in range(n)] + [(f"T{k}", f"T{k + 1}") for k in range(n - 1)]
+    pairs += [p for k in range(n) for p in ((f"B{k}", f"T{k}"), (f"T{k}", f"B{k + 1}"))]
+    r.shuffle(pairs)
+    text = places(**low, **high) + "members: [" + ", ".join(f"[{a}, {b}]" for a, b in pairs) + "]\n"
+    text += f"supports: {{B0: hinge, B{n}: {{roller: {r.uniform(60, 120)!r}}}}}\nloads:\n"
+    for joint in r.sample([*low, *high], r.randint(1, n + 2)):
+        text += f"  - {{point: {joint}, force: {r.uniform(1, 9)!r}, direction: {r.uniform(-180, 180)!r}}}\n"
+    return text
+
+
+FINK = """points: {A: [0, 0], B: [12, 0], C: [6, 4], D: [4, 0.5], E: [8, 0.5], F: [1.5, 1], G: [3, 2], H: [4.5, 3],
+  I: [7.5, 3], J: [9, 2], K: [10.5, 1], L: [2, 0.25], M: [5, 2.25], N: [10, 0.25], P: [7, 2.25]}
+members: [[A, F], [F, G], [G, H], [H, C], [C, I], [I, J], [J, K], [K, B], [A, L], [L, D], [D, E], [E, N], [N, B],
+  [F, L], [L, G], [G, D], [G, M], [H, M], [D, M], [M, C], [K, N], [N, J], [J, E], [J, P], [I, P], [E, P], [P, C]]
+supports: {A: hinge, B: roller}
+loads:
+"""
+
+
+def fink(r: random.Random) -> str:
+    """A roof truss that joints alone do not solve: three joints in a row have three unknown members each."""
+    return FINK + "".join(f"  - {{point: {p}, force: {r.uniform(1, 9)!r}, direction: -90}}\n" for p in "FGHCIJK")
+
+
+def carries(text: str) -> None:
+    """Every member as the node solver has it."""
+    (position,) = solve(loads("planes: 1\n" + text)).positions
+    truth = members(text)
+    most = max(1.0, *map(abs, truth.values()))  # loads are no smaller: in a hinge they reach no member
+    for name, force in truth.items():
+        assert abs(position.of("values")[name].number - force) <= 3 * TINY * most, name
+
+
+@pytest.mark.parametrize("make", [girder, fink])
+def test_members_are_those_of_the_joints_equations(make: object) -> None:
+    r = random.Random(make.__name__)  # type: ignore[attr-defined]
+    for _ in range(5):
+        carries(make(r))  # type: ignore[operator]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("make", [girder, fink])
+def test_two_hundred_trusses(make: object) -> None:
+    r = random.Random(f"many {make.__name__}")  # type: ignore[attr-defined]
+    for _ in range(200):
+        carries(make(r))  # type: ignore[operator]
+
+
+def test_a_truss_says_how_its_members_are_strained() -> None:
+    """A king post: rafters pressed, tie pulled, the post idle; by a cut where joints stop."""
+    from planes.plans.structures.figure import strains
+
+    text = "points: {A: [0, 0], B: [4, 0], C: [2, 2], D: [2, 0]}\nmembers: [AC, CB, AD, DB, CD]\n"
+    text += "supports: {A: hinge, B: roller}\nloads: [{point: C, force: 10000, direction: -90}]\n"
+    (position,) = solve(loads("planes: 1\n" + text)).positions
+    told = strains(position.plans.figure, position.drawing)
+    assert told == {"S_AC": "compression", "S_CB": "compression", "S_AD": "tension", "S_DB": "tension", "S_CD": "idle"}
+    assert position.of("values")["S_AC"].number == pytest.approx(-5000 * math.sqrt(2), rel=1e-14)
+
+
+BAR = "points: {A: [0, 0], B: [4, 0], C: [1, 0], E: [4, 3]}\nbodies: {1: [A, C, B]}\n"
+ARCH = "points: {A: [0, 0], B: [8, 0], C: [4, 3]}\nbodies: {1: [A, C], 2: [C, B]}\nsupports: {A: hinge, B: hinge}\n"
+LOAD = "loads: [{point: C, force: 5, direction: -90}]\n"
+TRIANGLE = "points: {A: [0, 0], B: [4, 0], C: [2, 2], D: [2, 3]}\n"
+PINNED = "supports: {A: hinge, B: roller}\nloads: [{point: C, force: 5, direction: -90}]\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            BAR + "supports: {A: hinge}\n" + LOAD,
+            "2 unknown reactions and 3 equations of equilibrium: this is a mechanism",
+        ),
+        (BAR + "supports: {A: hinge, B: hinge}\n" + LOAD, "statically indeterminate, with 1 redundant"),
+        (BAR + "supports: {A: hinge, B: {roller: 0}}\n" + LOAD, "passes through the hinge A"),
+        (BAR + "supports: {A: [roller], B: [roller], C: roller}\n" + LOAD, "meet in one point or are parallel"),
+        (
+            BAR + "supports: {A: hinge, B: {rope: E}}\nloads: [{point: C, force: 5, direction: 90}]\n",
+            "rope BE would have",
+        ),
+        (
+            BAR + "supports: {A: hinge, B: roller}\n" + LOAD + "method: three-forces\n",
+            "parallel to the line of the reaction",
+        ),
+        (BAR + "supports: {A: hinge, B: roller}\n" + LOAD + "method: culmann\n", "is not for these supports"),
+        (BAR + "supports: {A: clamp}\n" + LOAD + "method: string\n", "does not give the moment in the clamp"),
+        (BAR + "supports: {A: hinge, B: roller}\nloads: [{moment: 3}]\nmethod: string\n", "the couple M_1 acts"),
+        (BAR + "supports: {A: hinge, B: rod}\n" + LOAD, "needs another fixed point"),
+        (BAR + "supports: {A: hinge, Z: roller}\n" + LOAD, 'there is no point "Z"'),
+        (BAR + "loads: [{point: E, force: 5, direction: 0}]\n", "belongs to no body"),
+        (BAR + "loads: [{from: A, to: A, intensity: 5}]\n", "must have a length"),
+        (TRIANGLE + "members: [AB, BC, CD, AD]\n" + PINNED, "2j > m + r"),
+        (TRIANGLE + "members: [AB, BC, CA, CD, AD, BD]\n" + PINNED, "2j < m + r"),
+        (TRIANGLE + "members: [AB, BC, CA]\n" + PINNED, "no member ends at D"),
+        (TRIANGLE + "members: [AB, BC, CX]\n" + PINNED, "which two points"),
+        (TRIANGLE + "members: [AB, BC, AB]\n" + PINNED, "listed once"),
+        (TRIANGLE + "members: [AD, DB, AB, AC, CB]\n" + PINNED, "inside the truss"),
+        (ARCH.replace("C: [4, 3]", "C: [4, 0]"), "lie on one line"),
+        (ARCH.replace("B: hinge", "B: roller"), "this is a mechanism"),
+        (BAR + "vectors: {F: {value: 1, direction: 0}}\n", "do not go together"),
+    ],
+)
+def test_what_cannot_stand_is_refused_in_a_sentence(text: str, said: str) -> None:
+    with pytest.raises(SceneError) as refusal:
+        solve(loads("planes: 1\n" + text))
+    told = refusal.value.told("en")
+    assert said in told and told.startswith("scene.yaml:"), told
+    assert refusal.value.told("ru") != told
