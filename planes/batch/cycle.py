@@ -5,22 +5,22 @@ in what depends on what failed. A program is recorded once and gone through by a
 compiled loop (``compiled``) where it is installed; what a loop suspects of a contradiction is drawn, and proved.
 """
 
-from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
-from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
 
 from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
+from planes.batch.filling import filled
 from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.other_leads import OtherLeads
+from planes.batch.suspected import dependent, drawn
 from planes.batch.table import Block, Ready, Reason, columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
-from planes.drafting.clearness import clear, far_apart
-from planes.drafting.drawing import prove_many, run
+from planes.drafting.clearness import far_apart
+from planes.drafting.drawing import run
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
@@ -114,10 +114,19 @@ class Cycle(Ready):
         """Whether nothing but the drive moves, and all may move with it."""
         return not self.moved and not self.plans.laws
 
+    @property
+    def straight(self) -> bool:
+        """Whether nothing but the drive moves, and positions are clear of rounding."""
+        return self._alone and not self._dim
+
     @cached_property
     def _dim(self) -> bool:
         """Whether no position is clear of rounding."""
         return far_apart(self.plans.given, self.plans.means)
+
+    @cached_property
+    def _dependent(self) -> dict[str, list[int]]:
+        return dependent(self, self.trace)
 
     @cached_property
     def claims(self) -> Claims:
@@ -185,30 +194,7 @@ class Cycle(Ready):
         """
         fast, values = pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
         out = np.empty((len(self.columns), len(values))) if out is None else out
-        codes: Indices = np.zeros(len(values), np.intp)
-        threads = threads if self._alone else 1
-        cuts = [round(k * len(values) / threads) for k in range(threads + 1)]
-        parts = [(values[a:b], fast, bare, out[:, a:b], codes[a:b]) for a, b in pairwise(cuts)]
-        if threads == 1:
-            self._fill(*parts[0])
-        else:
-            from concurrent.futures import ThreadPoolExecutor
-
-            self._fill(values[:1], fast, bare, out[:, :1], codes[:1])  # what threads share is made before they begin
-            with ThreadPoolExecutor(threads) as pool:
-                deque(pool.map(lambda part: self._fill(*part), parts), maxlen=0)
-        return out, codes
-
-    def _fill(self, values: Array, fast: bool, bare: bool, out: Array, codes: Indices) -> None:
-        """Every column into its row of ``out``: by one call of machine code where all positions hold."""
-        straight = fast and self._alone and not self._dim and out.strides[1] == values.itemsize
-        if straight and len(values) and self.compiled.fill(values, out):
-            codes[:] = 0
-            return
-        start = 0
-        for block in self.blocks(values, fast=fast, bare=bare, out=out):
-            codes[start : start + len(block.codes)] = block.codes
-            start += len(block.codes)
+        return out, filled(self, values, fast, bare, out, threads if self._alone else 1)
 
     def _run(
         self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None
@@ -219,34 +205,16 @@ class Cycle(Ready):
         if codes is None or not (suspect := np.isin(codes, self._undecided)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
-        table[:, suspect], found = self._drawn(some, int(suspect.sum()))
+        table[:, suspect], found = drawn(self, self.trace, self.forces, some, int(suspect.sum()))
         codes[suspect] = 0 if found is None else found
         return table, codes if codes.any() else None
-
-    def _drawn(self, moving: Mapping[str, Floats], count: int) -> tuple[Array, Indices | None]:
-        """The same, drawn step by step and proved."""
-        given = {**self.given, **moving}
-        drawing = run(self.program, given)
-        prove_many(drawing, given)
-        table = np.empty((len(self.columns), count))
-        with np.errstate(all="ignore"):
-            for row, column in zip(table, self.columns, strict=True):
-                row[:] = column.take(drawing.things, drawing.tool.ar)
-        numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
-        whole = np.array([not c.beside for c in self.columns])
-        plain = clear(self.program, drawing.things, drawing.tool, self.forces)
-        codes = np.where(plain, 0, numbered.get((UNCLEAR, ""), 0))
-        codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
-        for reason, step, ok, _ in reversed(drawing.tool.failures):
-            codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
-        return table, codes.astype(np.int16) if codes.any() else None
 
     def _whole(self, part: Array, table: Array, codes: Indices | None) -> Block:
         """The block with NaN in everything that depends on what failed; and where it is not clear, that code."""
         if codes is None:
             return Block(part, table, np.zeros(len(part), np.int16))
         for code in np.unique(codes[(codes != 0) & (codes <= len(self.reasons))]):
-            table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
+            table[np.ix_(self._dependent[self.reasons[code - 1].makes], codes == code)] = np.nan
         return Block(part, table, codes)
 
     def _looked_at(self, block: Block, at: Indices, bare: bool) -> Block:
@@ -277,15 +245,6 @@ class Cycle(Ready):
     def codes(self, values: Array, at: Indices) -> Indices | None:
         """Which reason each position fails for, by arrays; None: none does."""
         return self._run(self.arrays, values, at)[1]
-
-    @cached_property
-    def _after(self) -> dict[str, list[int]]:
-        """The columns that depend on each thing that may fail."""
-        found: dict[str, list[int]] = {makes: [] for _, makes, _ in self.trace.requires}
-        for k, column in enumerate(self.columns):
-            for made in self.program.sliced(column.needs).made & found.keys():
-                found[made].append(k)
-        return {**found, "": list(range(len(self.columns)))}
 
 
 __all__ = ["Block", "Column", "Cycle", "Reason"]

@@ -4,22 +4,20 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from planes.batch.conditions import carried, finite, proved_together
 from planes.batch.symbols import Num, Test, Vec, number, place_of
 from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.proofs import Facts, Proof
 from planes.drafting.steps import Step, Through
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
-from planes.geometry.plane import square
 from planes.words.frozen import frozen
 
 UNCLEAR = "unclear"
-SUSPECTED = 1e-12  # relative to all that a plan shows: what is apart by more is drawn, and each proof is asked
 
 
 class Recording(Arithmetic):
@@ -198,54 +196,17 @@ def trace(
     draw_steps(program.steps, things, tool)
     taken = [take(things, tool.ar) for take in takes]
     if must:
-        proved, gaps = _proved(program, things, tool.ar)
+        proved, gaps = proved_together(program, things, tool.ar)
         for reason, holds in proved.items():
             tool.failures.append((reason, None, holds, {}))
-        seen = _carried(tape, gaps)
+        seen = carried(tape, gaps)
         rest = [x for x, m in zip(taken, must, strict=True) if m and place_of(tape, x) not in seen]
-        tool.require(_finite(tape, [*gaps, *rest]), None, "no_digits")
+        tool.require(finite(tape, [*gaps, *rest]), None, "no_digits")
         tool.require(clear(program, things, tool, forces), None, UNCLEAR)
     outputs = tuple(place_of(tape, x) for x in taken)
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in tool.failures)
     proofs = frozenset(p.reason for p in program.proofs)
     return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns), proofs)
-
-
-def _carried(tape: Tape, numbers: Iterable[Real]) -> set[int]:
-    """The places of all that makes one of these numbers infinite, or none, by being so."""
-    found, stack = set[int](), [x.at for x in numbers if isinstance(x, Num)]
-    while stack:
-        place = stack.pop()
-        if place not in found:
-            found.add(place)
-            op, args = tape.ops[place]
-            stack.extend(args if op in ("add", "sub", "mul", "neg", "abs", "hypot") else ())
-    return found
-
-
-def _proved(program: Program, things: Mapping[str, Point], ar: Arithmetic) -> tuple[dict[str, Truth], list[Real]]:
-    """Whether the proofs of every reason hold, those of a plan together and beside all its marks, which is soon done;
-    where they do not, a loop only suspects: drawing finds out."""
-    together: dict[tuple[str, str], list[Proof]] = {}
-    for proof in program.proofs:
-        together.setdefault((proof.reason, proof.plan), []).append(proof)
-    holds, shown, gaps = dict[str, Truth](), Facts(things, ar), list[Real]()
-    for (reason, plan), proofs in together.items():
-        sizes = [shown.mark(step.makes) for step in program.marks.get(plan, ())]
-        size = sum(map(square, sizes or [size for proof in proofs for size in proof.sizes(shown)]))
-        gap = sum(square(z) for proof in proofs for z in proof.nothing(shown))
-        gaps.append(gap)
-        holds[reason] = holds.get(reason, True) & (gap <= SUSPECTED**2 * size)
-    return holds, gaps
-
-
-def _finite(tape: Tape, numbers: list[Real]) -> Truth:
-    """Whether all are finite: nothing times each is nothing."""
-    total: Real = 0.0
-    for x in numbers:
-        if isinstance(x, Num):
-            total = number(tape, "mul", x, 0.0) + total
-    return total == 0.0
 
 
 def given_on(tape: Tape, name: str, value: Point) -> Point:

@@ -131,7 +131,13 @@ def tables() -> str:
             lines.append(f"| {who} | {' | '.join(told)} |")
         lines.append("")
     ways = ", ".join(f"{mechanism} {threads(mechanism, COUNTS[-1]):.2f}" for mechanism in ("four-bar", "six-link"))
-    return "\n".join([*lines, f"Two threads beside one, one table of {COUNTS[-1]:,} positions".replace(",", " ") + f": {ways} times as quick."])
+    return "\n".join(
+        [
+            *lines,
+            f"Two threads beside one, one table of {COUNTS[-1]:,} positions".replace(",", " ")
+            + f": {ways} times as quick.",
+        ]
+    )
 
 
 def near_the_limit(lang: str) -> str:
