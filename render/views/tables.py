@@ -23,6 +23,8 @@ from render.views.formulas import NOISE_MM
 from render.views.plotted import of_position
 from render.views.table_grid import Row, TableGrid, folded
 
+NOISE = 1e-12  # of the largest value of its unit: nothing
+
 
 @frozen
 class Tables:
@@ -49,9 +51,12 @@ class Tables:
         found = [
             (f, f.quantity.columns[0].unit) for n, f in self.position.of("values").items() if n not in self.strains
         ]
-        told = ((f, unit, self.turning if unit in RATES[False] else self.number) for f, unit in found)
-        name = self.naming.vector
-        rows = [[name(f.quantity.name), tell(f.number), unit and self.say(unit)] for f, unit, tell in told]
+        most = {unit: max(abs(f.number) for f, other in found if other == unit) for _, unit in found}
+        rows = []
+        for f, unit in found:
+            tell = self.turning if unit in RATES[False] else self.number
+            value = f.number if abs(f.number) > NOISE * most[unit] else 0.0
+            rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
         return self.table("values", self.say("values_found"), ["", "", ""], rows)
 
     @cached_property

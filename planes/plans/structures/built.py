@@ -173,6 +173,8 @@ class FrameworkBuilder(StatedLoads):
             f.supports,
             f.points,
             tuple(x for x in f.loads if x.spread),
+            moments=tuple(self.figure.moments),
+            shears=tuple(self.figure.shears),
             knots=tuple(self.figure.knots),
             said=self.figure.said,
             poles=tuple(self.figure.poles),
@@ -195,7 +197,7 @@ class FrameworkBuilder(StatedLoads):
             acting=Loads(acting, couples),
             means=d.means | {s.makes: s.means for s in program.steps if s.means},
             vectors={**{n: ends for n, ends in loads.items() if ends}, **dict(self.results()), **self.spans},
-            values=self.values,
+            values=self.values | {name: name for *_, name in (*self.figure.moments, *self.figure.shears)},
             links={FRAME: LinkValues("", "", "")},
             figure=figure,
         )

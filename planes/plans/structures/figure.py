@@ -10,7 +10,7 @@ from planes.scene.mechanism import FRAME, Drive, Link, Load, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
 from planes.words.frozen import frozen
 
-LineKind = Literal["string", "ray", "closing", "action", "culmann"]
+LineKind = Literal["string", "ray", "closing", "action", "culmann", "trial"]
 
 
 @frozen
@@ -35,6 +35,8 @@ class StaticsFigure:
     points: Mapping[str, complex] = field(default_factory=dict)  # by name, m
     spread: tuple[StaticLoad, ...] = ()
     members: tuple[tuple[str, str, str], ...] = ()
+    moments: tuple[tuple[str, str], ...] = ()  # of a beam: points with their bending moments by name
+    shears: tuple[tuple[str, str, str], ...] = ()  # and shears between two points
     knots: tuple[str, ...] = ()  # lettered points where lines of action meet
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
     said: Mapping[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
@@ -51,6 +53,8 @@ class FigureDraft:
     knots: list[str] = field(default_factory=list)
     poles: list[str] = field(default_factory=list)
     said: dict[str, str] = field(default_factory=dict)
+    moments: list[tuple[str, str]] = field(default_factory=list)
+    shears: list[tuple[str, str, str]] = field(default_factory=list)
 
     def stroke(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
         """Add a line, unless it begins where it ends."""
