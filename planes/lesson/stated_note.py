@@ -6,7 +6,7 @@ from planes.lesson.note import Note
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
 from planes.solving import Position
-from planes.solving.document import Block, Heading
+from planes.solving.document import Block, Heading, Paragraph
 from planes.words import Lang, say
 from planes.words.units import number
 
@@ -19,7 +19,19 @@ class StatedNote(Note):
     alone = "note_link_forces"
 
     def blocks(self) -> list[Block]:
-        return [*self.opening(), *self.plans(), *self.vectors()]
+        beam = [self.figure("beam", self.say("beam_diagrams"))] if self.beam else []
+        return [*self.opening(), *self.counted(), *self.plans(), *beam, *self.vectors()]
+
+    @property
+    def beam(self) -> bool:
+        """Whether it is of a beam with diagrams."""
+        figure = self.position.plans.figure
+        return bool(figure and figure.moments)
+
+    def counted(self) -> Iterator[Block]:
+        """Why bodies in equilibrium are statically determinate."""
+        figure = self.position.plans.figure
+        yield from (Paragraph(x.told(self.lang)) for x in figure.counted) if figure else ()
 
     def answers(self) -> Iterator[Block]:
         return self.vectors()

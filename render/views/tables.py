@@ -23,7 +23,7 @@ from render.views.formulas import NOISE_MM
 from render.views.plotted import of_position
 from render.views.table_grid import Row, TableGrid, folded
 
-NOISE = 1e-12  # of the largest value of its unit: nothing
+NOISE = 1e-12  # of the largest number of statics: nothing
 
 
 @frozen
@@ -51,11 +51,12 @@ class Tables:
         found = [
             (f, f.quantity.columns[0].unit) for n, f in self.position.of("values").items() if n not in self.strains
         ]
-        most = {unit: max(abs(f.number) for f, other in found if other == unit) for _, unit in found}
+        numbers = (f.numbers for group in ("values", "vectors") for f in self.position.of(group).values())
+        most = max((abs(x) for some in numbers for x in some if x), default=0.0)
         rows = []
         for f, unit in found:
             tell = self.turning if unit in RATES[False] else self.number
-            value = f.number if abs(f.number) > NOISE * most[unit] else 0.0
+            value = f.number if abs(f.number) > NOISE * most or not self.position.plans.figure else 0.0
             rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
         return self.table("values", self.say("values_found"), ["", "", ""], rows)
 
@@ -72,7 +73,8 @@ class Tables:
             mm = self.tenths(abs(force) * mu(CREMONA))
             rows.append([self.naming.vector(name), mm, self.number(force), self.say(f"strain_{strain}")])
         head = ["", self.say("mm"), self.say("N"), ""]
-        return self.table("members", self.say("members_table"), head, rows)
+        counted = [x.told(self.naming.lang) for x in figure.counted] if (figure := self.position.plans.figure) else []
+        return self.table("members", self.say("members_table"), head, rows, counted)
 
     def say(self, key: str) -> str:
         """A word of the sheet."""

@@ -3,14 +3,18 @@ every ordinate is a bending moment over the distance of the pole, and the rays p
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from planes.drafting.steps.crossings import Cross
+from planes.plans.force.loads import Force
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.free_body import FreeBody
 from planes.plans.structures.strings import O, StringPolygon
 from planes.scene.structures import Framework
 from planes.words.names import POLE, Meaning, at
 
+Moment = tuple[str, str]
+Shear = tuple[str, str, str]
 SQUARE = 1e-9  # the cosine of the angle between a beam and its loads
 
 
@@ -35,6 +39,10 @@ class StraightBeam:
         assert anchor
         return ((z - self.framework.points[anchor.point]) / self.axis).real
 
+    def load_along(self, load: tuple[Force, complex]) -> float:
+        """How far along the beam a load stands."""
+        return self.along(self.places[load[0].name])
+
     def straight(self, ways: list[complex]) -> bool:
         """Whether it is a beam: its points on one line, and all forces, by their ``ways``, across it."""
         anchor, points = self.body.anchor, self.framework.points
@@ -43,36 +51,42 @@ class StraightBeam:
         level = all(abs((z / self.axis).imag) <= SQUARE for z in own)
         return level and all(abs((w / self.axis).real) <= SQUARE * abs(w / self.axis) for w in ways)
 
-    def measure(
-        self, polygon: StringPolygon, closing: str, x: str
-    ) -> tuple[list[tuple[str, str]], list[tuple[str, str, str]]]:
+    def measure(self, polygon: StringPolygon, closing: str, x: str) -> tuple[list[Moment], list[Shear]]:
         """Bending moments by points, and shears by the two points they are between."""
         b, d, anchor = self.body, self.body.draft, self.body.anchor
         assert anchor
         axis = d.ray(SCHEME, anchor.point, b.lines[0].point)
-        across = d.square(axis)
-        pole = d.measure("H", at(b.plan, O), at(b.plan, POLE), axis)
-        sign = 1.0 if (self.axis.real, self.axis.imag) > (0.0, 0.0) else -1.0
-        stops = sorted(self.framework.bodies[b.name], key=lambda p: self.along(self.framework.points[p]))
-        moments, shears = list[tuple[str, str]](), list[tuple[str, str, str]]()
-        bases = ((POLE, polygon.rays[0], polygon.knots[0]), (x, closing, polygon.knots[0]))
-        bases = (*bases, (b.chain[len(b.forces) - 1].end, polygon.rays[-1], polygon.knots[-1]))
-        for before, point in zip([None, *stops], stops, strict=False):
-            where = self.along(self.framework.points[point])
-            passed = self.passed(where)
-            _, ray, knot = bases[self.part(where)]
-            if not self.within(point):
-                marks = [
-                    d.step(Cross(b.fresh(f"{point}{k}"), at(SCHEME, point), across, *line, means=Meaning("special")))
-                    for k, line in (("·", (knot, ray)), ("··", (polygon.knots[passed], polygon.rays[passed])))
-                ]
-                height = d.measure(f"y_{point}", marks[0], marks[1], across)
-                moments.append((point, d.product(f"M_{point}", sign, **{pole: 1, height: 1})))
-            if before and not self.spread(before, point):
-                middle = (self.along(self.framework.points[before]) + where) / 2
-                ends = bases[self.part(middle)][0], ([POLE] + [t.end for t in b.chain])[self.passed(middle)]
-                shears.append((before, point, d.measure(f"Q_{before}{point}", *(at(b.plan, z) for z in ends), across)))
+        knots, ends = polygon.knots, [POLE, *(t.end for t in b.chain)]
+        bases = [
+            (POLE, polygon.rays[0], knots[0]),
+            (x, closing, knots[0]),
+            (ends[len(b.forces)], polygon.rays[-1], knots[-1]),
+        ]
+        own = self.framework.bodies[b.name]
+        stops = sorted(own, key=lambda p: self.along(self.framework.points[p]))
+        moments = [(p, self.moment(p, polygon, bases, axis)) for p in stops if not self.within(p)]
+        shears = list[Shear]()
+        for one, other in pairwise(stops):
+            if not self.spread(one, other):
+                middle = (self.along(self.framework.points[one]) + self.along(self.framework.points[other])) / 2
+                base, end = bases[self.part(middle)][0], ends[self.passed(middle)]
+                name = f"Q_{one}{other}"
+                shears.append((one, other, d.measure(name, at(b.plan, base), at(b.plan, end), d.square(axis))))
         return moments, shears
+
+    def moment(self, point: str, polygon: StringPolygon, bases: list[Shear], axis: str) -> str:
+        """The bending moment at a point: the distance of the pole by the ordinate between base and string."""
+        b, d, where = self.body, self.body.draft, self.along(self.framework.points[point])
+        pole, across = d.measure("H", at(b.plan, O), at(b.plan, POLE), axis), d.square(axis)
+        _, ray, knot = bases[self.part(where)]
+        passed, spot = self.passed(where), at(SCHEME, point)
+        marks = []
+        for k, through, line in (("·", knot, ray), ("··", polygon.knots[passed], polygon.rays[passed])):
+            mark = b.fresh(f"{point}{k}")
+            marks.append(d.step(Cross(mark, spot, across, through, line, means=Meaning("foot"))))
+        height = d.measure(f"y_{point}", marks[0], marks[1], across)
+        sign = 1.0 if (self.axis.real, self.axis.imag) > (0.0, 0.0) else -1.0
+        return d.product(f"M_{point}", sign, **{pole: 1, height: 1})
 
     def part(self, where: float) -> int:
         """Before both supports, between them, or after them."""

@@ -8,6 +8,7 @@ from typing import Literal
 from planes.drafting.drawing import Drawing
 from planes.scene.mechanism import FRAME, Drive, Link, Load, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
+from planes.words import Phrase
 from planes.words.frozen import frozen
 
 LineKind = Literal["string", "ray", "closing", "action", "culmann", "trial"]
@@ -41,6 +42,7 @@ class StaticsFigure:
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
     said: Mapping[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
     poles: tuple[str, ...] = ()  # marks from which rays are drawn, which are no vectors of a plan
+    counted: tuple[Phrase, ...] = ()  # why it is statically determinate
     letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by their places on the scheme, m
 
 

@@ -92,7 +92,7 @@ def lay_pole(b: FreeBody, pole: complex, label: str = O) -> None:
     d, size, angle = b.draft, abs(pole), math.degrees(cmath.phase(pole))
     along = d.aim(f"∠{label}", angle, Meaning("given", label))
     length = d.give(f"|p{label}|", size)
-    d.lay_off(b.plan, label, at(b.plan, POLE), along, length, Meaning("special"))
+    d.lay_off(b.plan, label, at(b.plan, POLE), along, length, Meaning("foot"))
 
 
 def pole_through(b: FreeBody, pole: complex, points: Sequence[str], before: int) -> None:
@@ -115,11 +115,11 @@ def pole_through(b: FreeBody, pole: complex, points: Sequence[str], before: int)
         b.figure.stroke(SCHEME, "trial", "", start, end)
         closing = d.through(f"∥{TRIED}{n + 1}", start, end, Meaning("along", f"{CLOSING}{TRIED}{n + 1}"))
         mark = at(plan, f"m{n + 1}")
-        d.step(Cross(mark, at(plan, O + TRIED), closing, at(plan, ends[low]), chord, means=Meaning("special")))
+        d.step(Cross(mark, at(plan, O + TRIED), closing, at(plan, ends[low]), chord, means=Meaning("foot")))
         b.figure.stroke(plan, "trial", "", at(plan, O + TRIED), mark)
         parted.append((mark, d.ray(SCHEME, points[n], points[n + 1])))
     other = parted[1] if len(parted) > 1 else (at(plan, O + TRIED), chord)
-    d.step(Cross(at(plan, O), *parted[0], *other, means=Meaning("special")))
+    d.step(Cross(at(plan, O), *parted[0], *other, means=Meaning("foot")))
     b.figure.said |= {at(plan, O): "pole_through"}
     for mark, _ in parted:
         b.figure.stroke(plan, "action", "", mark, at(plan, O))

@@ -106,8 +106,8 @@ class WayFinder:
         self.suits("string")
         beam = StraightBeam(b, self.framework, self.places) if b.anchor else None
         if beam and beam.straight([*self.forces, self.way(b.lines[0])]):
-            order = sorted(range(len(b.forces)), key=lambda k: beam.along(self.places[b.forces[k].name]))
-            b.forces, self.forces = [b.forces[k] for k in order], [self.forces[k] for k in order]
+            pairs = sorted(zip(b.forces, self.forces, strict=True), key=beam.load_along)
+            b.forces, self.forces = [f for f, _ in pairs], [z for _, z in pairs]
         else:
             beam = None
         b.lay()
