@@ -12,6 +12,7 @@ from planes.plans.structures.figure import Strain, strains
 from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.tables import difference
+from planes.solving.text_tables import NOISE, largest
 from planes.words import say
 from planes.words.frozen import field, frozen
 from planes.words.names import CREMONA, kind_of, parts_of, plan_of
@@ -22,8 +23,6 @@ from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
 from render.views.plotted import of_position
 from render.views.table_grid import Row, TableGrid, folded
-
-NOISE = 1e-12  # of the largest number of statics: nothing
 
 
 @frozen
@@ -51,12 +50,11 @@ class Tables:
         found = [
             (f, f.quantity.columns[0].unit) for n, f in self.position.of("values").items() if n not in self.strains
         ]
-        numbers = (f.numbers for group in ("values", "vectors") for f in self.position.of(group).values())
-        most = max((abs(x) for some in numbers for x in some if x), default=0.0)
+        most = largest(self.position)
         rows = []
         for f, unit in found:
             tell = self.turning if unit in RATES[False] else self.number
-            value = f.number if abs(f.number) > NOISE * most or not self.position.plans.figure else 0.0
+            value = f.number if abs(f.number) > NOISE * most else 0.0
             rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
         return self.table("values", self.say("values_found"), ["", "", ""], rows)
 

@@ -77,7 +77,7 @@ class StraightBeam:
     def moment(self, point: str, polygon: StringPolygon, bases: list[Shear], axis: str) -> str:
         """The bending moment at a point: the distance of the pole by the ordinate between base and string."""
         b, d, where = self.body, self.body.draft, self.along(self.framework.points[point])
-        pole, across = d.measure("H", at(b.plan, O), at(b.plan, POLE), axis), d.square(axis)
+        pole, across = d.measure("N_H", at(b.plan, O), at(b.plan, POLE), axis), d.square(axis)
         _, ray, knot = bases[self.part(where)]
         passed, spot = self.passed(where), at(SCHEME, point)
         marks = []
