@@ -141,9 +141,38 @@ class Loops:
         drive = np.zeros(len(q))
         drive[-1] = 1.0  # its equation is the last
         v = np.array(np.linalg.solve(slopes, drive * velocity), float)
-        h = 1e-5 / max(1.0, float(np.abs(v).max()))
-        turned = (self.jacobian(q + h * v) @ v - self.jacobian(q - h * v) @ v) / (2 * h)
-        return v, np.array(np.linalg.solve(slopes, drive * acceleration - turned), float)
+        return v, np.array(np.linalg.solve(slopes, drive * acceleration - self._bends(q, v)), float)
+
+    def _bends(self, q: Array, v: Array) -> Array:
+        """What the constraints' second derivatives are without accelerations of the pose: exact, centripetal parts and
+        those of Coriolis."""
+        found: list[float] = []
+        for pair in self.plans.structure.pairs:
+            bend = self._bend(q, v, pair)
+            found += [bend.real, bend.imag] if pair.kind == "R" else [bend.imag, 0.0]
+        pair = self.plans.structure.drive_pair
+        return np.array([*found, self._bend(q, v, pair).real if pair.kind == "P" else 0.0])
+
+    def _bend(self, q: Array, v: Array, pair: Pair) -> complex:
+        """The same of a pair: of a hinge in the frame's axes, of a slider in its guide's."""
+        (own, a), (carried, b) = (self._moved(q, v, link, pair) for link in (pair.link, pair.other))
+        if pair.kind == "R":
+            return a - b
+        coriolis = 2j * self._turns(v, pair.other) * (own - carried)
+        return (a - b - coriolis) * cmath.exp(-1j * self._along(q, pair))
+
+    def _turns(self, v: Array, link: str) -> float:
+        return 0.0 if link == FRAME else float(v[3 * self.links.index(link) + 2])
+
+    def _moved(self, q: Array, v: Array, link: str, pair: Pair) -> tuple[complex, complex]:
+        """The velocity and centripetal acceleration a link has at a pair (of a slider at its first point)."""
+        if link == FRAME:
+            return 0j, 0j
+        point = pair.point if pair.kind == "R" else self.plans.mechanism.link(pair.link).first_point
+        place = self.place(q, pair.link, point)
+        k, turns = 3 * self.links.index(link), self._turns(v, link)
+        arm = place - self.pose(q, link)[0]
+        return complex(v[k], v[k + 1]) + 1j * turns * arm, -(turns**2) * arm
 
     def points(self, q: Array, v: Array, a: Array) -> dict[str, tuple[complex, complex, complex]]:
         """Place, velocity and acceleration of every point of the moving links."""

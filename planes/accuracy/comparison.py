@@ -99,7 +99,7 @@ class Comparison:
 
     def many(self, values: Array, fast: bool) -> Array:
         """The columns by arrays or by the compiled loop."""
-        return self.cycle.table(values, fast=fast)
+        return self.cycle.table(values, fast=fast)[0]
 
     def through(self, values: Array, fast: bool) -> int:
         """The same, each block let go of as soon as it is there; how many blocks."""
@@ -123,7 +123,7 @@ class Comparison:
         width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.plans.reach,) * 2
 
         found = np.empty((len(self.letters), len(values)))
-        here, back, on = (places.table(x, fast=False) for x in (values, values - unit, values + unit))
+        here, back, on = (places.table(x, fast=False)[0] for x in (values, values - unit, values + unit))
         found[self.letters == "r"] = here
         found[self.letters == "v"], found[self.letters == "a"] = differences(
             here, back, on, drive.velocity, drive.acceleration, width

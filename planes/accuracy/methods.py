@@ -132,12 +132,3 @@ def _ruled(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float
     mu = mus["mu_" + plan_of(column.start)]
     size = np.broadcast_to(column.take(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu
     return np.round(size / ruler) * ruler / mu
-
-
-def front(methods: list[Method]) -> list[Method]:
-    """The methods than which no other is both faster and more exact, the fastest first."""
-    best: list[Method] = []
-    for m in sorted(methods, key=lambda m: (m.seconds, m.error)):
-        if not best or m.error < best[-1].error:
-            best.append(m)
-    return best

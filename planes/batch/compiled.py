@@ -4,7 +4,7 @@ The compiler is the one inside numba, spoken to directly: a tape has no types to
 """
 
 import ctypes
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, cached_property
 from importlib.util import find_spec
 
@@ -14,6 +14,9 @@ from planes.batch.llvm_ir import EXTRA, module, row_of
 from planes.batch.loops import Loop
 from planes.batch.tracing import Trace
 from planes.geometry.arrays import Array, Floats, Indices
+
+LINE = 64
+"""Bytes of a line of the cache: numbers that lie across two are an eighth slower."""
 
 
 def available() -> bool:
@@ -28,36 +31,60 @@ class CompiledLoop(Loop):
         super().__init__(trace, moving, given)
         tape, outputs = trace.tape, list(trace.outputs)
         fixed = [p for p in self.still if tape.ops[p][0] != "const"]
-        tested = (place for reason, _, place in trace.requires if reason not in trace.proofs)
+        tested = (place for _, makes, place in trace.requires if makes)  # the rest only asks for a closer look
         rough = frozenset(self.moved).difference(tape.needed([*outputs, *tested]))
         self.row = row_of(len(self.places) + len(outputs) + 1)
         self.text = module(tape, self.moved, self.places, fixed, outputs, self.conditions, rough, self.row + EXTRA)
         self.fixed = np.array([float(self.still[p]) for p in fixed] or [0.0])
 
     @cached_property
-    def run(self) -> Callable[[int, int], float]:
-        """The machine code: where the rows begin, and how many positions; not 0 where one of them failed."""
-        code, fixed = _compiled(self.text), self.fixed.ctypes.data
-        return lambda rows, count: code(rows, fixed, count)
+    def run(self) -> Callable[..., int]:
+        """The machine code (``llvm_ir.module``)."""
+        return _compiled(self.text)
 
-    def __call__(self, rows: Array) -> tuple[Array, Indices | None]:
+    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
         """One block of positions.
 
         What is done here is done for every block, so it is little: rows of inputs, outputs and codes share one piece of
         memory, and its address is taken the short way (``array.ctypes`` is six times as long).
         """
-        inputs, count = len(self.inputs), rows.shape[1]
-        whole = np.empty((inputs + len(self.trace.outputs) + 1, self.row + EXTRA))
-        whole[:inputs, :count] = rows
-        failed = self.run(ctypes.addressof(ctypes.c_char.from_buffer(whole.data)), count)
-        return whole[inputs:-1, :count], whole[-1, :count].astype(np.int16) if failed else None
+        inputs, count, wide = len(rows), len(rows[0]), self.row + EXTRA
+        made = 0 if out is not None else len(self.trace.outputs)
+        memory = np.empty((inputs + 1 + made) * wide + LINE // 8)
+        begin = _address(memory)
+        begin += (skip := -begin % LINE)
+        whole = np.ndarray((inputs + 1 + made, wide), float, memory, skip)
+        for k, values in enumerate(rows):
+            whole[k, :count] = values
+        codes, filled = begin + 8 * wide * inputs, begin + 8 * wide * (inputs + 1)
+        if out is None:
+            out = whole[inputs + 1 :, :count]
+        else:
+            filled, wide = _address(out[0]), out.strides[0] >> 3
+        failed = self.run(begin, filled, codes, self._fixed, count, wide)
+        return out, whole[inputs, :count].view(np.int64).astype(np.int16) if failed else None
+
+    def fill(self, values: Array, out: Array) -> bool:
+        """All positions of the only input by one call, each output straight into its row of ``out``; whether every one
+        of them holds. Other threads may run beside it."""
+        codes = np.empty(len(values), np.int64)
+        places = _address(values), _address(out[0]), _address(codes), self._fixed
+        return not self.run(*places, len(values), out.strides[0] >> 3)
+
+    @cached_property
+    def _fixed(self) -> int:
+        return _address(self.fixed)
 
 
-_CALL = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
+def _address(array: Array | Indices) -> int:
+    return ctypes.addressof(ctypes.c_char.from_buffer(array.data))
+
+
+_CALL = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 4, ctypes.c_int64, ctypes.c_int64)
 
 
 @cache
-def _compiled(text: str) -> Callable[[int, int, int], float]:
+def _compiled(text: str) -> Callable[..., int]:
     """The compiled loop; compiled once for each structure."""
     import llvmlite.binding as llvm
 

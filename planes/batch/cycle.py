@@ -13,12 +13,14 @@ import numpy as np
 
 from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
+from planes.batch.filling import filled
 from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.other_leads import OtherLeads
+from planes.batch.suspected import dependent, drawn
 from planes.batch.table import Block, Ready, Reason, columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
-from planes.drafting.clearness import clear, far_apart
-from planes.drafting.drawing import prove_many, run
+from planes.drafting.clearness import far_apart
+from planes.drafting.drawing import run
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
@@ -32,8 +34,8 @@ from planes.words import Phrase
 from planes.words.errors import ProgramError, choices
 
 CHUNK = 4096
-PAYS = 200_000
-"""From how many positions on a compiled loop is worth compiling."""
+PAYS = 400_000
+"""From how many positions on a compiled loop is worth compiling: 350 000 to 420 000 of classes II, III and IV."""
 
 
 def pays(count: int) -> bool:
@@ -80,7 +82,9 @@ class Cycle(Ready):
         """The program on a tape, drawn in SI, or at the scales that are given."""
         must = [not c.beside for c in self.columns]  # an arm ends where its force does
         takes = [c.take for c in self.columns]
-        return trace(self.program, self.given, takes, self.folded, must=must, forces=self.forces)
+        still = self.given.keys() - self.known - {self.plans.drive_given}
+        units = {n: self.given[n] for n in still if np.isin(self.given[n], (0, 1, -1))}  # once folded they cost nothing
+        return trace(self.program, self.given, takes, {**units, **self.folded}, must=must, forces=self.forces)
 
     @cached_property
     def forces(self) -> list[tuple[str, str]]:
@@ -99,6 +103,30 @@ class Cycle(Ready):
     def reasons(self) -> tuple[Reason, ...]:
         """What each code means: code k is the reason k - 1."""
         return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires if r != UNCLEAR)
+
+    @cached_property
+    def _undecided(self) -> list[int]:
+        """The codes of proofs: what fails them may be only rounded."""
+        return [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
+
+    @cached_property
+    def _alone(self) -> bool:
+        """Whether nothing but the drive moves, and all may move with it."""
+        return not self.moved and not self.plans.laws
+
+    @property
+    def straight(self) -> bool:
+        """Whether nothing but the drive moves, and positions are clear of rounding."""
+        return self._alone and not self._dim
+
+    @cached_property
+    def _dim(self) -> bool:
+        """Whether no position is clear of rounding."""
+        return far_apart(self.plans.given, self.plans.means)
+
+    @cached_property
+    def _dependent(self) -> dict[str, list[int]]:
+        return dependent(self, self.trace)
 
     @cached_property
     def claims(self) -> Claims:
@@ -129,7 +157,7 @@ class Cycle(Ready):
         return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
-        self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False
+        self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False, out: Array | None = None
     ) -> Iterator[Block]:
         """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
 
@@ -141,64 +169,57 @@ class Cycle(Ready):
         size = min(chunk, self.loop(fast).row)
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)
-            yield self.block(part, np.arange(start, start + len(part)), fast, bare)
+            into = None if out is None else out[:, start : start + size]
+            yield self.block(part, slice(start, start + len(part)), fast, bare, into)
 
     def loop(self, fast: bool) -> Loop:
         """The loop, compiled or by arrays."""
         return self.compiled if fast else self.arrays
 
-    def block(self, part: Array, at: Indices, fast: bool, bare: bool) -> Block:
+    def block(self, part: Array, at: Indices | slice, fast: bool, bare: bool, out: Array | None = None) -> Block:
         """The block of the positions numbered ``at``; where leads cross flatly, by plans in which others meet."""
-        block = self._looked_at(self._whole(part, *self._run(self.loop(fast), part, at)), at, bare)
+        table, codes = self._run(self.loop(fast), part, at, out)
+        if codes is None and not self._dim:
+            return Block(part, table, np.zeros(len(part), np.int16))
+        at = np.arange(at.start, at.stop) if isinstance(at, slice) else at
+        block = self._looked_at(self._whole(part, table, codes), at, bare)
         self.others.draw(block, at, fast, bare)
         return block
 
-    def table(self, values: Array, fast: bool) -> Array:
-        """A row of all values for each column, however few digits they have."""
-        return np.hstack([b.table for b in self.blocks(values, fast=fast, bare=True)])
+    def table(
+        self, values: Array, fast: bool | None = None, out: Array | None = None, threads: int = 1, bare: bool = True
+    ) -> tuple[Array, Indices]:
+        """A row of all values for each column (in ``out``, where it is given), and the codes. ``fast`` and ``bare`` are
+        those of :meth:`blocks`. Several ``threads`` share the positions: machine code lets them run beside each other.
+        """
+        fast, values = pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
+        out = np.empty((len(self.columns), len(values))) if out is None else out
+        return out, filled(self, values, fast, bare, out, threads if self._alone else 1)
 
-    def _run(self, loop: Loop, part: Array, at: Indices) -> tuple[Array, Indices | None]:
+    def _run(
+        self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None
+    ) -> tuple[Array, Indices | None]:
         """The table by a loop, and the codes (None: nothing failed); what it only suspects is drawn."""
-        moving = self.moving(part, at)
-        table, codes = loop(np.array([moving[name] for name in loop.inputs]))
-        undecided = [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
-        if codes is None or not (suspect := np.isin(codes, undecided)).any():
+        moving = {self.plans.drive_given: part} if self._alone else self.moving(part, at)
+        table, codes = loop([np.asarray(moving[name]) for name in loop.inputs], out)
+        if codes is None or not (suspect := np.isin(codes, self._undecided)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
-        table[:, suspect], found = self._drawn(some, int(suspect.sum()))
+        table[:, suspect], found = drawn(self, self.trace, self.forces, some, int(suspect.sum()))
         codes[suspect] = 0 if found is None else found
         return table, codes if codes.any() else None
-
-    def _drawn(self, moving: Mapping[str, Floats], count: int) -> tuple[Array, Indices | None]:
-        """The same, drawn step by step and proved."""
-        given = {**self.given, **moving}
-        drawing = run(self.program, given)
-        prove_many(drawing, given)
-        table = np.empty((len(self.columns), count))
-        with np.errstate(all="ignore"):
-            for row, column in zip(table, self.columns, strict=True):
-                row[:] = column.take(drawing.things, drawing.tool.ar)
-        numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
-        whole = np.array([not c.beside for c in self.columns])
-        plain = clear(self.program, drawing.things, drawing.tool, self.forces)
-        codes = np.where(plain, 0, numbered.get((UNCLEAR, ""), 0))
-        codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
-        for reason, step, ok, _ in reversed(drawing.tool.failures):
-            codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
-        return table, codes.astype(np.int16) if codes.any() else None
 
     def _whole(self, part: Array, table: Array, codes: Indices | None) -> Block:
         """The block with NaN in everything that depends on what failed; and where it is not clear, that code."""
         if codes is None:
             return Block(part, table, np.zeros(len(part), np.int16))
         for code in np.unique(codes[(codes != 0) & (codes <= len(self.reasons))]):
-            table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
+            table[np.ix_(self._dependent[self.reasons[code - 1].makes], codes == code)] = np.nan
         return Block(part, table, codes)
 
     def _looked_at(self, block: Block, at: Indices, bare: bool) -> Block:
         """The block with NaN for numbers without digits, where it is not clear."""
-        dim = far_apart(self.plans.given, self.plans.means)  # no position is clear of rounding
-        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & dim)
+        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self._dim)
         block.codes[where] = 0
         if len(where) and not bare:
             found = self.claims.bounds(block.values[where], at[where])
@@ -224,15 +245,6 @@ class Cycle(Ready):
     def codes(self, values: Array, at: Indices) -> Indices | None:
         """Which reason each position fails for, by arrays; None: none does."""
         return self._run(self.arrays, values, at)[1]
-
-    @cached_property
-    def _after(self) -> dict[str, list[int]]:
-        """The columns that depend on each thing that may fail."""
-        found: dict[str, list[int]] = {makes: [] for _, makes, _ in self.trace.requires}
-        for k, column in enumerate(self.columns):
-            for made in self.program.sliced(column.needs).made & found.keys():
-                found[made].append(k)
-        return {**found, "": list(range(len(self.columns)))}
 
 
 __all__ = ["Block", "Column", "Cycle", "Reason"]

@@ -119,31 +119,32 @@ def arctangent() -> str:
 
 
 def gap() -> str:
-    """``error_free.gap``, what products lose told by one fused operation."""
+    """``error_free.gap``, what products lose told by one fused operation: (r + s)² less the distance's square, two
+    parts of each, so that gaps of the same places share the latter."""
     t = Lines()
-    sums = (("%r", "%s", "fadd"), ("%dx", "%cx", "fsub"), ("%dy", "%cy", "fsub"))
-    (whole, *lost), *others = (_squared(t, *parts) for parts in sums)
-    for square, *less in others:
-        whole, part = _apart(t, whole, square)
-        lost = [part, *(t.op("fsub", a, b) for a, b in zip(lost, less, strict=True))]
-        lost = [t.op("fadd", lost[0], lost[1]), lost[2]]
-    rest = t.op("fadd", lost[0], t.op("fmul", literal(2.0), lost[1]))
-    left, names = t.op("fadd", whole, rest), ("cx", "cy", "dx", "dy", "r", "s")
+    names = ("cx", "cy", "dx", "dy", "r", "s")
+    x, y = (_squared(t, f"%d{axis}", f"%c{axis}", "fsub") for axis in "xy")
+    radii = _squared(t, "%r", "%s", "fadd")
+    whole, part = _apart(t, x[0], t(f"fneg double {y[0]}"))
+    lost = t.op("fadd", part, t.op("fadd", x[1], y[1]))
+    left = t.op("fadd", t.op("fsub", radii[0], whole), t.op("fsub", radii[1], lost))
     size, *more = (t.call("llvm.fabs.f64", f"%{name}") for name in names)
-    for part in more:
-        size = t.op("fadd", size, part)
-    radii = t.call("llvm.fabs.f64", t.op("fadd", "%r", "%s"))
-    doubt = t.op("fmul", t.op("fmul", size, radii), literal(EPS))
+    for one in more:
+        size = t.op("fadd", size, one, " reassoc contract")
+    doubt = t.op("fmul", size, t.op("fmul", t.call("llvm.fabs.f64", t.op("fadd", "%r", "%s")), literal(EPS)))
     sure = t(f"fcmp ogt double {t.call('llvm.fabs.f64', left)}, {doubt}")
     kept = t.select(sure, left, t.op("fmul", left, literal(0.0)))
     return _function("kgap", ", ".join(f"double %{name}" for name in names), t, kept)
 
 
-def _squared(t: Lines, a: str, b: str, op: str) -> tuple[str, str, str]:
-    """The square of a sum or difference, what its rounding lost, and the product with what the sum itself lost."""
+def _squared(t: Lines, a: str, b: str, op: str) -> tuple[str, str]:
+    """The square of a sum or difference, and what its rounding, and that of the sum itself, lost."""
     total, lost = _apart(t, a, b) if op == "fsub" else _apart(t, a, t(f"fneg double {b}"))
     square = t.op("fmul", total, total)
-    return square, t.call("llvm.fma.f64", total, total, t(f"fneg double {square}")), t.op("fmul", total, lost)
+    twice = t.op("fadd", lost, lost)
+    return square, t.call(
+        "llvm.fma.f64", total, twice, t.call("llvm.fma.f64", total, total, t(f"fneg double {square}"))
+    )
 
 
 def _apart(t: Lines, a: str, b: str) -> tuple[str, str]:

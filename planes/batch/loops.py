@@ -2,7 +2,7 @@
 numpy, a block of positions at a time, in arrays used again as soon as nobody needs what they hold.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import count
 
 import numpy as np
@@ -35,7 +35,7 @@ class Loop:
         found = read(tape, tape.needed(fixed), given)
         self.still = {p: found[p] for p in fixed}
 
-    def __call__(self, rows: Array) -> tuple[Array, Indices | None]:
+    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
         """Outputs (a row for each) and codes (the number of the first condition that does not hold, 0 where all do;
         None: nothing failed), of one block of positions (``rows``: a row for each input)."""
         raise NotImplementedError
@@ -73,16 +73,16 @@ class ArrayLoop(Loop):
         self.work = [(INTO[op], [self.at[a] for a in args], self.at[place]) for op, args, place in listed]
         self.width = width
 
-    def __call__(self, rows: Array) -> tuple[Array, Indices | None]:
-        if rows.shape[1] != self.width:
-            self._ready(rows.shape[1])
+    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
+        if len(rows[0]) != self.width:
+            self._ready(len(rows[0]))
         for place, row in zip(self.places, rows, strict=True):
             if place in self.shelf:
                 self.at[place][:] = row
         with np.errstate(all="ignore"):
-            for do, args, out in self.work:
-                do(*args, out=out)
-        table = np.empty((len(self.trace.outputs), self.width))
+            for do, args, made in self.work:
+                do(*args, out=made)
+        table = np.empty((len(self.trace.outputs), self.width)) if out is None else out
         for row, place in zip(table, self.trace.outputs, strict=True):
             row[:] = self.at[place]
         return table, self._codes()

@@ -4,19 +4,20 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from planes.batch.conditions import carried, finite, proved_together
 from planes.batch.symbols import Num, Test, Vec, number, place_of
 from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.proofs import Facts, Proof
-from planes.drafting.tools import Tool
+from planes.drafting.steps import Step, Through
+from planes.drafting.steps.crossings import CrossArc, CrossArcs
+from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
 from planes.words.frozen import frozen
 
 UNCLEAR = "unclear"
-SUSPECTED = 1e-12  # relative to all that a plan shows: what is apart by more is drawn, and each proof is asked
 
 
 class Recording(Arithmetic):
@@ -105,6 +106,19 @@ class TracingTool(Tool):
     errors: tuple[float, float, float] | None = None
     sources: list[Source] = field(default_factory=list)
     choosy: bool = False
+    reach: dict[tuple[str, str], Real] = field(default_factory=dict)  # between marks, where an arc was drawn
+
+    def draw(self, step: Step, things: Env) -> Thing:
+        """The thing itself; a direction by the radius of the arc that made it one, with no root of it."""
+        if self.errors is None and isinstance(step, Through):
+            for a, b in ((step.start, step.end), (step.end, step.start)):
+                if (a, b) in self.reach:
+                    return (things[step.end] - things[step.start]) / self.reach[a, b]
+        if isinstance(step, CrossArcs | CrossArc):
+            self.reach[step.centre, step.makes] = abs(things[step.radius] * things[step.mu])
+        if isinstance(step, CrossArcs):
+            self.reach[step.other, step.makes] = abs(things[step.other_radius] * things[step.mu])
+        return super().draw(step, things)
 
     def mark(self, place: Point) -> Point:
         return place + Vec(self._error(0), self._error(0)) if self.errors else place
@@ -181,39 +195,18 @@ def trace(
     things: dict[str, Point] = {n: known[n] if n in known else given_on(tape, n, given[n]) for n in given}
     draw_steps(program.steps, things, tool)
     taken = [take(things, tool.ar) for take in takes]
-    outputs = tuple(place_of(tape, x) for x in taken)
     if must:
-        for reason, holds in _proved(program, things, tool.ar).items():
+        proved, gaps = proved_together(program, things, tool.ar)
+        for reason, holds in proved.items():
             tool.failures.append((reason, None, holds, {}))
-        tool.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
+        seen = carried(tape, gaps)
+        rest = [x for x, m in zip(taken, must, strict=True) if m and place_of(tape, x) not in seen]
+        tool.require(finite(tape, [*gaps, *rest]), None, "no_digits")
         tool.require(clear(program, things, tool, forces), None, UNCLEAR)
+    outputs = tuple(place_of(tape, x) for x in taken)
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in tool.failures)
     proofs = frozenset(p.reason for p in program.proofs)
     return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns), proofs)
-
-
-def _proved(program: Program, things: Mapping[str, Point], ar: Arithmetic) -> dict[str, Truth]:
-    """Whether the proofs of every reason hold, those of a plan together and beside all its marks, which is soon done;
-    where they do not, a loop only suspects: drawing finds out."""
-    together: dict[tuple[str, str], list[Proof]] = {}
-    for proof in program.proofs:
-        together.setdefault((proof.reason, proof.plan), []).append(proof)
-    holds, shown = dict[str, Truth](), Facts(things, ar)
-    for (reason, plan), proofs in together.items():
-        sizes = [shown.size(step.makes) for step in program.marks.get(plan, ())]
-        size = sum(sizes or [size for proof in proofs for size in proof.sizes(shown)])
-        gap = sum(proof.gap(shown) for proof in proofs)
-        holds[reason] = holds.get(reason, True) & (gap <= SUSPECTED * size)
-    return holds
-
-
-def _finite(tape: Tape, numbers: list[Real]) -> Truth:
-    """Whether all are finite: nothing times each is nothing."""
-    total: Real = 0.0
-    for x in numbers:
-        if isinstance(x, Num):
-            total = number(tape, "mul", x, 0.0) + total
-    return total == 0.0
 
 
 def given_on(tape: Tape, name: str, value: Point) -> Point:

@@ -14,9 +14,10 @@ from planes.diagrams.turn import Grid, WholeTurn
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
-CELLS = 64  # parts a bracket is cut into, each round
-ROUNDS = 7
+CELLS = 32  # parts a bracket is cut into, each round
+ROUNDS = 8
 BATCH = 48  # brackets closed in on together: what bounds the memory
+TOWARDS = 1e-3, 1e-7, 0.0  # of the way from a limit to the position beside it
 STILL = 1e-11  # a curve that varies less than this, beside its size, is constant
 GROWS = 3.0  # how many times larger ten thousand times nearer to a limit: without bound
 
@@ -42,29 +43,44 @@ class _Bracket:
     angular: bool  # to be told near it
 
 
+@dataclass
+class _Limit:
+    """A limit of assembly: the position of the grid beside it, where it is, and what all curves do towards it."""
+
+    index: int
+    limit: float
+    near: Sample
+
+    @classmethod
+    def of(cls, g: Grid, index: int, limit: float) -> "_Limit":
+        place = float(g.places[index])
+        reach = (place - limit) or (1.0 if place >= limit else -1.0) * 1e-6
+        return cls(index, limit, g.turn.sample(np.array([limit + reach * part for part in TOWARDS]), bare=True))
+
+
 def extremes(g: Grid) -> list[list[Extreme]]:
     """For every curve of the turn its extremes, in the order of the driver's places; none for a constant curve."""
     found: list[list[Extreme]] = [[] for _ in g.turn.curves]
-    brackets: list[_Bracket] = []
+    brackets, limits = list[_Bracket](), [_Limit.of(g, i, limit) for i, limit in g.limits]
     for k, curve in enumerate(g.turn.curves):
         y = g.values(curve)
         if varies(y, g.noise(curve)):
             brackets += _brackets(g, k, y)
-            found[k] += _edges(g, curve, y)
-    for start in range(0, len(brackets), BATCH):
-        batch = brackets[start : start + BATCH]
-        for bracket, place, value in _joined(g, batch, *_refined(g.turn, batch)):
-            again = g.closed and place >= g.places[-1] - 1e-9
-            found[bracket.curve].append(Extreme(place - FULL if again else place, value, bracket.sense))
+            found[k] += _edges(g, curve, y, limits)
+    batches = [brackets[start : start + BATCH] for start in range(0, len(brackets), BATCH)]
+    places = np.concatenate([_refined(g.turn, batch) for batch in batches]) if batches else np.empty(0)
+    for bracket, place, value in _joined(g, brackets, places) if batches else ():
+        again = g.closed and place >= g.places[-1] - 1e-9
+        found[bracket.curve].append(Extreme(place - FULL if again else place, value, bracket.sense))
     return [sorted(some, key=lambda e: e.place) for some in found]
 
 
-def _joined(g: Grid, brackets: list[_Bracket], places: Array, values: Array) -> list[tuple[_Bracket, float, float]]:
+def _joined(g: Grid, brackets: list[_Bracket], places: Array) -> list[tuple[_Bracket, float, float]]:
     """The extremes a curve comes up to: at a dead point where a load turns about, not the single value it has there but
     that of the nearer side, if the curve comes up to it; where it grows without bound, infinity."""
     beside = 1e-8 * (g.places[-1] - g.places[0])
     around = (places + beside * np.array([[-1], [1], [-1000], [1000]])).ravel()
-    near, far = _values(g.turn, brackets * 4, around).reshape(2, 2, -1)
+    values, (near, far) = _values(g.turn, brackets, places), _values(g.turn, brackets * 4, around).reshape(2, 2, -1)
     size = {k: np.nanmax(np.abs(g.values(g.turn.curves[k]))) for k in {b.curve for b in brackets}}
     alone = np.abs(values - near).min(axis=0) > 1e-3 * np.array([size[b.curve] for b in brackets])
     found = []
@@ -110,25 +126,23 @@ def _brackets(g: Grid, k: int, y: Array) -> list[_Bracket]:
     return found
 
 
-def _edges(g: Grid, curve: Curve, y: Array) -> list[Extreme]:
+def _edges(g: Grid, curve: Curve, y: Array, limits: list[_Limit]) -> list[Extreme]:
     """Values at the ends of the range, and at the limits of assembly, where they may be the largest of all."""
     found = []
     if not g.closed:
         for i, other in ((0, 1), (len(y) - 1, len(y) - 2)):
             if np.isfinite(y[i]) and np.isfinite(y[other]):
                 found.append(Extreme(float(g.places[i]), float(y[i]), 1 if y[i] > y[other] else -1, "end"))
-    for i, limit in g.limits:
-        if np.isfinite(y[i]):
-            found += _limit(g, curve, float(y[i]), float(g.places[i]), limit)
+    for limit in limits:
+        if np.isfinite(y[limit.index]):
+            found += _at_limit(curve, float(y[limit.index]), limit)
     return found
 
 
-def _limit(g: Grid, curve: Curve, y: float, place: float, limit: float) -> list[Extreme]:
+def _at_limit(curve: Curve, y: float, at: _Limit) -> list[Extreme]:
     """What a curve does at a limit of assembly: it ends there, or grows without bound."""
-    reach = (place - limit) or (1.0 if place >= limit else -1.0) * 1e-6
-    near = np.array([limit + reach * part for part in (1e-3, 1e-7, 0.0)])
-    values = curve.read(g.turn.sample(near, bare=True)) + np.zeros(3)
-    far, close, last = values
+    far, close, last = curve.read(at.near) + np.zeros(len(TOWARDS))
+    limit = at.limit
     if curve.group != "place" and np.isfinite(far) and np.isfinite(close) and abs(close) > GROWS * abs(far):
         return [Extreme(limit, float(np.copysign(np.inf, close)), 1 if close > 0 else -1, "limit")]
     value = last if np.isfinite(last) else close
@@ -139,8 +153,8 @@ def _limit(g: Grid, curve: Curve, y: float, place: float, limit: float) -> list[
     return [Extreme(limit, float(value), 1 if value > y else -1, "limit")]
 
 
-def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> tuple[Array, Array]:
-    """Places and values of the bracketed extremes, all closed in on together: on where the slope is positive no more,
+def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> Array:
+    """Places of the bracketed extremes, all closed in on together: on where the slope is positive no more,
     or, if it is not known or has one sign throughout (a value passes through infinity), on the value itself."""
     low, high = np.array([b.low for b in brackets]), np.array([b.high for b in brackets])
     owner = np.array([b.curve for b in brackets])
@@ -160,8 +174,8 @@ def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> tuple[Array, Array]:
             first[mine], last[mine] = np.where(by_value, _top(y), _crossing(slope))
         rows = np.arange(len(x))
         low, high = x[rows, first], x[rows, last]
-    place = (low + high) / 2
-    return place, _values(turn, brackets, place)
+    middle: Array = (low + high) / 2
+    return middle
 
 
 def _values(turn: WholeTurn, brackets: list[_Bracket], place: Array) -> Array:

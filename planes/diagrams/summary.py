@@ -1,6 +1,6 @@
 """A whole cycle in figures: the driven link's stroke and dead points, the time ratio, extremes of all curves, paths."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -131,7 +131,7 @@ class Summary:
         some, size, rounds = self.extremes[curve.name], float(np.nanmax(np.abs(y))), self.grid.rounds(curve)
         k = int(np.flatnonzero(np.isfinite(y))[0])
         of = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # a constant's only one
-        low, high = min(of, key=lambda e: e.value), max(of, key=lambda e: e.value)
+        low, high = _first_most(of, -1, size), _first_most(of, 1, size)
         still = not some and not rounds
         return CurveSummary((curve.name,), curve.unit, curve.group, low, high, size, rounds, still)
 
@@ -164,6 +164,12 @@ class Summary:
         row = self.grid.sample[name]
         some = [e.value for e in self.extremes[name]] or [float(row[np.isfinite(row)][0])]
         return sense * max(sense * value for value in some)
+
+
+def _first_most(some: Sequence[Extreme], sense: int, size: float) -> Extreme:
+    """The greatest (or least, −1) of extremes; of those that are alike but for rounding the first."""
+    most = max(sense * e.value for e in some)
+    return next(e for e in some if sense * e.value >= most - SAME * size)
 
 
 def _length(path: Complexes) -> float:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from planes.accuracy.comparison import OtherProgram
 from planes.accuracy.limits import Limit
-from planes.accuracy.methods import Method, front, machine, measure, method_name
+from planes.accuracy.methods import Method, machine, measure, method_name
 from planes.accuracy.stability import Approach, approach
 from planes.accuracy.turning import Turning, turned, turning
 from planes.accuracy.variation import alterable
@@ -94,10 +94,8 @@ def axis(limit: Limit, lang: Lang) -> str:
 
 def text(methods: list[Method], way: Approach | None, lang: Lang) -> str:
     """The numbers of both charts as CSV."""
-    best = front(methods)
-    lines = [f"{say('chart_method', lang)},s,{say('chart_error_short', lang)},{say('chart_front', lang)}"]
-    for m in methods:
-        lines.append(f'"{m.name(lang)}",{m.seconds:.4g},{m.error:.4g},{int(m in best)}')
+    lines = [f"{say('chart_method', lang)},s,{say('chart_error_short', lang)}"]
+    lines += [f'"{m.name(lang)}",{m.seconds:.4g},{m.error:.4g}' for m in methods]
     if way is not None:
         names = [method_name(key, DIGITS, lang) for key in way.errors]
         heads = [axis(way.limit, lang), say("chart_sharpness", lang), say("chart_claim", lang), *names]

@@ -75,9 +75,8 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     drive, run = plans.mechanism.drive, Cycle(plans, names)
     if values is None:
         values = np.arange(360.0) if drive.kind == "phi" else np.array([drive.position])
-    blocks = list(run.blocks(values))
-    at, table, codes = (np.concatenate(part, axis=-1) for part in zip(*blocks, strict=True))
-    columns = {name: np.full(len(at), number) for name, number in given.items()} | {drive.kind: at}
+    table, codes = run.table(values, bare=False)
+    columns = {name: np.full(len(values), number) for name, number in given.items()} | {drive.kind: values}
     units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.kind == "phi" else "m"}
     columns |= {c.name: row for c, row in zip(run.columns, table, strict=True)}
     units |= {c.name: c.unit for c in run.columns}

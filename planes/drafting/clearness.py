@@ -13,7 +13,8 @@ from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Sense
 from planes.drafting.steps.tracks import CutTrack
 from planes.drafting.tools import Thing, Tool
-from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.geometry.arithmetic import Real, Truth
+from planes.geometry.plane import square
 from planes.words.names import Meaning, kind_of, plan_of
 
 BLUNT, CLEAR = 0.1, 0.01
@@ -40,8 +41,8 @@ def clear(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iter
     for step in rays:
         if kind_of(plan_of(step.start)) not in _AGAIN:
             one, two = things[step.start], things[step.end]
-            apart, size = _size(two - one, ar), ar.maximum(_size(one, ar), _size(two, ar))
-            ok = ok & ((apart >= BLUNT * CLEAR * size) | (apart == 0))
+            apart, size = square(two - one), square(one) + square(two)
+            ok = ok & ((apart >= (BLUNT * CLEAR) ** 2 * size) | (apart == 0))
     for sense in (s for s in program.steps if isinstance(s, Sense)):
         length, largest = sense.weighed(things, ar)
         ok = ok & ((abs(length) > CERTAIN * largest) | (abs(length) <= tool.still * largest))
@@ -72,8 +73,3 @@ def far_apart(given: Mapping[str, Thing], means: Mapping[str, Meaning]) -> bool:
     sizes = [(means[n].quantity, abs(v)) for n, v in given.items() if n in means]
     longest = max((size for what, size in sizes if what in ("length", "offset", "place")), default=0.0)
     return longest > FAR * min((size for what, size in sizes if what == "length" and size), default=math.inf)
-
-
-def _size(z: Point, ar: Arithmetic) -> Real:
-    """The larger side of the box about a vector: near enough its length, and quicker."""
-    return ar.maximum(abs(z.real), abs(z.imag))

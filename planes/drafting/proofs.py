@@ -131,7 +131,10 @@ class VectorProof(Proof):
         if length and along:
             stated = shown.along(length, along)
             return vector - stated if sign > 0 else vector + stated
-        return plane.cross(shown[along], vector) if along else abs(vector) - abs(shown[length])
+        if along:
+            return plane.cross(shown[along], vector)
+        stated = abs(shown[length])  # half the difference of lengths is small beside them, and has no root in it
+        return (plane.dot(vector, vector) - stated * stated) / (stated + (stated == 0))
 
     def sizes(self, shown: Facts) -> Iterator[Real]:
         yield from map(shown.size, dict.fromkeys(mark for row in self.rows for mark in row[1::-1]))

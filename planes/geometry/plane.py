@@ -20,6 +20,11 @@ def dot(a: Point, b: Point) -> Real:
     return a.real * b.real + a.imag * b.imag
 
 
+def square(v: Point) -> Real:
+    """The square of a vector's length, or of a number."""
+    return dot(v, v)
+
+
 def unit(v: Point, ar: Arithmetic) -> Point:
     """The direction of ``v``; of a zero vector, the x axis (a zero vector is laid off anywhere)."""
     length = abs(v)
@@ -86,10 +91,9 @@ def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tu
     apart = abs(d - c)
     far, near = apart - (r + s), abs(r - s) - apart
     quad = ar.sqrt(ar.gap(c, d, r, s) * -ar.gap(c, d, r, -s))
-    safe = apart + (apart == 0)
-    along = (apart + (r - s) * ((r + s) / safe)) / 2
-    e = (d - c) / safe
-    place = c + e * along + 1j * e * (side * quad / (2 * safe))
+    square = dot(d - c, d - c)
+    part = 0.5 / (square + (square == 0))
+    place = c + (d - c) * (0.5 + (r - s) * (r + s) * part) + 1j * (d - c) * (side * quad * part)
     return place, quad / (2 * r * s + (r * s == 0)), far, near
 
 

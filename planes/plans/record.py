@@ -103,7 +103,7 @@ class Plans:
         """Whether there is a mechanism: what moves has other positions."""
         return self.mechanism.drive.link != FRAME
 
-    @property
+    @cached_property
     def drive_given(self) -> str:
         """Name of the given that moves the driver: its angle in degrees, or s in m; one that nothing reads."""
         return self.mechanism.drive.given if self.moves else STILL

@@ -1,5 +1,6 @@
 """Charts of methods: speed against accuracy with its front, errors on the way to a limit, and turning curves."""
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import cycle
 from pathlib import Path
@@ -11,14 +12,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
-from planes.accuracy.methods import Method, front
+from planes.accuracy.methods import Method
 from planes.accuracy.stability import Approach
 from planes.accuracy.turning import Turning
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.words import Lang, say
 from render.charts import LOOKS, OF_FILES, beside, save
 
-INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
+INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a", "#6b4226")
 Look = tuple[int, str, Any]
 LOOK: dict[str, Look] = {  # of a method: colour, marker, dashes
     "method_scalar": (0, "o", "-"),
@@ -30,10 +31,13 @@ LOOK: dict[str, Look] = {  # of a method: colour, marker, dashes
     "method_digits": (6, "X", "-"),
     "method_pencil": (6, "_", "-"),
 }
-OTHERS = (7, "<", "--"), (8, ">", "--")  # of programs by others, in turn
+OTHERS = (7, "<", "--"), (8, ">", "--"), (9, "d", "--")  # of programs by others, in turn
 FLOOR = 1e-17  # errors below the last place of a double are drawn here
 LEADER = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.6}  # to words that stand far from their mark
-NONSENSE = 1e6  # errors so many times the truth are not drawn: the method is lost
+OURS = "method_scalar", "method_batch", "method_compiled"
+ALIKE = 1e3  # methods whose errors are less than so many times another's are as exact as it
+HALF_DIGITS = 1e-8
+NONSENSE = 10.0  # errors so many times the truth are not drawn: the method is lost
 LEAST = 0.01  # of the grid: a region that is smaller is not lettered
 DARK = 0.11  # how much darker two more assemblies make a region
 
@@ -76,19 +80,17 @@ def looks_of(keys: Iterable[str]) -> dict[str, Look]:
 def _speed(plot: Axes, spots: list[Method], seconds: str, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
-    steps = [(m.seconds, m.error) for m in front(spots)]
-    looks: dict[str, Any] = {"color": "#bbbbbb", "linewidth": 5, "solid_capstyle": "round", "zorder": 1}
-    plot.plot(*zip(*steps, strict=True), label=say("chart_front", lang), **looks)
-    looked = looks_of(m.key for m in spots)
-    for m in spots:
+    pencils, methods = ([m for m in spots if (m.key == "method_pencil") is by_hand] for by_hand in (True, False))
+    looked = looks_of(m.key for m in methods)
+    for m in methods:
         colour, marker, _ = looked[m.key]
-        plot.plot([m.seconds], [m.error], marker, color=INK[colour], markersize=7 if marker != "_" else 9, zorder=3)
-    low, high = min(m.seconds for m in spots), max(m.seconds for m in spots)
+        plot.plot([m.seconds], [m.error], marker, color=INK[colour], markersize=7, zorder=3)
+    low, high = min(m.seconds for m in methods), max(m.seconds for m in methods)
     plot.set_xlim(low / 3, high * 60)
-    plot.set_ylim(min(m.error for m in spots) / 20, 30)
-    _label(plot, [m for m in spots if m.key != "method_pencil"], lang)
-    _label_pencils(plot, [m for m in spots if m.key == "method_pencil"], lang)
-    plot.legend(loc="upper left")
+    plot.set_ylim(min(m.error for m in spots) / 200, 10 * max(m.error for m in spots))
+    _label(plot, methods, lang)
+    _band(plot, pencils, lang)
+    _concluded(plot, conclusion_of_speed(methods, lang))
 
 
 def _label(plot: Axes, spots: Sequence[Method], lang: Lang) -> None:
@@ -111,14 +113,52 @@ def _free(box: tuple[float, float, float], taken: Sequence[tuple[float, float, f
     return all(abs(y - b) >= 12 or right < a or c < left for a, b, c in taken)
 
 
-def _label_pencils(plot: Axes, pencils: Sequence[Method], lang: Lang) -> None:
-    """One name for all pencils, and the sheets of the largest and the smallest error."""
+def _band(plot: Axes, pencils: Sequence[Method], lang: Lang) -> None:
+    """What a pencil errs, however long it takes: from the sheet of the largest error to that of the smallest."""
     if not pencils:
         return
-    right = max(m.seconds for m in pencils)
     worst, best = max(pencils, key=lambda m: m.error), min(pencils, key=lambda m: m.error)
+    plot.axhspan(best.error, worst.error, color="#dddddd", zorder=0)
     text = say("chart_pencils", lang, worst=worst.number, best=best.number)
-    beside(plot, text, (right, (worst.error * best.error) ** 0.5), (10, 0), va="center", fontsize=8.5)
+    left = plot.get_xlim()[0]
+    beside(plot, text, (left, best.error), (6, -3), va="top", fontsize=8.5)
+
+
+def _concluded(plot: Axes, text: str) -> None:
+    """What follows from a panel, under it."""
+    plot.set_xlabel(f"{plot.get_xlabel()}\n\n{text}", fontsize=9)
+
+
+def power_of_ten(x: float) -> str:
+    """The nearest power of ten, as charts letter it."""
+    return f"$10^{{{round(math.log10(x))}}}$"
+
+
+def few_digits(x: float) -> str:
+    """Two digits, in thousands: 37 000."""
+    size = 10 ** max(math.floor(math.log10(x)) - 1, 0)
+    return f"{round(x / size) * size:,}".replace(",", "\u2009") if x >= 10 else f"{x:.2g}"
+
+
+def conclusion_of_speed(methods: Sequence[Method], lang: Lang) -> str:
+    """How much time the quickest of ours takes, and how many times as much the nearest of the others as exact."""
+    ours = min((m for m in methods if m.key in OURS), key=lambda m: m.seconds)
+    others = [m for m in methods if m.key not in (*OURS, "method_digits") and m.error < ALIKE * ours.error]
+    name = ours.name(lang)
+    told = {"ns": f"{ours.seconds * 1e9:.2g}", "error": power_of_ten(ours.error), "ours": name[:1].upper() + name[1:]}
+    if not others:
+        return say("chart_says_alone", lang, **told)
+    near = min(others, key=lambda m: m.seconds)
+    return say("chart_says_speed", lang, other=near.name(lang), times=few_digits(near.seconds / ours.seconds), **told)
+
+
+def conclusion_of_stability(way: Approach, lang: Lang) -> str:
+    """How near to the limit half of all digits are left, and whether the claimed error held all the way."""
+    mine, claim = np.asarray(way.errors["method_scalar"]), np.asarray(way.claim)
+    kept = [d for d, e in zip(way.distances, mine, strict=True) if e < HALF_DIGITS]
+    held = bool(np.all((mine <= claim) | np.isnan(mine)))
+    key = "chart_says_held" if held else "chart_says_not_held"
+    return say(key, lang, near=power_of_ten(min(kept, default=max(way.distances))))
 
 
 def _stability(plot: Axes, way: Approach, axis: str, names: Mapping[str, str], lang: Lang) -> None:
@@ -136,7 +176,9 @@ def _stability(plot: Axes, way: Approach, axis: str, names: Mapping[str, str], l
         looks: dict[str, Any] = {"color": INK[colour], "marker": marker, "linestyle": dashes, "linewidth": wide}
         plot.plot(d, shown, markersize=3.5, label=names[key], **looks)
     plot.set_xlim(max(d) * 2, min(d) / 2)
-    plot.set_ylim(FLOOR / 3, 1e7)
+    shown = [e for e in (*way.claim, *way.sharpness, *(e for row in way.errors.values() for e in row)) if e < NONSENSE]
+    plot.set_ylim(FLOOR / 3, 10 * max(shown))
+    _concluded(plot, conclusion_of_stability(way, lang))
     plot.figure.legend(*plot.get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8.5)
 
 

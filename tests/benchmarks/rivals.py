@@ -13,6 +13,7 @@ from conftest import angles, plans
 
 from planes.accuracy.comparison import Comparison
 from planes.batch.cycle import Cycle
+from planes.plans import Plans
 from tests.helpers.other_programs import Pylinkage, kinepy_run, near_of, pylinkage_run
 
 COLUMNS = {
@@ -30,9 +31,10 @@ KERNELS = {
 Work = Callable[[], object]
 
 
-def numbers(name: str) -> list[float]:
-    """What a kernel is told of its mechanism."""
-    given, m = plans(name).given, plans(name).mechanism
+def numbers(name: str, stated: Plans | None = None) -> list[float]:
+    """What a kernel is told of its mechanism; ``stated``, if that is not as its scene has it."""
+    own = stated or plans(name)
+    given, m = own.given, own.mechanism
     drive = [m.drive.velocity, m.drive.acceleration]
     if name == "slotted lever":
         return [given["l_AB"], given["place_C"].real, given["place_C"].imag, *drive]

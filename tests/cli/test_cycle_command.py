@@ -108,7 +108,7 @@ def test_a_long_table_of_curves_goes_through_the_compiled_loop(scene: str, tmp_p
     loops: list[int] = []
     run = compiled.CompiledLoop.__call__
     monkeypatch.setattr(batch_cycle, "PAYS", 700)
-    monkeypatch.setattr(compiled.CompiledLoop, "__call__", lambda loop, rows: loops.append(1) or run(loop, rows))
+    monkeypatch.setattr(compiled.CompiledLoop, "__call__", lambda loop, *rows: loops.append(1) or run(loop, *rows))
     found = []
     for plain, file in (([], tmp_path / "loop.npz"), (["--plain"], tmp_path / "arrays.npz")):
         argv = ["cycle", scene, "--phi", "-90:270:0.5", "--show", "v_C,u_31", "-o", str(file), *plain]

@@ -73,7 +73,7 @@ def test_no_number_of_a_law_is_further_off_than_claimed(seed) -> None:
     assert scene.mechanism
     cycle = Cycle(plans_of(scene.mechanism), None)
     own = scene.mechanism.drive.position
-    table, claimed = cycle.table(np.array([own]), fast=False), cycle.claims.bounds([own])
+    table, claimed = cycle.table(np.array([own]), fast=False)[0], cycle.claims.bounds([own])
     truth = run(cycle.program, {**cycle.given, cycle.plans.drive_given: own}, Digits(40))
     for column, found, bound in zip(cycle.columns, table[:, 0], claimed[:, 0], strict=True):
         if not column.beside:

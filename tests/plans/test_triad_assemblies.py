@@ -190,7 +190,7 @@ def test_one_assembly_is_followed_alike_by_arrays_and_the_compiled_loop() -> Non
     assert scene.mechanism
     cycle = Cycle(plans_of(scene.mechanism))
     values = np.linspace(0.0, 360.0, 721)
-    slow, quick = cycle.table(values, False), cycle.table(values, True)
+    slow, quick = cycle.table(values, False)[0], cycle.table(values, True)[0]
     works = np.isfinite(slow).all(axis=0)
     assert 680 < works.sum() < 721  # beyond its dead points there is no number
     assert np.array_equal(works, np.isfinite(quick).all(axis=0))

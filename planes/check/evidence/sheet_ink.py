@@ -110,7 +110,7 @@ class SheetInk:
             off = (z[near] * u.conjugate()).imag
             at = numpy.rint(off + bins // 2).astype(numpy.int32)
             there = numpy.bincount(at, self.mm[near], bins)
-            for line in numpy.flatnonzero(there > LEAST_EDGE_MM):
+            for line in numpy.flatnonzero(there > LEAST_EDGE_MM).tolist():
                 if there[line] > EDGE_TO_EDGE * _chord_mm(half, u, line - bins // 2):
                     own[near[abs(off - (line - bins // 2)) < BESIDE_MM]] = True
         return own

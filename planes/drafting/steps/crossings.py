@@ -28,7 +28,8 @@ class Cross(Step):
         met = abs(sharpness) > tool.flat
         if self.supposed:
             return tool.ar.where(met, tool.mark(place), complex("nan"))
-        apart = abs(gap) > tool.slack * (abs(env[self.start]) + abs(env[self.other]))
+        size = tool.ar.size
+        apart = abs(gap) > tool.slack * (size(env[self.start]) + size(env[self.other]))
         tool.require(met | apart, self, "coincident", gap_mm=gap)
         tool.require(met, self, self.far, gap_mm=gap)
         return tool.mark(place)
@@ -72,7 +73,7 @@ class CrossArc(TwoPlaces):
         start, centre, side = env[self.start], env[self.centre], env[self.side]
         place, sharpness, miss = plane.line_arc(start, u, centre, radius, side, tool.ar, arm)
         tool.sharpen(self.makes, sharpness)
-        slack = tool.slack * (abs(start) + abs(centre) + radius)
+        slack = tool.slack * (tool.ar.size(start) + tool.ar.size(centre) + radius)
         tool.require(radius > 0, self, "no_length")
         tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
         return tool.mark(place)
@@ -100,11 +101,12 @@ class CrossArcs(TwoPlaces):
         centre, other = env[self.centre], env[self.other]
         place, sharpness, far, near = plane.arcs(centre, r, other, s, env[self.side], tool.ar)
         tool.sharpen(self.makes, sharpness)
-        slack = tool.slack * (abs(centre) + abs(other) + r + s)
+        slack = tool.slack * (tool.ar.size(centre) + tool.ar.size(other) + r + s)
+        square = plane.dot(other - centre, other - centre)  # no root of it for a test
         tool.require((r > 0) & (s > 0), self, "no_lengths")
-        tool.require(far <= slack, self, "arcs_apart", miss_mm=far)
-        tool.require(near <= slack, self, "arcs_inside", miss_mm=near)
-        tool.require(abs(other - centre) > slack, self, "arcs_coincide")
+        tool.require(square <= (r + s + slack) ** 2, self, "arcs_apart", miss_mm=far)
+        tool.require(square >= tool.ar.maximum(abs(r - s) - slack, 0.0) ** 2, self, "arcs_inside", miss_mm=near)
+        tool.require(square > slack * slack, self, "arcs_coincide")
         return tool.mark(place)
 
     def opening(self, env: Env) -> Real:
@@ -132,7 +134,7 @@ class Touch(TwoPlaces):
         start, end = env[self.start], env[self.end]
         u, sharpness, miss = plane.tangent(start, end, offset, env[self.side], tool.ar)
         tool.sharpen(self.makes, sharpness)
-        slack = tool.slack * (abs(start) + abs(end) + abs(offset))
+        slack = tool.slack * (tool.ar.size(start) + tool.ar.size(end) + abs(offset))
         tool.require(miss <= slack, self, "circle_large", miss_mm=miss)
         tool.require(abs(end - start) > slack, self, "points_meet", miss_mm=miss)
         return u

@@ -1,0 +1,51 @@
+"""Conditions a loop asks of every position: that the plans' proofs hold, and that all numbers are finite."""
+
+from collections.abc import Iterable, Mapping
+
+from planes.batch.symbols import Num, number
+from planes.batch.tape import Tape
+from planes.drafting.program import Program
+from planes.drafting.proofs import Facts, Proof
+from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.geometry.plane import square
+
+SUSPECTED = 1e-12  # relative to all that a plan shows: what is apart by more is drawn, and each proof is asked
+
+
+def carried(tape: Tape, numbers: Iterable[Real]) -> set[int]:
+    """The places of all that makes one of these numbers infinite, or none, by being so."""
+    found, stack = set[int](), [x.at for x in numbers if isinstance(x, Num)]
+    while stack:
+        place = stack.pop()
+        if place not in found:
+            found.add(place)
+            op, args = tape.ops[place]
+            stack.extend(args if op in ("add", "sub", "mul", "neg", "abs", "hypot") else ())
+    return found
+
+
+def proved_together(
+    program: Program, things: Mapping[str, Point], ar: Arithmetic
+) -> tuple[dict[str, Truth], list[Real]]:
+    """Whether the proofs of every reason hold, those of a plan together and beside all its marks, which is soon done;
+    where they do not, a loop only suspects: drawing finds out."""
+    together: dict[tuple[str, str], list[Proof]] = {}
+    for proof in program.proofs:
+        together.setdefault((proof.reason, proof.plan), []).append(proof)
+    holds, shown, gaps = dict[str, Truth](), Facts(things, ar), list[Real]()
+    for (reason, plan), proofs in together.items():
+        sizes = [shown.mark(step.makes) for step in program.marks.get(plan, ())]
+        size = sum(map(square, sizes or [size for proof in proofs for size in proof.sizes(shown)]))
+        gap = sum(square(z) for proof in proofs for z in proof.nothing(shown))
+        gaps.append(gap)
+        holds[reason] = holds.get(reason, True) & (gap <= SUSPECTED**2 * size)
+    return holds, gaps
+
+
+def finite(tape: Tape, numbers: list[Real]) -> Truth:
+    """Whether all are finite: nothing times each is nothing."""
+    total: Real = 0.0
+    for x in numbers:
+        if isinstance(x, Num):
+            total = number(tape, "mul", x, 0.0) + total
+    return total == 0.0

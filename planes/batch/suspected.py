@@ -1,0 +1,45 @@
+"""What a loop only suspects of a contradiction, drawn and proved; and what is lost where something cannot be made."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from planes.batch.table import Ready
+from planes.batch.tracing import UNCLEAR, Trace
+from planes.drafting.clearness import clear
+from planes.drafting.drawing import prove_many, run
+from planes.geometry.arrays import Array, Floats, Indices
+
+Forces = list[tuple[str, str]]  # by their ends
+
+
+def drawn(
+    cycle: Ready, trace: Trace, forces: Forces, moving: Mapping[str, Floats], count: int
+) -> tuple[Array, Indices | None]:
+    """The columns of some positions and their codes (None: nothing failed), drawn step by step and proved."""
+    given = {**cycle.given, **moving}
+    drawing = run(cycle.program, given)
+    prove_many(drawing, given)
+    table = np.empty((len(cycle.columns), count))
+    with np.errstate(all="ignore"):
+        for row, column in zip(table, cycle.columns, strict=True):
+            row[:] = column.take(drawing.things, drawing.tool.ar)
+    numbered = {(r, makes): k for k, (r, makes, _) in enumerate(trace.requires, 1)}
+    whole = np.array([not c.beside for c in cycle.columns])
+    plain = clear(cycle.program, drawing.things, drawing.tool, forces)
+    codes = np.where(plain, 0, numbered.get((UNCLEAR, ""), 0))
+    codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
+    for reason, step, ok, _ in reversed(drawing.tool.failures):
+        codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
+    return table, codes.astype(np.int16) if codes.any() else None
+
+
+def dependent(cycle: Ready, trace: Trace) -> dict[str, list[int]]:
+    """The columns that depend on each thing that may fail."""
+    found: dict[str, list[int]] = {makes: [] for _, makes, _ in trace.requires}
+    for k, column in enumerate(cycle.columns):
+        for made in cycle.program.sliced(column.needs).made & found.keys():
+            found[made].append(k)
+    return {**found, "": list(range(len(cycle.columns)))}

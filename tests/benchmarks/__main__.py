@@ -1,0 +1,176 @@
+"""`python -m tests.benchmarks [--write | --limits]`: the same columns of the same mechanisms by us and by others.
+
+One process; everybody runs once a round, in turns; of the rounds the least and the middle one are told, as processor
+time a position. ``--write`` puts the tables into docs/measurements.md, with the processor they were taken on, and the
+errors near a limit into the pages on accuracy; ``--limits`` does that alone.
+"""
+
+from __future__ import annotations
+
+import csv
+import ctypes
+import math
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from shutil import which
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import numpy as np
+import rivals
+from conftest import ROOT, SCENES, angles, plans
+
+from planes.accuracy.methods import machine
+from planes.batch.cycle import Cycle
+
+COUNTS = (360, 10_000, 1_000_000)
+ROUNDS, POSITIONS = 15, 300_000  # of a count; gone through a round, at the least
+FLAGS = ("-O3", "-march=native", "-fopenmp-simd", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC")
+AT = {"en": "relative distance", "ru": "относительное расстояние"}
+SHOWN = {
+    "exact, one compiled loop": ("construction, compiled", "построение, скомпилированное"),
+    "claimed error": ("its claimed error", "его названная погрешность"),
+    "numba by hand": ("closed formulas by hand (numba)", "замкнутые формулы вручную (numba)"),
+    "pylinkage 1.3.0": ("pylinkage 1.3.0", "pylinkage 1.3.0"),
+    "Newton's iteration": ("Newton's iteration", "итерации Ньютона"),
+    "differences of places": ("differences of positions", "разности положений"),
+    "24-bit numbers": ("construction in 24-bit numbers", "построение в 24-битных числах"),
+}
+Work = Callable[[], object]
+
+
+def in_c(count: int) -> Work | None:
+    """The four-bar by hand in C, checked first against the drawing; None where no compiler is."""
+    compiler = which("cc") or which("gcc") or which("clang")
+    if compiler is None:
+        return None
+    made = Path(tempfile.mkdtemp()) / "four_bar.so"
+    source = Path(__file__).with_name("four_bar.c")
+    subprocess.run([compiler, *FLAGS, "-o", str(made), str(source), "-lm"], check=True)
+    code = ctypes.CDLL(str(made)).four_bar
+    code.argtypes, code.restype = [ctypes.c_void_p] * 3 + [ctypes.c_int64] * 2 + [ctypes.c_void_p], ctypes.c_int64
+    phis, given = angles("four-bar", count), np.array(rivals.numbers("four-bar"))
+    out, codes, size = np.empty((16, 2048 + 8)), np.empty(2048, np.int64), 2048
+
+    def run() -> None:
+        for start in range(0, count, size):
+            part = phis[start : start + size]
+            code(part.ctypes.data, out.ctypes.data, codes.ctypes.data, len(part), out.shape[1], given.ctypes.data)
+
+    (block,) = Cycle(plans("four-bar"), rivals.COLUMNS["four-bar"]).blocks(phis[:100], fast=False)
+    run_once = code(phis.ctypes.data, out.ctypes.data, codes.ctypes.data, 100, out.shape[1], given.ctypes.data)
+    assert run_once == 0 and np.abs(block.table - out[:, :100]).max() < 1e-9 * np.abs(block.table).max()
+    return run
+
+
+def entrants(name: str, count: int) -> dict[str, Work]:
+    """Who runs: ours by blocks thrown away, into one table, by two threads; others."""
+    cycle, values = Cycle(plans(name), rivals.COLUMNS[name]), angles(name, count)
+    kept = np.empty((len(cycle.columns), count))
+
+    def blocks() -> None:
+        for _ in cycle.blocks(values, fast=True):
+            pass
+
+    known: dict[str, Work | None] = {
+        "planes, blocks": blocks,
+        "planes, one table": lambda: cycle.table(values, True, out=kept),
+        "C by hand, with proofs": in_c(count) if name == "four-bar" else None,
+        "numba by hand": rivals.by_hand(name, count),
+        "pylinkage": rivals.pylinkage(name, count),
+        "kinepy, places only": rivals.kinepy(name, count) if count <= COUNTS[1] else None,
+    }
+    return {who: work for who, work in known.items() if work}
+
+
+def raced(works: dict[str, Work], count: int, clock: Callable[[], float]) -> dict[str, tuple[float, float]]:
+    """ns a position, least and middle, of each."""
+    times: dict[str, list[float]] = {who: [] for who in works}
+    often = max(1, POSITIONS // count)
+    for work in works.values():
+        work()
+    for _ in range(ROUNDS):
+        for who, work in works.items():
+            start = clock()
+            for _ in range(often):
+                work()
+            times[who].append((clock() - start) / often / count * 1e9)
+    return {who: (min(some), sorted(some)[ROUNDS // 2]) for who, some in times.items()}
+
+
+def threads(name: str, count: int) -> float:
+    """How many times as quick two threads are, by the clock on the wall: halves of one table."""
+    cycle, values = Cycle(plans(name), rivals.COLUMNS[name]), np.asarray(angles(name, count))
+    kept = np.empty((len(cycle.columns), count))
+    works: dict[str, Work] = {
+        "one": lambda: cycle.table(values, True, out=kept),
+        "two": lambda: cycle.table(values, True, out=kept, threads=2),
+    }
+    found = raced(works, count, time.perf_counter)
+    return found["one"][0] / found["two"][0]
+
+
+def tables() -> str:
+    """All of it as Markdown."""
+    name, cores = machine()
+    busy = f"{name}, {cores} cores, load {os.getloadavg()[0]:.1f}, Python {platform.python_version()}"
+    lines = [f"{busy}, numpy {np.__version__}. Processor time in ns a position, least (middle) of {ROUNDS} rounds.", ""]
+    for mechanism in SCENES:
+        counted = {count: raced(entrants(mechanism, count), count, time.process_time) for count in COUNTS}
+        lines += [f"| {mechanism} | {' | '.join(f'{count:,}'.replace(',', ' ') for count in COUNTS)} |",
+                  "|---|" + "---|" * len(COUNTS)]  # fmt: skip
+        for who in counted[COUNTS[0]]:
+            cells = (counted[count].get(who) for count in COUNTS)
+            told = (f"{cell[0]:.1f} ({cell[1]:.1f})" if cell else "–" for cell in cells)
+            lines.append(f"| {who} | {' | '.join(told)} |")
+        lines.append("")
+    ways = ", ".join(f"{mechanism} {threads(mechanism, COUNTS[-1]):.2f}" for mechanism in ("four-bar", "six-link"))
+    return "\n".join(
+        [
+            *lines,
+            f"Two threads beside one, one table of {COUNTS[-1]:,} positions".replace(",", " ")
+            + f": {ways} times as quick.",
+        ]
+    )
+
+
+def near_the_limit(lang: str) -> str:
+    """Errors on the way to a limit, out of a chart's table, as Markdown."""
+    rows = list(csv.reader((ROOT / "samples/charts/kind-1-rrr.csv").read_text("utf-8").splitlines()))
+    head, *table = (
+        row for row in rows[next(k for k, row in enumerate(rows) if "claimed error" in row) :] if len(row) > 3
+    )
+    names = [head.index(name) for name in SHOWN if name in head]
+    kept = {power: min(table, key=lambda row: abs(math.log10(float(row[0] or 1)) + power)) for power in (3, 5, 7, 9)}
+    lines = [
+        f"| {AT[lang]} | {' | '.join(f'10⁻{chr(0x2070 + power) if power > 3 else chr(0xB3)}' for power in kept)} |"
+    ]
+    lines.append("|---|" + "---|" * len(kept))
+    for k in names:
+        cells = (f"{float(row[k]):.0e}" if row[k] and float(row[k]) < 1 else "–" for row in kept.values())
+        lines.append(f"| {SHOWN[head[k]][lang == 'ru']} | {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def put(page: str, name: str, text: str) -> None:
+    """A text into a page, between its marks."""
+    path = ROOT / "docs" / page
+    begin, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
+    before, rest = path.read_text("utf-8").split(begin)
+    path.write_text(f"{before}{begin}\n\n{text}\n\n{end}{rest.split(end)[1]}", "utf-8")
+
+
+if __name__ == "__main__":
+    if "--limits" not in sys.argv:
+        made = tables()
+        print(made)
+        if "--write" in sys.argv:
+            put("measurements.md", "speed", made)
+    for lang in ("en", "ru") if {"--write", "--limits"} & {*sys.argv} else ():
+        put(f"site/{lang}/accuracy.md", "limits", near_the_limit(lang))
