@@ -11,11 +11,13 @@ import json
 import math
 import re
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import Any
 
 import yaml
 
 from tests.helpers import ROOT
+from tests.helpers.equilibrium import expected
 from tests.helpers.higher_poses import POSES
 from tests.helpers.oracle import Pose, Solution, follow, reaction_key, solve
 
@@ -233,6 +235,31 @@ def save() -> None:
         text = json.dumps(told, ensure_ascii=False, indent=1)
         (EXPECTED / f"{name}.json").parent.mkdir(parents=True, exist_ok=True)
         (EXPECTED / f"{name}.json").write_text(text + "\n", encoding="utf-8")
+    save_statics()
+
+
+def save_statics() -> None:
+    """The same of bodies and trusses in equilibrium."""
+    (EXPECTED / "statics").mkdir(exist_ok=True)
+    for scene in sorted((SAMPLES / "statics").glob("*.yaml")):
+        found = expected(scene.read_text("utf-8"))
+        most = max(
+            abs(x) for part in (*found["vectors"].values(), *([v] for v in found["values"].values())) for x in part
+        )
+        shown = json.loads(json.dumps(found), parse_float=partial(_rounded, most=most))
+        told = {
+            "scene": f"statics/{scene.name}",
+            "by": "equilibrium of all bodies and joints at once, no plans",
+            **shown,
+        }
+        text = json.dumps(told, ensure_ascii=False, indent=1)
+        (EXPECTED / "statics" / f"{scene.stem}.json").write_text(text + "\n", encoding="utf-8")
+
+
+def _rounded(text: str, most: float) -> float:
+    """Twelve digits; nothing where a number is nothing beside the largest."""
+    x = float(text)
+    return 0.0 if abs(x) < 1e-12 * most else float(f"{x:.12g}")
 
 
 if __name__ == "__main__":

@@ -114,7 +114,10 @@ def structure(args: Namespace) -> int:
 
     scene = scene_of(args)
     if scene.mechanism is None:
-        raise PlanesError(Phrase("no_structure", file=args.scene))
+        if not (figure := scene_plans(scene).figure):
+            raise PlanesError(Phrase("no_structure", file=args.scene))
+        print(*(x.told(args.lang) for x in figure.counted), sep="\n")
+        return 0
     found = structure_of(scene.mechanism, scene.file)
     try:
         variant = aligned(scene_plans(scene), scene.file)

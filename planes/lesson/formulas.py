@@ -31,7 +31,7 @@ _LETTERS = {
     "m": "l h e r s x y arm rho",
     "kg": "m",
     "kgm2": "J",
-    "N": "G I Φ Ф P Q R F N T FZ Fb",
+    "N": "G I Φ Ф P Q R F N S T FZ Fb",
     "N·m": "M MI MR MP MZ MT",
     "W": "PT",
 }

@@ -6,7 +6,8 @@ from planes.lesson.note import Note
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
 from planes.solving import Position
-from planes.solving.document import Block, Heading
+from planes.solving.document import Block, Heading, Paragraph
+from planes.solving.text_tables import NOISE, largest
 from planes.words import Lang, say
 from planes.words.units import number
 
@@ -41,14 +42,38 @@ class StatedNote(Note):
             rows.append((f"⟨{f.quantity.name}⟩", *self.vector(f), say(f.quantity.columns[0].unit, self.lang)))
         head: tuple[str, ...] = (self.say("note_vector"), self.say("value"), angle, self.say("note_unit"))
         yield from self.table("note_vectors_table", head, rows)
-        found = ((f, f.quantity.columns[0].unit) for f in self.position.of("values").values())
-        values = [(f"⟨{f.quantity.name}⟩", number(f.number, self.lang), k and say(k, self.lang)) for f, k in found]
+        found, most = (
+            ((f, f.quantity.columns[0].unit) for f in self.position.of("values").values()),
+            largest(self.position),
+        )
+        told = ((f, k, f.number if abs(f.number) > NOISE * most else 0.0) for f, k in found)
+        values = [(f"⟨{f.quantity.name}⟩", number(x, self.lang), k and say(k, self.lang)) for f, k, x in told]
         yield from self.table(
             "note_values_table", (self.say("quantity"), self.say("value"), self.say("note_unit")), values
         )
         yield from self.warned()
 
 
+class StaticsNote(StatedNote):
+    """The note of bodies in equilibrium: why they are determinate, a space diagram, diagrams of a beam."""
+
+    task = "note_task_statics"
+
+    def blocks(self) -> list[Block]:
+        figure = self.position.plans.figure
+        assert figure
+        found = [*self.opening(), *(Paragraph(x.told(self.lang)) for x in figure.counted), *self.plans()]
+        found += [self.figure("beam", self.say("beam_diagrams"))] if figure.moments else []
+        return [*found, *self.vectors()]
+
+    def heading(self, plan: str) -> str:
+        return self.say("space_diagram") if plan == "position" else super().heading(plan)
+
+    def caption(self, plan: str, group: str = "") -> str:
+        return self.say("note_space", mu=self.mu(plan)) if plan == "position" else super().caption(plan, group)
+
+
 def note_of(scene: Scene, position: Position, lang: Lang) -> Note:
     """The note of a position, whatever its scene states."""
-    return (Note if position.plans.moves else StatedNote)(scene, position, lang)
+    plain = StaticsNote if position.plans.figure else StatedNote
+    return (Note if position.plans.moves else plain)(scene, position, lang)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from planes.plans.measuring import lettering
 from planes.plans.quantities import Measured
 from planes.solving import Position, Solved, key_of
-from planes.solving.text_tables import directed, error_of, number_cell, pm, spelt, table, titled
+from planes.solving.text_tables import directed, error_of, largest, number_cell, pm, spelt, table, titled
 from planes.words import Lang, decimals, home_lang, say
 from planes.words.names import kind_of, label_of, plan_of
 from planes.words.naming import Naming
@@ -205,12 +205,17 @@ def stated_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
             ["", say(UNIT[kind_of(plan)], lang), "∠°", *pm(e), say("mm", lang), *pm(e)],
             rows,
         )
-    rows = []
+    rows, beside = [], largest(p)
     for f in p.of("values").values():
         unit = f.quantity.columns[0].unit
         error = error_of(e, "values", f.quantity.name)
         rows.append(
-            [spelt(naming.vector(f.quantity.name)), number_cell(f.number), *error, say(unit, lang) if unit else ""]
+            [
+                spelt(naming.vector(f.quantity.name)),
+                number_cell(f.number, beside),
+                *error,
+                say(unit, lang) if unit else "",
+            ]
         )
     lines += table(say("values_found", lang), ["", say("value", lang), *pm(e), ""], rows)
     return [decimals(line, lang) for line in lines] + [f"! {w}" for w in p.results["warnings"]]

@@ -12,6 +12,8 @@ from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mu_text, quantity
 
+NOISE = 1e-12  # of the largest number of its kind: nothing
+
 
 def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> list[str]:
     """Aligned columns under a title; nothing at all when there are no rows."""
@@ -29,6 +31,12 @@ def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> lis
 def spelt(lettered: str) -> str:
     """A lettered name as a terminal has it: F_{56}^{t} -> F_56^t."""
     return lettered.replace("{", "").replace("}", "")
+
+
+def largest(position: Position) -> float:
+    """The largest number found of bodies in equilibrium, N or N·m, beside which rounding is nothing; 0 of all else."""
+    found = [*position.of("values").values(), *position.of("vectors").values()] if position.plans.figure else []
+    return max((abs(x) for f in found for x in f.numbers if x), default=0.0)
 
 
 def number_cell(value: float | None, beside: float = 0.0) -> str:

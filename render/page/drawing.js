@@ -33,7 +33,7 @@ export class Drawing extends Figure {
     for (const s of drawn.strokes) {
       const [a, b] = s.plan === plan ? s.ends.map(there) : [];
       if (!a || !b) continue;
-      this.line(a, b, s.kind === "action" || s.kind === "culmann" ? "trace" : "string", s.name);
+      this.line(a, b, s.kind !== "string" && s.kind !== "ray" && s.kind !== "closing" ? "trace" : "string", s.name);
       if (s.name) this.along(a, b, [s.name], plan);
     }
   }

@@ -144,13 +144,14 @@ export class Scheme extends Drawing {
   link(l, there, away) {
     const pts = l.points.map(there).filter(Boolean);
     const cls = "link" + (l.name === this.data.scheme.driver ? " driver" : "") + away;
-    const shape = hull(pts);
-    if (shape.length > 2) {
+    const shape = hull(pts), { drawn } = this.data.scheme;
+    if (drawn) pts.slice(1).forEach((p, k) => this.line(pts[k], p, cls, "link:" + l.name)); // as it is bent
+    else if (shape.length > 2) {
       svg("polygon", { points: shape.map(p => p.map(v => v.toFixed(1)).join(",")).join(" "), class: cls,
         "data-name": "link:" + l.name }, this.node);
       shape.forEach((p, k, a) => this.strokes.push([p, a[(k + 1) % a.length]]));
     } else if (shape.length === 2) this.line(shape[0], shape[1], cls, "link:" + l.name);
-    const { drawn } = this.data.scheme, numbered = !drawn || drawn.numbered.includes(l.name);
+    const numbered = !drawn || drawn.numbered.includes(l.name);
     if (pts.length > 1 && numbered) { // the number of the link, at its middle
       const m = [(pts[0][0] + pts[1][0]) / 2, (pts[0][1] + pts[1][1]) / 2], n = distance(pts[0], pts[1]);
       if (n > 34) this.number(l.name, pts[0], pts[1], m, n);

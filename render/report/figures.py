@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from planes.plans.assur.alignment import aligned
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
-from planes.words.names import links_of
+from planes.words.names import CREMONA, links_of
 from render import charts
 from render.charts.strokes import Picture
 from render.files import Page, svg
@@ -21,6 +21,7 @@ from render.sheet.force_sheet import ForceSheet
 from render.sheet.studio_code import ON_TASK_MM, code_view
 from render.views import View, beside, stacked, view
 from render.views.alignment import alignment_view
+from render.views.cremona import Cremona
 from render.views.instant_centre import instant_centre
 from render.views.moments import Lever
 from render.views.plotted import Plotted, with_links_apart
@@ -111,6 +112,11 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
         return composer.formulas(plotted, (of,), LETTER_MM[alone], "", True)
     if kind == "equations":
         return composer.formulas(plotted, (of,), LETTER_MM[alone], "")
+    if name == CREMONA:
+        return view(name, "", Cremona(plotted, composer.naming).drawn())
+    if kind == "beam" or (kind == "scheme" and block.position.plans.figure):
+        of_statics = composer.beam(block.position) if kind == "beam" else composer.space(block.position)
+        return of_statics and replace(of_statics, title="")
     if kind == "scheme":
         special = special_points(block.position, composer.naming)
         return view(name, "", Scheme(block.position, composer.naming).drawn(True, *special))

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple, TypeVar
 
+from planes.diagrams.beams import beam_outlines
 from planes.plans import Plans
 from planes.plans.measuring import lettering
 from planes.scene import Scene
@@ -17,6 +18,7 @@ from render.labels import rough
 from render.paper.style import LARGER, large
 from render.sheet.module import GAP_MM, MODULE_MM
 from render.views import REMARK_MM, View, paragraph, stacked, view
+from render.views.beam_diagrams import BeamDiagrams
 from render.views.cremona import Cremona
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
@@ -93,6 +95,7 @@ class Composer:
         plotted = of_position(position)
         found = [self.scheme(position) if position.plans.moves else self.space(position)]
         found += self.plans(plotted, drawn_plans(plotted, position), letter, together.equations)
+        found.append(self.beam(position))
         found += [*self.tables(position, letter).all(together.rates), *self.notes(letter)]
         return [v for v in found if v]
 
@@ -148,6 +151,14 @@ class Composer:
         title, found = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming)
         key = ("space", position.scales[mu_of("position")])
         return self.once(key, lambda: view("space", title, found.drawn(), True))
+
+    def beam(self, position: Position) -> View | None:
+        """Shear force and bending moment of a straight beam; of anything else there is none."""
+        if not (found := beam_outlines(position)):
+            return None
+        mu = position.scales[mu_of("position")]
+        drawn = BeamDiagrams(found, self.naming, mu)
+        return self.once(("beam", mu), lambda: view("beam", say("beam_diagrams", self.lang), drawn.drawn(), True))
 
     def titled(self, position: Position, key: str, **names: str) -> str:
         """The title of a scheme, with its μ."""

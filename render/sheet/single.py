@@ -98,7 +98,11 @@ def of_vectors(position: Position, composer: Composer) -> Makers:
     """The views of a scene of vectors alone."""
     plotted, tables = of_position(position), composer.tables(position, LETTER_MM)
     shown = tuple(drawn_plans(plotted, position))
-    own: Makers = {"space": partial(composer.space, position), "members": tables.members}
+    own: Makers = {
+        "space": partial(composer.space, position),
+        "beam": partial(composer.beam, position),
+        "members": tables.members,
+    }
     space: Makers = own if position.plans.figure else {}
     return {
         **space,

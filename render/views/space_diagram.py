@@ -28,7 +28,15 @@ SPREAD_MM, SPREAD_GAP_MM = 9.0, 9.0  # how high a distributed load is drawn, and
 
 
 class BodyScheme(Scheme):
-    """The scheme of bodies: those are numbered only where there are several, and rods never."""
+    """The scheme of bodies: bars from point to point as the file has them, numbered only where there are several."""
+
+    def link(self, link: Link) -> None:
+        """A body, a rod or a member."""
+        joints = [self.places.at(p) for p in link.points]
+        self.bars += symbols.bar(*joints)
+        self.number(link, joints)
+        for k, p in enumerate(link.points):
+            self.ways.setdefault(p, []).extend(z - joints[k] for z in joints[max(k - 1, 0) : k + 2])
 
     def number(self, link: Link, outline: list[complex]) -> None:
         """The number of one body of several."""

@@ -7,7 +7,14 @@ from render.paper.marks import Line, Mark
 from render.views.plotted import NEAR_MM
 
 STRING_MM = 3.5  # letters of strings and rays
-STYLES = {"string": "thin", "ray": "thin", "closing": "dash", "culmann": "dash", "action": "construction"}
+STYLES = {
+    "string": "thin",
+    "ray": "thin",
+    "closing": "dash",
+    "culmann": "dash",
+    "action": "construction",
+    "trial": "dash",
+}
 
 
 def drawn_strokes(drawing: Drawing, figure: StaticsFigure | None, plan: str) -> tuple[list[Mark], list[labels.Label]]:

@@ -12,6 +12,7 @@ from planes.plans.structures.figure import Strain, strains
 from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.tables import difference
+from planes.solving.text_tables import NOISE, largest
 from planes.words import say
 from planes.words.frozen import field, frozen
 from planes.words.names import CREMONA, kind_of, parts_of, plan_of
@@ -49,9 +50,12 @@ class Tables:
         found = [
             (f, f.quantity.columns[0].unit) for n, f in self.position.of("values").items() if n not in self.strains
         ]
-        told = ((f, unit, self.turning if unit in RATES[False] else self.number) for f, unit in found)
-        name = self.naming.vector
-        rows = [[name(f.quantity.name), tell(f.number), unit and self.say(unit)] for f, unit, tell in told]
+        most = largest(self.position)
+        rows = []
+        for f, unit in found:
+            tell = self.turning if unit in RATES[False] else self.number
+            value = f.number if abs(f.number) > NOISE * most else 0.0
+            rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
         return self.table("values", self.say("values_found"), ["", "", ""], rows)
 
     @cached_property
@@ -67,7 +71,8 @@ class Tables:
             mm = self.tenths(abs(force) * mu(CREMONA))
             rows.append([self.naming.vector(name), mm, self.number(force), self.say(f"strain_{strain}")])
         head = ["", self.say("mm"), self.say("N"), ""]
-        return self.table("members", self.say("members_table"), head, rows)
+        counted = [x.told(self.naming.lang) for x in figure.counted] if (figure := self.position.plans.figure) else []
+        return self.table("members", self.say("members_table"), head, rows, counted)
 
     def say(self, key: str) -> str:
         """A word of the sheet."""

@@ -110,3 +110,15 @@ def members(text: str) -> dict[str, float]:
         right[2 * k : 2 * k + 2] -= force.real, force.imag
     solved = np.linalg.solve(matrix, right)
     return {f"S_{a}{b}": float(x) for (a, b), x in zip(scene["members"], solved, strict=False)}
+
+
+def expected(text: str) -> dict[str, Any]:
+    """All of it as the samples have it: vectors as [x, y], couples and members as numbers; of loads alone their sum."""
+    scene = yaml.safe_load(text)
+    if "supports" not in scene:
+        total = sum(force for _, _, force in forces_of(scene))
+        return {"vectors": {"R": [total.real, total.imag]}, "values": {}}
+    found = reactions(text)
+    vectors = {n: [z.real, z.imag] for n, z in found.items() if not n.startswith("M_")}
+    values = {n: z.real for n, z in found.items() if n.startswith("M_")}
+    return {"vectors": vectors, "values": values | (members(text) if "members" in scene else {})}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from itertools import pairwise
 
 import pytest
 
@@ -241,3 +242,100 @@ def test_what_cannot_stand_is_refused_in_a_sentence(text: str, said: str) -> Non
     told = refusal.value.told("en")
     assert said in told and told.startswith("scene.yaml:"), told
     assert refusal.value.told("ru") != told
+
+
+def straight(r: random.Random) -> tuple[str, list[tuple[float, float]], dict[str, float]]:
+    """A beam on supports anywhere, forces across it anywhere; forces with reactions, and places of points, along it."""
+    stops = sorted(r.uniform(0, 9) for _ in range(7))
+    names = r.sample("ABCDEFG", 7)
+    at = dict(zip(names, stops, strict=True))
+    hinge, roller = r.sample(names[1:-1], 2)
+    loaded = r.sample([n for n in names if n not in (hinge, roller)], 4)
+    sizes = {n: r.uniform(1, 9) * r.choice((1, 1, -1)) for n in loaded}
+    text = (
+        places(**{n: complex(x, 0) for n, x in at.items()})
+        + f"supports: {{{hinge}: hinge, {roller}: roller}}\nloads:\n"
+    )
+    text += "".join(f"  - {{point: {n}, force: {v!r}, direction: -90}}\n" for n, v in sizes.items())
+    push = sum(v * (at[n] - at[hinge]) for n, v in sizes.items()) / (at[roller] - at[hinge])
+    forces = [(at[n], -v) for n, v in sizes.items()] + [(at[roller], push), (at[hinge], sum(sizes.values()) - push)]
+    return text + "method: string\n", forces, at
+
+
+def bends(r: random.Random) -> None:
+    """Every bending moment and shear as the sums over the forces to the left have them."""
+    text, forces, at = straight(r)
+    (position,) = solve(loads("planes: 1\n" + text)).positions
+    found = {n: f.number for n, f in position.of("values").items()}
+    most = max(abs(f) for _, f in forces)
+    order = sorted(at, key=at.__getitem__)
+    for point in order:
+        moment = sum(f * (at[point] - x) for x, f in forces if x < at[point])
+        assert abs(found[f"M_{point}"] - moment) <= 1e-12 * 9 * most * 4
+    for one, other in pairwise(order):
+        name = f"Q_{one}{other}" if f"Q_{one}{other}" in found else f"Q_{other}{one}"
+        shear = sum(f for x, f in forces if x < (at[one] + at[other]) / 2)
+        assert abs(found[name] - shear) <= 1e-12 * 4 * most, name
+
+
+def test_ordinates_of_the_string_polygon_are_bending_moments() -> None:
+    r = random.Random(8)
+    for _ in range(6):
+        bends(r)
+
+
+@pytest.mark.slow
+def test_two_hundred_beams_bend() -> None:
+    r = random.Random(88)
+    for _ in range(200):
+        bends(r)
+
+
+def test_a_distributed_load_bends_the_beam_between_its_ends() -> None:
+    """2 kN/m over 4 m: qL²/8 in the middle, a shear from qL/2 to -qL/2; a triangular load by its cubic."""
+    from planes.diagrams.beams import beam_outlines
+
+    text = "points: {A: [0, 0], B: [4, 0]}\nsupports: {A: hinge, B: roller}\n"
+    text += "loads: [{from: A, to: B, intensity: %s}]\nmethod: string\n"
+    for q, peak, left in (("2000", 2000 * 16 / 8, 4000.0), ("[0, 3000]", 3000 * 16 / (9 * math.sqrt(3)), 2000.0)):
+        (position,) = solve(loads("planes: 1\n" + text % q)).positions
+        found = beam_outlines(position)
+        assert found and max(v for _, v in found.moments) == pytest.approx(peak, rel=2e-3)
+        assert found.shears[1][1] == pytest.approx(left) and found.shears[-2][1] == pytest.approx(left - abs(sum_of(q)))
+
+
+def sum_of(q: str) -> float:
+    return {"2000": 8000.0, "[0, 3000]": 6000.0}[q]
+
+
+THROUGH = """points: {A: [0, 0], C: [4, 3], B: [8, 1], D: [1.5, 2.5], E: [3, 3], F: [5.5, 3]}
+bodies: {1: [A, D, E, C, F, B]}
+loads:
+  - {point: D, force: 2000, direction: -90}
+  - {point: E, force: 1500, direction: -80}
+  - {point: F, force: 2500, direction: -100}
+pole: {through: [A, %sB]}
+"""
+
+
+@pytest.mark.parametrize("middle", ["", "C, "])
+def test_strings_go_through_the_points_they_are_to(middle: str) -> None:
+    (position,) = solve(loads("planes: 1\n" + THROUGH % middle)).positions
+    drawn, mark = position.drawing, lambda p: complex(position.drawing[f"position:{p}"])
+    rays = [complex(drawn[f"∥{k}"]) for k in range(4)]
+    knots = [mark(p) for p in ("A", "1", "2", "3")]
+    off = lambda z, k: abs(((z - knots[k]) * rays[k].conjugate()).imag)  # noqa: E731
+    assert off(mark("B"), 3) < 1e-12 * 100
+    assert not middle or off(mark("C"), 2) < 1e-12 * 100
+
+
+def test_strings_through_points_refuse_loads_out_of_order() -> None:
+    turned = (
+        THROUGH.replace("{point: D,", "{point: X,")
+        .replace("{point: F,", "{point: D,")
+        .replace("{point: X,", "{point: F,")
+    )
+    for text in (turned % "C, ", THROUGH.replace("C: [4, 3]", "C: [1, 3]") % "C, "):
+        with pytest.raises(SceneError) as refusal:
+            solve(loads("planes: 1\n" + text))
+        assert "do not stand in order" in refusal.value.told("en")

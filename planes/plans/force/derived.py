@@ -43,7 +43,8 @@ def derived(plans: Plans) -> Iterator[Derived]:
 
 def of_laws(plans: Plans) -> Iterator[Derived]:
     """Loads that are laws, each what it is in the position; values that are reckoned from stated vectors."""
-    members = {name for name, _, _ in plans.figure.members} if plans.figure else ()
+    figure = plans.figure
+    members = {name for name, _, _ in figure.members} | {n for _, _, n in figure.shears} if figure else set[str]()
     for name, value in plans.values.items():
         yield Derived((name,), "N" if name in members else unit_of_value(name), value, "values")
 

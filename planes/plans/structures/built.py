@@ -75,11 +75,24 @@ class FrameworkBuilder(StatedLoads):
         f = self.framework
         if f.members:
             check_truss(f, self.error)
-        held = sum(s.held for s in f.supports) + 2 * len(self.hinges)
+        held = self.held
         needed = 3 * len(f.bodies)
         if (f.supports and held != needed) or (not f.supports and len(f.bodies) > 1):
             key = "statics_loose" if held < needed else "statics_redundant"
             raise self.error(Phrase(key, held=held, needed=needed, count=abs(held - needed)), "supports")
+
+    @cached_property
+    def held(self) -> int:
+        """How many numbers the reactions and the hinges between bodies have."""
+        return sum(s.held for s in self.framework.supports) + 2 * len(self.hinges)
+
+    def counted(self) -> Iterator[Phrase]:
+        """Why it is statically determinate."""
+        f = self.framework
+        if f.members:
+            yield Phrase("truss_count", joints=len(f.points) - len(f.fixed), members=len(f.members), held=self.held)
+        elif f.supports:
+            yield Phrase("bodies_count", bodies=len(f.bodies), held=self.held, needed=3 * len(f.bodies))
 
     def supports_of(self, name: str) -> list[Support]:
         """What holds a body: its supports, and its hinges with bodies that are not solved yet."""
@@ -173,6 +186,9 @@ class FrameworkBuilder(StatedLoads):
             f.supports,
             f.points,
             tuple(x for x in f.loads if x.spread),
+            moments=tuple(self.figure.moments),
+            shears=tuple(self.figure.shears),
+            counted=tuple(self.counted()),
             knots=tuple(self.figure.knots),
             said=self.figure.said,
             poles=tuple(self.figure.poles),
@@ -195,7 +211,7 @@ class FrameworkBuilder(StatedLoads):
             acting=Loads(acting, couples),
             means=d.means | {s.makes: s.means for s in program.steps if s.means},
             vectors={**{n: ends for n, ends in loads.items() if ends}, **dict(self.results()), **self.spans},
-            values=self.values,
+            values=self.values | {name: name for *_, name in (*self.figure.moments, *self.figure.shears)},
             links={FRAME: LinkValues("", "", "")},
             figure=figure,
         )

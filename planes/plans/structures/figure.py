@@ -8,9 +8,10 @@ from typing import Literal
 from planes.drafting.drawing import Drawing
 from planes.scene.mechanism import FRAME, Drive, Link, Load, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
+from planes.words import Phrase
 from planes.words.frozen import frozen
 
-LineKind = Literal["string", "ray", "closing", "action", "culmann"]
+LineKind = Literal["string", "ray", "closing", "action", "culmann", "trial"]
 
 
 @frozen
@@ -35,10 +36,13 @@ class StaticsFigure:
     points: Mapping[str, complex] = field(default_factory=dict)  # by name, m
     spread: tuple[StaticLoad, ...] = ()
     members: tuple[tuple[str, str, str], ...] = ()
+    moments: tuple[tuple[str, str], ...] = ()  # of a beam: points with their bending moments by name
+    shears: tuple[tuple[str, str, str], ...] = ()  # and shears between two points
     knots: tuple[str, ...] = ()  # lettered points where lines of action meet
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
     said: Mapping[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
     poles: tuple[str, ...] = ()  # marks from which rays are drawn, which are no vectors of a plan
+    counted: tuple[Phrase, ...] = ()  # why it is statically determinate
     letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by their places on the scheme, m
 
 
@@ -51,6 +55,8 @@ class FigureDraft:
     knots: list[str] = field(default_factory=list)
     poles: list[str] = field(default_factory=list)
     said: dict[str, str] = field(default_factory=dict)
+    moments: list[tuple[str, str]] = field(default_factory=list)
+    shears: list[tuple[str, str, str]] = field(default_factory=list)
 
     def stroke(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
         """Add a line, unless it begins where it ends."""

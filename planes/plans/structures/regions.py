@@ -95,13 +95,13 @@ class Regions:
 
     def around_joint(self, joint: str) -> list[tuple[str, str, str]]:
         """Every force on a joint clockwise: its name, and the regions before and after it."""
-        found = [(f.name, self.before[f.name], self.after[f.name]) for f in self.forces if f.joint == joint]
+        ordered = [(f.name, self.before[f.name], self.after[f.name]) for f in self.ordered if f.joint == joint]
+        left = []
         for a, b in (m for m in self.framework.members if joint in m):
             other = b if a == joint else a
-            found.append((f"S_{a}{b}", self.right[other, joint], self.right[joint, other]))
-        ordered, left = found[:1], found[1:]
+            left.append((f"S_{a}{b}", self.right[other, joint], self.right[joint, other]))
         while left:
-            after = next((x for x in left if x[1] == ordered[-1][2]), left[0])
+            after = next((x for x in left if ordered and x[1] == ordered[-1][2]), left[0])
             ordered.append(after)
             left.remove(after)
         return ordered

@@ -20,40 +20,53 @@ O = "O"  # noqa: E741  the letter of the pole in every textbook
 TURNS = 24  # directions in which a pole is tried
 NEAR, FAR = 0.6, 1.2  # how far from the middle of the polygon, of its size
 CLOSING = "z"
+TRIED = "′"  # ends the letters of a trial
 
 
 @dataclass
 class StringPolygon:
-    """The strings of a body's loads, by a pole in N from where the polygon of forces begins."""
+    """The strings of a body's loads, by rays from a pole on its plan of forces; of a ``trial`` nothing is lettered."""
 
     body: FreeBody
-    pole: complex
+    pole: str = O
+    trial: bool = False
     rays: list[str] = field(default_factory=list)
     knots: list[str] = field(default_factory=list)  # marks of the scheme from string to string
 
     def draw(self, start: str) -> None:
         """All rays, and all strings from a mark of the scheme on the first one."""
         b, d, plan = self.body, self.body.draft, self.body.plan
-        size, angle = abs(self.pole), math.degrees(cmath.phase(self.pole))
-        along = d.aim(f"∠{O}", angle, Meaning("given", O))
-        d.lay_off(plan, O, at(plan, POLE), along, d.give(f"|p{O}|", size), Meaning("special"))
-        b.figure.poles.append(at(plan, O))
-        b.figure.said[at(plan, O)] = "rays"
+        b.figure.poles.append(at(plan, self.pole))
+        b.figure.said.setdefault(at(plan, self.pole), "rays")
         ends = [POLE, *(t.end for t in b.chain)]
         for k, end in enumerate(ends):
-            means = Meaning("along", str(k))
-            self.rays.append(d.through(f"∥{k}", at(plan, O), at(plan, end), means))
-            b.figure.stroke(plan, "ray", str(k), at(plan, O), at(plan, end))
+            letter = "" if self.trial else str(k)
+            means = Meaning("along", f"{k}{TRIED * self.trial}")
+            self.rays.append(d.through(f"∥{means.of}", at(plan, self.pole), at(plan, end), means))
+            b.figure.stroke(plan, "trial" if self.trial else "ray", letter, at(plan, self.pole), at(plan, end))
         self.knots = [start]
         for k, f in enumerate(b.forces):
             if f.point == start and not k:
                 self.knots.append(start)
                 continue
-            knot = d.step(Cross(b.fresh(f"{k + 1}"), self.knots[-1], self.rays[k], f.point, f.along))
-            b.figure.stroke(SCHEME, "action", "", f.point, knot)
-            b.figure.stroke(SCHEME, "string", str(k), self.knots[-1], knot)
-            self.knots.append(knot)
-            b.figure.said[knot] = "string"
+            self.knots.append(self.string(k, f.point, f.along))
+            b.figure.stroke(SCHEME, "action", "", f.point, self.knots[-1])
+
+    def string(self, k: int, point: str, along: str) -> str:
+        """A string from where the one before ended to a line; the mark there."""
+        b, letter = self.body, "" if self.trial else str(k)
+        mark = b.fresh(f"{k + 1}{TRIED * self.trial}")
+        knot = b.draft.step(Cross(mark, self.knots[-1], self.rays[k], point, along))
+        b.figure.stroke(SCHEME, "trial" if self.trial else "string", letter, self.knots[-1], knot)
+        b.figure.said[knot] = "trial_string" if self.trial else "string"
+        return knot
+
+    def cut(self, k: int, point: str, along: str) -> str:
+        """Where a string of a trial meets a line through a point; the mark there."""
+        b, spot = self.body, at(SCHEME, point)
+        mark = b.draft.step(Cross(b.fresh(f"{point}{TRIED}"), self.knots[k], self.rays[k], spot, along))
+        b.figure.stroke(SCHEME, "trial", "", spot, mark)
+        return mark
 
     def resultant(self) -> tuple[str, str]:
         """The mark of the scheme where the outermost strings meet, and the direction of the resultant there."""
@@ -68,13 +81,48 @@ class StringPolygon:
     def close(self, line: Support) -> str:
         """The closing line from the first knot to the line of a reaction; its direction."""
         b, d, last = self.body, self.body.draft, len(self.rays) - 1
-        along, spot = b.along(line), b.spot(line)
-        knot = d.step(Cross(b.fresh(f"{last + 1}"), self.knots[-1], self.rays[-1], spot, along))
-        b.figure.stroke(SCHEME, "action", "", spot, knot)
-        b.figure.stroke(SCHEME, "string", str(last), self.knots[-1], knot)
-        b.figure.said[knot] = "string"
+        knot = self.string(last, b.spot(line), b.along(line))
+        b.figure.stroke(SCHEME, "action", "", b.spot(line), knot)
         b.figure.stroke(SCHEME, "closing", CLOSING, self.knots[0], knot)
         return d.through(f"∥{CLOSING}", self.knots[0], knot, Meaning("along", CLOSING))
+
+
+def lay_pole(b: FreeBody, pole: complex, label: str = O) -> None:
+    """The pole of a string polygon at a place in N from where the polygon of forces begins."""
+    d, size, angle = b.draft, abs(pole), math.degrees(cmath.phase(pole))
+    along = d.aim(f"∠{label}", angle, Meaning("given", label))
+    length = d.give(f"|p{label}|", size)
+    d.lay_off(b.plan, label, at(b.plan, POLE), along, length, Meaning("foot"))
+
+
+def pole_through(b: FreeBody, pole: complex, points: Sequence[str], before: int) -> None:
+    """The pole by which the strings go through points of the scheme; of three, ``before`` so many loads stand before
+    the middle one. A trial polygon from the first point parts the loads between two: the ray parallel to its closing
+    line meets theirs where that of any pole does, and the pole lies on the parallel to the line of both points.
+    """
+    d, plan, first = b.draft, b.plan, at(SCHEME, points[0])
+    lay_pole(b, pole, O + TRIED)
+    trial = StringPolygon(b, O + TRIED, True)
+    trial.draw(first)
+    cuts = [0, before, len(b.forces)] if len(points) == 3 else [0, len(b.forces)]
+    ends = [POLE, *(t.end for t in b.chain)]
+    parted = list[tuple[str, str]]()
+    for n, (low, high) in enumerate(pairwise(cuts)):
+        means = Meaning("along", f"R{TRIED}{n + 1}")
+        chord = d.through(f"∥{means.of}", at(plan, ends[low]), at(plan, ends[high]), means)
+        stops = [(low, points[n]), (high, points[n + 1])]
+        start, end = (trial.cut(k, p, chord) if k else first for k, p in stops)
+        b.figure.stroke(SCHEME, "trial", "", start, end)
+        closing = d.through(f"∥{TRIED}{n + 1}", start, end, Meaning("along", f"{CLOSING}{TRIED}{n + 1}"))
+        mark = at(plan, f"m{n + 1}")
+        d.step(Cross(mark, at(plan, O + TRIED), closing, at(plan, ends[low]), chord, means=Meaning("foot")))
+        b.figure.stroke(plan, "trial", "", at(plan, O + TRIED), mark)
+        parted.append((mark, d.ray(SCHEME, points[n], points[n + 1])))
+    other = parted[1] if len(parted) > 1 else (at(plan, O + TRIED), chord)
+    d.step(Cross(at(plan, O), *parted[0], *other, means=Meaning("foot")))
+    b.figure.said |= {at(plan, O): "pole_through"}
+    for mark, _ in parted:
+        b.figure.stroke(plan, "action", "", mark, at(plan, O))
 
 
 def total(b: FreeBody, mark: str) -> str:
@@ -85,12 +133,12 @@ def total(b: FreeBody, mark: str) -> str:
     return way
 
 
-def by_strings(b: FreeBody, pole: complex) -> None:
-    """The reactions of a hinge and a line by the closing line of the string polygon that begins in the hinge."""
+def by_strings(b: FreeBody) -> tuple[StringPolygon, str, str]:
+    """The reactions of a hinge and a line by the closing line of the string polygon that begins in the hinge; this one,
+    the direction of that line, and the label where the reaction of the line ends."""
     anchor, (line,) = b.anchor, b.lines
     assert anchor
-    b.lay()
-    polygon = StringPolygon(b, pole)
+    polygon = StringPolygon(b)
     polygon.draw(b.spot(anchor))
     closing, start, x = polygon.close(line), b.reached, end_of(line.name)
     last = str(len(polygon.rays) - 1)
@@ -102,6 +150,7 @@ def by_strings(b: FreeBody, pole: complex) -> None:
     b.found[line.name] = (start, x)
     b.chain += (Term(line.name, start, x, drawn=True),)
     b.close(anchor)
+    return polygon, closing, x
 
 
 def by_composition(b: FreeBody) -> tuple[str, str]:

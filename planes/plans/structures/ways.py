@@ -5,12 +5,23 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import combinations, permutations
 
+from planes.plans.position.bodies import SCHEME
+from planes.plans.structures.beams import StraightBeam
 from planes.plans.structures.free_body import FreeBody
-from planes.plans.structures.strings import StringPolygon, by_composition, by_strings, chosen_pole, sine
+from planes.plans.structures.strings import (
+    StringPolygon,
+    by_composition,
+    by_strings,
+    chosen_pole,
+    lay_pole,
+    pole_through,
+    sine,
+)
 from planes.scene import Scene
 from planes.scene.structures import Framework, Support
 from planes.words import Phrase
 from planes.words.errors import SceneError
+from planes.words.names import at, label_of
 
 BLUNT = 1e-9  # the sine of the angle of lines that run alike; arms beside the size of a body
 SLIGHT = 0.05  # a sharper crossing than this is one that can be drawn
@@ -22,6 +33,8 @@ class WayFinder:
     def __init__(self, scene: Scene, framework: Framework, body: FreeBody, sizes: Mapping[str, complex]) -> None:
         self.scene, self.framework, self.body = scene, framework, body
         self.forces = [sizes[f.name] for f in body.forces]
+        self.places = {x.name: x.place for x in framework.loads}
+        self.places |= {f.name: framework.points[label_of(f.point)] for f in body.forces if f.name not in self.places}
         self.size = max((abs(a - b) for a, b in combinations(framework.points.values(), 2)), default=1.0)
 
     def refusal(self, key: str, **told: object) -> SceneError:
@@ -91,21 +104,50 @@ class WayFinder:
         """By the string polygon: its closing line, or the resultant it gives."""
         b = self.body
         self.suits("string")
-        if b.anchor:
-            by_strings(b, self.pole(b.lines[0]))
-            return
+        beam = StraightBeam(b, self.framework, self.places) if b.anchor else None
+        if beam and beam.straight([*self.forces, self.way(b.lines[0])]):
+            pairs = sorted(zip(b.forces, self.forces, strict=True), key=beam.load_along)
+            b.forces, self.forces = [f for f, _ in pairs], [z for _, z in pairs]
+        else:
+            beam = None
         b.lay()
-        polygon = StringPolygon(b, self.pole(None))
-        polygon.draw(b.forces[0].point)
+        if b.anchor:
+            self.pole(b.lines[0])
+            drawn = by_strings(b)
+            if beam and len(self.framework.bodies) == 1:
+                b.figure.moments, b.figure.shears = beam.measure(*drawn)
+        else:
+            self.by_resultant(*self.resultant())
+
+    def resultant(self) -> tuple[str, str]:
+        """The line of the loads' resultant by their string polygon."""
+        b, through = self.body, self.framework.through
         if abs(sum(self.forces)) <= BLUNT * max(map(abs, self.forces)):
             raise self.refusal("forces_couple")
-        self.by_resultant(*polygon.resultant())
+        self.pole(None)
+        polygon = StringPolygon(b)
+        polygon.draw(at(SCHEME, through[0]) if through else b.forces[0].point)
+        if through:
+            last = str(len(polygon.rays) - 1)
+            b.figure.stroke(SCHEME, "string", last, polygon.knots[-1], at(SCHEME, through[-1]))
+        return polygon.resultant()
 
-    def pole(self, line: Support | None) -> complex:
-        """The pole said, or one that suits."""
-        if self.framework.pole is not None:
-            return self.framework.pole
-        return chosen_pole(self.forces, self.way(line) if line else None, self.forces)
+    def pole(self, line: Support | None) -> None:
+        """Draw the pole said, one by which strings go through points, or one that suits."""
+        b, f = self.body, self.framework
+        pole = f.pole or chosen_pole(self.forces, self.way(line) if line else None, self.forces)
+        if not f.through:
+            lay_pole(b, pole)
+            return
+        if b.anchor and b.anchor.point != f.through[0]:
+            raise self.refusal("through_first", point=b.anchor.point)
+        start, way = f.points[f.through[0]], f.points[f.through[-1]] - f.points[f.through[0]]
+        along = [((self.places[x.name] - start) * way.conjugate()).real for x in b.forces]
+        middle = ((f.points[f.through[1]] - start) * way.conjugate()).real
+        before = sum(x < middle for x in along)
+        if along != sorted(along) or (len(f.through) == 3 and not 0 < before < len(along)):
+            raise self.refusal("through_order", names=f.through)
+        pole_through(b, pole, f.through, before)
 
     def composed(self) -> None:
         """By the resultant of loads taken together one after another."""
@@ -124,9 +166,7 @@ class WayFinder:
         if len(b.forces) == 1:
             self.by_resultant(b.forces[0].point, b.forces[0].along)
             return
-        polygon = StringPolygon(b, self.pole(None))
-        polygon.draw(b.forces[0].point)
-        self.by_resultant(*polygon.resultant())
+        self.by_resultant(*self.resultant())
 
     def by_resultant(self, point: str, along: str) -> None:
         """The reactions to one force along a line; none where nothing holds the body."""

@@ -1,0 +1,91 @@
+"""Shear and bending moment of a straight beam from place to place: as its string polygon gives them at its points, and
+between these by the loads spread there.
+"""
+
+from itertools import pairwise
+
+from planes.plans.position.bodies import SCHEME
+from planes.plans.structures.figure import StaticsFigure
+from planes.scene.structures import StaticLoad
+from planes.solving import Position
+from planes.words.frozen import frozen
+from planes.words.names import at, mu_of
+
+PIECES = 16  # of a curve under a distributed load
+Outline = list[tuple[float, float]]  # m along the beam, N or N·m
+
+
+@frozen
+class BeamOutlines:
+    """Points along the beam with their distances, m, and both outlines from the first of them to the last."""
+
+    stops: dict[str, float]
+    shears: Outline
+    moments: Outline
+
+
+def beam_outlines(position: Position) -> BeamOutlines | None:
+    """Both diagrams of a straight beam; None where there is none."""
+    figure = position.plans.figure
+    return _Beam(position, figure).outlines() if figure and figure.moments else None
+
+
+class _Beam:
+    """The beam by the distances of its points."""
+
+    def __init__(self, position: Position, figure: StaticsFigure) -> None:
+        self.position, self.figure = position, figure
+        ends = [p for p, _ in figure.moments] + [p for *two, _ in figure.shears for p in two]
+        places = {p: complex(position.drawing[at(SCHEME, p)]) / position.scales[mu_of(SCHEME)] for p in ends}
+        first, last = (pick(places.values(), key=lambda z: (z.real, z.imag)) for pick in (min, max))
+        way = (last - first) / abs(last - first)
+        self.way = way
+        stops = {p: ((z - first) * way.conjugate()).real for p, z in places.items()}
+        self.stops = dict(sorted(stops.items(), key=lambda one: one[1]))
+
+    def value(self, name: str) -> float:
+        """A value as it was found."""
+        return float(self.position.drawing[name])
+
+    def outlines(self) -> BeamOutlines:
+        """Both diagrams."""
+        level = {tuple(sorted(two, key=self.stops.__getitem__)): self.value(name) for *two, name in self.figure.shears}
+        moments = {p: self.value(name) for p, name in self.figure.moments}
+        shears, bent = [(0.0, 0.0)], list[tuple[float, float]]()
+        known = [p for p in self.stops if p in moments]
+        for one, other in pairwise(known):
+            start, end = self.stops[one], self.stops[other]
+            loads = [x for x in self.figure.spread if x.spread and self.covered(x, start, end)]
+            for k in range(PIECES + 1) if loads else (0, PIECES):
+                t = k / PIECES
+                sag, slope = (sum(way(x, start, end, t) for x in loads) for way in (self.sag, self.slope))
+                chord = (moments[other] - moments[one]) / (end - start)
+                bent.append((start + t * (end - start), moments[one] + t * (end - start) * chord + sag))
+                shears.append((start + t * (end - start), level.get((one, other), chord) + slope))
+        return BeamOutlines(self.stops, [*shears, (max(self.stops.values()), 0.0)], bent)
+
+    def covered(self, load: StaticLoad, start: float, end: float) -> bool:
+        """Whether a distributed load lies between two places."""
+        assert load.spread
+        low, high = sorted(self.stops[p] for p in load.spread)
+        return low <= (start + end) / 2 <= high
+
+    def ordinates(self, load: StaticLoad, start: float, end: float) -> tuple[float, float]:
+        """The intensities at two places, N/m, downwards positive."""
+        assert load.spread and load.direction_deg is not None
+        one, other = (self.stops[p] for p in load.spread)
+        first, last = load.intensity
+        up = 1.0 if load.direction_deg % 360.0 < 180.0 else -1.0
+        first, last = (-up * (first + (x - one) / (other - one) * (last - first)) for x in (start, end))
+        return first, last
+
+    def sag(self, load: StaticLoad, start: float, end: float, t: float) -> float:
+        """How much the moment exceeds the chord."""
+        first, last = self.ordinates(load, start, end)
+        return (end - start) ** 2 / 6 * t * (1 - t) * (first * (2 - t) + last * (1 + t))
+
+    def slope(self, load: StaticLoad, start: float, end: float, t: float) -> float:
+        """How much the shear exceeds that of the chord: the derivative of the same."""
+        first, last = self.ordinates(load, start, end)
+        rise = first * (2 - 6 * t + 3 * t * t) + last * (1 - 3 * t * t)
+        return (end - start) / 6 * rise

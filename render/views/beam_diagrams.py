@@ -1,0 +1,90 @@
+"""Diagrams of shear force and bending moment beneath one another: along the beam, hatched, with their values."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+from planes.diagrams.beams import BeamOutlines, Outline
+from planes.words import say
+from planes.words.naming import Naming
+from planes.words.read_off import measured
+from render import labels
+from render.paper.marks import Line, Mark, Text
+from render.paper.style import tall
+from render.views.senses import labelled
+
+HIGH_MM = 20.0  # of the largest ordinate
+APART_MM = 13.0  # between both diagrams
+HATCH_MM = 3.0
+NAME_MM, LETTER_MM = 3.5, 5.0
+NOTHING = 1e-9  # of the largest: none
+JUMP = 1e-3  # of the largest: a smaller step is none
+
+
+@dataclass
+class BeamDiagrams:
+    """Both diagrams being drawn, at a scale of lengths."""
+
+    found: BeamOutlines
+    naming: Naming
+    mu: float  # mm per m
+
+    def drawn(self) -> tuple[Mark, ...]:
+        """The beam with its letters, and the diagrams beneath it."""
+        marks, named, y = list[Mark](), list[labels.Label](), -8.0
+        ends = [self.mu * x for x in (min(self.found.stops.values()), max(self.found.stops.values()))]
+        marks.append(Line((complex(ends[0]), complex(ends[1])), "thick"))
+        named += [
+            labels.Label(self.naming.point(p), complex(self.mu * x), LETTER_MM, 1j, 0.8, name=p)
+            for p, x in self.found.stops.items()
+        ]
+        for title, unit, outline in (("Q", "N", self.found.shears), ("M", "N·m", self.found.moments)):
+            most = max((abs(v) for _, v in outline), default=0.0) or 1.0
+            up, down = (max(0.0, *(k * v for _, v in outline)) / most * HIGH_MM for k in (1, -1))
+            y -= up + 4.0
+            text = f"{title}, {say(unit, self.naming.lang)}"
+            marks.append(Text(text, complex(ends[0] - 4.0, y - tall(NAME_MM) / 2), tall(NAME_MM), "end", name=title))
+            marks += self.diagram(outline, y, most)
+            named += self.values(outline, y, most)
+            y -= down + APART_MM
+        marks += [
+            Line((complex(self.mu * x), complex(self.mu * x, y + APART_MM)), "thin", "construction")
+            for x in self.found.stops.values()
+        ]
+        return labelled(named, marks)
+
+    def place(self, x: float, v: float, y: float, most: float) -> complex:
+        """Where an ordinate ends on the paper."""
+        return complex(self.mu * x, y + v / most * HIGH_MM)
+
+    def diagram(self, outline: Outline, y: float, most: float) -> list[Mark]:
+        """The line of zero, the outline, and the hatching between."""
+        spots = [self.place(x, v, y, most) for x, v in outline]
+        marks: list[Mark] = [Line((complex(spots[0].real, y), complex(spots[-1].real, y)), "vector")]
+        marks.append(Line(tuple(spots), "result", "result"))
+        count = int((spots[-1].real - spots[0].real) / HATCH_MM)
+        for k in range(1, count):
+            x = spots[0].real + k * (spots[-1].real - spots[0].real) / count
+            for a, b in pairwise(spots):
+                if a.real < x <= b.real:
+                    top = a.imag + (x - a.real) / (b.real - a.real) * (b.imag - a.imag)
+                    if abs(top - y) > 0.5:
+                        marks.append(Line((complex(x, y), complex(x, top)), "thin", "construction"))
+        return marks
+
+    def values(self, outline: Outline, y: float, most: float) -> list[labels.Label]:
+        """The values where the outline turns or jumps, and the greatest."""
+        stops, shown = set(self.found.stops.values()), dict[tuple[float, float], None]()
+        extreme = max(outline, key=lambda one: abs(one[1]))
+        for x, v in outline:
+            if (any(abs(x - s) < NOTHING * max(stops) for s in stops) or (x, v) == extreme) and abs(v) > JUMP * most:
+                near = (
+                    one for one in shown if abs(one[0] - x) < NOTHING * max(stops) and abs(one[1] - v) < JUMP * most
+                )
+                if next(near, None) is None:
+                    shown[x, v] = None
+        found = []
+        for x, v in shown:
+            z = self.place(x, v, y, most)
+            text = measured(abs(v), self.naming.lang)
+            found.append(labels.Label(text, z, NAME_MM, 1j if v > 0 else -1j, 0.6, name=f"value {text}"))
+        return found

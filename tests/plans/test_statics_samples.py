@@ -1,0 +1,58 @@
+"""The samples of statics against their expected numbers, of an independent solver; their sheets and lessons."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from planes.documents.sheets import sheet_of
+from planes.lesson.told import Told
+from planes.scene import load
+from planes.solving import solve
+from planes.words.errors import PlanesError
+from tests.helpers import ROOT
+from tests.helpers.equilibrium import expected
+
+SAMPLES = sorted((ROOT / "samples" / "statics").glob("*.yaml"))
+DIGITS = 1e-11  # of the largest number: those that are printed
+
+
+def test_there_are_samples_of_many_kinds() -> None:
+    assert len(SAMPLES) >= 25
+
+
+@pytest.mark.parametrize("sample", SAMPLES, ids=lambda f: f.stem)
+def test_a_sample_has_its_expected_numbers(sample: object) -> None:
+    path = ROOT / "samples" / "expected" / "statics" / f"{sample.stem}.json"  # type: ignore[attr-defined]
+    told = json.loads(path.read_text("utf-8"))
+    (position,) = solve(load(sample)).positions  # type: ignore[arg-type]
+    again = expected(sample.read_text("utf-8"))  # type: ignore[attr-defined]
+    most = max(abs(x) for xy in told["vectors"].values() for x in xy)
+    for name, xy in told["vectors"].items():
+        assert abs(position.of("vectors")[name].vector - complex(*xy)) <= DIGITS * most, name
+        assert complex(*again["vectors"][name]) == pytest.approx(complex(*xy), abs=DIGITS * most)
+    for name, value in told["values"].items():
+        assert abs(position.of("values")[name].number - value) <= DIGITS * max(most, abs(value)), name
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sample", SAMPLES, ids=lambda f: f.stem)
+def test_a_sample_has_a_sheet_and_a_lesson(sample: object) -> None:
+    """Both are made whole in both languages, and every label of the sheet finds a place."""
+    scene = load(sample)  # type: ignore[arg-type]
+    for lang in ("ru", "en"):
+        sheet = sheet_of(scene, None, lang)  # type: ignore[arg-type]
+        assert not sheet.warnings, sheet.warnings
+    frames = Told.of(scene).frames
+    assert len(frames) > 4 and all(f.marked["ru"] and f.why["ru"] for f in frames)
+
+
+def test_a_scene_of_statics_is_refused_what_only_mechanisms_have(capsys: pytest.CaptureFixture[str]) -> None:
+    from planes.cli import main
+
+    with pytest.raises(PlanesError):
+        load(SAMPLES[0]).to_yaml()
+    assert main(["structure", str(ROOT / "samples" / "statics" / "truss-fink.yaml"), "--lang", "en"]) == 0
+    assert capsys.readouterr().out == "2j = m + r: 2·15 = 27 + 3\n"
+    assert main(["cycle", str(SAMPLES[0]), "--phi", "0:360:30", "-o", "x.csv"]) == 2
