@@ -142,16 +142,16 @@ class Solved:
         """The object ``planes solve --json`` prints."""
         doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
         head = {"planes": 1, "scene": Path(self.scene.file).name, "variant": self.scene.variant}
-        if not self.plans.moves:
-            (one,) = self.positions
-            vectors = {n: polar(complex(*xy)) for n, xy in one.results.get("vectors", {}).items()}
-            return {**head, **one.results, "vectors": vectors, "warnings": doubts + one.results["warnings"]}
-        return {
-            **head,
-            "structure": self.plans.structure.json(),
-            "positions": [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions],
-            "failed": self.failed,
-        }
+        stated = [{n: polar(complex(*xy)) for n, xy in p.results.get("vectors", {}).items()} for p in self.positions]
+        told = [{} if self.plans.moves else {"vectors": v} for v in stated]
+        told = [
+            {**p.results, **v, "warnings": doubts + p.results["warnings"]}
+            for p, v in zip(self.positions, told, strict=True)
+        ]
+        if not self.plans.turns:
+            return {**head, **told[0]}
+        head |= {"structure": self.plans.structure.json()} if self.plans.moves else {}
+        return {**head, "positions": told, "failed": self.failed}
 
 
 def plans_of(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] | None]:
@@ -177,7 +177,7 @@ def solve(
         try:
             solved.positions.append(solved.at(value))
         except PlanFailure as failure:
-            if not plans.moves:
+            if not plans.turns:
                 raise SceneError(failure.phrase, scene.file) from None
             near = nearest.to(value) if len(solved.failed) < TOLD else None
             solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near).told(lang)})
@@ -227,7 +227,7 @@ def position(
     proved(plans.program, given, drawing if is_exact(instrument) else None)  # a pencil's errors prove nothing
     reader = DrawingReader(plans, drawing, mus)
     found = tuple(map(reader.read, told_of(plans, wanted)))
-    at_drive, groups = ({key_of(plans): value}, GROUPS) if plans.moves else ({}, ())
+    at_drive, groups = {key_of(plans): value} if plans.turns else {}, GROUPS if plans.moves else ()
     results = {**at_drive, **as_json(plans, found, groups if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
     errors = None

@@ -38,11 +38,11 @@ def text_of(p: Position) -> str:
 
 def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     """The lines of one position."""
-    if not p.plans.moves:
-        return stated_tables(p, lang, naming)
     r = p.results
     head = f"φ = {p.at:.10g}°" if key_of(p.plans) == "phi_deg" else f"s = {p.at:.10g} {say('m', lang)}"
-    lines = ["", f"— {head} —"]
+    lines = ["", f"— {head} —"] * p.plans.turns
+    if not p.plans.moves:
+        return lines + stated_tables(p, lang, naming)
     e: Json | None = r.get("errors")
     lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
     lines += _slides(p, lang, e) + _derived(p, lang, naming, "transfers")

@@ -124,9 +124,9 @@ class SpaceDiagram:
 
     def spread(self, load: StaticLoad) -> Iterator[Mark]:
         """A distributed load: arrows beneath one line, as high as its intensities."""
-        assert load.spread and load.direction_deg is not None
+        assert load.spread
         start, end = (self.places.at(p) for p in load.spread)
-        way = symbols.unit(load.direction_deg) * math.copysign(1.0, load.size)
+        way = symbols.unit(load.steady_deg)
         high = [SPREAD_MM * abs(q) / max(map(abs, load.intensity)) for q in load.intensity]
         count = max(2, round(abs(end - start) / SPREAD_GAP_MM))
         tops = [start - high[0] * way, end - high[1] * way]
