@@ -19,7 +19,8 @@ from planes.scene.parameters import TOLD, choose, read_laws, read_parameters, re
 from planes.scene.reader import Reader, entries_of, line_of
 from planes.scene.source import Node, SourceTable
 from planes.scene.structures import read_framework
-from planes.scene.vectors import Statement, VectorGiven, read_statement
+from planes.scene.vector_equations import VectorEquation
+from planes.scene.vectors import Statement, VectorGiven, read_own, read_statement
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
@@ -68,6 +69,7 @@ class Scene(Pictured):
     missing: Mapping[str, str] = field(default_factory=_none)
     doubts: tuple[Doubt, ...] = ()
     mu_written: Convention | None = None
+    equations: tuple[VectorEquation, ...] = ()  # a person's own, beside a mechanism
 
     @property
     def variant(self) -> str | None:
@@ -198,6 +200,7 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
         mu_written=settings.convention_written(table),
+        equations=read_own(reader, table.entries["equations"]) if mechanism and "equations" in table.entries else (),
     )
 
 

@@ -77,6 +77,19 @@ def read_statement(reader: Reader, scene: SourceTable, quantity: str | None, law
     return _StatementReader(reader, scene, laws).read(quantity)
 
 
+def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
+    """A person's own equations beside a mechanism, whether they hold or not."""
+    found = []
+    for n, entry in enumerate(reader.items(node, "equations") if isinstance(node, Items) else [node], 1):
+        text = reader.text(entry, Phrase("equation", number=n)).strip()
+        try:
+            own = read_equation(text, lambda times: evaluate(times, reader.parameters), entry.line, chained=False)
+        except (EquationError, ExpressionError) as error:
+            raise SceneError(Phrase("about", what=shown(text), why=error.phrase), reader.file, entry.line) from None
+        found.append(own)
+    return tuple(found)
+
+
 class _StatementReader:
     """Reads what is named first, so that it may be used anywhere."""
 

@@ -14,6 +14,7 @@ from planes.plans.scales import fits_on, scales
 from planes.plans.statements.of_scene import fitted, scene_plans
 from planes.scene import Scene
 from planes.solving.nearest import Nearest
+from planes.solving.own_equations import own_equations
 from planes.solving.readings import KINDS, Readings, known
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
@@ -142,12 +143,9 @@ class Solved:
         """The object ``planes solve --json`` prints."""
         doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
         head = {"planes": 1, "scene": Path(self.scene.file).name, "variant": self.scene.variant}
-        stated = [{n: polar(complex(*xy)) for n, xy in p.results.get("vectors", {}).items()} for p in self.positions]
-        told = [{} if self.plans.moves else {"vectors": v} for v in stated]
-        told = [
-            {**p.results, **v, "warnings": doubts + p.results["warnings"]}
-            for p, v in zip(self.positions, told, strict=True)
-        ]
+        told = [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions]
+        for one in () if self.plans.moves else told:
+            one["vectors"] = {n: polar(complex(*xy)) for n, xy in one.get("vectors", {}).items()}
         if not self.plans.turns:
             return {**head, **told[0]}
         head |= {"structure": self.plans.structure.json()} if self.plans.moves else {}
@@ -239,6 +237,8 @@ def position(
     if drawn or wanted is None:
         results["plans"] = drawn
     results["warnings"] = warnings(reader, wanted, given, lang)
+    if scene.equations and wanted is None:
+        results["equations"] = [e.json() for e in own_equations(plans, drawing, mus, scene.equations, scene.file)]
     return Position(value, plans, drawing, mus, found, results)
 
 

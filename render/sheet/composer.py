@@ -112,7 +112,8 @@ class Composer:
 
     def tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
-        return Tables(position, self.naming, letter, self.scene.used, self.written)
+        own = self.scene.equations, self.scene.file
+        return Tables(position, self.naming, letter, self.scene.used, self.written, own)
 
     def plans(self, plotted: Plotted, plans: list[str], letter: float, beneath: bool) -> list[View | None]:
         """Plans with their equations: ``beneath`` each, or all of a kind in one view."""
