@@ -1,8 +1,7 @@
 """Links, points, guides, pairs, the drive, masses and loads: what a scene says, as frozen records.
 
 All numbers are SI; angles are degrees, counter-clockwise positive, and end in ``_deg``. A place is a complex
-number (x to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``.
-"""
+number (x to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``."""
 
 import math
 from collections.abc import Mapping
@@ -105,6 +104,7 @@ class Drive:
     velocity: float = 0.0
     acceleration: float = 0.0
     on: str = FRAME
+    balance: tuple[str, float] | None = None  # where a balancing force acts, and its angle in the link's axes
 
     @property
     def turning(self) -> str:

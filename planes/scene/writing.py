@@ -132,7 +132,8 @@ def _drive(drive: Drive) -> Json:
     names = drive.kind, *RATES[drive.kind]
     on = {} if drive.on == FRAME else {"on": drive.on}
     values = drive.position, drive.velocity, drive.acceleration
-    return {"link": drive.link, **on, **dict(zip(names, values, strict=True))}
+    balance = {"balance": dict(zip(("point", "angle"), drive.balance, strict=True))} if drive.balance else {}
+    return {"link": drive.link, **on, **dict(zip(names, values, strict=True)), **balance}
 
 
 def _load(load: Load) -> Json:

@@ -52,28 +52,34 @@ class Statics:
     acting: Acting
     reactions: dict[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
+    balancing_force: str = ""  # of a driver that turns, where it is asked for
+    beside_force: tuple[str, str, str] | None = None  # the frame's reaction beside it, and its marks
     centres: dict[str, str] = field(default_factory=dict)  # about which point each force's arm was taken first
 
     def moment_terms(
         self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
     ) -> tuple[list[Product], tuple[tuple[str, str], ...]]:
         """The sum of moments about a mark, times ``sign``, divided by the value ``over``; and its terms by name."""
-        d, tail = self.bodies.draft, ((over, -1),) if over else ()
+        tail = ((over, -1),) if over else ()
         products, shown = [], []
         for f in forces:
             if f.point == about:
                 continue
-            centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
-            if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
-                name += f"^{centre.lstrip('°')}"
-            means = Meaning("arm", f.name, about, f.link)
-            arm = d.step(Drop(name, f.point, f.along, about, mu_of(SCHEME), means=means))
+            arm = self.arm(f, about)
             products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
             shown.append((f.name, arm))
         for c in couples:
             products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
             shown.append((c.name, ""))
         return products, tuple(shown)
+
+    def arm(self, f: Force, about: str) -> str:
+        """The arm of a force about a mark."""
+        centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
+        if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
+            name += f"^{centre.lstrip('°')}"
+        means = Meaning("arm", f.name, about, f.link)
+        return self.bodies.draft.step(Drop(name, f.point, f.along, about, mu_of(SCHEME), means=means))
 
     def laid(self, plan: str, forces: list[Force], start: str = POLE) -> tuple[tuple[Term, ...], str]:
         """Forces laid off one after another on a plan from a mark of that label, each to a mark of its own
