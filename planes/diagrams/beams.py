@@ -72,10 +72,10 @@ class _Beam:
 
     def ordinates(self, load: StaticLoad, start: float, end: float) -> tuple[float, float]:
         """The intensities at two places, N/m, downwards positive."""
-        assert load.spread and load.direction_deg is not None
+        assert load.spread
         one, other = (self.stops[p] for p in load.spread)
-        first, last = load.intensity
-        up = 1.0 if load.direction_deg % 360.0 < 180.0 else -1.0
+        first, last = map(abs, load.intensity)
+        up = 1.0 if load.steady_deg % 360.0 < 180.0 else -1.0
         first, last = (-up * (first + (x - one) / (other - one) * (last - first)) for x in (start, end))
         return first, last
 

@@ -126,10 +126,14 @@ class Schemas:
         forms = {"through": one_of(NAME, self.place()), "mark": TEXT, "centre": one_of(NAME, self.place())}
         return self.of("guide", GUIDE_KEYS, forms)
 
+    def law(self) -> Json:
+        """A number, an expression, or a table over one."""
+        return one_of(NUMBER, self.of("law", LAW_KEYS, {"table": many(PAIR, 2)}, LAW_KEYS))
+
     def load(self) -> Json:
         """A force or a couple."""
-        table = self.of("law", LAW_KEYS, {"table": many(PAIR, 2)}, LAW_KEYS)
-        law = one_of(NUMBER, table)
+        law = self.law()
+        table = law["anyOf"][1]
         forms = {"working": law, "idle": law, "stroke": words_of(ORDERS[2:]), "slider": NAME}
         size = one_of(NUMBER, table, self.of("law", STROKE_KEYS, forms, ("working", "idle")))
         angle = one_of(NUMBER, self.of("direction", ("link", "angle"), {"link": NAME, "angle": law}, ("link", "angle")))
@@ -141,7 +145,8 @@ class Schemas:
 
     def vectors(self) -> Json:
         """The parts of a scene of vectors."""
-        vector = one_of(self.of("vector", VECTOR_KEYS, {"similar": TEXT, "as": many(TEXT, 2)}), EMPTY)
+        turning = dict.fromkeys(("value", "direction"), self.law())
+        vector = one_of(self.of("vector", VECTOR_KEYS, {"similar": TEXT, "as": many(TEXT, 2), **turning}), EMPTY)
         equations, values = one_of(TEXT, many(one_of(TEXT, named(TEXT)))), named(NUMBER)
         return {"vectors": named(vector), "equations": equations, "values": values, "mu": TEXT}
 
@@ -149,6 +154,7 @@ class Schemas:
         """The parts of a scene of bodies in equilibrium."""
         support = one_of(words_of(SUPPORT_KINDS), self.of("support", SUPPORT_KEYS, {"rod": NAME, "rope": NAME}))
         load = dict.fromkeys(("point", "from", "to", "body"), NAME) | {"intensity": one_of(NUMBER, PAIR)}
+        load |= dict.fromkeys(("force", "moment", "direction"), self.law())
         pole = one_of(self.place(), self.of("pole", POLE_KEYS, {"through": many(NAME, 2)}, POLE_KEYS))
         return {
             "points": named(one_of(PAIR, self.place())),

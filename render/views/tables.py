@@ -2,15 +2,19 @@
 
 import cmath
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import zip_longest
+from re import Match
 
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.force.loads import force_name
 from planes.plans.structures.figure import Strain, strains
+from planes.scene.vector_equations import VectorEquation
 from planes.solving import Position
 from planes.solving.given import GivenTable
+from planes.solving.own_equations import own_rows
 from planes.solving.tables import difference
 from planes.solving.text_tables import NOISE, largest
 from planes.words import say
@@ -24,6 +28,8 @@ from render.views.formulas import NOISE_MM
 from render.views.plotted import of_position
 from render.views.table_grid import Row, TableGrid, folded
 
+VECTOR_NAMED = re.compile(r"[^\W\d]+_\w+(?:\^[ntkr])?")
+
 
 @frozen
 class Tables:
@@ -34,6 +40,7 @@ class Tables:
     letter: float = 3.5
     parameters: Mapping[str, float] = field(default_factory=dict)
     once: Callable[[tuple[object, ...], Callable[[], View]], View | None] = lambda key, make: make()
+    own: tuple[tuple[VectorEquation, ...], str] = ((), "")  # a person's equations, and their file
 
     def vectors(self) -> View | None:
         """Length on its plan, magnitude and direction of every vector of a scene that states them."""
@@ -57,6 +64,10 @@ class Tables:
             value = f.number if abs(f.number) > NOISE * most else 0.0
             rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
         return self.table("values", self.say("values_found"), ["", "", ""], rows)
+
+    def vector(self, name: Match[str]) -> str:
+        """The name of a vector in a text, as it is lettered."""
+        return self.naming.vector(name[0])
 
     @cached_property
     def strains(self) -> dict[str, Strain]:
@@ -106,7 +117,16 @@ class Tables:
         """Every table that has something to say; what was measured on both plans of rates ``joined`` in one."""
         if not self.position.plans.moves:
             return [t for t in (self.given(), self.vectors(), self.members(), self.values()) if t]
-        return [t for t in (self.given(), *self.rates(joined), self.links(), self.reactions(), self.check()) if t]
+        found = self.given(), *self.rates(joined), self.links(), self.reactions(), self.check(), self.equations()
+        return [t for t in found if t]
+
+    def equations(self) -> View | None:
+        """A person's own equations: what each gives, or whether it closes and what would close it."""
+        p = self.position
+        own = self.own if "equations" in p.results else ((), "")
+        told = own_rows(p.plans, p.drawing, p.scales, own, self.naming.lang)
+        rows = [[VECTOR_NAMED.sub(self.vector, text) for text in row] for row in told]
+        return self.table("own-equations", self.say("own_equations"), ["", ""], rows)
 
     def given(self) -> View | None:
         """What the scene gives, each thing once."""
