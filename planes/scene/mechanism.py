@@ -55,8 +55,7 @@ class Journal:
     @property
     def circle(self) -> float:
         """The radius of the friction circle, which the reaction is tangent to."""
-        f = self.coefficient
-        return self.radius * (f / math.hypot(1.0, f) if self.round else f)
+        return self.radius * self.coefficient / (math.hypot(1.0, self.coefficient) if self.round else 1.0)
 
 
 @frozen
@@ -66,6 +65,7 @@ class Slide:
     guide: str
     angle_deg: float | None = None
     offset: float | None = None
+    length: float | None = None  # of its face, half of it to either side of the foot of its first point
 
 
 @frozen

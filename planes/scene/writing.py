@@ -123,7 +123,7 @@ def _guide(guide: Guide) -> Json:
 
 
 def _slide(slide: Slide) -> Json | str:
-    more = {"angle": slide.angle_deg, "offset": slide.offset}
+    more = {"angle": slide.angle_deg, "offset": slide.offset, "length": slide.length}
     given = {key: value for key, value in more.items() if value is not None}
     return {"guide": slide.guide, **given} if given else slide.guide
 

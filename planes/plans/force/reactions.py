@@ -36,6 +36,7 @@ class Reaction:
     moment: str = ""
     friction: str = ""
     power: str = ""
+    edges: tuple[str, str] | None = None  # the forces of both edges of a slider's face, ahead and behind
 
     @property
     def names(self) -> dict[str, str]:
@@ -127,8 +128,20 @@ class Statics:
         normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"∥{pair.guide}"))
         arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
         d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
-        self.reactions[r.key] = seated = replace(r, normal=normal, arm=arm, moment=moment)
+        edges = self.edges(r, normal, moment)
+        self.reactions[r.key] = seated = replace(r, normal=normal, arm=arm, moment=moment, edges=edges)
         return seated
+
+    def edges(self, r: Reaction, normal: str, moment: str) -> tuple[str, str] | None:
+        """The forces of both edges of a slider's face, that have the same sum and moment, where its length is given."""
+        slides = self.bodies.mechanism.links[r.pair.link].slides
+        if slides is None or slides.length is None:
+            return None
+        d = self.bodies.draft
+        face = d.give(f"face_{r.pair.link}", slides.length)
+        ends = ((f"N_{r.key}^{k}", sign) for k, sign in (("1", 1.0), ("2", -1.0)))
+        one, two = (d.total(n, [Product(0.5, ((normal, 1),)), Product(s, ((moment, 1), (face, -1)))]) for n, s in ends)
+        return one, two
 
     def hand_over(self, r: Reaction, to: str) -> None:
         """Let the mate of a pair feel the reaction (and, of a slider, its couple), reversed."""
