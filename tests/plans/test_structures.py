@@ -233,6 +233,10 @@ PINNED = "supports: {A: hinge, B: roller}\nloads: [{point: C, force: 5, directio
         (TRIANGLE + "members: [AD, DB, AB, AC, CB]\n" + PINNED, "inside the truss"),
         (ARCH.replace("C: [4, 3]", "C: [4, 0]"), "lie on one line"),
         (ARCH.replace("B: hinge", "B: roller"), "this is a mechanism"),
+        (BAR + "supports: {A: hinge, E: roller}\n" + LOAD, "belongs to no body"),
+        (BAR.replace("E: [4, 3]", "E: [4, 0]") + "supports: {A: hinge, B: roller}\n" + LOAD, "are in one place"),
+        (ARCH.replace("{A: hinge, B: hinge}", "{A: [clamp, {roller: 0}]}") + LOAD, "body 2 has 2 unknown reactions"),
+        (BAR + "supports: {A: hinge, B: roller}\n" + LOAD.replace("5", "0") + "method: string\n", "at least one force"),
         (BAR + "vectors: {F: {value: 1, direction: 0}}\n", "do not go together"),
     ],
 )
