@@ -17,7 +17,7 @@ from planes.crank_slider.reading_table import INDICATOR
 from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS
-from planes.scene.motion import DRIVE_KEYS, LOAD_KEYS, ORDERS
+from planes.scene.motion import BALANCE_KEYS, DRIVE_KEYS, LOAD_KEYS, ORDERS
 from planes.scene.outline import KEYS, NEEDED
 from planes.scene.settings import SHEET_KEYS, SHEET_LISTS, SHEET_NUMBERS, SHEET_WORDS, YES_OR_NO
 from planes.scene.structures import METHODS, POLE_KEYS, STATIC_LOAD_KEYS, SUPPORT_KEYS, SUPPORT_KINDS
@@ -110,7 +110,7 @@ class Schemas:
             "frame": self.of("frame", FRAME_KEYS, {"points": points, "guides": guides, "number": NAME}),
             "links": named(link),
             "assembly": named(one_of(words_of(ORDERS), near)),
-            "drive": self.of("drive", DRIVE_KEYS, {"link": NAME}, ("link",)),
+            "drive": self.of("drive", DRIVE_KEYS, {"link": NAME, "balance": self.balance()}, ()),
             "loads": many(self.load(), 0),
             "friction": named(one_of(NUMBER, self.of("pin", PIN_KEYS, {}, PIN_KEYS))),
             "plans": self.of("plans", PLANS, dict.fromkeys(PLANS, mu)),
@@ -125,6 +125,10 @@ class Schemas:
         """A guide, straight or round."""
         forms = {"through": one_of(NAME, self.place()), "mark": TEXT, "centre": one_of(NAME, self.place())}
         return self.of("guide", GUIDE_KEYS, forms)
+
+    def balance(self) -> Json:
+        """The point and the line of a balancing force."""
+        return self.of("balance", BALANCE_KEYS, {"point": NAME}, ("point",))
 
     def law(self) -> Json:
         """A number, an expression, or a table over one."""

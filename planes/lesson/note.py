@@ -26,7 +26,7 @@ from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.given import GivenTable
 from planes.solving.own_equations import own_rows
-from planes.solving.structure_text import alignment_report, ways_told
+from planes.solving.structure_text import alignment_report, group_counted, ways_told
 from planes.solving.tables import difference
 from planes.words import Lang, capital, decimal, say
 from planes.words.errors import PlanesError
@@ -111,15 +111,15 @@ class Note:
         """Degree of freedom, groups, formula."""
         s, n = self.position.plans.structure, len(self.position.plans.mechanism.links)
         freedom, redundant = counted(s)
-        yield Heading(self.say("note_structure"))
-        yield Paragraph(self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant))
+        told_of = self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant)
+        yield from (Heading(self.say("note_structure")), Paragraph(told_of))
         for g in s.groups:
-            yield Paragraph(self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang)))
+            told_of = self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang))
+            yield Paragraph(" ".join([told_of, *group_counted(g, self.lang)]))
         yield Paragraph(self.say("note_formula", formula=s.formula_as(self.scene.frame_number, True)))
         for way in ways_told(s, self.lang, self.naming.frame, True):
             yield Paragraph(capital(way) + ".")
-        if s.passive:
-            yield Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")
+        yield from [Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")] if s.passive else []
         yield from self.self_aligning() if self.scene.find is None else ()
 
     def self_aligning(self) -> Iterator[Block]:

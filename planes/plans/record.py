@@ -61,6 +61,8 @@ class Plans:
     restating: Restating | None = None
     reactions: Mapping[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
+    balancing_force: str = ""  # on a driver that turns, beside the moment
+    beside_force: tuple[str, str, str] | None = None  # the frame's reaction with it by name, and its marks
     zhukovsky: str = ""
     at_rest: bool = False
     laws: Mapping[str, SceneError] = field(default_factory=dict)

@@ -61,7 +61,9 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     forces = p.of("reactions")
     if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
         lines += (
-            _reactions(forces, lang, e, naming) + _derived(p, lang, naming, "loads", "friction") + _balance(p, lang)
+            _reactions(forces, lang, e, naming)
+            + _derived(p, lang, naming, "loads", "friction", "edges")
+            + _balance(p, lang)
         )
     return [decimals(line, lang) for line in lines] + [f"! {w}" for w in r["warnings"]]
 

@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import zip_longest
-from re import Match
 
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.force.loads import force_name
@@ -65,10 +64,6 @@ class Tables:
             rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
         return self.table("values", self.say("values_found"), ["", "", ""], rows)
 
-    def vector(self, name: Match[str]) -> str:
-        """The name of a vector in a text, as it is lettered."""
-        return self.naming.vector(name[0])
-
     @cached_property
     def strains(self) -> dict[str, Strain]:
         """How the members of a truss are strained, by the names of their forces."""
@@ -117,7 +112,15 @@ class Tables:
         """Every table that has something to say; what was measured on both plans of rates ``joined`` in one."""
         if not self.position.plans.moves:
             return [t for t in (self.given(), self.vectors(), self.members(), self.values()) if t]
-        found = self.given(), *self.rates(joined), self.links(), self.reactions(), self.check(), self.equations()
+        found = (
+            self.given(),
+            *self.rates(joined),
+            self.links(),
+            self.reactions(),
+            self.edges(),
+            self.check(),
+            self.equations(),
+        )
         return [t for t in found if t]
 
     def equations(self) -> View | None:
@@ -125,7 +128,7 @@ class Tables:
         p = self.position
         own = self.own if "equations" in p.results else ((), "")
         told = own_rows(p.plans, p.drawing, p.scales, own, self.naming.lang)
-        rows = [[VECTOR_NAMED.sub(self.vector, text) for text in row] for row in told]
+        rows = [[VECTOR_NAMED.sub(lambda m: self.naming.vector(m[0]), text) for text in row] for row in told]
         return self.table("own-equations", self.say("own_equations"), ["", ""], rows)
 
     def given(self) -> View | None:
@@ -205,6 +208,13 @@ class Tables:
         table = [["", self.say("mm"), self.say("N"), self.say("angle"), self.say("column_arm")], *rows]
         head, *rows = [row[: 5 if armed else 4] for row in table]
         return self.table("reactions", self.say("reactions_table"), head, rows, [convention])
+
+    def edges(self) -> View | None:
+        """The forces of both edges of a slider's face, where its length is given."""
+        rows = [
+            [self.naming.vector(f.quantity.name), self.number(f.number)] for f in self.position.of("edges").values()
+        ]
+        return self.table("edges", self.say("of_edges"), ["", self.say("N")], rows)
 
     @property
     def idle(self) -> bool:
