@@ -241,7 +241,7 @@ class _FrameworkReader:
     def pole(self) -> tuple[complex | None, tuple[str, ...]]:
         """The pole of a string polygon, or the points its strings are to go through."""
         node = self.reader.optional(self.scene, "pole")
-        if not isinstance(node, SourceTable):
+        if not isinstance(node, SourceTable) or "through" not in node.entries:
             return None if node is None else self.reader.place(node, section("pole")), ()
         self.reader.table(node, section("pole"), POLE_KEYS)
         names = self.list_of(self.reader.required(node, "through", section("pole")), part("through", section("pole")))

@@ -80,7 +80,7 @@ class SpaceDiagram:
         plans = self.position.plans
         loading = Loading(self.position, self.naming, () if self.figure.members else tuple(plans.mechanism.links))
         loading.loads(False, from_outside=True)
-        for f in (f for f in plans.acting.forces[ALONE] if f.spot and self.figure.members):
+        for f in (f for f in plans.acting.forces.get(ALONE, ()) if f.spot and self.figure.members):
             way = complex(self.position.drawing[f.along]) * math.copysign(1.0, float(self.position.drawing[f.size]))
             loading.force(f.name, self.at(f.point), way, from_outside=True)
         for s in () if self.asked else self.figure.supports:

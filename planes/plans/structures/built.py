@@ -54,6 +54,8 @@ class FrameworkBuilder(StatedLoads):
             if name is None:
                 self.arch()
                 continue
+            if (own := sum(s.held for s in self.supports_of(name))) < 3 and self.framework.supports:
+                raise self.error(Phrase("body_loose", name=name, held=own), "supports")
             self.solve(name)
             self.left.remove(name)
         if self.framework.members:
@@ -75,6 +77,7 @@ class FrameworkBuilder(StatedLoads):
     def check(self) -> None:
         """Whether reactions are as many as equations."""
         f = self.framework
+        self.check_points()
         if f.members:
             check_truss(f, self.error)
         held = self.held

@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from itertools import combinations
 
 from planes.drafting.draft import Draft
 from planes.drafting.steps import Aim
@@ -40,6 +41,18 @@ class StatedLoads:
         """A refusal that points at the line of what it speaks of."""
         where = self.scene.where
         return SceneError(phrase, self.scene.file, where.get(path, where.get(("points",))))
+
+    def check_points(self) -> None:
+        """Whether points are apart, and what is supported belongs to a body."""
+        f = self.framework
+        for one, other in combinations(f.points, 2):
+            if f.points[one] == f.points[other]:
+                raise self.error(Phrase("points_same", one=one, other=other), "points", other)
+        held_points = {p for points in f.bodies.values() for p in points}
+        if loose := next((s.point for s in f.supports if s.point not in held_points), None):
+            raise self.error(
+                Phrase("point_loose", what=Phrase("support_of", name=loose), name=loose), "supports", loose
+            )
 
     def place(self) -> None:
         """Points of the scheme, and loads at them."""
