@@ -57,7 +57,7 @@ def solve(args: Namespace) -> int:
         return _survey(args)
     scene = scene_of(args)
     values = values_of(args, scene)
-    check_options(args, "solve", "steps" if args.explain else "positions" if scene.mechanism else "vectors")
+    check_options(args, "solve", "steps" if args.explain else "positions" if scene.drive else "vectors")
     check_needs(args, ["seed"])
     if (args.seed or 0) < 0:
         raise PlanesError(Phrase("seed_negative", seed=args.seed))
@@ -139,7 +139,7 @@ def sheet(args: Namespace) -> int:
 
     scene = scene_of(args)
     values = values_of(args, scene)
-    check_options(args, "sheet", "positions" if scene.mechanism else "vectors")
+    check_options(args, "sheet", "positions" if scene.drive else "vectors")
     if args.colour:
         scene = replace(scene, sheet={**scene.sheet, "colour": True})
     if args.text and not args.output.lower().endswith(".dxf"):

@@ -23,10 +23,10 @@ def cycle(args: Namespace) -> int:
     scene = scene_of(args)
     kind, text = range_of(args, scene)
     span = None if text is None else read_span(text, f"--{kind}")
-    if scene.mechanism is None:
+    answer = _answer(args, span)
+    if not scene.drive or not (scene.mechanism or answer in ("table", "listing")):
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     scene = driven_otherwise(scene, args.omega, args.epsilon)
-    answer = _answer(args, span)
     check_options(args, "cycle", answer)
     check_needs(args, ["pole", "film"])
     match answer:

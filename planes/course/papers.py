@@ -95,14 +95,16 @@ def said_of(scene: Scene, drawn: Position, lang: Lang) -> str:
 
 
 def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
-    """The equations of stated vectors, and what is to be found by them."""
-    for name in dict.fromkeys(e.plan for e in drawn.plans.equations):
-        yield Figure(DrawnViews(scene, drawn, ((f"asked {name}",),)), "")
+    """The equations of stated vectors, or bodies with their supports and loads, and what is to be found by them."""
+    of_bodies = drawn.plans.figure is not None
+    names = [f"asked {plan}" for plan in dict.fromkeys(e.plan for e in drawn.plans.equations)]
+    for name in ["structure"] if of_bodies else names:
+        yield Figure(DrawnViews(scene, drawn, ((name,),)), "")
     if amounts := said_of(scene, drawn, lang):
         yield Paragraph(amounts)
     yield Heading(say("task_todo", lang))
-    names = tuple(f"⟨{name}⟩" for name in note_of(scene, drawn, lang).sought())
-    said = [say("task_stated", lang), say("task_find", lang, names=names)]
+    sought = tuple(f"⟨{name}⟩" for name in note_of(scene, drawn, lang).sought())
+    said = [say("task_statics" if of_bodies else "task_stated", lang), say("task_find", lang, names=sought)]
     yield from (Paragraph(line, number=k) for k, line in enumerate(said, 1))
 
 

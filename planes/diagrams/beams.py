@@ -27,7 +27,8 @@ class BeamOutlines:
 def beam_outlines(position: Position) -> BeamOutlines | None:
     """Both diagrams of a straight beam; None where there is none."""
     figure = position.plans.figure
-    return _Beam(position, figure).outlines() if figure and figure.moments else None
+    beam = _Beam(position, figure) if figure and figure.moments else None
+    return beam.outlines() if beam and beam.told else None
 
 
 class _Beam:
@@ -35,13 +36,21 @@ class _Beam:
 
     def __init__(self, position: Position, figure: StaticsFigure) -> None:
         self.position, self.figure = position, figure
-        ends = [p for p, _ in figure.moments] + [p for *two, _ in figure.shears for p in two]
+        ends = [p for p, _ in figure.moments] + [p for x in figure.spread for p in x.spread or ()]
+        ends += [p for *two, _ in figure.shears for p in two]
         places = {p: complex(position.drawing[at(SCHEME, p)]) / position.scales[mu_of(SCHEME)] for p in ends}
         first, last = (pick(places.values(), key=lambda z: (z.real, z.imag)) for pick in (min, max))
         way = (last - first) / abs(last - first)
         self.way = way
         stops = {p: ((z - first) * way.conjugate()).real for p, z in places.items()}
         self.stops = dict(sorted(stops.items(), key=lambda one: one[1]))
+
+    @property
+    def told(self) -> bool:
+        """Whether every distributed load lies all along whatever it touches between two places of known moments."""
+        known = sorted(self.stops[p] for p, _ in self.figure.moments)
+        ends = [sorted(self.stops[p] for p in x.spread or ()) for x in self.figure.spread]
+        return all((low <= a and b <= high) or b <= low or high <= a for low, high in ends for a, b in pairwise(known))
 
     def value(self, name: str) -> float:
         """A value as it was found."""
@@ -72,10 +81,10 @@ class _Beam:
 
     def ordinates(self, load: StaticLoad, start: float, end: float) -> tuple[float, float]:
         """The intensities at two places, N/m, downwards positive."""
-        assert load.spread and load.direction_deg is not None
+        assert load.spread
         one, other = (self.stops[p] for p in load.spread)
-        first, last = load.intensity
-        up = 1.0 if load.direction_deg % 360.0 < 180.0 else -1.0
+        first, last = map(abs, load.intensity)
+        up = 1.0 if load.steady_deg % 360.0 < 180.0 else -1.0
         first, last = (-up * (first + (x - one) / (other - one) * (last - first)) for x in (start, end))
         return first, last
 

@@ -162,7 +162,7 @@ def _forces(plans: Plans) -> Iterator[Curve]:
     for q in (q for q in results_of(plans) if q.group not in MOTION):
         vector = len(q.columns) > 1
         if vector:
-            yield from _vector(q.name, "N", "force", q.name)
+            yield from _vector(q.name, q.columns[0].unit, "force", q.name)
         for c in q.columns[2:] if vector else q.columns:
             yield _scalar(c.name, c.unit, "force", c.name)
 

@@ -17,7 +17,7 @@ from planes.crank_slider.reading_table import INDICATOR
 from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS
-from planes.scene.motion import DRIVE_KEYS, LOAD_KEYS, ORDERS
+from planes.scene.motion import BALANCE_KEYS, DRIVE_KEYS, LOAD_KEYS, ORDERS
 from planes.scene.outline import KEYS, NEEDED
 from planes.scene.settings import SHEET_KEYS, SHEET_LISTS, SHEET_NUMBERS, SHEET_WORDS, YES_OR_NO
 from planes.scene.structures import METHODS, POLE_KEYS, STATIC_LOAD_KEYS, SUPPORT_KEYS, SUPPORT_KINDS
@@ -110,7 +110,7 @@ class Schemas:
             "frame": self.of("frame", FRAME_KEYS, {"points": points, "guides": guides, "number": NAME}),
             "links": named(link),
             "assembly": named(one_of(words_of(ORDERS), near)),
-            "drive": self.of("drive", DRIVE_KEYS, {"link": NAME}, ("link",)),
+            "drive": self.of("drive", DRIVE_KEYS, {"link": NAME, "balance": self.balance()}, ()),
             "loads": many(self.load(), 0),
             "friction": named(one_of(NUMBER, self.of("pin", PIN_KEYS, {}, PIN_KEYS))),
             "plans": self.of("plans", PLANS, dict.fromkeys(PLANS, mu)),
@@ -126,10 +126,18 @@ class Schemas:
         forms = {"through": one_of(NAME, self.place()), "mark": TEXT, "centre": one_of(NAME, self.place())}
         return self.of("guide", GUIDE_KEYS, forms)
 
+    def balance(self) -> Json:
+        """The point and the line of a balancing force."""
+        return self.of("balance", BALANCE_KEYS, {"point": NAME}, ("point",))
+
+    def law(self) -> Json:
+        """A number, an expression, or a table over one."""
+        return one_of(NUMBER, self.of("law", LAW_KEYS, {"table": many(PAIR, 2)}, LAW_KEYS))
+
     def load(self) -> Json:
         """A force or a couple."""
-        table = self.of("law", LAW_KEYS, {"table": many(PAIR, 2)}, LAW_KEYS)
-        law = one_of(NUMBER, table)
+        law = self.law()
+        table = law["anyOf"][1]
         forms = {"working": law, "idle": law, "stroke": words_of(ORDERS[2:]), "slider": NAME}
         size = one_of(NUMBER, table, self.of("law", STROKE_KEYS, forms, ("working", "idle")))
         angle = one_of(NUMBER, self.of("direction", ("link", "angle"), {"link": NAME, "angle": law}, ("link", "angle")))
@@ -141,7 +149,8 @@ class Schemas:
 
     def vectors(self) -> Json:
         """The parts of a scene of vectors."""
-        vector = one_of(self.of("vector", VECTOR_KEYS, {"similar": TEXT, "as": many(TEXT, 2)}), EMPTY)
+        turning = dict.fromkeys(("value", "direction"), self.law())
+        vector = one_of(self.of("vector", VECTOR_KEYS, {"similar": TEXT, "as": many(TEXT, 2), **turning}), EMPTY)
         equations, values = one_of(TEXT, many(one_of(TEXT, named(TEXT)))), named(NUMBER)
         return {"vectors": named(vector), "equations": equations, "values": values, "mu": TEXT}
 
@@ -149,6 +158,7 @@ class Schemas:
         """The parts of a scene of bodies in equilibrium."""
         support = one_of(words_of(SUPPORT_KINDS), self.of("support", SUPPORT_KEYS, {"rod": NAME, "rope": NAME}))
         load = dict.fromkeys(("point", "from", "to", "body"), NAME) | {"intensity": one_of(NUMBER, PAIR)}
+        load |= dict.fromkeys(("force", "moment", "direction"), self.law())
         pole = one_of(self.place(), self.of("pole", POLE_KEYS, {"through": many(NAME, 2)}, POLE_KEYS))
         return {
             "points": named(one_of(PAIR, self.place())),

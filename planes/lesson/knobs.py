@@ -48,7 +48,11 @@ class Knobs:
             if given in used and (told or plan not in (None, *CARRIED[1:])):
                 kind: Json = {"plan": plan} if plan else {"name": told, "unit": in_both(partial(unit, told))}
                 kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
-                kind |= {"when": in_both(partial(say, STROKES[given[0]]))} if given[0] in STROKES else {}
+                kind |= (
+                    {"when": in_both(partial(say, STROKES[given[0]]))}
+                    if given[0] in STROKES and given not in self.plans.means
+                    else {}
+                )
                 kind |= {"stays": True} if given in self.free.turned.values() or (not value and aimed(given)) else {}
                 found.append({"given": name, "at": value, "tied": self.tied(given), **kind})
         return [{**k, **self.around(k, found)} for k in found if k["at"] or self.around(k, found)]
@@ -84,7 +88,8 @@ class Knobs:
 
     def told(self, given: str, axis: str) -> str:
         """The name a number is told by, "" where it is not offered."""
-        means, letter = self.plans.means.get(given.lstrip("".join(STROKES))), parts_of(given)[0]
+        means = self.plans.means.get(given) or self.plans.means.get(given.lstrip("".join(STROKES)))
+        letter = parts_of(given)[0]
         if means and means.quantity in ("load", "couple"):
             return means.of
         if means and means.quantity == "place":

@@ -25,7 +25,8 @@ from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.given import GivenTable
-from planes.solving.structure_text import alignment_report, ways_told
+from planes.solving.own_equations import own_rows
+from planes.solving.structure_text import alignment_report, group_counted, ways_told
 from planes.solving.tables import difference
 from planes.words import Lang, capital, decimal, say
 from planes.words.errors import PlanesError
@@ -110,15 +111,15 @@ class Note:
         """Degree of freedom, groups, formula."""
         s, n = self.position.plans.structure, len(self.position.plans.mechanism.links)
         freedom, redundant = counted(s)
-        yield Heading(self.say("note_structure"))
-        yield Paragraph(self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant))
+        told_of = self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant)
+        yield from (Heading(self.say("note_structure")), Paragraph(told_of))
         for g in s.groups:
-            yield Paragraph(self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang)))
+            told_of = self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang))
+            yield Paragraph(" ".join([told_of, *group_counted(g, self.lang)]))
         yield Paragraph(self.say("note_formula", formula=s.formula_as(self.scene.frame_number, True)))
         for way in ways_told(s, self.lang, self.naming.frame, True):
             yield Paragraph(capital(way) + ".")
-        if s.passive:
-            yield Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")
+        yield from [Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")] if s.passive else []
         yield from self.self_aligning() if self.scene.find is None else ()
 
     def self_aligning(self) -> Iterator[Block]:
@@ -211,18 +212,20 @@ class Note:
 
     def results(self) -> Iterator[Block]:
         """Tables of what was found, and what must be known of it."""
-        p = self.position
+        p, angle = self.position, self.say("note_angle")
         if self.scene.find is None and not p.plans.forces:
             yield Paragraph(self.say("note_no_forces"))
         yield Heading(self.say("note_results"))
         v, a, w, e, n = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon", "F"))
-        angle = self.say("note_angle")
         head: tuple[str, ...] = (self.say("note_point"), f"v, {v}", angle, f"a, {a}", angle)
         rows = [(f"⟨{n}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for n, x in p.rows("points").items()]
         yield from self.table("note_points_table", head, rows)
         head = (self.say("note_link"), f"ω, {w}", f"ε, {e}")
         shown = [(k, *(self.number(x.get(i)) for i in ("omega", "epsilon"))) for k, x in p.rows("links").items()]
         yield from self.table("note_links_table", head, [row for row in shown if row[0] != FRAME])
+        own = self.scene.equations if "equations" in p.results else (), self.scene.file
+        told_of = own_rows(p.plans, p.drawing, p.scales, own, self.lang)
+        yield from self.table("own_equations", (self.say("own_equations"), ""), told_of)
         forces = list(p.of("reactions").items())
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
             head = (self.say("reaction"), f"|F|, {n}", angle)

@@ -59,6 +59,12 @@ class StaticsNote(StatedNote):
 
     task = "note_task_statics"
 
+    def sought(self) -> Sequence[str]:
+        """What is asked, or all reactions, and the values."""
+        plans = self.position.plans
+        loads = {f.name for forces in plans.acting.forces.values() for f in forces}
+        return found_of(self.scene) or [*(n for n in plans.vectors if n not in loads), *plans.values]
+
     def blocks(self) -> list[Block]:
         figure = self.position.plans.figure
         assert figure

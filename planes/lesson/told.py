@@ -100,7 +100,7 @@ def drive_of(plans: Plans) -> Json:
     turns = drive.kind == "phi"
     reach, start = (0.0, drive.position % 1.0) if turns else (plans.reach, drive.position)
     told: Json = {"symbol": "φ" if turns else "s", "given": plans.drive_given, "at": drive.position, "held": None}
-    if not plans.moves:
+    if not plans.turns:
         return {**told, "from": drive.position, "to": drive.position}
     try:
         plans.at(drive.position + 1.0)

@@ -102,6 +102,8 @@ def _stated(bodies: Bodies) -> Plans:
         acceleration_slides=acceleration.slides,
         reactions=statics.reactions,
         balancing=statics.balancing,
+        balancing_force=statics.balancing_force,
+        beside_force=statics.beside_force,
         zhukovsky=zhukovsky,
         acting=acting.loads,
         at_rest=at_rest,

@@ -205,6 +205,10 @@ def _balancing(plans: Plans) -> Iterator[Quantity]:
     for by, sign, value in (("balancing", "", plans.balancing), ("zhukovsky", "Z", plans.zhukovsky)):
         for name in (f"{letter}{sign}_{drive.link}", f"{by}_{what}") if value else ():
             yield Quantity(name, (Column(name, unit, value),), f"{by}_{what}")
+    if plans.beside_force:
+        (key, *ends), own = plans.beside_force, plans.balancing_force
+        yield from (Quantity(n, (Column(n, "N", own),), "balancing_force") for n in (own, "balancing_force"))
+        yield Quantity(key, _vector(key, "N", (ends[0], ends[1])), "reactions", key)
 
 
 def _plain(values: Iterable[Derived]) -> Iterator[Quantity]:

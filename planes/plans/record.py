@@ -61,6 +61,8 @@ class Plans:
     restating: Restating | None = None
     reactions: Mapping[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
+    balancing_force: str = ""  # on a driver that turns, beside the moment
+    beside_force: tuple[str, str, str] | None = None  # the frame's reaction with it by name, and its marks
     zhukovsky: str = ""
     at_rest: bool = False
     laws: Mapping[str, SceneError] = field(default_factory=dict)
@@ -103,10 +105,15 @@ class Plans:
         """Whether there is a mechanism: what moves has other positions."""
         return self.mechanism.drive.link != FRAME
 
+    @property
+    def turns(self) -> bool:
+        """Whether anything goes by a drive: a mechanism, or laws of stated vectors and loads."""
+        return self.moves or self.mechanism.drive.given in self.given
+
     @cached_property
     def drive_given(self) -> str:
         """Name of the given that moves the driver: its angle in degrees, or s in m; one that nothing reads."""
-        return self.mechanism.drive.given if self.moves else STILL
+        return self.mechanism.drive.given if self.turns else STILL
 
     def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
         """The given of the drive at one value or many, for a program that overrides the ``known`` givens.

@@ -11,15 +11,16 @@ from planes.scene import settings, source
 from planes.scene.doubts import idle_parameters, read_doubts
 from planes.scene.friction import read_friction
 from planes.scene.links import read_frame, read_links
-from planes.scene.load_laws import LawReader
-from planes.scene.mechanism import FRAME, Mechanism, Where
+from planes.scene.load_laws import LawReader, read_turning
+from planes.scene.mechanism import FRAME, Drive, Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_loads
 from planes.scene.outline import MECHANISM_KEYS, check_outline
 from planes.scene.parameters import TOLD, choose, read_laws, read_parameters, read_variants, used_values, with_numbers
 from planes.scene.reader import Reader, entries_of, line_of
 from planes.scene.source import Node, SourceTable
 from planes.scene.structures import read_framework
-from planes.scene.vectors import Statement, VectorGiven, read_statement
+from planes.scene.vector_equations import VectorEquation
+from planes.scene.vectors import Statement, VectorGiven, read_own, read_statement
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
@@ -68,6 +69,7 @@ class Scene(Pictured):
     missing: Mapping[str, str] = field(default_factory=_none)
     doubts: tuple[Doubt, ...] = ()
     mu_written: Convention | None = None
+    equations: tuple[VectorEquation, ...] = ()  # a person's own, beside a mechanism
 
     @property
     def variant(self) -> str | None:
@@ -93,6 +95,11 @@ class Scene(Pictured):
     def frame_number(self) -> str:
         """The number of the frame on sheets."""
         return self.mechanism.frame_number if self.mechanism else FRAME
+
+    @property
+    def drive(self) -> Drive | None:
+        """What the scene goes by: the drive of its mechanism, or of its laws."""
+        return self.mechanism.drive if self.mechanism else self.statement.drive if self.statement else None
 
     @property
     def mu_convention(self) -> Convention:
@@ -163,7 +170,8 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
 def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
     where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
     of_vectors = "vectors" in table.entries
-    statics = read_framework(reader, table) if "points" in table.entries else None
+    laws = read_turning(reader, table, stated) if of_vectors or "points" in table.entries else None
+    statics = read_framework(reader, table, laws) if "points" in table.entries else None
     mechanism = None if of_vectors or statics else _mechanism(reader, table, where, stated)
     mu, quantity = settings.read_plans(reader, reader.optional(table, "plans")), None
     if of_vectors:
@@ -173,7 +181,9 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         reader.one_of(table, ("note", "text"), Phrase("the_scene"))
     said = {key: reader.optional(table, key) for key in ("title", "note", "missing")}
     said["note"] = said["note"] or reader.optional(table, "text")
-    statement = read_statement(reader, table, quantity) if of_vectors else None
+    statement = read_statement(reader, table, quantity, laws) if of_vectors else None
+    if statics:
+        statement = Statement.of_statics(statics, reader.parameters, laws.drive if laws else None)
     words = {key: MappingProxyType(settings.read_words(reader, node, key)) for key, node in said.items()}
     return Scene(
         file=reader.file,
@@ -181,7 +191,7 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         note=words["note"],
         reading=reading,
         mechanism=mechanism,
-        statement=Statement.of_statics(statics, reader.parameters) if statics else statement,
+        statement=statement,
         mu=MappingProxyType(mu),
         find=settings.read_find(reader, reader.optional(table, "find")),
         sheet=MappingProxyType(dict(settings.read_sheet(reader, reader.optional(table, "sheet")))),
@@ -190,6 +200,7 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
         mu_written=settings.convention_written(table),
+        equations=read_own(reader, table.entries["equations"]) if mechanism and "equations" in table.entries else (),
     )
 
 

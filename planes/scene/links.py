@@ -19,7 +19,7 @@ from planes.words.names import latin
 LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
 FRAME_KEYS = ("points", "guides", "number")
 GUIDE_KEYS = ("x", "y", "through", "angle", "mark", "centre", "radius")
-SLIDE_KEYS = ("guide", "angle", "offset")
+SLIDE_KEYS = ("guide", "angle", "offset", "length")
 LETTERS = "KMNQTUVW"  # of a centre given by its place
 
 
@@ -170,7 +170,10 @@ def _slide(reader: Reader, node: Node, what: Phrase) -> Slide:
         return Slide(reader.text(node, slides))
     table = reader.table(node, slides, SLIDE_KEYS)
     guide = reader.text(reader.required(table, "guide", slides), Phrase("guide_of_slider", what=what))
-    return Slide(guide, reader.said(table, "angle", slides), reader.said(table, "offset", what))
+    length = reader.said(table, "length", slides)
+    if length is not None and length <= 0.0:
+        raise reader.error(Phrase("face_length", what=part("length", slides)), table.lines["length"])
+    return Slide(guide, reader.said(table, "angle", slides), reader.said(table, "offset", what), length)
 
 
 def _owner(link: str) -> Phrase:

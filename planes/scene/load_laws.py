@@ -8,9 +8,9 @@ from typing import Literal
 from planes.geometry.arithmetic import Arithmetic
 from planes.scene.expressions import MAX_DEPTH, MAX_LENGTH, is_name, names_in, tokens_of
 from planes.scene.law_expressions import LawParser
-from planes.scene.mechanism import Amount, Drive, Link, LoadLaw, StrokeLoad
+from planes.scene.mechanism import FRAME, Amount, Drive, Link, LoadLaw, StrokeLoad
 from planes.scene.parameters import names_of, reached, users_of
-from planes.scene.reader import Reader, part
+from planes.scene.reader import Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
@@ -72,6 +72,17 @@ def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iter
         if not meanings and letter_of(name) in FORCES and name != letter_of(name):  # a letter alone may be a unit
             raise ExpressionError(Phrase("law_later", name=name, valid=choices("", known)))
     LawParser(text, dict.fromkeys(known, 1.0), Arithmetic(), [*known, *parameters]).value()
+
+
+def read_turning(reader: Reader, table: SourceTable, stated: Mapping[str, Node]) -> "LawReader | None":
+    """What reads laws of a scene without a mechanism, where something in it goes by an angle or a length."""
+    node = reader.optional(table, "drive")
+    if node is None:
+        return None
+    own = reader.table(node, section("drive"), ("phi", "s"))
+    kind = reader.one_of(own, ("phi", "s"), section("drive"))
+    place = reader.number(reader.required(own, kind, section("drive")), part(kind, section("drive")))
+    return LawReader(reader, {}, Drive(FRAME, "phi" if kind == "phi" else "s", place), table, stated)
 
 
 class LawReader:
@@ -144,6 +155,12 @@ class LawReader:
             raise self.reader.error(Phrase("law_pair", what=what), node)
         pair = self.reader.place(node, what)
         return pair.real, pair.imag
+
+    def follows(self, node: Node) -> bool:
+        """Whether a number changes with the drive: a table does, and what names the drive's place."""
+        if not isinstance(node, SourceScalar):
+            return isinstance(node, SourceTable)
+        return not node.absent and any(n in self.following or n in self.known for n in names_of(node))
 
     def _law(self, node: Node, what: Phrase) -> Amount:
         """A number; a law where a name of the motion stands in it."""

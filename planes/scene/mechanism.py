@@ -1,8 +1,7 @@
 """Links, points, guides, pairs, the drive, masses and loads: what a scene says, as frozen records.
 
 All numbers are SI; angles are degrees, counter-clockwise positive, and end in ``_deg``. A place is a complex
-number (x to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``.
-"""
+number (x to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``."""
 
 import math
 from collections.abc import Mapping
@@ -56,8 +55,7 @@ class Journal:
     @property
     def circle(self) -> float:
         """The radius of the friction circle, which the reaction is tangent to."""
-        f = self.coefficient
-        return self.radius * (f / math.hypot(1.0, f) if self.round else f)
+        return self.radius * self.coefficient / (math.hypot(1.0, self.coefficient) if self.round else 1.0)
 
 
 @frozen
@@ -67,6 +65,7 @@ class Slide:
     guide: str
     angle_deg: float | None = None
     offset: float | None = None
+    length: float | None = None  # of its face, half of it to either side of the foot of its first point
 
 
 @frozen
@@ -105,6 +104,7 @@ class Drive:
     velocity: float = 0.0
     acceleration: float = 0.0
     on: str = FRAME
+    balance: tuple[str, float] | None = None  # where a balancing force acts, and its angle in the link's axes
 
     @property
     def turning(self) -> str:

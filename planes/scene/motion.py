@@ -12,7 +12,8 @@ from planes.words import Phrase
 ORDERS = ("left", "right", "ahead", "behind")
 _DIRECTIONS = ("direction", "along", "against")
 LOAD_KEYS = ("link", "point", "force", "moment", *_DIRECTIONS)
-DRIVE_KEYS = ("link", "on", "phi", "omega", "epsilon", "s", "velocity", "acceleration")
+DRIVE_KEYS = ("link", "on", "phi", "omega", "epsilon", "s", "velocity", "acceleration", "balance")
+BALANCE_KEYS = ("point", "angle")
 Links = Mapping[str, Link]
 
 
@@ -56,7 +57,22 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
         why = Phrase("range_far", option=part(kind, what), text=f"{position:.10g}", most=MOST_TURNS)
         raise reader.error(why, table.lines[kind])
     on = _turned_on(reader, table, kind, link, links)
-    return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration, on)
+    balance = _balance(reader, table, kind, links[link])
+    return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration, on, balance)
+
+
+def _balance(reader: Reader, table: SourceTable, kind: str, link: Link) -> tuple[str, float] | None:
+    """The point and the line of a balancing force on a driver that turns, beside the balancing moment."""
+    node, what = reader.optional(table, "balance"), part("balance", section("drive"))
+    if node is None:
+        return None
+    if kind == "s":
+        raise reader.error(Phrase("balance_slides"), table.lines["balance"])
+    own = reader.table(node, what, BALANCE_KEYS)
+    of = Phrase("points_of", owner=Phrase("link", name=link.name))
+    point = reader.known(reader.required(own, "point", what), part("point", what), link.points, of)
+    angle = reader.said(own, "angle", what)
+    return point, 90.0 if angle is None else angle
 
 
 def _turned_on(reader: Reader, table: SourceTable, kind: str, link: str, links: Links) -> str:

@@ -7,9 +7,9 @@ from planes.words.errors import SceneError, shown
 
 FORMAT = "1"
 COMMON_KEYS = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet", "plans")
-MECHANISM_KEYS = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "crank_slider")
-VECTORS_KEYS = ("vectors", "equations", "values", "mu")
-STATICS_KEYS = ("points", "bodies", "members", "supports", "loads", "method", "pole")
+MECHANISM_KEYS = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "crank_slider", "equations")
+VECTORS_KEYS = ("vectors", "equations", "values", "mu", "drive")
+STATICS_KEYS = ("points", "bodies", "members", "supports", "loads", "method", "pole", "drive")
 KINDS = {"frame": MECHANISM_KEYS, "vectors": VECTORS_KEYS, "points": STATICS_KEYS}
 """The keys of a scene, by the one that tells its kind."""
 KEYS = tuple(dict.fromkeys((*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS, *STATICS_KEYS)))
@@ -31,8 +31,9 @@ def check_outline(reader: Reader, table: SourceTable) -> None:
     if version != FORMAT:
         raise reader.error(Phrase("other_format", version=shown(version)), table.entries["planes"])
     reader.table(table, Phrase("the_scene"), KEYS)
-    vectors = next((key for key in VECTORS_KEYS if key in table.entries), None)
-    kind = "points" if "points" in table.entries else "vectors" if vectors else "frame"
+    vectors = next((key for key in VECTORS_KEYS if key in table.entries and key not in MECHANISM_KEYS), None)
+    alone = vectors or ("equations" in table.entries and not {"frame", "links"} & table.entries.keys())
+    kind = "points" if "points" in table.entries else "vectors" if alone else "frame"
     own = KINDS[kind]
     other = next((key for key in table.entries if key not in (*COMMON_KEYS, *own)), None)
     if other:

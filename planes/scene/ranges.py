@@ -44,7 +44,7 @@ class Span:
 
 def asked_of_drive(scene: Scene, phi: T | None, s: T | None) -> T | None:
     """Of an angle and a place the one the drive is moved by; the other may not be asked for."""
-    kind = scene.mechanism.drive.kind if scene.mechanism else ""
+    kind = scene.drive.kind if scene.drive else ""
     asked = {"phi": phi, "s": s}
     for option, value in asked.items():
         if value is not None and option != kind:

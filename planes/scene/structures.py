@@ -4,6 +4,8 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Literal, get_args
 
+from planes.scene.load_laws import LawReader
+from planes.scene.mechanism import LoadLaw
 from planes.scene.reader import MOST, Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
@@ -43,12 +45,18 @@ class StaticLoad:
 
     name: str
     body: str
-    size: float
-    direction_deg: float | None = None  # of a couple none
+    size: float | LoadLaw
+    direction_deg: float | LoadLaw | None = None  # of a couple none
     place: complex = 0j
     point: str = ""  # the named point it acts at; "" of the resultant of a distributed load
     spread: tuple[str, str] | None = None
     intensity: tuple[float, float] = (0.0, 0.0)  # N/m at both
+
+    @property
+    def steady_deg(self) -> float:
+        """The direction of a distributed load, which does not turn."""
+        assert isinstance(self.direction_deg, float | int)
+        return float(self.direction_deg) + (180.0 if sum(self.intensity) < 0 else 0.0)
 
 
 @frozen
@@ -67,16 +75,16 @@ class Framework:
     fixed: frozenset[str] = field(default_factory=frozenset)  # points of the ground that rods and ropes lead to
 
 
-def read_framework(reader: Reader, scene: SourceTable) -> Framework:
+def read_framework(reader: Reader, scene: SourceTable, laws: LawReader | None = None) -> Framework:
     """The parts of a scene of statics."""
-    return _FrameworkReader(reader, scene).read()
+    return _FrameworkReader(reader, scene, laws).read()
 
 
 class _FrameworkReader:
     """Reads points first, and what is named by them after."""
 
-    def __init__(self, reader: Reader, scene: SourceTable) -> None:
-        self.reader, self.scene = reader, scene
+    def __init__(self, reader: Reader, scene: SourceTable, laws: LawReader | None) -> None:
+        self.reader, self.scene, self.laws = reader, scene, laws
         table = reader.names(scene.entries["points"], "points", Phrase("a_point"))
         if len(table.entries) > MOST_POINTS:
             raise reader.error(Phrase("points_many", count=len(table.entries), most=MOST_POINTS), table)
@@ -170,17 +178,25 @@ class _FrameworkReader:
         if kind == "moment":
             alone = next(iter(bodies)) if len(bodies) == 1 and "body" not in table.entries else None
             body = alone or self.of_body(reader.required(table, "body", what), what, bodies)
-            return StaticLoad(self.free(f"M_{body}"), body, reader.number(table.entries[kind], part(kind, what)))
-        angle = reader.said(table, "direction", what)
-        angle = -90.0 if angle is None and kind == "intensity" else angle
-        if angle is None:
+            return StaticLoad(self.free(f"M_{body}"), body, self.number(table.entries[kind], part(kind, what)))
+        if (said := reader.optional(table, "direction")) is None and kind == "force":
             raise reader.error(Phrase("force_no_direction", what=what), table)
+        angle = -90.0 if said is None else self.number(said, part("direction", what))
         if kind == "intensity":
+            if isinstance(angle, LoadLaw):
+                raise reader.error(Phrase("intensity_turns", what=what), table.lines["direction"])
             return self.spread(table, what, bodies, angle)
         point = self.named(reader.required(table, "point", what), part("point", what))
-        size = reader.number(reader.required(table, kind, what), part(kind, what))
+        size = self.number(reader.required(table, kind, what), part(kind, what))
         body = self.body(table, point, bodies, what)
         return StaticLoad(self.free(f"P_{point}"), body, size, angle, self.points[point], point)
+
+    def number(self, node: Node, what: Phrase) -> float | LoadLaw:
+        """A number, or a law of the drive."""
+        found = (
+            self.laws.amount(node, what) if self.laws and self.laws.follows(node) else self.reader.number(node, what)
+        )
+        return found if isinstance(found, LoadLaw) else float(found)
 
     def of_body(self, node: Node, what: Told, bodies: Mapping[str, tuple[str, ...]]) -> str:
         """A body by its name."""
@@ -225,10 +241,8 @@ class _FrameworkReader:
     def pole(self) -> tuple[complex | None, tuple[str, ...]]:
         """The pole of a string polygon, or the points its strings are to go through."""
         node = self.reader.optional(self.scene, "pole")
-        if node is None:
-            return None, ()
-        if not isinstance(node, SourceTable):
-            return self.reader.place(node, section("pole")), ()
+        if not isinstance(node, SourceTable) or "through" not in node.entries:
+            return None if node is None else self.reader.place(node, section("pole")), ()
         self.reader.table(node, section("pole"), POLE_KEYS)
         names = self.list_of(self.reader.required(node, "through", section("pole")), part("through", section("pole")))
         if len(names) not in (2, 3):

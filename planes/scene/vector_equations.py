@@ -51,9 +51,9 @@ def _plain(text: str) -> float:
     return evaluate(text, {})
 
 
-def read_equation(text: str, number: Number = _plain, line: int = 0) -> VectorEquation:
+def read_equation(text: str, number: Number = _plain, line: int = 0, chained: bool = True) -> VectorEquation:
     """Read "v_S = v_B + 0.4*v_CB", "F_1 + F_30 - F_03 = 0" or "a_C = a_B + a_CB^n + a_CB^t = a_D + …"; ``number``
-    evaluates a coefficient.
+    evaluates a coefficient; the vectors of one that is not ``chained`` need not follow one another.
 
     :class:`EquationError` where a side is no sum of vectors, a vector stands twice, or a chain breaks.
     """
@@ -69,7 +69,8 @@ def read_equation(text: str, number: Number = _plain, line: int = 0) -> VectorEq
         raise EquationError(Phrase("no_vectors", text=text))
     if sides.count(()) > (len(sides) == 2):
         raise EquationError(Phrase("zero_between", text=text))
-    check_chains(found)
+    if chained:
+        check_chains(found)
     return found
 
 

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from planes.scene.expressions import evaluate, is_name
+from planes.scene.load_laws import LawReader
+from planes.scene.mechanism import Drive, LoadLaw
 from planes.scene.reader import MAX_NAME, MOST, Reader, part
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.structures import Framework
@@ -20,7 +22,7 @@ VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "rat
 _NAME = re.compile(VECTOR)
 _FACTOR = re.compile(r"\s*[*(·]")  # a coefficient, or a function in one
 _FORCES = re.compile(r"force:\w+(?:-\w+)*")
-Amount = float | VectorAmount
+Amount = float | VectorAmount | LoadLaw
 MOST_VECTORS = 300  # with the values
 
 
@@ -46,7 +48,7 @@ class VectorGiven:
     """What a scene says of a vector; ``near_deg`` tells which of two solutions is meant."""
 
     value: Amount | None = None
-    direction: float | AlongVector | None = None
+    direction: float | AlongVector | LoadLaw | None = None
     near_deg: float | None = None
     like: Similarity | None = None
 
@@ -62,23 +64,37 @@ class Statement:
     parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     quantity: str | None = None
     statics: Framework | None = None
+    drive: Drive | None = None  # what laws among them go by
 
     @classmethod
-    def of_statics(cls, statics: Framework, parameters: Mapping[str, float]) -> "Statement":
+    def of_statics(cls, statics: Framework, parameters: Mapping[str, float], drive: Drive | None) -> "Statement":
         """The statement of bodies in equilibrium."""
-        return cls(MappingProxyType({}), (), parameters=parameters, statics=statics)
+        return cls(MappingProxyType({}), (), parameters=parameters, statics=statics, drive=drive)
 
 
-def read_statement(reader: Reader, scene: SourceTable, quantity: str | None) -> Statement:
+def read_statement(reader: Reader, scene: SourceTable, quantity: str | None, laws: LawReader | None) -> Statement:
     """The vectors, values and equations of a scene, in the order of the file."""
-    return _StatementReader(reader, scene).read(quantity)
+    return _StatementReader(reader, scene, laws).read(quantity)
+
+
+def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
+    """A person's own equations beside a mechanism, whether they hold or not."""
+    found = []
+    for n, entry in enumerate(reader.items(node, "equations") if isinstance(node, Items) else [node], 1):
+        text = reader.text(entry, Phrase("equation", number=n)).strip()
+        try:
+            own = read_equation(text, lambda times: evaluate(times, reader.parameters), entry.line, chained=False)
+        except (EquationError, ExpressionError) as error:
+            raise SceneError(Phrase("about", what=shown(text), why=error.phrase), reader.file, entry.line) from None
+        found.append(own)
+    return tuple(found)
 
 
 class _StatementReader:
     """Reads what is named first, so that it may be used anywhere."""
 
-    def __init__(self, reader: Reader, scene: SourceTable) -> None:
-        self.reader, self.scene = reader, scene
+    def __init__(self, reader: Reader, scene: SourceTable, laws: LawReader | None) -> None:
+        self.reader, self.scene, self.laws = reader, scene, laws
         self.vectors = reader.table(scene.entries["vectors"], "vectors")
         values = reader.optional(scene, "values")
         self.values = reader.table(values, "values") if values else SourceTable({}, 0, {})
@@ -112,11 +128,18 @@ class _StatementReader:
         }
         equations = self.equations(self.scene.entries["equations"])
         return Statement(
-            MappingProxyType(vectors), equations, MappingProxyType(values), self.reader.parameters, quantity
+            MappingProxyType(vectors),
+            equations,
+            MappingProxyType(values),
+            self.reader.parameters,
+            quantity,
+            drive=self.laws.drive if self.laws else None,
         )
 
-    def amount(self, node: Node, what: Told) -> Amount:
-        """A number, or an expression of vectors, values and parameters."""
+    def amount(self, node: Node, what: Phrase) -> Amount:
+        """A number, an expression of vectors, values and parameters, or a law of the drive."""
+        if self.laws and self.laws.follows(node):
+            return self.laws.amount(node, what)
         if not isinstance(node, SourceScalar) or node.absent:
             return self.reader.number(node, what)
         try:
@@ -145,9 +168,12 @@ class _StatementReader:
             direction = self.direction(table, "perpendicular_to", what, 1)
         return VectorGiven(size, direction, self.reader.said(table, "near", what))
 
-    def direction(self, table: SourceTable, key: str, what: Told, quarter: int) -> float | AlongVector | None:
-        """Degrees, or the direction of another vector: r_BC, and -r_BC the other way."""
+    def direction(self, table: SourceTable, key: str, what: Told, quarter: int) -> float | AlongVector | LoadLaw | None:
+        """Degrees, the direction of another vector (r_BC, and -r_BC the other way), or a law of the drive."""
         node = self.reader.optional(table, key)
+        if node is not None and quarter == 0 and self.laws and self.laws.follows(node):
+            law = self.laws.amount(node, part(key, what))
+            return law if isinstance(law, LoadLaw) else float(law)
         name, back = turned_back(node.text if isinstance(node, SourceScalar) else "")
         if name in self.vectors.entries:
             return AlongVector(name, quarter + 2 * back)

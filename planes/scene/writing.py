@@ -123,7 +123,7 @@ def _guide(guide: Guide) -> Json:
 
 
 def _slide(slide: Slide) -> Json | str:
-    more = {"angle": slide.angle_deg, "offset": slide.offset}
+    more = {"angle": slide.angle_deg, "offset": slide.offset, "length": slide.length}
     given = {key: value for key, value in more.items() if value is not None}
     return {"guide": slide.guide, **given} if given else slide.guide
 
@@ -132,7 +132,8 @@ def _drive(drive: Drive) -> Json:
     names = drive.kind, *RATES[drive.kind]
     on = {} if drive.on == FRAME else {"on": drive.on}
     values = drive.position, drive.velocity, drive.acceleration
-    return {"link": drive.link, **on, **dict(zip(names, values, strict=True))}
+    balance = {"balance": dict(zip(("point", "angle"), drive.balance, strict=True))} if drive.balance else {}
+    return {"link": drive.link, **on, **dict(zip(names, values, strict=True)), **balance}
 
 
 def _load(load: Load) -> Json:

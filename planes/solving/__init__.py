@@ -14,6 +14,7 @@ from planes.plans.scales import fits_on, scales
 from planes.plans.statements.of_scene import fitted, scene_plans
 from planes.scene import Scene
 from planes.solving.nearest import Nearest
+from planes.solving.own_equations import own_equations
 from planes.solving.readings import KINDS, Readings, known
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
@@ -142,16 +143,13 @@ class Solved:
         """The object ``planes solve --json`` prints."""
         doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
         head = {"planes": 1, "scene": Path(self.scene.file).name, "variant": self.scene.variant}
-        if not self.plans.moves:
-            (one,) = self.positions
-            vectors = {n: polar(complex(*xy)) for n, xy in one.results.get("vectors", {}).items()}
-            return {**head, **one.results, "vectors": vectors, "warnings": doubts + one.results["warnings"]}
-        return {
-            **head,
-            "structure": self.plans.structure.json(),
-            "positions": [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions],
-            "failed": self.failed,
-        }
+        told = [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions]
+        for one in () if self.plans.moves else told:
+            one["vectors"] = {n: polar(complex(*xy)) for n, xy in one.get("vectors", {}).items()}
+        if not self.plans.turns:
+            return {**head, **told[0]}
+        head |= {"structure": self.plans.structure.json()} if self.plans.moves else {}
+        return {**head, "positions": told, "failed": self.failed}
 
 
 def plans_of(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] | None]:
@@ -177,7 +175,7 @@ def solve(
         try:
             solved.positions.append(solved.at(value))
         except PlanFailure as failure:
-            if not plans.moves:
+            if not plans.turns:
                 raise SceneError(failure.phrase, scene.file) from None
             near = nearest.to(value) if len(solved.failed) < TOLD else None
             solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near).told(lang)})
@@ -227,7 +225,7 @@ def position(
     proved(plans.program, given, drawing if is_exact(instrument) else None)  # a pencil's errors prove nothing
     reader = DrawingReader(plans, drawing, mus)
     found = tuple(map(reader.read, told_of(plans, wanted)))
-    at_drive, groups = ({key_of(plans): value}, GROUPS) if plans.moves else ({}, ())
+    at_drive, groups = {key_of(plans): value} if plans.turns else {}, GROUPS if plans.moves else ()
     results = {**at_drive, **as_json(plans, found, groups if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
     errors = None
@@ -239,6 +237,8 @@ def position(
     if drawn or wanted is None:
         results["plans"] = drawn
     results["warnings"] = warnings(reader, wanted, given, lang)
+    if scene.equations and wanted is None:
+        results["equations"] = [e.json() for e in own_equations(plans, drawing, mus, scene.equations, scene.file)]
     return Position(value, plans, drawing, mus, found, results)
 
 

@@ -76,13 +76,13 @@ class GivenTable:
     def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""
         drive = self.position.plans.mechanism.drive
-        if not self.position.plans.moves:
+        if not self.position.plans.turns:
             return []
         units = ("°", "rad/s", "rad/s²") if drive.kind == "phi" else ("m", "m/s", "m/s²")
-        names, given = map(self.naming.vector, drive.letters), ("", *drive.rates)
+        letters = drive.letters if self.position.plans.moves else (drive.kind,)
+        names, given = map(self.naming.vector, letters), ("", *drive.rates)
         values = (self.position.at, drive.velocity, drive.acceleration)
-        rows = zip(names, values, units, given, strict=True)
-        return [GivenRow(*row, of_drive=True) for row in rows]
+        return [GivenRow(*row, of_drive=True) for row in zip(names, values, units, given, strict=False)]
 
     def named(self) -> Iterator[GivenRow]:
         """The parameters; what a load, a guide's place or friction is called on the sheet stands beside it."""

@@ -1,6 +1,7 @@
 """The structure of a mechanism as text: mobility, groups, the self-aligning variant."""
 
-from planes.plans.assur.alignment import Aligned
+from planes.plans.assur.alignment import Aligned, pairs_of
+from planes.plans.assur.contours import AnyGroup
 from planes.plans.assur.structure import Structure
 from planes.plans.measuring import counted
 from planes.scene.mechanism import FRAME
@@ -17,6 +18,13 @@ def structure_report(found: Structure, lang: Lang = "en", frame: str = FRAME) ->
     lines += [capital(way) for way in ways_told(found, lang, frame)]
     lines += [say("passive", lang, links=", ".join(found.passive))] if found.passive else []
     return "\n".join(lines)
+
+
+def group_counted(group: AnyGroup, lang: Lang) -> list[str]:
+    """That a group has as many equations of equilibrium as unknown reactions, and its redundant constraints; nothing of
+    one with a drive inside."""
+    n, p = len(group.whole), len(pairs_of(group))
+    return [say("note_group_determinate", lang, n=n, p=p, q=5 * p - 6 * n)] if 3 * n == 2 * p else []
 
 
 def ways_told(found: Structure, lang: Lang, frame: str, kinds: bool = False) -> list[str]:

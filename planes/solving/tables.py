@@ -6,7 +6,9 @@ from dataclasses import replace
 
 from planes.plans.measuring import lettering
 from planes.plans.quantities import Measured
+from planes.scene import Scene
 from planes.solving import Position, Solved, key_of
+from planes.solving.own_equations import own_rows
 from planes.solving.text_tables import directed, error_of, largest, number_cell, pm, spelt, table, titled
 from planes.words import Lang, decimals, home_lang, say
 from planes.words.names import kind_of, label_of, plan_of
@@ -24,10 +26,17 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     lines = [solved.scene.title.get(lang, "")]
     lines += [f"W = {s.W}, q = {s.q}, {s.formula_as(naming.frame)}"] if moves else []
     for p in solved.positions:
-        lines += of_position(p, lang, naming)
+        lines += of_position(p, lang, naming) + own_lines(p, solved.scene, lang)
     if some := next((p for p in solved.positions if "errors" in p.results), None):
         lines += ["", say("errors_pencil" if some.drawing.tool.doubt_mm > 0 else "errors_bound", lang)]
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
+
+
+def own_lines(p: Position, scene: Scene, lang: Lang) -> list[str]:
+    """A person's own equations, each with what it gives, or whether it closes and what would close it."""
+    own = scene.equations if "equations" in p.results else ()
+    rows = own_rows(p.plans, p.drawing, p.scales, (own, scene.file), lang)
+    return table(say("own_equations", lang), ["", ""], rows)
 
 
 def text_of(p: Position) -> str:
@@ -38,11 +47,11 @@ def text_of(p: Position) -> str:
 
 def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     """The lines of one position."""
-    if not p.plans.moves:
-        return stated_tables(p, lang, naming)
     r = p.results
     head = f"φ = {p.at:.10g}°" if key_of(p.plans) == "phi_deg" else f"s = {p.at:.10g} {say('m', lang)}"
-    lines = ["", f"— {head} —"]
+    lines = ["", f"— {head} —"] * p.plans.turns
+    if not p.plans.moves:
+        return lines + stated_tables(p, lang, naming)
     e: Json | None = r.get("errors")
     lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
     lines += _slides(p, lang, e) + _derived(p, lang, naming, "transfers")
@@ -52,7 +61,9 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     forces = p.of("reactions")
     if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
         lines += (
-            _reactions(forces, lang, e, naming) + _derived(p, lang, naming, "loads", "friction") + _balance(p, lang)
+            _reactions(forces, lang, e, naming)
+            + _derived(p, lang, naming, "loads", "friction", "edges")
+            + _balance(p, lang)
         )
     return [decimals(line, lang) for line in lines] + [f"! {w}" for w in r["warnings"]]
 

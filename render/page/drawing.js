@@ -15,7 +15,9 @@ export class Drawing extends Figure {
   at(name) { return live.at(name); }
   /** @type {(key: string) => string[]} */
   own(key) {
-    return Object.keys(this.data.marks).filter(n => keyOf(n) === key && !this.data.helpers.includes(n));
+    const { drawn } = this.data.scheme, poles = drawn ? drawn.strokes.flatMap(s => s.ends) : [];
+    return Object.keys(this.data.marks).filter(n => keyOf(n) === key &&
+      (!this.data.helpers.includes(n) || poles.includes(n)));
   }
   /** @type {(o: Spot, r: number, from: number, way: number, ends: number[], cls: string,
    * name: string) => (t: number) => Spot} */

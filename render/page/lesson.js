@@ -67,7 +67,8 @@ $("progress").max = String(data.frames.length);
 const { from, to, at } = data.drive;
 Object.assign($("crank"), { min: from, max: to, step: (to - from) / 360, value: at });
 if (!own) document.body.classList.add("within"); // the studio has title and language
-if (!data.moves) document.body.classList.add(data.scheme.drawn ? "standing" : "still"); // no crank, or no scheme
+if (!data.moves) document.body.classList.add("unmoved", ...(data.scheme.drawn ? [] : ["still"])); // no formula
+if (!data.moves && from === to) document.body.classList.add("held"); // no crank
 function language() {
   zones();
   knobs();

@@ -114,8 +114,9 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
         return composer.formulas(plotted, (of,), LETTER_MM[alone], "")
     if name == CREMONA:
         return view(name, "", Cremona(plotted, composer.naming).drawn())
-    if kind == "beam" or (kind == "scheme" and block.position.plans.figure):
-        of_statics = composer.beam(block.position) if kind == "beam" else composer.space(block.position)
+    if kind == "beam" or (kind in ("scheme", "structure") and block.position.plans.figure):
+        asked = kind == "structure"
+        of_statics = composer.beam(block.position) if kind == "beam" else composer.space(block.position, asked)
         return of_statics and replace(of_statics, title="")
     if kind == "scheme":
         special = special_points(block.position, composer.naming)

@@ -112,7 +112,8 @@ class Composer:
 
     def tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
-        return Tables(position, self.naming, letter, self.scene.used, self.written)
+        own = self.scene.equations, self.scene.file
+        return Tables(position, self.naming, letter, self.scene.used, self.written, own)
 
     def plans(self, plotted: Plotted, plans: list[str], letter: float, beneath: bool) -> list[View | None]:
         """Plans with their equations: ``beneath`` each, or all of a kind in one view."""
@@ -144,12 +145,12 @@ class Composer:
 
         return self.once(key, make)
 
-    def space(self, position: Position) -> View | None:
-        """The space diagram of bodies in equilibrium; of vectors alone there is none."""
+    def space(self, position: Position, asked: bool = False) -> View | None:
+        """The space diagram of bodies in equilibrium, or what of it is ``asked``; of vectors alone there is none."""
         if not position.plans.figure:
             return None
-        title, found = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming)
-        key = ("space", position.scales[mu_of("position")])
+        title, found = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming, asked)
+        key = ("space", asked, position.scales[mu_of("position")])
         return self.once(key, lambda: view("space", title, found.drawn(), True))
 
     def beam(self, position: Position) -> View | None:

@@ -51,6 +51,7 @@ class SpaceDiagram:
 
     position: Position
     naming: Naming
+    asked: bool = False  # of a task: bodies, supports and loads, and nothing that is found
 
     def __post_init__(self) -> None:
         plans = self.position.plans
@@ -61,14 +62,14 @@ class SpaceDiagram:
 
     def drawn(self) -> tuple[Mark, ...]:
         """All marks with their letters."""
-        strokes, named = drawn_strokes(self.position.drawing, self.figure, SCHEME)
+        strokes, named = drawn_strokes(self.position.drawing, None if self.asked else self.figure, SCHEME)
         signs = [m for s in self.figure.supports for m in self.sign(s)]
-        members = list(self.members())
+        members = [] if self.asked else list(self.members())
         loading = self.loads()
         scheme = self.scheme
         more = [*strokes, *members, *signs, *loading.marks]
         more += [m for x in self.figure.spread for m in self.spread(x)]
-        return scheme.drawn(False, more, [*named, *loading.named, *self.knots()])
+        return scheme.drawn(False, more, [*named, *loading.named, *([] if self.asked else self.knots())])
 
     def at(self, mark: str) -> complex:
         """Where a mark stands on the paper."""
@@ -79,14 +80,14 @@ class SpaceDiagram:
         plans = self.position.plans
         loading = Loading(self.position, self.naming, () if self.figure.members else tuple(plans.mechanism.links))
         loading.loads(False, from_outside=True)
-        for f in (f for f in plans.acting.forces[ALONE] if f.spot and self.figure.members):
+        for f in (f for f in plans.acting.forces.get(ALONE, ()) if f.spot and self.figure.members):
             way = complex(self.position.drawing[f.along]) * math.copysign(1.0, float(self.position.drawing[f.size]))
             loading.force(f.name, self.at(f.point), way, from_outside=True)
-        for s in self.figure.supports:
+        for s in () if self.asked else self.figure.supports:
             start, end = (self.at(x) for x in plans.vectors[s.name])
             if abs(end - start) > NEAR_MM and not s.to:
                 loading.force(s.name, self.places.at(s.point), (end - start) / abs(end - start))
-        for name, mark, along in self.figure.results:
+        for name, mark, along in () if self.asked else self.figure.results:
             loading.force(name, self.at(mark), complex(self.position.drawing[along]))
         return loading
 
@@ -124,9 +125,9 @@ class SpaceDiagram:
 
     def spread(self, load: StaticLoad) -> Iterator[Mark]:
         """A distributed load: arrows beneath one line, as high as its intensities."""
-        assert load.spread and load.direction_deg is not None
+        assert load.spread
         start, end = (self.places.at(p) for p in load.spread)
-        way = symbols.unit(load.direction_deg) * math.copysign(1.0, load.size)
+        way = symbols.unit(load.steady_deg)
         high = [SPREAD_MM * abs(q) / max(map(abs, load.intensity)) for q in load.intensity]
         count = max(2, round(abs(end - start) / SPREAD_GAP_MM))
         tops = [start - high[0] * way, end - high[1] * way]

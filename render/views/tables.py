@@ -2,6 +2,7 @@
 
 import cmath
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import zip_longest
@@ -9,8 +10,10 @@ from itertools import zip_longest
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.force.loads import force_name
 from planes.plans.structures.figure import Strain, strains
+from planes.scene.vector_equations import VectorEquation
 from planes.solving import Position
 from planes.solving.given import GivenTable
+from planes.solving.own_equations import own_rows
 from planes.solving.tables import difference
 from planes.solving.text_tables import NOISE, largest
 from planes.words import say
@@ -24,6 +27,8 @@ from render.views.formulas import NOISE_MM
 from render.views.plotted import of_position
 from render.views.table_grid import Row, TableGrid, folded
 
+VECTOR_NAMED = re.compile(r"[^\W\d]+_\w+(?:\^[ntkr])?")
+
 
 @frozen
 class Tables:
@@ -34,6 +39,7 @@ class Tables:
     letter: float = 3.5
     parameters: Mapping[str, float] = field(default_factory=dict)
     once: Callable[[tuple[object, ...], Callable[[], View]], View | None] = lambda key, make: make()
+    own: tuple[tuple[VectorEquation, ...], str] = ((), "")  # a person's equations, and their file
 
     def vectors(self) -> View | None:
         """Length on its plan, magnitude and direction of every vector of a scene that states them."""
@@ -106,7 +112,24 @@ class Tables:
         """Every table that has something to say; what was measured on both plans of rates ``joined`` in one."""
         if not self.position.plans.moves:
             return [t for t in (self.given(), self.vectors(), self.members(), self.values()) if t]
-        return [t for t in (self.given(), *self.rates(joined), self.links(), self.reactions(), self.check()) if t]
+        found = (
+            self.given(),
+            *self.rates(joined),
+            self.links(),
+            self.reactions(),
+            self.edges(),
+            self.check(),
+            self.equations(),
+        )
+        return [t for t in found if t]
+
+    def equations(self) -> View | None:
+        """A person's own equations: what each gives, or whether it closes and what would close it."""
+        p = self.position
+        own = self.own if "equations" in p.results else ((), "")
+        told = own_rows(p.plans, p.drawing, p.scales, own, self.naming.lang)
+        rows = [[VECTOR_NAMED.sub(lambda m: self.naming.vector(m[0]), text) for text in row] for row in told]
+        return self.table("own-equations", self.say("own_equations"), ["", ""], rows)
 
     def given(self) -> View | None:
         """What the scene gives, each thing once."""
@@ -185,6 +208,13 @@ class Tables:
         table = [["", self.say("mm"), self.say("N"), self.say("angle"), self.say("column_arm")], *rows]
         head, *rows = [row[: 5 if armed else 4] for row in table]
         return self.table("reactions", self.say("reactions_table"), head, rows, [convention])
+
+    def edges(self) -> View | None:
+        """The forces of both edges of a slider's face, where its length is given."""
+        rows = [
+            [self.naming.vector(f.quantity.name), self.number(f.number)] for f in self.position.of("edges").values()
+        ]
+        return self.table("edges", self.say("of_edges"), ["", self.say("N")], rows)
 
     @property
     def idle(self) -> bool:

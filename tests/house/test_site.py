@@ -110,6 +110,7 @@ def test_every_key_of_a_scene_stands_on_its_page(hooks: ModuleType) -> None:
     left = tables.keys() - named - again - {"points", "through", "centre", "near", "working", "idle", "moment", "angle"}
     assert left <= {
         "direction",
+        "value",
         "force",
         "velocity",
         "acceleration",

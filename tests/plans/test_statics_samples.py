@@ -56,3 +56,20 @@ def test_a_scene_of_statics_is_refused_what_only_mechanisms_have(capsys: pytest.
     assert main(["structure", str(ROOT / "samples" / "statics" / "truss-fink.yaml"), "--lang", "en"]) == 0
     assert capsys.readouterr().out == "2j = m + r: 2·15 = 27 + 3\n"
     assert main(["cycle", str(SAMPLES[0]), "--phi", "0:360:30", "-o", "x.csv"]) == 2
+
+
+@pytest.mark.parametrize("name", ["beam", "truss-king-post", "resultant"])
+def test_the_task_of_a_structure_shows_nothing_that_is_found(name: str) -> None:
+    from planes.documents.sheets import DrawnPosition
+    from render.paper.marks import Text
+    from render.sheet.composer import Composer
+    from render.sheet.sizes import Sizes
+
+    scene = load(ROOT / "samples" / "statics" / f"{name}.yaml")
+    drawn = DrawnPosition(scene, None, "en").at(Sizes())
+    composer = Composer(scene, "en", drawn.plans)
+    shown, whole = (composer.space(drawn, asked) for asked in (True, False))
+    assert shown and whole
+    texts, every = ({m.text for m in v.marks if isinstance(m, Text)} for v in (shown, whole))
+    assert texts < every and any(t.startswith("P_") for t in texts)
+    assert not any(t.startswith(("R", "S_", "z")) or t.isdigit() for t in texts)

@@ -233,6 +233,10 @@ PINNED = "supports: {A: hinge, B: roller}\nloads: [{point: C, force: 5, directio
         (TRIANGLE + "members: [AD, DB, AB, AC, CB]\n" + PINNED, "inside the truss"),
         (ARCH.replace("C: [4, 3]", "C: [4, 0]"), "lie on one line"),
         (ARCH.replace("B: hinge", "B: roller"), "this is a mechanism"),
+        (BAR + "supports: {A: hinge, E: roller}\n" + LOAD, "belongs to no body"),
+        (BAR.replace("E: [4, 3]", "E: [4, 0]") + "supports: {A: hinge, B: roller}\n" + LOAD, "are in one place"),
+        (ARCH.replace("{A: hinge, B: hinge}", "{A: [clamp, {roller: 0}]}") + LOAD, "body 2 has 2 unknown reactions"),
+        (BAR + "supports: {A: hinge, B: roller}\n" + LOAD.replace("5", "0") + "method: string\n", "at least one force"),
         (BAR + "vectors: {F: {value: 1, direction: 0}}\n", "do not go together"),
     ],
 )
@@ -339,3 +343,19 @@ def test_strings_through_points_refuse_loads_out_of_order() -> None:
         with pytest.raises(SceneError) as refusal:
             solve(loads("planes: 1\n" + text))
         assert "do not stand in order" in refusal.value.told("en")
+
+
+@pytest.mark.parametrize("pole", ["[187.93852415718169, -68.40402866513374]", "{r: 200, angle: -20}"])
+def test_a_chosen_pole_stands_where_it_is_said(pole: str) -> None:
+    """In newtons from where the polygon of forces begins; the resultant knows nothing of it."""
+    text = "points: {A: [0, 0], B: [2, 0.5], C: [4, 0]}\nloads:\n"
+    for p, size, angle in (("A", 100, -80), ("B", 150, -100), ("C", 80, -60)):
+        text += f"  - {{point: {p}, force: {size}, direction: {angle}}}\n"
+    (position,) = solve(loads(f"planes: 1\n{text}pole: {pole}\n")).positions
+    mu = position.scales["mu_force"]
+    assert abs(complex(position.drawing["force:O"]) / mu - complex(187.93852415718169, -68.40402866513374)) < 1e-10
+    (free,) = solve(loads(f"planes: 1\n{text}")).positions
+    (own, other) = (p.of("vectors")["R"].vector for p in (position, free))
+    assert abs(own - other) < 1e-12 * abs(own)
+    knots = [complex(p.drawing["position:K"]) / p.scales["mu_position"] for p in (position, free)]
+    assert abs(((knots[0] - knots[1]) * own.conjugate()).imag) < 1e-11 * abs(own)  # one line of action

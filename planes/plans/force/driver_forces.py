@@ -4,10 +4,12 @@ from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.settling import Fed
 from planes.plans.force.hinges import grip_of
-from planes.plans.force.loads import force_name
+from planes.plans.force.loads import Force, force_name
 from planes.plans.force.reactions import Statics, meet_with_friction
 from planes.plans.position.bodies import SCHEME
-from planes.words.names import POLE, at, force_plan
+from planes.words import Phrase
+from planes.words.errors import SceneError
+from planes.words.names import POLE, Meaning, at, force_plan
 
 
 class DriverForces:
@@ -38,6 +40,23 @@ class DriverForces:
         products, shown = self.statics.moment_terms(about, self.forces, couples, -1.0)
         self.statics.balancing = self.draft.total(f"M_{self.link}", products)
         self.draft.moments.append(Moments(self.pair.point, (self.link,), shown, self.statics.balancing, ""))
+        if balance := self.bodies.mechanism.drive.balance:
+            self.by_force(*balance, start, key)
+
+    def by_force(self, point: str, angle: float, start: str, key: str) -> None:
+        """The same by a force at a point of the driver: the moment over its arm, and the reaction beside it."""
+        d, name, where = self.draft, f"Fb_{self.link}", self.bodies.mechanism.where.get(("drive", "balance"))
+        if grip_of(self.statics.acting, self.pair):
+            raise SceneError(Phrase("balance_rubs", point=self.pair.point), self.bodies.file, where)
+        along = d.turn(f"∠{name}", self.bodies.known[self.link].axis, angle, Meaning("given", name))
+        arm = self.statics.arm(
+            Force(name, self.link, name, along, at(SCHEME, point), "load"), at(SCHEME, self.pair.point)
+        )
+        self.statics.balancing_force = d.product(name, **{self.statics.balancing: 1, arm: -1})
+        end = d.lay_off(self.plan, name, at(self.plan, start), along, name, Meaning("load", name, link=self.link))
+        d.show(self.plan, start, name, name)
+        d.show(self.plan, name, POLE, f"{key}^b")
+        self.statics.beside_force = f"{key}^b", end, at(self.plan, POLE)
 
     def sliding(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """The guide's reaction crosses the balancing force, which acts along the guide."""

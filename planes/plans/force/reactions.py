@@ -36,6 +36,7 @@ class Reaction:
     moment: str = ""
     friction: str = ""
     power: str = ""
+    edges: tuple[str, str] | None = None  # the forces of both edges of a slider's face, ahead and behind
 
     @property
     def names(self) -> dict[str, str]:
@@ -52,28 +53,34 @@ class Statics:
     acting: Acting
     reactions: dict[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
+    balancing_force: str = ""  # of a driver that turns, where it is asked for
+    beside_force: tuple[str, str, str] | None = None  # the frame's reaction beside it, and its marks
     centres: dict[str, str] = field(default_factory=dict)  # about which point each force's arm was taken first
 
     def moment_terms(
         self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
     ) -> tuple[list[Product], tuple[tuple[str, str], ...]]:
         """The sum of moments about a mark, times ``sign``, divided by the value ``over``; and its terms by name."""
-        d, tail = self.bodies.draft, ((over, -1),) if over else ()
+        tail = ((over, -1),) if over else ()
         products, shown = [], []
         for f in forces:
             if f.point == about:
                 continue
-            centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
-            if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
-                name += f"^{centre.lstrip('°')}"
-            means = Meaning("arm", f.name, about, f.link)
-            arm = d.step(Drop(name, f.point, f.along, about, mu_of(SCHEME), means=means))
+            arm = self.arm(f, about)
             products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
             shown.append((f.name, arm))
         for c in couples:
             products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
             shown.append((c.name, ""))
         return products, tuple(shown)
+
+    def arm(self, f: Force, about: str) -> str:
+        """The arm of a force about a mark."""
+        centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
+        if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
+            name += f"^{centre.lstrip('°')}"
+        means = Meaning("arm", f.name, about, f.link)
+        return self.bodies.draft.step(Drop(name, f.point, f.along, about, mu_of(SCHEME), means=means))
 
     def laid(self, plan: str, forces: list[Force], start: str = POLE) -> tuple[tuple[Term, ...], str]:
         """Forces laid off one after another on a plan from a mark of that label, each to a mark of its own
@@ -121,8 +128,20 @@ class Statics:
         normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"∥{pair.guide}"))
         arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
         d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
-        self.reactions[r.key] = seated = replace(r, normal=normal, arm=arm, moment=moment)
+        edges = self.edges(r, normal, moment)
+        self.reactions[r.key] = seated = replace(r, normal=normal, arm=arm, moment=moment, edges=edges)
         return seated
+
+    def edges(self, r: Reaction, normal: str, moment: str) -> tuple[str, str] | None:
+        """The forces of both edges of a slider's face, that have the same sum and moment, where its length is given."""
+        slides = self.bodies.mechanism.links[r.pair.link].slides
+        if slides is None or slides.length is None:
+            return None
+        d = self.bodies.draft
+        face = d.give(f"face_{r.pair.link}", slides.length)
+        ends = ((f"N_{r.key}^{k}", sign) for k, sign in (("1", 1.0), ("2", -1.0)))
+        one, two = (d.total(n, [Product(0.5, ((normal, 1),)), Product(s, ((moment, 1), (face, -1)))]) for n, s in ends)
+        return one, two
 
     def hand_over(self, r: Reaction, to: str) -> None:
         """Let the mate of a pair feel the reaction (and, of a slider, its couple), reversed."""

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 
 from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Similar, Turn
+from planes.drafting.steps import Aim, Similar, Turn
 from planes.drafting.steps.reckoning import Product, Protractor
+from planes.plans.statements.turning import follow
+from planes.scene.mechanism import LoadLaw
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vector_equations import SideTerm
 from planes.scene.vectors import AlongVector, Amount, Similarity, Statement, VectorGiven
@@ -97,6 +99,8 @@ class StatedVectors:
 
     def amount(self, name: str, amount: Amount, plain: str) -> str:
         """The name of a number: given as ``plain``, or reckoned as ``name``."""
+        if isinstance(amount, LoadLaw):
+            return follow(self.draft, self.statement.drive, plain, amount, self.load_of(name) or Meaning("load", name))
         if not isinstance(amount, VectorAmount):
             return self.draft.give(plain, amount, means=self.load_of(name))
         found = {n: self.number(n) for n in amount.names}
@@ -134,6 +138,9 @@ class StatedVectors:
         way, d = given.direction, self.draft
         if way is None:
             return None
+        if isinstance(way, LoadLaw):
+            turned = follow(d, self.statement.drive, f"angle_∠{name}", way, Meaning("angle", name))
+            return d.step(Aim(f"∠{name}", turned, means=Meaning("given", *line_of(name))))
         if isinstance(way, float):
             return d.aim(f"∠{name}", way, Meaning("given", *line_of(name)))
         self.used.add(way.vector)

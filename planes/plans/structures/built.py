@@ -5,6 +5,7 @@ from functools import cached_property
 
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
+from planes.drafting.steps.laws import Follow
 from planes.plans.assur.groups import Pair
 from planes.plans.assur.structure import Structure
 from planes.plans.force.loads import Force, Loads
@@ -13,6 +14,7 @@ from planes.plans.position.bodies import SCHEME
 from planes.plans.proving import closed
 from planes.plans.record import STILL, Plans
 from planes.plans.scales import unit_scales
+from planes.plans.statements.turning import STANDING
 from planes.plans.structures.arch import Arch
 from planes.plans.structures.cremona import CremonaPlan
 from planes.plans.structures.figure import StaticsFigure, as_mechanism
@@ -52,6 +54,8 @@ class FrameworkBuilder(StatedLoads):
             if name is None:
                 self.arch()
                 continue
+            if (own := sum(s.held for s in self.supports_of(name))) < 3 and self.framework.supports:
+                raise self.error(Phrase("body_loose", name=name, held=own), "supports")
             self.solve(name)
             self.left.remove(name)
         if self.framework.members:
@@ -73,6 +77,7 @@ class FrameworkBuilder(StatedLoads):
     def check(self) -> None:
         """Whether reactions are as many as equations."""
         f = self.framework
+        self.check_points()
         if f.members:
             check_truss(f, self.error)
         held = self.held
@@ -196,7 +201,7 @@ class FrameworkBuilder(StatedLoads):
             letters=dict(self.cremona.regions.places) if self.cremona else {},
             numbered=frozenset(f.bodies if len(f.bodies) > 1 else ()),
         )
-        mechanism = replace(as_mechanism(f), where=self.scene.where)
+        mechanism = replace(as_mechanism(f, self.scene.drive or STANDING), where=self.scene.where)
         acting = {name: self.forces.get(name, []) for name in (*mechanism.links, *f.bodies)}
         couples = {name: self.couples.get(name, []) for name in acting}
         loads = {x.name: self.laid(x.name) for x in f.loads if x.direction_deg is not None}
@@ -208,7 +213,7 @@ class FrameworkBuilder(StatedLoads):
             equations=tuple(d.equations),
             moments=tuple(d.moments),
             segments=tuple(dict.fromkeys(d.segments)),
-            acting=Loads(acting, couples),
+            acting=Loads(acting, couples, {s.makes: s.law for s in program.steps if isinstance(s, Follow)}),
             means=d.means | {s.makes: s.means for s in program.steps if s.means},
             vectors={**{n: ends for n, ends in loads.items() if ends}, **dict(self.results()), **self.spans},
             values=self.values | {name: name for *_, name in (*self.figure.moments, *self.figure.shears)},

@@ -6,7 +6,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from planes.drafting.drawing import Drawing
-from planes.scene.mechanism import FRAME, Drive, Link, Load, Mechanism
+from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
 from planes.words import Phrase
 from planes.words.frozen import frozen
@@ -64,16 +64,12 @@ class FigureDraft:
             self.strokes.append(FigureLine(plan, kind, name, start, end))
 
 
-def as_mechanism(f: Framework) -> Mechanism:
+def as_mechanism(f: Framework, drive: Drive) -> Mechanism:
     """The bodies, rods and hinges as links, for whoever draws the scheme."""
     hinged = [s.point for s in f.supports if s.kind == "hinge"]
     frame = Link(FRAME, MappingProxyType({p: f.points[p] for p in dict.fromkeys((*hinged, *sorted(f.fixed)))}))
     links = {name: Link(name, MappingProxyType(dict(points))) for name, points in _links(f)}
-    loads = tuple(
-        Load(load.body, "moment" if load.direction_deg is None else "force", load.size, load.point or None)
-        for load in f.loads
-    )
-    return Mechanism(frame, MappingProxyType(links), Drive(FRAME, "s", 0.0), () if f.members else loads)
+    return Mechanism(frame, MappingProxyType(links), drive)
 
 
 def _links(f: Framework) -> Iterator[tuple[str, dict[str, complex]]]:

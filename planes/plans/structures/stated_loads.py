@@ -2,13 +2,21 @@
 
 import cmath
 import math
+from itertools import combinations
 
 from planes.drafting.draft import Draft
+from planes.drafting.steps import Aim
+from planes.drafting.steps.laws import Follow
+from planes.drafting.tools import Tool
+from planes.geometry.arithmetic import Arithmetic
 from planes.plans.force.loads import Couple, Force
 from planes.plans.position.bodies import SCHEME, BodyPoint
+from planes.plans.statements.turning import follow
 from planes.plans.structures.cremona import CremonaPlan
 from planes.plans.structures.figure import FigureDraft
 from planes.scene import Scene
+from planes.scene.expressions import names_in
+from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, StaticLoad
 from planes.words import Phrase
 from planes.words.errors import SceneError
@@ -34,6 +42,18 @@ class StatedLoads:
         where = self.scene.where
         return SceneError(phrase, self.scene.file, where.get(path, where.get(("points",))))
 
+    def check_points(self) -> None:
+        """Whether points are apart, and what is supported belongs to a body."""
+        f = self.framework
+        for one, other in combinations(f.points, 2):
+            if f.points[one] == f.points[other]:
+                raise self.error(Phrase("points_same", one=one, other=other), "points", other)
+        held_points = {p for points in f.bodies.values() for p in points}
+        if loose := next((s.point for s in f.supports if s.point not in held_points), None):
+            raise self.error(
+                Phrase("point_loose", what=Phrase("support_of", name=loose), name=loose), "supports", loose
+            )
+
     def place(self) -> None:
         """Points of the scheme, and loads at them."""
         d, f = self.draft, self.framework
@@ -42,17 +62,32 @@ class StatedLoads:
             d.put(SCHEME, name, z)
         for load in f.loads:
             if load.direction_deg is None:
-                value = d.give(f"|{load.name}|", load.size, Meaning("couple", load.name, link=load.body))
+                value = self.number(f"|{load.name}|", load.size, Meaning("couple", load.name, link=load.body))
                 self.couples[load.body].append(Couple(load.name, load.body, value))
             else:
                 self.force(load, load.direction_deg)
 
-    def force(self, load: StaticLoad, angle: float) -> None:
+    def number(self, name: str, value: float | LoadLaw, means: Meaning) -> str:
+        """A given number, or a law at work."""
+        if isinstance(value, LoadLaw):
+            return follow(self.draft, self.scene.drive, name, value, means)
+        return self.draft.give(name, value, means)
+
+    def now(self, value: float | LoadLaw) -> float:
+        """A number where the drive stands in the file."""
+        if not isinstance(value, LoadLaw):
+            return value
+        assert self.scene.drive
+        law = Follow("", value, tuple((n, "x") for n in names_in(value.text)))
+        return float(law.draw({"x": self.scene.drive.position}, Tool(Arithmetic())))
+
+    def force(self, load: StaticLoad, angle: float | LoadLaw) -> None:
         """A force at its point, or at one of its own: the middle of what it is the resultant of."""
         d = self.draft
-        size = d.give(f"|{load.name}|", load.size, Meaning("load", load.name, link=load.body))
-        along = d.aim(f"∠{load.name}", angle, Meaning("given", load.name))
+        size = self.number(f"|{load.name}|", load.size, Meaning("load", load.name, link=load.body))
+        turned = self.number(f"angle_∠{load.name}", angle, Meaning("angle", load.name))
+        along = d.step(Aim(f"∠{load.name}", turned, means=Meaning("given", load.name)))
         mark = at(SCHEME, load.point) if load.point else d.put(SCHEME, f"_{load.name}", load.place, Meaning("moved"))
         spot = BodyPoint(label_of(mark), load.point)
         self.forces[load.body].append(Force(load.name, load.body, size, along, mark, "load", spot))
-        self.sizes[load.name] = load.size * cmath.rect(1.0, math.radians(angle))
+        self.sizes[load.name] = self.now(load.size) * cmath.rect(1.0, math.radians(self.now(angle)))

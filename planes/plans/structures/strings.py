@@ -91,7 +91,7 @@ def lay_pole(b: FreeBody, pole: complex, label: str = O) -> None:
     """The pole of a string polygon at a place in N from where the polygon of forces begins."""
     d, size, angle = b.draft, abs(pole), math.degrees(cmath.phase(pole))
     along = d.aim(f"∠{label}", angle, Meaning("given", label))
-    length = d.give(f"|p{label}|", size)
+    length = d.give(f"|p{label}|", size, Meaning("load", f"p{label}"))
     d.lay_off(b.plan, label, at(b.plan, POLE), along, length, Meaning("foot"))
 
 

@@ -58,7 +58,8 @@ class WayFinder:
     def plainest(self) -> str:
         """A way that suits."""
         b = self.body
-        if self.framework.members or b.couples or not b.forces or (b.anchor and b.anchor.kind == "clamp"):
+        idle = not any(self.forces) or bool(b.couples)
+        if self.framework.members or idle or (b.anchor and b.anchor.kind == "clamp"):
             return "moments"
         if len(b.forces) == 1 and b.supports:
             line = b.lines[0] if b.lines else None
@@ -95,7 +96,7 @@ class WayFinder:
         b = self.body
         if b.couples:
             raise self.refusal("method_couples", method=method, name=b.couples[0].name)
-        if not b.forces:
+        if not any(self.forces):
             raise self.refusal("method_forces", method=method)
         if b.anchor and b.anchor.kind == "clamp":
             raise self.refusal("method_clamp", method=method, point=b.anchor.point)

@@ -1,0 +1,167 @@
+"""A person's own vector equations for a mechanism, held against its plans: what they give, whether they close, and of
+one that does not the plainest change after which it would: a vector left out, one too many, one turned, or another.
+"""
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import permutations
+
+from planes.drafting.drawing import Drawing
+from planes.plans import Plans
+from planes.plans.measuring import polar
+from planes.scene.vector_equations import SideTerm, VectorEquation
+from planes.words import Lang, Phrase, say
+from planes.words.errors import SceneError, choices
+from planes.words.frozen import frozen
+from planes.words.names import POLE, at, kind_of, mu_of, parts_of, plan_of
+from planes.words.read_off import measured
+from planes.words.records import Json
+from planes.words.units import UNIT, number
+
+CLOSED = 1e-9  # of the largest vector: what is left of an equation that holds
+PARTS = ("n", "t", "k", "r")  # of rates, the likeliest to be left out first
+
+
+@frozen
+class OwnEquation:
+    """One equation in one position: the vector it gives (``name`` and ``value``), or the ``gap`` that is left, with the
+    ``change`` that would close it; ``unit`` is the key of both."""
+
+    equation: VectorEquation
+    unit: str
+    name: str = ""
+    value: complex = 0j
+    gap: float = 0.0
+    change: Phrase | None = None
+
+    @property
+    def closes(self) -> bool:
+        """Whether it holds."""
+        return bool(self.name) or self.gap == 0.0
+
+    def said(self, lang: Lang) -> str:
+        """What is told of it, in a language."""
+        unit = say(self.unit, lang)
+        if self.name:
+            angle = number(math.degrees(cmath.phase(self.value)), lang, 4)
+            return say("own_gives", lang, name=self.name, value=measured(abs(self.value), lang), unit=unit, angle=angle)
+        if self.closes:
+            return say("own_closes", lang)
+        gap = say("own_gap", lang, gap=measured(self.gap, lang), unit=unit)
+        return f"{gap}: {self.change.told(lang)}" if self.change else gap
+
+    def json(self) -> Json:
+        """The equation as the JSON has it."""
+        own: Json = {"text": self.equation.text, "closes": self.closes}
+        if self.name:
+            return own | {"gives": {self.name: polar(self.value)}}
+        return own | {"gap": self.gap, "change": self.change.told("en") if self.change else None}
+
+
+def own_equations(
+    plans: Plans, drawing: Drawing, scales: Mapping[str, float], equations: Iterable[VectorEquation], file: str
+) -> Iterator[OwnEquation]:
+    """Each equation, in the order of the file; what one gives is known to those after it. :class:`SceneError` where a
+    vector is none of the mechanism's, or two of an equation are not."""
+    known = dict(vectors_of(plans, drawing, scales))
+    for equation in equations:
+        terms = [(t.name, sign * t.times) for sign, side in _signed(equation) for t in side]
+        new = [name for name, _ in terms if name not in known]
+        if len(new) > 1 or (new and len(terms) == 1):
+            valid = choices(new[-1], known)
+            raise SceneError(Phrase("own_unknown", text=equation.text, name=new[-1], valid=valid), file, equation.line)
+        unit = UNIT.get(_kind(terms[0][0]), "N")
+        if new:
+            times = dict(terms)[new[0]]
+            known[new[0]] = -sum(k * known[n] for n, k in terms if n != new[0]) / times
+            yield OwnEquation(equation, unit, new[0], known[new[0]])
+            continue
+        yield _held(equation, unit, terms, known)
+
+
+def _signed(equation: VectorEquation) -> Iterator[tuple[float, tuple[SideTerm, ...]]]:
+    """Both outer sides; of a chain of equals the first against the last."""
+    yield 1.0, equation.sides[0]
+    yield -1.0, equation.sides[-1]
+
+
+def _kind(name: str) -> str:
+    """The plan the letter of a vector tells."""
+    return {"v": "velocity", "a": "acceleration"}.get(parts_of(name)[0], "force")
+
+
+def vectors_of(plans: Plans, drawing: Drawing, scales: Mapping[str, float]) -> Iterator[tuple[str, complex]]:
+    """Every vector of the mechanism by name: of points, of one point against another, parts as its plans have them,
+    forces on links, reactions from either side."""
+
+    def between(start: str, end: str) -> complex:
+        return complex(drawing[end] - drawing[start]) / scales[mu_of(plan_of(end))]
+
+    for letter, marks in (
+        ("v", {p: m.velocity for p, m in plans.points.items()}),
+        ("a", {p: m.acceleration for p, m in plans.points.items()}),
+    ):
+        there = {p: mark for p, mark in marks.items() if mark in drawing}
+        yield from ((f"{letter}_{p}{q}", between(there[q], there[p])) for p, q in permutations(there, 2))
+        yield from ((f"{letter}_{p}", between(at(plan_of(mark), POLE), mark)) for p, mark in there.items())
+    for plan in (p for p in plans.drawn if kind_of(p) in ("velocity", "acceleration", "force")):
+        for s in plans.segments_of.get(plan, ()):
+            ends = at(plan, s.start), at(plan, s.end)
+            if all(e in drawing for e in ends):
+                yield s.name, between(*ends)
+    for f in (f for forces in plans.acting.forces.values() for f in forces):
+        if f.size in drawing and f.along in drawing:
+            yield f.name, float(drawing[f.size]) * complex(drawing[f.along])
+    for r in (r for r in plans.reactions.values() if r.start in drawing and r.end in drawing):
+        force = between(r.start, r.end)
+        yield from ((name, force if name == r.key else -force) for name in r.names)
+
+
+def _held(
+    equation: VectorEquation, unit: str, terms: list[tuple[str, float]], known: Mapping[str, complex]
+) -> OwnEquation:
+    """An equation of known vectors alone."""
+    left, most = sum(k * known[n] for n, k in terms), max(abs(k * known[n]) for n, k in terms)
+    if abs(left) <= CLOSED * most:
+        return OwnEquation(equation, unit)
+    change = next(_changes(terms, left, known, CLOSED * most), None)
+    return OwnEquation(equation, unit, gap=abs(left), change=change)
+
+
+def _changes(
+    terms: list[tuple[str, float]], left: complex, known: Mapping[str, complex], slack: float
+) -> Iterator[Phrase]:
+    """Changes that would close an equation, the likeliest first."""
+    there, kind = dict(terms), _kind(terms[0][0])
+    others = [n for n, z in known.items() if _kind(n) == kind and n not in there and abs(z) > slack]
+    others.sort(key=lambda n: PARTS.index(parts_of(n)[2]) if parts_of(n)[2] in PARTS else len(PARTS))
+    missing = [n for n in others if min(abs(left + known[n]), abs(left - known[n])) <= slack]
+    yield from (Phrase("own_missing", name=n) for n in missing if parts_of(n)[2])
+    for name, times in terms:
+        if abs(left - 2 * times * known[name]) <= slack:
+            yield Phrase("own_turned", name=name)
+        if abs(left - times * known[name]) <= slack:
+            yield Phrase("own_extra", name=name)
+    pairs = sorted(((name, other) for name in there for other in others), key=lambda pair: _unlike(*pair))
+    for name, other in pairs:
+        if abs(left - there[name] * (known[name] - known[other])) <= slack:
+            yield Phrase("own_other", name=name, other=other)
+    yield from (Phrase("own_missing", name=n) for n in missing)
+
+
+def _unlike(name: str, other: str) -> tuple[bool, int]:
+    """How unlike two vectors are: a whole one and a relative one; points they do not share."""
+    one, two = parts_of(name)[1], parts_of(other)[1]
+    return len(one) != len(two), -len({*one} & {*two})
+
+
+def own_rows(
+    plans: Plans,
+    drawing: Drawing,
+    scales: Mapping[str, float],
+    equations: tuple[tuple[VectorEquation, ...], str],
+    lang: Lang,
+) -> list[tuple[str, str]]:
+    """The equations of a scene, with its file, as rows of a table: each with what is told of it."""
+    return [(e.equation.text, e.said(lang)) for e in own_equations(plans, drawing, scales, *equations)]
