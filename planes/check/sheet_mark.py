@@ -1,7 +1,8 @@
 """What the square code of a blank says: of which scene, variant, student and plan it is, as one short line of text.
 
-`planes1|scene|variant|student|plan|value|mu`. Nothing that is read is trusted: a mark is only ever compared with those
-of the scenes a teacher has named, and whatever is not of this form is no mark.
+`planes2|scene|variant|student|plan|value|mu|x,y`, the last two where its pole stands (mm). Earlier blanks begin with
+`planes1` and do not tell their pole; they are read, too. Nothing that is read is trusted: a mark is only ever compared
+with those of the scenes a teacher has named, and whatever is not of this form is no mark.
 """
 
 from __future__ import annotations
@@ -23,16 +24,18 @@ if TYPE_CHECKING:
     from planes.check.vision.image.picture import Flat
     from planes.geometry.arrays import Greys
 
-BEGINS = "planes1"
+BEGINS, EARLIER = "planes2", "planes1"
 LONGEST = (24, 12, 28, 16)  # letters of scene, variant, student and plan
 MOST = 200  # letters of all
 CUT = 5  # letters of what stands for the rest of a longer name
 _NUMBER = re.compile(r"(-?\d{1,9}(\.\d{1,9})?(e-?\d{1,2})?)?")
+_PLACE = re.compile(r"\d{1,3}(\.\d)?,\d{1,3}(\.\d)?")
 
 
 @frozen
 class SheetMark:
-    """What a sheet says of itself; a value of the drive and a scale (mm per SI unit) where they are not the scene's."""
+    """What a sheet says of itself: whose it is, a value of the drive where it is not the scene's, the scale (mm per SI
+    unit), and where its pole stands (mm)."""
 
     scene: str
     variant: str = ""
@@ -40,6 +43,7 @@ class SheetMark:
     plan: str = ""
     value: float | None = None
     mu: float | None = None
+    pole: complex | None = None
 
     @classmethod
     def of(cls, asked: Asked, scene: str = "", variant: str = "", student: str = "") -> SheetMark:
@@ -53,7 +57,10 @@ class SheetMark:
         """As it is printed."""
         words = zip((self.scene, self.variant, self.student, self.plan), LONGEST, strict=True)
         numbers = ("" if n is None else f"{n:.7g}".replace("e+", "e") for n in (self.value, self.mu))
-        return "|".join((BEGINS, *(short(word, most) for word, most in words), *numbers))
+        told = *(short(word, most) for word, most in words), *numbers
+        if self.pole is None:
+            return "|".join((EARLIER, *told))
+        return "|".join((BEGINS, *told, f"{round(self.pole.real, 1):g},{round(self.pole.imag, 1):g}"))
 
     def fits(self, scene: str, student: str) -> bool:
         """Whether it names that scene and that student, as they are printed; "" is any."""
@@ -73,12 +80,15 @@ def short(name: str, most: int) -> str:
 
 def parsed(text: str) -> SheetMark | None:
     """The mark a text is, if it is one."""
-    parts = text[: MOST + 1].split("|")
-    if len(text) > MOST or parts[0] != BEGINS or len(parts) != 7 or not all(map(_NUMBER.fullmatch, parts[5:])):
+    begins, *parts = text[: MOST + 1].split("|")
+    place = parts.pop() if begins == BEGINS else ""
+    told = begins == EARLIER or (begins == BEGINS and _PLACE.fullmatch(place))
+    if len(text) > MOST or not told or len(parts) != 6 or not all(map(_NUMBER.fullmatch, parts[4:])):
         return None
-    scene, variant, student, plan, *numbers = parts[1:]
+    scene, variant, student, plan, *numbers = parts
     value, mu = (float(n) if n else None for n in numbers)
-    found = SheetMark(scene, variant, student, plan, value, mu)
+    pole = complex(*map(float, place.split(","))) if place else None
+    found = SheetMark(scene, variant, student, plan, value, mu, pole)
     return found if found.text == text and (mu is None or mu > 0) else None
 
 

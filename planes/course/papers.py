@@ -23,7 +23,7 @@ from planes.solving.given import GivenTable
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.lettering import flat, greek
-from planes.words.names import kind_of, mu_of
+from planes.words.names import POLE, kind_of, mu_of
 from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text, number, unit_of_parameter
 
@@ -168,13 +168,21 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], lang: Lang) -> 
 
 def segments(drawn: Position, name: str, lang: Lang, convention: Convention) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
-    rows = []
+    rows, kind = [], kind_of(name)
+    pole = Naming(lang).mark(POLE, kind)
     for vector, s, found in drawn.measured_on(name):
         value = number(found["value"] if found["mm"] > NOISE_MM else 0.0, lang)
-        rows.append((f"⟨{vector}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", decimal(f"{found['mm']:.1f}", lang), value))
+        rows.append(
+            (
+                f"⟨{vector}⟩",
+                f"⟨{pole if s.start == POLE else s.start}⟩⟨{pole if s.end == POLE else s.end}⟩",
+                decimal(f"{found['mm']:.1f}", lang),
+                value,
+            )
+        )
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
-    mu = decimal(mu_text(drawn.scales[mu_of(name)], kind_of(name), lang, convention), lang)
+    mu = decimal(mu_text(drawn.scales[mu_of(name)], kind, lang, convention), lang)
     return DocumentTable(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
 
 

@@ -49,7 +49,8 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it. Its code says whose it
     is, by the names of the scene if ``mark`` does not tell; a name nobody knows is written by hand."""
     bench = roomy(prepare(asked))
-    asked, mark = bench.asked, replace(mark, mu=mark.mu or bench.asked.mu) if mark else SheetMark.of(bench.asked)
+    asked, own = bench.asked, mark or SheetMark.of(bench.asked)
+    mark = replace(own, mu=own.mu or bench.said_mu, pole=blank_pole(bench))
     title = asked.scene.title.get(lang, "") or asked.scene.file
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang, asked.scene.mu_convention), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]

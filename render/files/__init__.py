@@ -46,8 +46,10 @@ class Page:
                 raise PlanesError(Phrase("needs_ezdxf"))
             case ".dxf":
                 return dxf.write(self.marks, self.size, self.title, lang=self.lang, text=text)
-        picture = pdf.write_png(self.marks, self.size, self.title, under=self.under)
-        return picture if self.under else carrying(picture, self.rendered(".svg"))
+            case ".png":
+                picture = pdf.write_png(self.marks, self.size, self.title, under=self.under)
+                return picture if self.under else carrying(picture, self.rendered(".svg"))
+        raise PlanesError(Phrase("bad_suffix", file=suffix or "?", known=".svg, .pdf, .png, .dxf"))
 
     def write(self, path: str | Path, text: Lettered = "text") -> None:
         """Its file, whole or not at all."""

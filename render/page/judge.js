@@ -104,6 +104,17 @@ export class Judge {
     const all = shares.reduce((a, b) => a * b, 1), surest = Math.min(...shares);
     return free && shares.length ? all / surest * Math.min(Math.sqrt(surest) / Math.PI, 1) : all;
   }
+  /** @type {(name: string, read: Mark[], miss: Miss, fill: (text: string, names: any) => string) => string} */
+  off(name, read, miss, fill) { // what a wrong vector measures, and what it should from the marks before it
+    const { said } = this.data, mark = read.find(m => m.name === name);
+    const start = mark?.from === "p" ? { x: 0, y: 0 } : read.find(m => m.name === mark?.from);
+    if (!mark || !start) return fill(said.unclear, { mark: name, off: miss.size.toFixed(1) });
+    const x = mark.x - start.x, y = mark.y - start.y, right = [x - miss.x, y - miss.y];
+    const angle = (/** @type {number[]} */ [u, v]) =>
+      String(Math.round(Math.atan2(v, u) * 180 / Math.PI)).replace("-", "−");
+    return fill(said.off_vector, { mark: name, vector: mark.vector, mm: Math.hypot(x, y).toFixed(1),
+      angle: angle([x, y]), true_mm: Math.hypot(...right).toFixed(1), true_angle: angle(right) });
+  }
   /** @type {(out: Found, read: Mark[], misses: Map<string, Miss>, wrong: string[]) => string} */
   said(out, read, misses, wrong) { // the whole in a sentence, and its verdict
     const { said, rule } = this.data;
@@ -128,7 +139,7 @@ export class Judge {
     if (!out.named && count >= 3 && bad > 0.7 * count) return fill(said.other, { count, wrong: bad });
     out.verdict = "wrong";
     if (out.named) return out.named.said;
-    if (wrong.length) return fill(said.unclear, { mark: wrong[0], off: misses.get(wrong[0]).size.toFixed(1) });
+    if (wrong.length) return this.off(wrong[0], read, misses.get(wrong[0]), fill);
     if (strays) { out.first = left.first; return left.said; }
     const hidden = rule.shown_by.filter((/** @type {any} */ [,
       by]) => !by.some((/** @type {string[]} */ way) => way.every((/** @type {string} */ n) => misses.has(n)))).map(

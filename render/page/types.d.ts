@@ -91,6 +91,7 @@ interface Pencil { at: Spot; a: number; r: number; mm: number; end: Spot; wrong?
 interface Asking { asking(name: string): boolean; given(name: string): number; }
 interface Mark {
   name: string; key: string; x: number; y: number; read: boolean; miss: number[]; true: Spot; free: number[]; error: number;
+  from: string | null; vector: string;
 }
 interface Judged { verdict: string; close: boolean; own: any; free: any; }
 interface Found {

@@ -146,7 +146,7 @@ def test_marks_that_were_not_seen_are_named() -> None:
     assert not whole.unseen and whole.sentence.told("en") == "The drawing is right: velocity polygon."
     found = as_json(part)
     assert part.unseen == ["s2"] and "not judged: s2" in found["sentence"]["en"]
-    assert "не увидено наверняка: s2" in found["sentence"]["ru"]
+    assert "не проверено: s2" in found["sentence"]["ru"]
     assert found["warnings"] == ["Not seen and not judged: s2."]
 
 

@@ -86,6 +86,28 @@ def test_a_number_too_near_a_dead_point_is_not_sure(skill: object) -> None:
     assert of_results(("v_H", 3.0, "m/s"), skill=skill).verdict == "wrong"
 
 
+OFFSET = """
+planes: 1
+parameters: {mm: 0.001, rpm: pi/30}
+frame: {points: {A: [0, 0]}, guides: {x-x: {y: -20*mm}}}
+links:
+  1: {points: {A: 0, B: 80*mm}}
+  2: {points: {B: 0, C: 260*mm}}
+  3: {points: {C: 0}, slides: x-x}
+assembly: {C: ahead}
+drive: {link: 1, phi: 60, omega: 600*rpm}
+"""
+
+
+@pytest.mark.parametrize("share", [0.7, 0.8, 1.25, 1.37])
+def test_what_no_hand_errs_by_is_wrong_however_large_its_tolerance(share: float) -> None:
+    """An offset slider-crank whose a_C has a tolerance of 16.5 %: lines that cross at 70 degrees."""
+    scene = planes.loads(OFFSET)
+    true, asked = abs(planes.solve(scene).value("a_C")), Asked(scene, "acceleration")
+    assert check(asked, ReadPaper("t", results=[("a_C", share * true, "m/s^2")])).verdict == "wrong"
+    assert check(asked, ReadPaper("t", results=[("a_C", 1.1 * true, "m/s^2")])).verdict == "right_as_seen"
+
+
 def test_sheet_note_and_check_tell_the_same_of_a_number_near_a_dead_point(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

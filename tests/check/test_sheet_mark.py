@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,7 @@ from planes.check.outcome import check  # noqa: E402
 from planes.check.sheet_mark import mark_on  # noqa: E402
 from planes.check.vision.image.decoding import load as picture_of  # noqa: E402
 from planes.check.vision.image.picture import flatten  # noqa: E402
+from planes.check.vision.photograph import paper_of_picture  # noqa: E402
 from tests.helpers.class_pictures import scanned  # noqa: E402
 from tests.helpers.line_drawings import head  # noqa: E402
 from tests.physical import corpus, page  # noqa: E402
@@ -59,6 +61,9 @@ def test_a_mark_is_read_back_as_it_was_printed() -> None:
     short_one = SheetMark("six-link", "Б", "Иванов-Пётр", "force:2-3", 30.0, 0.05)
     assert short_one.text == "planes1|six-link|Б|Иванов-Пётр|force:2-3|30|0.05"
     assert parsed(short_one.text) == short_one and short_one.fits("six-link", "Иванов-Пётр")
+    with_pole = replace(short_one, pole=148.5 + 105j)
+    assert with_pole.text == "planes2|six-link|Б|Иванов-Пётр|force:2-3|30|0.05|148.5,105"
+    assert parsed(with_pole.text) == with_pole
     read = parsed(LONG.text)
     assert read is not None and read.text == LONG.text and read.fits(LONG.scene, LONG.student)
     assert not read.fits(LONG.scene, "Константинопольский-Константин-М-32") and read.fits("", "")
@@ -79,6 +84,9 @@ def test_a_hostile_name_is_a_few_letters(name: str) -> None:
         "http://localhost",
         "planes1|a|b|c",
         "planes2|a|b|c|velocity||",
+        "planes2|a|b|c|velocity||||",
+        "planes2|a|b|c|velocity|||1e3,5",
+        "planes1|a|b|c|velocity|||10,5",
         "planes1|a|b|c|velocity|nan|",
         "planes1|a|b|c|velocity|1e999|",
         "planes1|a|b|c|velocity||-3",
@@ -95,13 +103,31 @@ def test_what_is_not_of_this_form_is_no_mark(text: str) -> None:
 def test_the_code_is_read_from_a_scan_and_is_no_ink() -> None:
     seen = scanned(printed(LONG), askew_deg=1.5)
     mark, flat = mark_on(seen), flatten(seen)
-    assert mark is not None and mark.text == LONG.text and flat is not None
+    assert mark is not None and mark.fits(LONG.scene, LONG.student) and mark.pole and mark.mu and flat is not None
     even = ink_of(flat).even
     (x, y), r = flat.px(code_centre()), CODE_MM / 2 * flat.scale
     assert (even[int(y - r) : int(y + r), int(x - r) : int(x + r)] == 255).all()
     assert mark_on(np.full((400, 600), 255, np.uint8)) is None
     flat.grey[int(y - r) : int(y + r), int(x - r) : int(x)] = 255
     assert mark_on(flat.grey) is None  # half a code is none
+
+
+def test_a_blank_tells_where_its_own_pole_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A version that put the pole elsewhere, and whose scene had another scale, printed it: it is read all the same."""
+    bench, pole = prepare(Asked(SIX, "velocity", mu=0.8 * prepare(Asked(SIX, "velocity")).said_mu)), 131.5 + 96j
+    with monkeypatch.context() as earlier:
+        earlier.setattr("planes.documents.check.blank_pole", lambda _: pole)
+        marks, title = blank_marks(bench.asked, "ru")
+    data = pdf.write_png(marks, SHEET_MM, title, dpi=PX_PER_MM * 25.4)
+    sheet = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_GRAYSCALE)
+    at = {"p": 0j, **bench.true_marks}
+    for a, b in bench.vectors:
+        ends = [(pole + at[n]) for n in (a, b)]
+        cv2.line(sheet, *[(round(z.real * PX_PER_MM), round(len(sheet) - z.imag * PX_PER_MM)) for z in ends], 60, 4)
+    cv2.imwrite(str(tmp_path / "old.png"), sheet)
+    asked = Asked(SIX, "velocity")
+    found = check(asked, paper_of_picture(str(tmp_path / "old.png"), prepare(asked), Known()))
+    assert found.verdict in ("right", "right_as_seen") and found.grading and not found.grading.judgement.wrong
 
 
 TAKEN = [
@@ -128,7 +154,7 @@ def test_the_code_is_read_from_pictures_by_physics(
         setting = varied(Setting(), FACTORS[factor], random.Random(f"{factor} {k}"))
         assert corpus.picture(work, setting, f"{factor} {k}", tmp_path / "p.jpg")
         mark = mark_on(picture_of(tmp_path / "p.jpg").grey)
-        assert mark is not None and mark.text == LONG.text
+        assert mark is not None and mark.fits(LONG.scene, LONG.student) and mark.value == LONG.value and mark.pole
 
 
 @pytest.mark.parametrize("suffix", [".svg", ".dxf", ".pdf", ".png"])
@@ -140,7 +166,9 @@ def test_blanks_carry_the_code_in_every_format(suffix: str, tmp_path: Path) -> N
         assert count > 100  # a run of black cells each
         assert not read_paper(str(file), Asked(SIX, "velocity"), Known()).spots  # none is taken for a line of a plan
         return
-    assert mark_on(picture_of(file).grey) == SheetMark("six-link", "", "", "velocity", 140.0)
+    bench = prepare(Asked(SIX, "velocity", 140.0))
+    own = SheetMark("six-link", "", "", "velocity", 140.0, bench.said_mu, blank_pole(bench))
+    assert mark_on(picture_of(file).grey) == own
 
 
 @pytest.mark.parametrize("plan", ["velocity", "force:2-3", "force:1"])

@@ -9,6 +9,7 @@ from planes.check.grading.evidence import SURE, all_drawn, breadth, by_chance, c
 from planes.check.grading.followers import Showing, roots_of, showing
 from planes.check.grading.handwork import Hand, Miss
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
+from planes.check.grading.off_vectors import off_sentence
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import Rebuilt, align, earlier
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
@@ -130,9 +131,9 @@ class Grading:
             return named.sentence
         if not wrong:
             return self.otherwise
-        mark, off = label_of(wrong[0]), abs(self.judgement.misses[wrong[0]].off)
-        unclear = Phrase("check_unclear", mark=mark, off=Written(f"{off:.1f}"))
-        return unclear if math.isfinite(off) else Phrase("check_undrawable", mark=mark)
+        mark, off = label_of(wrong[0]), self.judgement.misses[wrong[0]].off
+        drawable = math.isfinite(abs(off))
+        return off_sentence(self.hand, wrong[0], off) if drawable else Phrase("check_undrawable", mark=mark)
 
     @property
     def unseen(self) -> list[str]:

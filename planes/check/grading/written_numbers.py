@@ -14,7 +14,6 @@ from planes.drafting.skill import SIGMAS, too_near
 from planes.words import Phrase, Written
 from planes.words.names import mu_of
 
-FAR = 2.0  # a number so many tolerances off is wrong, however near a dead point the drawing is
 LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
 
 
@@ -80,10 +79,7 @@ def account(
     """Judge figures against the true plan; name the mistake of the first wrong one."""
     found = Account([_judged(f, free, own, ruler_mm) for f in figures], ruler_mm > 0)
     for s in found.scored:
-        if s.verdict == "too_near" and _off(s.figure, s.true) > SIGMAS * s.sigma:  # a slip tells what no tolerance does
-            s.slip = number_mistake(s.figure, s.true, s.sigma, free)
-            s.verdict = "wrong" if s.slip else s.verdict
-        elif s.verdict == "wrong":
+        if s.verdict == "wrong":
             s.slip = number_mistake(s.figure, s.true, s.sigma, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
                 s.slip = number_mistake(s.figure, s.mine, s.sigma, own)
@@ -96,7 +92,8 @@ def account(
 def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:
     true, sigma = drawn_by(f, free, ruler_mm)
     off = _off(f, true)
-    if not ruler_mm and too_near(true, sigma) and SHARE * abs(true) < off <= FAR * SIGMAS * sigma:
+    farthest = free.tool.skill.far * SIGMAS * sigma
+    if not ruler_mm and too_near(true, sigma) and SHARE * abs(true) < off <= farthest:
         return _by_own_marks(f, own, true, sigma)
     if off <= max(3 * sigma, SHARE * abs(true)) + 1e-9 * abs(true):
         return Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))

@@ -6,7 +6,7 @@ from dataclasses import astuple
 
 from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading import evidence, judging
+from planes.check.grading import evidence, judging, off_vectors
 from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import LEAST_MM
 from planes.check.grading.paper import ReadMark
@@ -73,6 +73,8 @@ def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
         "error": own.error_mm,
         "miss": miss,
         "true": [true.real, true.imag],
+        "from": off_vectors.drawn_from(grading.hand, mark),
+        "vector": off_vectors.vector_to(grading.hand, mark),
         "free": grading.loose.miss(grading.loose.things[mark], true).blurred(own.error_mm).cov,
     }
 
@@ -130,6 +132,7 @@ def _said(found: Outcome, lang: Lang) -> dict[str, str]:
         "too_little": asking("check_too_little", found="⟦found⟧", count="⟦count⟧", names="⟦names⟧"),
         "other": Phrase("check_other_drawing", count="⟦count⟧", wrong="⟦wrong⟧"),
         "unclear": Phrase("check_unclear", mark="⟦mark⟧", off="⟦off⟧"),
+        "off_vector": Phrase("check_off_vector", **{k: f"⟦{k}⟧" for k in off_vectors.SENTENCE}),
     }
     return {k: told_to("here", p).told(lang) for k, p in phrases.items()}
 

@@ -51,7 +51,7 @@ class Look:
     def box(self, bench: PreparedPlan) -> Box:
         """Where the flat picture lies."""
         printed = not self.spots and self.flat.by == "marks"
-        low = self.flat.corner - (blank_pole(bench) if printed else self.pole)
+        low = self.flat.corner - (self.flat.pole or blank_pole(bench) if printed else self.pole)
         h, w = self.flat.grey.shape[:2]
         high = low + complex(w, h) / self.flat.scale
         return low.real, low.imag, high.real, high.imag
@@ -61,7 +61,7 @@ def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple
     """What a flat picture shows best: all of it, or of a page of known scale one of its parts. ``held`` is a mark that
     was pointed to, and where, by which the picture's scale was told."""
     if flat.by != "scale" or pole is not None:
-        printed = blank_pole(bench) if flat.by == "marks" or flat.size_mm == SHEET_MM else None
+        printed = flat.pole or blank_pole(bench) if flat.by == "marks" or flat.size_mm == SHEET_MM else None
         look = looked(bench, flat, printed if pole is None else pole, held)
         return look if look.seen or pole is not None or flat.by == "marks" else looked(bench, flat, None, held)
     page, looks = parts_of(flat), [Look(flat, 0j)]

@@ -89,7 +89,10 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
 def _as_printed(bench: PreparedPlan, flat: Flat) -> PreparedPlan:
     """The plan at the scale its blank was printed for (its code tells, else the scene), where nobody told another."""
     code = mark_of(flat) if flat.by == "marks" and not bench.asked.mu else None
-    return bench.at(code.mu or bench.said_mu, told=True) if code and code.plan == bench.asked.plan else bench
+    if code is None or code.plan != bench.asked.plan:
+        return bench
+    flat.pole = code.pole
+    return bench.at(code.mu or bench.said_mu, told=True)
 
 
 def _nothing_to_measure_by(grey: Greys) -> PlanesError:

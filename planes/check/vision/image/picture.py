@@ -40,6 +40,7 @@ class Flat:
     by_file: bool = False  # whether two points but turn it straight, and its scale is what its file or paper tells
     by_paper: bool = False  # whether its direction, too, is its paper's
     printed: float = 1.0  # the share of its size a blank was printed at, where the file tells how large it is
+    pole: complex | None = None  # where a blank has its pole, if its code tells (mm)
 
     @property
     def size_mm(self) -> tuple[float, float]:
