@@ -23,7 +23,7 @@ BOUNDED = (  # their drivers do not go round
     *("antiparallelogram-doors", "bicycle-suspension", "chebyshev-line", "dump-truck", "elliptic-trammel"),
     *("evans-grasshopper", "excavator-bucket", "garage-door", "hart-inversor", "landing-gear", "parallelogram-lift"),
     *("peaucellier-lipkin", "portal-crane", "roberts-line", "scissor-lift", "scott-russell", "tilting-window"),
-    *("umbrella", "watt-line"),
+    *("umbrella", "watt-line", "ackermann-steering", "hand-pump", "bonnet-hinge"),
 )
 PASSIVE = ("elliptic-trammel", "parallelogram-lift")
 
@@ -54,7 +54,7 @@ def spread(values: Sequence[float]) -> float:
 
 
 def test_there_are_as_many_as_a_gallery_needs() -> None:
-    assert len(CLASSICS) >= 34 and {*BOUNDED} < {p.stem for p in CLASSICS}
+    assert len(CLASSICS) >= 52 and {*BOUNDED} < {p.stem for p in CLASSICS}
     assert [p.stem for p in scenes_in([OWN[0]])] == [p.stem for p in CLASSICS]
 
 
@@ -305,3 +305,28 @@ def test_commands_take_a_classic(path: Path, tmp_path: Path, capsys: pytest.Capt
     for command in (["solve", str(path)], ["cycle", str(path)], ["lesson", str(path), "-o", str(tmp_path / "l.html")]):
         assert main([*command, "--lang", "en"]) == 0
         assert not capsys.readouterr().err or path.stem in PASSIVE
+
+
+def test_ackermann_turns_the_inner_wheel_more() -> None:
+    """Both knuckles of a trapezium 1.32 wide: turned one way by 20 degrees, the other wheel turns by less."""
+    arm, rod, track = size("ackermann-steering", "l_AB", "l_BC", "track")
+    straight = math.degrees(math.acos((track - rod) / 2 / arm))
+    turned = places("ackermann-steering", "C", [-straight - 20, -straight, -straight + 20])
+    angles = [math.degrees(math.atan2(z.imag, z.real - track)) % 360 for z in turned]
+    assert angles[1] == pytest.approx(180 + straight, abs=1e-9)
+    one, two = angles[1] - angles[0], angles[2] - angles[1]
+    assert min(one, two) < 20 < max(one, two) and one != pytest.approx(two, abs=1)
+
+
+def test_a_levelled_platform_stays_level() -> None:
+    b, f = (places("aerial-platform", p, range(20, 80, 10)) for p in ("B", "F"))
+    assert max(abs((y - x) - (f[0] - b[0])) for x, y in zip(b, f, strict=True)) < 1e-12
+
+
+def test_an_offset_cylinder_has_strokes_of_two_lengths_of_time() -> None:
+    """The ends of the stroke are where crank and rod are in line: apart by other than half a turn."""
+    r, rod, e = size("desaxial-engine", "l_AB", "l_BC", "e")
+    top, bottom = (math.degrees(math.asin(e / x)) for x in (rod + r, rod - r))
+    ends = places("desaxial-engine", "C", [90 - top, 270 - bottom])
+    heights = [math.sqrt((rod + r) ** 2 - e**2), math.sqrt((rod - r) ** 2 - e**2)]
+    assert [z.imag for z in ends] == pytest.approx(heights, abs=1e-12) and bottom > 1.5 * top
