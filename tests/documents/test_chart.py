@@ -37,7 +37,7 @@ def test_a_chart_and_its_table(tmp_path: Path, quick: None) -> None:
     assert out.read_text(encoding="utf-8").startswith("<?xml")
     parts = table.read_text(encoding="utf-8").split("\n\n")
     speed, ways, turning = (list(csv.reader(part.splitlines())) for part in parts)
-    assert speed[0] == ["method", "s", "error", "Pareto front"]
+    assert speed[0] == ["method", "s", "error"]
     names = [row[0] for row in speed[1:]]
     assert {"exact, one by one", "exact, by arrays", "50 digits", "Newton's iteration"} <= set(names)
     assert [n for n in names if "pencil" in n][:2] == ["pencil, A4, 0.5 mm", "pencil, A4, 0.1 mm"]
