@@ -179,11 +179,11 @@ class Cycle(Ready):
     def block(self, part: Array, at: Indices | slice, fast: bool, bare: bool, out: Array | None = None) -> Block:
         """The block of the positions numbered ``at``; where leads cross flatly, by plans in which others meet."""
         table, codes = self._run(self.loop(fast), part, at, out)
+        block = self._whole(part, table, codes)
         if codes is None and not self._dim:
-            return Block(part, table, np.zeros(len(part), np.int16))
+            return block
         at = np.arange(at.start, at.stop) if isinstance(at, slice) else at
-        block = self._looked_at(self._whole(part, table, codes), at, bare)
-        self.others.draw(block, at, fast, bare)
+        self.others.draw(block := self._looked_at(block, at, bare), at, fast, bare)
         return block
 
     def table(

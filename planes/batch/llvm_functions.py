@@ -47,14 +47,15 @@ def literal(x: float) -> str:
 
 
 class Lines:
-    """Lines of one function, each naming its result."""
+    """Lines of one function, each naming its result by a letter and its number."""
 
-    def __init__(self) -> None:
-        self.lines: list[str] = []
+    def __init__(self, letter: str = "v") -> None:
+        self.letter, self.lines = letter, list[str]()
 
     def __call__(self, text: str) -> str:
-        self.lines.append(f"  %v{len(self.lines)} = {text}")
-        return f"%v{len(self.lines) - 1}"
+        name = f"%{self.letter}{len(self.lines)}"
+        self.lines.append(f"  {name} = {text}")
+        return name
 
     def op(self, name: str, a: str, b: str, flags: str = "") -> str:
         return self(f"{name}{flags} double {a}, {b}")

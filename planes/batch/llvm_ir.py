@@ -107,8 +107,7 @@ def module(
     condition that does not hold (0: all hold); it returns 0 if all of these are. The places ``rough`` may be rounded as
     suits the machine.
     """
-    head = Lines()
-    names = {}
+    head, names = Lines("c"), dict[int, str]()
     for k, place in enumerate(fixed):
         pointer = head(f"getelementptr inbounds double, ptr %fixed, i64 {k}")
         loaded = head(f"load double, ptr {pointer}, align 8")
@@ -116,22 +115,24 @@ def module(
     begins = [_begin(head, "%rows", str(apart), k) for k in range(len(inputs))]
     rows: dict[int, list[str]] = {}
     for k, place in enumerate(outputs):
-        rows.setdefault(place, []).append(_begin(head, "%out", "%stride", k).replace("%v", "%c"))
-    text = LoopText(tape, {place: name.replace("%v", "%c") for place, name in names.items()}, rough)
+        rows.setdefault(place, []).append(_begin(head, "%out", "%stride", k))
+    text = LoopText(tape, names, rough)
     for place, begin in zip(inputs, begins, strict=True):
-        text.names[place] = text.lines(f"load double, ptr {text.at(begin.replace('%v', '%c'))}, align 8{ALONE}")
-    for place in [*order, *rows]:
-        if place not in text.names and place in order:
+        text.names[place] = text.lines(f"load double, ptr {text.at(begin)}, align 8{ALONE}")
+    for place in order:
+        if place not in text.names:
             text.write(place)
-        for begin in rows.pop(place, ()) if place in text.names or place not in order else ():
+        for begin in rows.pop(place, ()):
+            text.store(text.name(place), begin)
+    for place, still in rows.items():
+        for begin in still:
             text.store(text.name(place), begin)
     code = "0"
     for k in range(len(codes), 0, -1):
         code = text.lines.select(text.name(codes[k - 1]), code, str(k), "i64")
     text.store(code, "%codes", "i64")
-    opening = [line.replace("%v", "%c") for line in head.lines]
     last = f"  %failed = or i64 %sofar, {code}", *CLOSE, _beside(2 if len(order) <= PAIRED else 1)
-    return "\n".join([*_frame(), *opening, *OPEN, *text.lines.lines, *last])
+    return "\n".join([*_frame(), *head.lines, *OPEN, *text.lines.lines, *last])
 
 
 def _begin(t: Lines, base: str, stride: str, k: int) -> str:

@@ -25,6 +25,12 @@ def square(v: Point) -> Real:
     return dot(v, v)
 
 
+def sine(u: complex, v: complex) -> float:
+    """The sine of the angle between two lines, 0 where one is nothing."""
+    size = abs(u) * abs(v)
+    return abs((u * v.conjugate()).imag) / size if size else 0.0
+
+
 def unit(v: Point, ar: Arithmetic) -> Point:
     """The direction of ``v``; of a zero vector, the x axis (a zero vector is laid off anywhere)."""
     length = abs(v)

@@ -8,7 +8,7 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import Known, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans
 from planes.check.grading.remedies import asking
-from planes.check.sheet_mark import mark_of
+from planes.check.sheet_mark import SheetMark, mark_of
 from planes.check.vision.from_aside import strange, tilt_told
 from planes.check.vision.image.decoding import DecodedPicture, load
 from planes.check.vision.image.frame import by_frame
@@ -31,9 +31,10 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     """
     known = known or Known()
     picture = load(file, known.page)
-    paper, best, pole = ReadPaper(file, whole=False, look=picture.look), None, known.pole
+    paper, best, pole, code = ReadPaper(file, whole=False, look=picture.look), None, known.pole, None
     for flat, named in _flats(bench, picture, known):
-        bench = _as_printed(bench, flat)
+        code = mark_of(flat) if flat.by == "marks" else None
+        bench = _as_printed(bench, flat, code)
         held = _held(bench, flat, known)
         look = seen_best(bench, flat, 0j if named else None if pole is None else flat.place(pole), held)
         if best is None or (look.seen, look.cover) > (best.seen, best.cover):
@@ -46,7 +47,6 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         raise _nothing_to_measure_by(picture.grey)
     paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box, paper.mu = shown(best.flat), best.box(bench), best.mu or bench.asked.mu
-    code = mark_of(best.flat) if best.flat.by == "marks" else None
     if code and code.plan != bench.asked.plan and code.plan in known_plans(bench.plans):
         plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
         paper.notes.append(Phrase("check_code_says", **plans))
@@ -86,13 +86,13 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
     return other if other.spots and likelier > 0 else best
 
 
-def _as_printed(bench: PreparedPlan, flat: Flat) -> PreparedPlan:
-    """The plan at the scale its blank was printed for (its code tells, else the scene), where nobody told another."""
-    code = mark_of(flat) if flat.by == "marks" and not bench.asked.mu else None
+def _as_printed(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> PreparedPlan:
+    """The plan at the scale its blank was printed for (its ``code`` tells, else the scene), where nobody told another;
+    the pole is where the code says."""
     if code is None or code.plan != bench.asked.plan:
         return bench
     flat.pole = code.pole
-    return bench.at(code.mu or bench.said_mu, told=True)
+    return bench if bench.asked.mu else bench.at(code.mu or bench.said_mu, told=True)
 
 
 def _nothing_to_measure_by(grey: Greys) -> PlanesError:

@@ -6,24 +6,18 @@ from dataclasses import replace
 
 from planes.drafting.drawing import reached, run
 from planes.drafting.equations import Equation, unknown
-from planes.drafting.program import Program
-from planes.drafting.steps.laws import Follow
-from planes.plans import STILL, Plans
-from planes.plans.assur.groups import Pair
-from planes.plans.assur.structure import Structure
+from planes.plans import Plans
 from planes.plans.force.loads import Loads
-from planes.plans.passive_motion import LinkValues
-from planes.plans.proving import closed
 from planes.plans.scales import scales, unit_scales
 from planes.plans.statements.certain import Closings, uncertain
 from planes.plans.statements.nearer_way import chosen_side
 from planes.plans.statements.stated_chains import Chains
 from planes.plans.statements.stated_plans import plans_of_equations
 from planes.plans.statements.stated_vectors import StatedVectors
+from planes.plans.statements.still import still_plans
 from planes.plans.statements.turning import standing
 from planes.plans.structures.built import framework_plans
 from planes.scene import Scene
-from planes.scene.mechanism import FRAME
 from planes.scene.vector_equations import Side, SideTerm, VectorEquation
 from planes.scene.vectors import Statement
 from planes.words import Phrase, Told, table
@@ -168,22 +162,14 @@ class StatedPlansBuilder:
 
     def _plans(self) -> Plans:
         d = self.draft
-        program = Program(tuple(d.steps.values()), tuple(closed(d)))
         nothing = standing(self.statement.drive, self.scene.where)
         names = [n for n in self.statement.vectors if self.vectors.spanned(n)]
-        return Plans(
-            mechanism=nothing,
-            structure=Structure(0, 0, Pair("R", FRAME, FRAME), (), FRAME),
-            program=program,
-            given={**d.given, STILL: 0.0},
-            equations=tuple(d.equations),
-            moments=(),
-            segments=tuple(dict.fromkeys(d.segments)),
-            acting=Loads(laws={s.makes: s.law for s in program.steps if isinstance(s, Follow)}),
-            means=d.means | {s.makes: s.means for s in program.steps if s.means},
+        return still_plans(
+            d,
+            nothing,
+            Loads(),
             vectors={n: self.vectors.span(n) for n in names},
             values={n: self.vectors.values[n] for n in self.statement.values},
-            links={FRAME: LinkValues("", "", "")},
         )
 
     def _try(self, plans: Plans) -> None:

@@ -5,15 +5,12 @@ from functools import cached_property
 
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
-from planes.drafting.steps.laws import Follow
-from planes.plans.assur.groups import Pair
-from planes.plans.assur.structure import Structure
+from planes.geometry.plane import sine
 from planes.plans.force.loads import Force, Loads
-from planes.plans.passive_motion import LinkValues
 from planes.plans.position.bodies import SCHEME
-from planes.plans.proving import closed
-from planes.plans.record import STILL, Plans
+from planes.plans.record import Plans
 from planes.plans.scales import unit_scales
+from planes.plans.statements.still import still_plans
 from planes.plans.statements.turning import STANDING
 from planes.plans.structures.arch import Arch
 from planes.plans.structures.cremona import CremonaPlan
@@ -21,16 +18,14 @@ from planes.plans.structures.figure import StaticsFigure, as_mechanism
 from planes.plans.structures.free_body import FreeBody
 from planes.plans.structures.stated_loads import StatedLoads
 from planes.plans.structures.trusses import check_truss, truss_plan
-from planes.plans.structures.ways import WayFinder
+from planes.plans.structures.ways import BLUNT, WayFinder
 from planes.scene import Scene
-from planes.scene.mechanism import FRAME
 from planes.scene.structures import ALONE, Framework, Support
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import replace
 from planes.words.names import Meaning, at, force_plan
 
-NOTHING = 1e-9  # the sine of the angle of lines that run alike
 BESIDE = "'"  # ends the name of a hinge's force on the body that was found later
 
 
@@ -140,7 +135,7 @@ class FrameworkBuilder(StatedLoads):
             raise self.error(Phrase("bodies_together", names=tuple(self.left)), "bodies")
         flat = [springings[0].point, point, springings[1].point]
         a, c, b = (self.framework.points[x] for x in flat)
-        if abs(((a - c) * (b - c).conjugate()).imag) <= NOTHING * abs(a - c) * abs(b - c):
+        if sine(a - c, b - c) <= BLUNT:
             raise self.error(Phrase("arch_flat", names=tuple(flat)), "points")
         plan = force_plan(*(names if len(self.framework.bodies) > 2 else []))
         one, two = (self.body(x, plan, own) for x, own in zip(names, held, strict=True))
@@ -184,7 +179,6 @@ class FrameworkBuilder(StatedLoads):
     def plans(self) -> Plans:
         """The record of what was drawn."""
         d, f = self.draft, self.framework
-        program = Program(tuple(d.steps.values()), tuple(closed(d)))
         figure = StaticsFigure(
             tuple(self.figure.strokes),
             tuple(self.figure.results),
@@ -205,19 +199,12 @@ class FrameworkBuilder(StatedLoads):
         acting = {name: self.forces.get(name, []) for name in (*mechanism.links, *f.bodies)}
         couples = {name: self.couples.get(name, []) for name in acting}
         loads = {x.name: self.laid(x.name) for x in f.loads if x.direction_deg is not None}
-        return Plans(
-            mechanism=mechanism,
-            structure=Structure(0, 0, Pair("R", FRAME, FRAME), (), FRAME),
-            program=program,
-            given={**d.given, STILL: 0.0},
-            equations=tuple(d.equations),
-            moments=tuple(d.moments),
-            segments=tuple(dict.fromkeys(d.segments)),
-            acting=Loads(acting, couples, {s.makes: s.law for s in program.steps if isinstance(s, Follow)}),
-            means=d.means | {s.makes: s.means for s in program.steps if s.means},
+        return still_plans(
+            d,
+            mechanism,
+            Loads(acting, couples),
             vectors={**{n: ends for n, ends in loads.items() if ends}, **dict(self.results()), **self.spans},
             values=self.values | {name: name for *_, name in (*self.figure.moments, *self.figure.shears)},
-            links={FRAME: LinkValues("", "", "")},
             figure=figure,
         )
 

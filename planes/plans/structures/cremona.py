@@ -11,6 +11,7 @@ from planes.drafting.draft import Draft, Moments
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Drop, Product
+from planes.geometry.plane import sine
 from planes.plans.force.loads import Force
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.regions import Regions, Side
@@ -74,7 +75,7 @@ class CremonaPlan:
 
     def crossed(self, region: str) -> bool:
         """Draw a region where lines along two of its members meet, those of one joint before others."""
-        pairs = [p for p in combinations(self.around(region), 2) if self.sine(p[0][0], p[1][0]) > ALIKE]
+        pairs = [p for p in combinations(self.around(region), 2) if self.turned(p[0][0], p[1][0]) > ALIKE]
         pairs.sort(key=lambda p: not {*p[0][0]} & {*p[1][0]})
         for (one, start), (two, other) in pairs[:1]:
             joint = next(iter({*one} & {*two}), "")
@@ -121,10 +122,9 @@ class CremonaPlan:
                 self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
                 told |= {t.name for t in chain} | {name}
 
-    def sine(self, one: Side, two: Side) -> float:
+    def turned(self, one: Side, two: Side) -> float:
         """The sine of the angle between two members."""
-        u, v = self.regions.way(*one), self.regions.way(*two)
-        return abs((u * v.conjugate()).imag) / (abs(u) * abs(v))
+        return sine(self.regions.way(*one), self.regions.way(*two))
 
     def measure(self) -> dict[str, str]:
         """Every member's force by its name, tension positive."""
@@ -143,7 +143,7 @@ class CremonaPlan:
         for member, other in self.around(region):
             for two in combinations([m for m in self.framework.members if m != member], 2):
                 part = self.part(member, two)
-                if part and self.sine(*two) > ALIKE and (about := self.meeting(member, two)):
+                if part and self.turned(*two) > ALIKE and (about := self.meeting(member, two)):
                     self.reckon(region, member, other, about, part)
                     self.cuts["".join(member)] = tuple("".join(m) for m in (member, *two))
                     return True

@@ -11,6 +11,7 @@ from itertools import pairwise
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross
+from planes.geometry.plane import sine
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.free_body import FreeBody
 from planes.scene.structures import Support
@@ -194,9 +195,3 @@ def sharpness(
     for (one, two), line in zip(pairwise(rays), lines, strict=True):
         yield from (sine(one, line), sine(two, line))
     yield sine(rays[-1], rays[0] if last is None else last)
-
-
-def sine(u: complex, v: complex) -> float:
-    """The sine of the angle between two lines, 0 where one is nothing."""
-    size = abs(u) * abs(v)
-    return abs((u * v.conjugate()).imag) / size if size else 0.0

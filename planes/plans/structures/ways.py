@@ -5,6 +5,8 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import combinations, permutations
 
+from planes.geometry.plane import sine
+from planes.plans.assur.alignment import determinant
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.beams import StraightBeam
 from planes.plans.structures.free_body import FreeBody
@@ -15,7 +17,6 @@ from planes.plans.structures.strings import (
     chosen_pole,
     lay_pole,
     pole_through,
-    sine,
 )
 from planes.scene import Scene
 from planes.scene.structures import Framework, Support
@@ -82,14 +83,14 @@ class WayFinder:
                 raise self.refusal("line_through_hinge", name=line.name, point=b.anchor.point)
         elif not b.anchor and b.lines:
             rows = [self.row(s) for s in b.lines]
-            if abs(_determinant(rows)) <= BLUNT:
+            if abs(determinant(rows)) <= BLUNT:
                 raise self.refusal("lines_concurrent", names=tuple(s.name for s in b.lines))
 
-    def row(self, s: Support) -> tuple[float, float, float]:
+    def row(self, s: Support) -> list[float]:
         """Both parts of a unit reaction and its moment beside the size of the scheme."""
         points, way = self.framework.points, self.way(s) / abs(self.way(s))
         place = points[s.point] - next(iter(points.values()))
-        return way.real, way.imag, (place.conjugate() * way).imag / self.size
+        return [way.real, way.imag, (place.conjugate() * way).imag / self.size]
 
     def suits(self, method: str) -> None:
         """Refuse what a way by lines of action cannot take."""
@@ -186,8 +187,3 @@ class WayFinder:
         """The sines of the angles at which Culmann's lines meet in an order."""
         one, two, three = map(self.way, order)
         yield from (round(sine(load, one), 3), round(sine(two, three), 3))
-
-
-def _determinant(rows: list[tuple[float, float, float]]) -> float:
-    (a, b, c), (d, e, f), (g, h, i) = rows
-    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)

@@ -1,0 +1,43 @@
+"""The record of what is drawn without a mechanism: stated vectors, bodies in equilibrium."""
+
+from collections.abc import Mapping
+
+from planes.drafting.draft import Draft
+from planes.drafting.program import Program
+from planes.drafting.steps.laws import Follow
+from planes.plans.assur.groups import Pair
+from planes.plans.assur.structure import Structure
+from planes.plans.force.loads import Loads
+from planes.plans.passive_motion import LinkValues
+from planes.plans.proving import closed
+from planes.plans.record import STILL, Plans
+from planes.plans.structures.figure import StaticsFigure
+from planes.scene.mechanism import FRAME, Mechanism
+from planes.words.frozen import replace
+
+
+def still_plans(
+    d: Draft,
+    mechanism: Mechanism,
+    acting: Loads,
+    vectors: Mapping[str, tuple[str, str]],
+    values: Mapping[str, str],
+    figure: StaticsFigure | None = None,
+) -> Plans:
+    """All that was drafted, with the marks its vectors stand between and the names of its values."""
+    program = Program(tuple(d.steps.values()), tuple(closed(d)))
+    return Plans(
+        mechanism=mechanism,
+        structure=Structure(0, 0, Pair("R", FRAME, FRAME), (), FRAME),
+        program=program,
+        given={**d.given, STILL: 0.0},
+        equations=tuple(d.equations),
+        moments=tuple(d.moments),
+        segments=tuple(dict.fromkeys(d.segments)),
+        acting=replace(acting, laws={s.makes: s.law for s in program.steps if isinstance(s, Follow)}),
+        means=d.means | {s.makes: s.means for s in program.steps if s.means},
+        vectors=vectors,
+        values=values,
+        links={FRAME: LinkValues("", "", "")},
+        figure=figure,
+    )
