@@ -3,12 +3,12 @@
     python -m tests.mutants --count 200 --minutes 60 --jobs 2
 
 Each mutant changes one place of ``planes/plans`` or ``planes/drafting`` by its syntax tree: a sign, the order of two
-arguments, a bound, a term that is dropped. The same seed makes the same mutants. First the fast tests of the rooms near
-by are run once, to know which of them pass through each line and how long they take (it needs ``coverage``, which the
-extra ``ci`` has). Then a mutant is put into a copy of the project, and the tests that pass through its line are run
-until one fails, the quickest first, in a process forked from this one, which has the libraries imported. Where no test
-passes, it survives untried. What survives is printed, with its line, and in the end how many of all; it ends with 1
-where more than a twentieth did.
+arguments, a bound, a term that is dropped. The same seed makes the same mutants. First the fast tests of the rooms that
+need no browser are run once, to know which of them pass through each line and how long they take (it needs
+``coverage``, which the extra ``ci`` has). Then a mutant is put into a copy of the project, and the tests that pass
+through its line are run until one fails, the quickest first, in a process forked from this one, which has the libraries
+imported. Where no test passes, it survives untried. What survives is printed, with its line, and in the end how many of
+all; it ends with 1 where more than a twentieth did.
 """
 
 from __future__ import annotations
@@ -39,7 +39,20 @@ import pytest
 from tests.helpers import ROOT
 
 ROOMS = ("drafting", "plans")
-NEAR = ("plans", "drafting", "geometry", "solving", "batch")
+NEAR = (
+    "plans",
+    "drafting",
+    "geometry",
+    "solving",
+    "batch",
+    "scene",
+    "lesson",
+    "render",
+    "accuracy",
+    "diagrams",
+    "course",
+    "cli",
+)
 LIBRARIES = ("numpy", "shapely", "hypothesis", "yaml", "fontTools.ttLib", "flint", "mpmath", "matplotlib.font_manager")
 FIRST = 40  # tests that are tried before the files of all others are read
 LONGER, LEAST_S = 3.0, 30.0  # who takes so many times as long as the tests did, and this beside it, never ends
@@ -181,7 +194,12 @@ class Chosen:
 def tested(where: Iterable[str], *plugins: object) -> int:
     """The fast tests in files or folders of the copy one stands in."""
     how = ["-x", "-q", "--tb=no", "-o", "addopts=", "-p", "no:cacheprovider"]
-    marks = ["-m", "not slow and not long", "-W", "ignore:Module already imported"]  # hypothesis is a plugin too
+    marks = [
+        "-m",
+        "not slow and not long and not needs",
+        "-W",
+        "ignore:Module already imported",
+    ]  # hypothesis is a plugin too
     return int(pytest.main([*how, *marks, *where], [*plugins]))
 
 

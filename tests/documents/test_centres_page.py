@@ -74,7 +74,7 @@ def test_a_centre_that_is_not_to_be_seen_is_told_of(browser: Any, tmp_path: Path
         assert "P30 ⊥q-q" in page.inner_text("#sentence").replace("\n", "")
 
 
-@pytest.mark.few(1, slow=6)
+@pytest.mark.few(0, slow=7)
 @pytest.mark.parametrize("path", SAMPLES, ids=[p.stem for p in SAMPLES])
 def test_every_sample_shows_its_centres_at_every_place(browser: Any, tmp_path: Path, path: Path) -> None:
     with lesson_opened(browser, with_centres(tmp_path, path, "ru")) as page:
