@@ -1,8 +1,10 @@
 """Extremes of curves, refined between the positions of a grid, for many curves at once.
 
 Where a curve's derivative is in the program (a place's is its analogue of velocity, a velocity's its analogue of
-acceleration) the extreme is where that crosses zero; else the bracket is closed in on the value itself, which fixes the
-value to the last digits and the place to about 10⁻⁶ of a degree.
+acceleration) the extreme is where that crosses zero. Where the curve is smooth beside the grid's step, a polynomial
+through the places around tells where (:mod:`planes.diagrams.smooth`), and the program is asked there once; else a
+bracket is closed in on, by the derivative, or on the value itself, which fixes the value to the last digits and the
+place to about 10⁻⁶ of a degree.
 """
 
 from dataclasses import dataclass
@@ -10,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from planes.diagrams.curves import FULL, Curve, Sample
+from planes.diagrams.smooth import flat_places
 from planes.diagrams.turn import Grid, WholeTurn
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
@@ -37,6 +40,7 @@ class Extreme:
 class _Bracket:
     curve: int
     sense: int
+    index: int  # the place of the grid between low and high
     low: float
     high: float
     near: float  # the grid's own value
@@ -67,12 +71,29 @@ def extremes(g: Grid) -> list[list[Extreme]]:
         if varies(y, g.noise(curve)):
             brackets += _brackets(g, k, y)
             found[k] += _edges(g, curve, y, limits)
-    batches = [brackets[start : start + BATCH] for start in range(0, len(brackets), BATCH)]
-    places = np.concatenate([_refined(g.turn, batch) for batch in batches]) if batches else np.empty(0)
-    for bracket, place, value in _joined(g, brackets, places) if batches else ():
+    for bracket, place, value in _inside(g, brackets) if brackets else ():
         again = g.closed and place >= g.places[-1] - 1e-9
         found[bracket.curve].append(Extreme(place - FULL if again else place, value, bracket.sense))
     return [sorted(some, key=lambda e: e.place) for some in found]
+
+
+def _inside(g: Grid, brackets: list[_Bracket]) -> list[tuple[_Bracket, float, float]]:
+    """The extremes in brackets of the grid: those of smooth curves, then the others, and those without digits there."""
+    places = np.full(len(brackets), np.nan)
+    owner = np.array([b.curve for b in brackets])
+    index, sense = np.array([b.index for b in brackets]), np.array([b.sense for b in brackets])
+    for k in np.unique(owner):
+        mine = owner == k
+        places[mine] = flat_places(g, g.turn.curves[k], index[mine], sense[mine])
+    plain = [(b, float(x)) for b, x in zip(brackets, places, strict=True) if np.isfinite(x)]
+    rough = [b for b, x in zip(brackets, places, strict=True) if not np.isfinite(x)]
+    values = _values(g.turn, [b for b, _ in plain], np.array([x for _, x in plain])) if plain else ()
+    told = [(b, x, float(y)) for (b, x), y in zip(plain, values, strict=True) if np.isfinite(y)]
+    rough += [b for (b, _), y in zip(plain, values, strict=True) if not np.isfinite(y)]
+    if not rough:
+        return told
+    batches = [rough[start : start + BATCH] for start in range(0, len(rough), BATCH)]
+    return told + _joined(g, rough, np.concatenate([_refined(g.turn, batch) for batch in batches]))
 
 
 def _joined(g: Grid, brackets: list[_Bracket], places: Array) -> list[tuple[_Bracket, float, float]]:
@@ -122,7 +143,9 @@ def _brackets(g: Grid, k: int, y: Array) -> list[_Bracket]:
     for sense in (1, -1):
         up, down = sense * (here - before) > noise, sense * (here - after) >= -noise
         tops = np.flatnonzero(up & down & (np.abs(here - before) + np.abs(here - after) > 2 * noise))
-        found += [_Bracket(k, sense, x[i], x[i + 2], float(y[i + 1]), g.turn.curves[k].angular) for i in tops]
+        found += [
+            _Bracket(k, sense, int(i) + 1, x[i], x[i + 2], float(y[i + 1]), g.turn.curves[k].angular) for i in tops
+        ]
     return found
 
 

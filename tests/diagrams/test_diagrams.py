@@ -16,7 +16,7 @@ from planes.diagrams.curves import UNIT, WorkingRange, curves_of
 from planes.diagrams.extremes import extremes
 from planes.diagrams.long_run import five_decimals
 from planes.diagrams.motion import dead_points, driven_grid
-from planes.diagrams.summary import Summary, summary
+from planes.diagrams.summary import Summary, of_cycle, summary
 from planes.diagrams.text import as_json, report
 from planes.diagrams.turn import WholeTurn, grid, reach, span_of, turn_of, unwound
 from planes.plans import Plans, plans_of
@@ -390,3 +390,22 @@ def test_the_balancing_moment_does_the_work_of_the_load_over_a_cycle() -> None:
         turn = turn_of(plans_from(text), ["M_1"])
         moment = turn.curves[0].read(turn.sample(phi))
         assert float(moment.sum()) * step == pytest.approx(work, abs=near)
+
+
+def test_extremes_of_smooth_curves_are_where_they_are() -> None:
+    """A slider's acceleration has its extremes at the dead points, of which no derivative is in the program; so has a
+    size that vanishes, which is a corner there."""
+    found = of_cycle(load(str(ROOT / "samples" / "crank-slider.yaml"))).extremes
+    at = [e.place for e in found["a_B_x"] if min(abs(e.place), abs(e.place - 180.0)) < 1.0]
+    assert at == pytest.approx([0.0, 180.0], abs=1e-9)
+    zeros = [e for e in found["a_B"] if e.value < 1e-3]
+    assert len(zeros) == 2 and max(e.value for e in zeros) < 1e-9
+
+
+def test_a_corner_is_an_extreme_where_it_is() -> None:
+    """The moment has a corner at 180° where two loads turn about: it falls to it and rises from it."""
+    (corner,) = [
+        e for e in of_cycle(load(str(ROOT / "samples/assignments/09.yaml"))).extremes["M_1"] if abs(e.place - 180) < 1
+    ]
+    assert corner.sense == -1 and corner.place == pytest.approx(180.0, abs=1e-6)
+    assert corner.value == pytest.approx(2619.936666666, rel=1e-9)

@@ -1,0 +1,81 @@
+"""Where a smooth curve has an extreme: by polynomials through the places of a grid around it.
+
+Central interpolation of equally spaced values (Stirling; Fikhtengolts, vol. II; Abramowitz & Stegun, 25.2). Two
+polynomials are laid, one through two places fewer: where they tell one place, it is told, else nothing is. Whoever has
+the derivative lays them through that.
+"""
+
+from functools import cache
+
+import numpy as np
+
+from planes.diagrams.curves import FULL, Curve
+from planes.diagrams.turn import Grid
+from planes.geometry.arrays import Array, Indices
+
+HALF = 5  # places to each side
+STEPS = 8  # of Newton's method, from the middle
+ALIKE = 1e-9, 1e-7  # of the grid's step: how far the two places may differ, by the derivative, and by the value
+BENT_ALIKE = 1e-3  # how far the two may bend otherwise: a single value that stands out makes it a thirtieth
+AT_PLACE = 1e-10  # of the grid's step: nearer to a place of the grid, it is that place
+
+
+def flat_places(g: Grid, curve: Curve, index: Indices, sense: Indices) -> Array:
+    """The driver's places of extremes (shape of ``index``, the grid's places beside them; ``sense`` +1 of a greatest),
+    in degrees or metres; NaN where the curve is not smooth enough to tell."""
+    rows, step = _around(g, curve, index), g.places[1] - g.places[0]
+    ways = (_root(_polynomials(rows, half, bool(curve.slope))) for half in (HALF - 1, HALF))
+    (coarse, coarse_bend), (fine, bend) = ways
+    with np.errstate(invalid="ignore"):
+        smooth = np.abs(coarse - fine) <= ALIKE[0 if curve.slope else 1]
+        smooth &= (np.abs(coarse_bend - bend) <= BENT_ALIKE * np.abs(bend)) & (sense * bend < 0)
+        fine = np.where(np.abs(fine) < AT_PLACE, 0.0, fine)
+        return np.where(smooth & (np.abs(fine) <= 1.0), g.places[0] + (index + fine) * step, np.nan)
+
+
+def _around(g: Grid, curve: Curve, index: Indices) -> Array:
+    """The curve's slopes, or where there are none its values, at the places around each of these; NaN past an end.
+
+    Of what is never less than nothing the squares: a vector's size has a corner where it nearly vanishes.
+    """
+    count = len(g.places)
+    at = index[:, None] + np.arange(-HALF, HALF + 1)
+    row = np.where(g.works, curve.slope(g.sample) if curve.slope else g.values(curve), np.nan)
+    row = row if curve.slope or np.nanmin(row) < 0 else row * row
+    if not g.closed:
+        return np.where((at >= 0) & (at < count), row[np.clip(at, 0, count - 1)], np.nan)
+    turns, place = np.divmod(at, count - 1)
+    found: Array = row[place]
+    return found if curve.slope or not curve.angular else found + turns * FULL * np.round((row[-1] - row[0]) / FULL)
+
+
+@cache
+def _lagrange(half: int) -> Array:
+    """What each of 2·half + 1 values gives to each coefficient of their polynomial, the highest power first."""
+    nodes = np.arange(-half, half + 1.0)
+    others = [np.delete(nodes, k) for k in range(len(nodes))]
+    return np.array([np.poly(rest) / np.prod(node - rest) for node, rest in zip(nodes, others, strict=True)])
+
+
+def _polynomials(rows: Array, half: int, slopes: bool) -> Array:
+    """The coefficients of the slope, the highest power first, a row for each row of values around."""
+    middle = rows.shape[1] // 2
+    made: Array = rows[:, middle - half : middle + half + 1] @ _lagrange(half)
+    return made if slopes else made[:, :-1] * np.arange(2 * half, 0, -1.0)
+
+
+def _root(slope: Array) -> tuple[Array, Array]:
+    """Where each polynomial crosses zero near the middle, and how steeply."""
+    bend = slope[:, :-1] * np.arange(slope.shape[1] - 1, 0, -1.0)
+    place = np.zeros(len(slope))
+    with np.errstate(all="ignore"):
+        for _ in range(STEPS):
+            place = np.clip(place - _at(slope, place) / _at(bend, place), -1.5, 1.5)
+        return place, _at(bend, place)
+
+
+def _at(polynomial: Array, place: Array) -> Array:
+    value = np.zeros(len(place))
+    for column in polynomial.T:
+        value = value * place + column
+    return value
