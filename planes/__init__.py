@@ -47,7 +47,7 @@ _FROM = {
     "planes.batch.table": ("Table",),
     "planes.words.errors": ("PlanesError",),
     "planes.solving.tables": ("text_of",),  # asked by whatever is printed as tables
-    "planes.documents": ("shown",),  # asked by whatever a notebook shows as a picture
+    "planes.documents.drawn": ("shown",),  # asked by whatever a notebook shows as a picture
     "planes.documents.notebook": ("crank", "in_notebook"),
 }
 _ROOMS = ("check", "lesson")

@@ -135,7 +135,7 @@ def structure(args: Namespace) -> int:
 
 def sheet(args: Namespace) -> int:
     """The sheet of a scene, a sheet of its project, or one view."""
-    from planes.documents import draw_sheet
+    from planes.documents.drawn import draw_sheet
 
     scene = scene_of(args)
     values = values_of(args, scene)

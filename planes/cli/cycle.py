@@ -145,7 +145,7 @@ def _graphical(args: Namespace, scene: Scene) -> int:
     from planes.diagrams.graphical_text import constructed, report
 
     if args.output:
-        from planes.documents import draw_constructions
+        from planes.documents.drawn import draw_constructions
 
         draw_constructions(scene, args.graphical, args.pole, args.output, args.lang)
         return 0

@@ -16,8 +16,8 @@ from planes.course.ledger import fingerprint
 from planes.course.numbers import why
 from planes.course.papers import answers, clearest, given_of, said_of, task
 from planes.course.quiz import Pool, Quiz, QuizGiven, questions
-from planes.documents import picture, view_of
 from planes.documents.check import blank_marks
+from planes.documents.drawn import picture, view_of
 from planes.documents.lesson import note, placed
 from planes.documents.packages import scorm
 from planes.documents.platforms import stem

@@ -34,7 +34,7 @@ def run(scene: Scene, args: Namespace, lang: Lang) -> int:
 
 def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None:
     """The drawing sheet of one position, the gas force on the piston."""
-    from planes.documents import draw_sheet
+    from planes.documents.drawn import draw_sheet
 
     low, high = float(found.motion.phi_deg[0]), float(found.motion.phi_deg[-1])
     if phi is not None and not low <= phi <= high:

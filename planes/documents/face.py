@@ -14,7 +14,8 @@ from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome
 from planes.check.outcome import check as judge
-from planes.documents import animation, picture, view_of
+from planes.documents import animation
+from planes.documents.drawn import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
 from planes.plans.quantities import asked as asked_for

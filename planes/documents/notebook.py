@@ -11,7 +11,7 @@ import numpy as np
 from planes.batch.table import Table
 from planes.check.outcome import Outcome
 from planes.check.report import heads, numbers_of, rows_of
-from planes.documents import picture, shown
+from planes.documents.drawn import picture, shown
 from planes.plans import structure_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene

@@ -45,7 +45,7 @@ def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
     """Draw a chart."""
     width, height = width_mm * MM, shown.height_mm * MM
     with rc_context(STYLE):
-        figure = Figure(figsize=(width / 72, height / 72), dpi=72, layout="constrained")
+        figure = Figure(figsize=(width / 72, height / 72), dpi=72, layout="tight")
         plot = figure.add_subplot()
         for c in shown.curves:
             colour, dashes = LOOKS[c.style % len(LOOKS)]

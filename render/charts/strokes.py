@@ -88,7 +88,7 @@ def pieces_of(
     found: list[Piece] = []
     x = y = 0.0
     for points, code in path.iter_segments(transform or Affine2D(), simplify=False, clip=clip, curves=True):
-        at = tuple(float(v) for v in points)
+        at = tuple(points.tolist())
         if code == Path.CURVE3:
             (cx, cy), (ex, ey) = at[:2], at[2:]
             at = (x + 2 / 3 * (cx - x), y + 2 / 3 * (cy - y), ex + 2 / 3 * (cx - ex), ey + 2 / 3 * (cy - ey), ex, ey)

@@ -25,7 +25,7 @@ from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing, Words
 from planes.check.reading.svg import read_carried, read_svg
 from planes.check.reading.whole_page import enlarged, paper_on
 from planes.cli import main
-from planes.documents import _mechanism_views
+from planes.documents.drawn import _mechanism_views
 from planes.documents.sheets import DrawnPosition
 from planes.drafting.skill import HAND
 from planes.scene import Scene, load

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from planes.documents import draw_sheet
 from planes.documents.constructed import figure_of, tex
+from planes.documents.drawn import draw_sheet
 from planes.scene import load
 from planes.words import langs
 from planes.words.errors import PlanesError

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from planes.documents import SUFFIXES
+from planes.documents.drawn import SUFFIXES
 from planes.scene.files import PART
 from tests.helpers.sheets import sheet
 from tests.house.test_rooms import MODULES, tree

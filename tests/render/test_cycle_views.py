@@ -8,8 +8,8 @@ import pytest
 
 from planes import cycle
 from planes.diagrams.graphical_text import constructed
-from planes.documents import view_of
 from planes.documents.cycle import cycle_page
+from planes.documents.drawn import view_of
 from planes.documents.sheets import sheet_of
 from planes.scene import load
 from planes.words.naming import Naming

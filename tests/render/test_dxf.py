@@ -15,7 +15,7 @@ import pytest
 from PIL import Image
 
 from planes.cli import main
-from planes.documents import draw_sheet
+from planes.documents.drawn import draw_sheet
 from planes.scene import load
 from render.files import pdf
 from render.paper import form1, lettering, symbols

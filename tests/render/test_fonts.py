@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from planes.cli import main
-from planes.documents import view_of
+from planes.documents.drawn import view_of
 from planes.documents.sheets import sheet_of
 from planes.scene import load
 from render.files import pdf, svg

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 import pytest
 import shapely
 
-from planes.documents import view_of
+from planes.documents.drawn import view_of
 from planes.documents.sheets import sheet_of
 from planes.scene import Scene, load, loads
 from planes.words.errors import PlanesError

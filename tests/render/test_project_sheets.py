@@ -12,8 +12,8 @@ import pytest
 import shapely
 
 from planes.diagrams.turn import unwound
-from planes.documents import draw_sheet
 from planes.documents.cycle import known
+from planes.documents.drawn import draw_sheet
 from planes.plans.assur.analysis import analyse
 from planes.scene import load
 from planes.solving import plans_of, solve

@@ -9,7 +9,7 @@ import pytest
 import shapely
 
 from planes.cli import main
-from planes.documents import draw_sheet
+from planes.documents.drawn import draw_sheet
 from planes.documents.sheets import sheet_of
 from planes.scene import load, loads
 from planes.solving import solve

@@ -8,7 +8,7 @@ import pytest
 import shapely
 
 from planes.cli import main
-from planes.documents import picture, view_of
+from planes.documents.drawn import picture, view_of
 from planes.drafting.instruments import Pencil
 from planes.scene import load, loads
 from planes.solving import solve

@@ -15,7 +15,7 @@ import pytest
 import shapely
 
 from planes.cli import main
-from planes.documents import view_of
+from planes.documents.drawn import view_of
 from planes.documents.sheets import sheet_of
 from planes.drafting.steps.reckoning import Drop
 from planes.lesson.data import lesson_data

@@ -9,7 +9,6 @@ from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 
-from planes.documents import ours  # noqa: F401  (before anything of render)
 from planes.documents.sheets import DrawnPosition
 from planes.drafting.program import Program
 from planes.plans import Plans

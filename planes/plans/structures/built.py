@@ -57,6 +57,14 @@ class FrameworkBuilder(StatedLoads):
             self.cremona = self.truss()
         return self.tried(self.plans())
 
+    @property
+    def floats(self) -> bool:
+        """Whether it is a system of loads that nothing holds: its resultant is asked."""
+        f = self.framework
+        forces = bool(f.loads) and all(load.direction_deg is not None for load in f.loads)
+        alone = not (f.supports or f.members) and len(f.bodies) == 1
+        return forces and alone and f.method in (None, "string", "composition")
+
     @cached_property
     def hinges(self) -> dict[str, tuple[str, str]]:
         """The points two bodies share."""
@@ -77,7 +85,7 @@ class FrameworkBuilder(StatedLoads):
             check_truss(f, self.error)
         held = self.held
         needed = 3 * len(f.bodies)
-        if (f.supports and held != needed) or (not f.supports and len(f.bodies) > 1):
+        if held != needed and not self.floats:
             key = "statics_loose" if held < needed else "statics_redundant"
             raise self.error(Phrase(key, held=held, needed=needed, count=abs(held - needed)), "supports")
 

@@ -1,0 +1,110 @@
+"""What is drawn of a scene: it is solved, its sheet or view composed, and the file written."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from planes.check.grading.by_hand import unsure
+from planes.documents import constructed
+from planes.documents.graphs import constructions, views_beside
+from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
+from planes.drafting.drawing import Drawing
+from planes.scene import Scene
+from planes.solving import Position, solve
+from planes.words import Lang, Phrase, home_lang, say
+from planes.words.errors import PlanesError
+from render.files import SUFFIXES, Page
+from render.files.dxf_entities import Lettered
+from render.paper.hues import coloured
+from render.paper.marks import lettered
+from render.paper.outlines import face_of
+from render.sheet.composer import Composer
+from render.sheet.single import Makers, of_mechanism, of_vectors, page, traced
+from render.sheet.sizes import Sizes
+from render.views import stacked
+
+
+def shown(thing: Drawing | Scene | Position) -> str | None:
+    """What a notebook shows: a drawing with the lines it was found by, or a scheme; nothing if it cannot be drawn."""
+    try:
+        page = traced(thing) if isinstance(thing, Drawing) else picture(thing)
+    except PlanesError:
+        return None
+    return page._repr_svg_() if page else None
+
+
+def draw_sheet(
+    scene: Scene,
+    values: Iterable[float] | None,
+    output: str,
+    lang: Lang = "ru",
+    number: int | None = None,
+    view: str | None = None,
+    text: Lettered = "text",
+) -> tuple[str, ...]:
+    """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be.
+
+    Returns a sentence for each thing that must be said of it: what found no room, or cannot be seen or read.
+
+    ``number`` 1 or 2 is that sheet of a course project; without it everything stands on one page. ``view`` is one
+    view alone, without a frame. ``text`` "pieces" writes the indices of a DXF as texts of their own, "strokes" draws
+    its letters by lines.
+    """
+    suffix, others = Path(output).suffix.lower(), constructed.suffixes()
+    if suffix not in (*SUFFIXES, *others):
+        raise PlanesError(Phrase("bad_suffix", file=output, known=(*SUFFIXES, *others)))
+    if suffix in others:
+        if number:
+            raise PlanesError(Phrase("constructed_sheet", file=output, known=SUFFIXES))
+        return constructed.draw_constructed(scene, view, values, output, lang)
+    drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
+    drawn.write(output, text)
+    return (*drawn.warnings, *(_by_hand(scene, values, lang) if view is None and number != 2 else ()))
+
+
+def _by_hand(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:
+    """That rates on the sheet cannot be told for sure from a drawing by hand, as a check of one would say."""
+    for position in solve(scene, values, lang=lang).positions if scene.mechanism else ():
+        if names := ", ".join(unsure(position)):
+            yield say("unsure_by_hand", lang, names=names)
+
+
+def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, output: str, lang: Lang) -> None:
+    """Draw both graphical constructions of a scene, one beneath the other, into a file."""
+    composer = Composer(scene, lang)
+    with lettered(face_of(scene)):
+        both = stacked("graphical", constructions(scene, composer, sections, pole_mm), 20.0)
+        page({both.key: lambda: both}, both.key, composer).write(output)
+
+
+def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
+    """One view (the scheme, unless another is named) of a scene, or of a position solved before, for a notebook.
+
+    A position is drawn as it is, by whatever instrument; what a scene says of its sheet is not known then.
+    """
+    lang = lang or home_lang()
+    if isinstance(drawn, Scene):
+        return view_of(drawn, view, None, lang)
+    scene = Scene(mechanism=drawn.plans.mechanism, mu=drawn.scales)
+    composer = Composer(scene, lang, drawn.plans)
+    return page(_mechanism_views(scene, drawn, composer), view, composer)
+
+
+def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
+    """One view of a scene on a page of its own, by name (the first, if none is named)."""
+    shown = _view_of(scene, view, values, lang)
+    return replace(shown, marks=coloured(shown.marks)) if scene.sheet.get("colour") else shown
+
+
+def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
+    with lettered(face_of(scene)):
+        drawn = DrawnPosition(replace(scene, find=None), values, lang)
+        composer = Composer(scene, lang, drawn.stated[0])
+        return page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
+
+
+def _mechanism_views(scene: Scene, drawn: Position, composer: Composer) -> Makers:
+    if not drawn.plans.moves:
+        return of_vectors(drawn, composer)
+    more = views_beside(scene, drawn, composer)
+    return of_mechanism(drawn, composer, lambda: turned_once(scene, drawn.plans, composer, True), more)
