@@ -8,6 +8,7 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import TightLayoutEngine
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 
 from planes.scene import files
@@ -45,7 +46,7 @@ def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
     """Draw a chart."""
     width, height = width_mm * MM, shown.height_mm * MM
     with rc_context(STYLE):
-        figure = Figure(figsize=(width / 72, height / 72), dpi=72, layout="tight")
+        figure = Figure(figsize=(width / 72, height / 72), dpi=72, layout=TightLayoutEngine(pad=0.4))
         plot = figure.add_subplot()
         for c in shown.curves:
             colour, dashes = LOOKS[c.style % len(LOOKS)]
