@@ -22,6 +22,7 @@ from planes.words.frozen import frozen
 Kind = Literal["end", "change", "infinite"]
 FINE = Digits(50)
 HALVINGS, NARROWINGS = 170, 180
+NEARER = 1000  # times: what is tried beside a place that is told
 BLUNT = 0.3  # openness of a place worth a closer look
 ROUGH, NONE = 1e-4, 1e-18  # openness that a closer look must find, and of a place that is no place any more
 FAR = 1e4  # reaches: a point so far off is on its way to infinity
@@ -173,12 +174,24 @@ def _between(way: MovedGiven, values: Array, works: Booleans, low: int, high: in
 
 
 def _edge(way: MovedGiven, good: float, bad: float) -> Limit:
-    """Halved until 50 digits tell no more."""
+    """Closed in on until 50 digits tell no more. What is open there is so by the root of the distance, by itself, or by
+    its square: a line through two positions that work tells where it ends, tried a little to either side of it, then
+    the middle."""
     step = abs(bad - good)
     one, two = (FINE.tool(False).given(x) for x in (good, bad))
-    for _ in range(HALVINGS):
-        middle = (one + two) / 2
-        one, two = (middle, two) if way.fine(middle) else (one, middle)
+    end, powers, (past, past_open), one_open = abs(two - one) / 2**HALVINGS, [2, 1, 0.5], (two, 0), way.fine(one)
+    while (wide := abs(two - one)) > end and (one + two) / 2 not in (one, two):
+        opening, before = one_open ** powers[0], past_open ** powers[0]
+        told = one - opening * (one - past) / (opening - before) if opening != before else one
+        for place in (told + (one - told) / NEARER, told + (two - told) / NEARER, (one + two) / 2):
+            if not min(one, two) < place < max(one, two):
+                continue
+            if is_open := way.fine(place):
+                past, past_open, one, one_open = one, one_open, place, is_open
+            else:
+                two = place
+        if abs(two - one) > wide / 8:
+            powers.append(powers.pop(0))
     side = 1 if good > bad else -1
     return Limit(way, one, side, _single(way, one, step) if way.fine(one - side * BESIDE * step) else "end")
 
