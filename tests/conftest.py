@@ -23,6 +23,8 @@ if sys.dont_write_bytecode:  # else each worker, and each command a test starts,
     COMPILED = Path(__file__).parents[1] / ".pytest_cache" / "compiled"
     sys.pycache_prefix = os.environ["PYTHONPYCACHEPREFIX"] = str(COMPILED)
 
+os.environ.setdefault("PLANES_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "code"))
+
 settings.register_profile(
     "planes", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]
 )

@@ -1,4 +1,4 @@
-"""A program as one compiled loop over positions (the extra ``planes[fast]``): made from a tape, kept in memory.
+"""A program as one compiled loop over positions (the extra ``planes[fast]``): made from a tape.
 
 The compiler is the one inside numba, spoken to directly: a tape has no types to guess and no branches to follow.
 """
@@ -6,10 +6,14 @@ The compiler is the one inside numba, spoken to directly: a tape has no types to
 import ctypes
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, cached_property
+from hashlib import sha256
 from importlib.util import find_spec
+from typing import Any
 
 import numpy as np
 
+from planes import __version__
+from planes.batch import kept_code
 from planes.batch.llvm_ir import EXTRA, module, row_of
 from planes.batch.loops import Loop
 from planes.batch.tracing import Trace
@@ -85,24 +89,38 @@ _CALL = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 4, ctypes.c_int64,
 
 @cache
 def _compiled(text: str) -> Callable[..., int]:
-    """The compiled loop; compiled once for each structure."""
+    """The compiled loop; compiled once for each structure, compiler and processor."""
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     target = llvm.Target.from_default_triple()
-    features = llvm.get_host_cpu_features().flatten()
-    machine = target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, opt=3)
+    processor, features = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
+    machine = target.create_target_machine(cpu=processor, features=features, opt=3)
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
+    told = (text, processor, features, target.triple, ".".join(map(str, llvm.llvm_version_info)), __version__)
+    name = sha256("\0".join(told).encode()).hexdigest()
+    code = kept_code.kept(name)
+    if code is None:
+        kept_code.keep(name, code := _made(text, machine))
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    _ENGINES.append(engine)
+    return _CALL(engine.get_function_address("run"))
+
+
+def _made(text: str, machine: Any) -> bytes:
+    """The object file of a text."""
+    import llvmlite.binding as llvm
+
     parsed = llvm.parse_assembly(text)
     parsed.verify()
     options = llvm.create_pipeline_tuning_options(speed_level=3)
     options.loop_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(parsed, builder)
-    engine = llvm.create_mcjit_compiler(parsed, machine)
-    engine.finalize_object()
-    _ENGINES.append(engine)
-    return _CALL(engine.get_function_address("run"))
+    made: bytes = machine.emit_object(parsed)
+    return made
 
 
 _ENGINES: list[object] = []  # kept alive: their code runs

@@ -1,0 +1,49 @@
+"""Machine code kept between processes: a loop's object file, by its text, the compiler and the processor.
+
+It lies in the user's cache (``PLANES_CACHE`` names another folder; ``off``, none), the last used ``MOST`` files of it.
+A file that cannot be written, or is not whole, is compiled anew and nothing is said.
+"""
+
+import os
+import sys
+from contextlib import suppress
+from hashlib import sha256
+from pathlib import Path
+
+MOST = 200  # files; a loop of a six-link is 40 kB
+_DIGEST = sha256().digest_size
+
+
+def folder() -> Path | None:
+    """Where code is kept."""
+    if told := os.environ.get("PLANES_CACHE"):
+        return None if told == "off" else Path(told)
+    homes = {"win32": os.environ.get("LOCALAPPDATA"), "darwin": "~/Library/Caches"}
+    home = homes.get(sys.platform) or os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    return Path(home).expanduser() / "planes" / "code"
+
+
+def kept(name: str) -> bytes | None:
+    """The object file of a name, if it is there and whole."""
+    where = folder()
+    with suppress(OSError):
+        if where:
+            file = where / name
+            data = file.read_bytes()
+            os.utime(file)
+            code = data[_DIGEST:]
+            return code if sha256(code).digest() == data[:_DIGEST] else None
+    return None
+
+
+def keep(name: str, code: bytes) -> None:
+    """Keep an object file; the longest unused ones go."""
+    where = folder()
+    with suppress(OSError):
+        if where:
+            where.mkdir(parents=True, exist_ok=True)
+            part = where / f"{name}.{os.getpid()}.part"
+            part.write_bytes(sha256(code).digest() + code)
+            part.replace(where / name)
+            for old in sorted(where.iterdir(), key=lambda f: f.stat().st_mtime)[:-MOST]:
+                old.unlink(missing_ok=True)
