@@ -10,7 +10,7 @@ from pathlib import Path
 import pypdfium2
 import pytest
 
-from planes import documents as roof
+from planes.documents import drawn as roof
 from planes.cli import main
 from tests.helpers import ROOT
 from tests.helpers.crank_slider_scenes import SAMPLE, changed, two_stroke
