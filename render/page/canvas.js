@@ -11,6 +11,7 @@ const DRAGGED = ["link", "guide"]; // what goes from where a hand is put down to
 
 export const canvas = {
   sketch: /** @type {Sketch} */ (structuredClone(NOTHING)), view: viewOf([-0.3, -0.2, 0.3, 0.2], 600, 400, 40),
+  size: [0, 0],
   tool: "move", chosen: "", from: /** @type {any} */ (null), to: /** @type {any} */ (null), hands: 0,
   changed: /** @type {(what: string, more?: any) => void} */ (() => {}), under: /** @type {any} */ (null),
 };
@@ -20,6 +21,17 @@ export function fit() { // all of it in view, with room to draw
   const { width, height } = node().getBoundingClientRect();
   const [x0, y0, x1, y1] = boxOf(canvas.sketch), more = 0.15 * Math.max(x1 - x0, y1 - y0, 0.1);
   canvas.view = viewOf([x0 - more, y0 - more, x1 + more, y1 + more], width || 600, height || 400, 20);
+  canvas.size = [width, height];
+  paint();
+}
+/** A sentence beside the canvas takes of its room: nothing that is drawn moves against the middle, if all still fits. */
+function resized() {
+  const { width, height } = node().getBoundingClientRect(), { view, size: [w, h] } = canvas;
+  const [mx, my] = view.m([w / 2, h / 2]), [dx, dy] = [width / 2 / view.k, height / 2 / view.k];
+  const [x0, y0, x1, y1] = boxOf(canvas.sketch);
+  if (!w || !width || x0 < mx - dx || x1 > mx + dx || y0 < my - dy || y1 > my + dy) { fit(); return; }
+  canvas.view = viewOf([mx - dx, my - dy, mx + dx, my + dy], width, height, 0);
+  canvas.size = [width, height];
   paint();
 }
 /** @type {(sketch: Sketch | null) => void} */
@@ -262,5 +274,5 @@ export function listen() {
     }
     paint();
   });
-  new ResizeObserver(() => { if (!canvas.from) fit(); }).observe(at); // a sentence beneath it takes of its room
+  new ResizeObserver(() => { if (!canvas.from) resized(); }).observe(at);
 }
