@@ -64,7 +64,7 @@ class Comparison:
 
     def drawn(self, value: Real, instrument: Instrument | None = None, k: int = 0) -> Drawing:
         """One position drawn by itself; ``k`` is its place among those of ``known``."""
-        beside = {name: float(v[k]) for name, v in self.cycle.moved.items()}
+        beside = {name: v[k].item() for name, v in self.cycle.moved.items()}
         return run(self.cycle.program, {**self.cycle.given, **beside, self.plans.drive_given: value}, instrument)
 
     def scalar(self, values: Array, instrument: Instrument | None = None) -> Array:
@@ -111,7 +111,7 @@ class Comparison:
         order, rows = trace.tape.needed(list(trace.outputs)), []
         for i in range(0, len(values), CHUNK):
             part = values[i : i + CHUNK]
-            given = {**given_values(self.cycle.given), **self.cycle.moving(part, slice(i, i + len(part)))}
+            given = given_values({**self.cycle.given, **self.cycle.moving(part, slice(i, i + len(part)))})
             found = read(trace.tape, order, given, np.float32)
             rows.append(np.array([np.broadcast_to(found[o], part.shape) for o in trace.outputs]))
         return np.hstack(rows)

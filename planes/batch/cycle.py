@@ -73,7 +73,7 @@ class Cycle(Ready):
         for name in self.known - {*self.given}:
             raise ProgramError(Phrase("no_given", name=name, valid=choices(name, self.given)))
         self.given |= known or {}
-        self.moved = {name: np.asarray(v, float) for name, v in (known or {}).items() if np.ndim(v)}
+        self.moved = {name: np.asarray(v) for name, v in (known or {}).items() if np.ndim(v)}
         self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
         self.overrides, self.others = known, OtherLeads(self)
 
@@ -149,7 +149,7 @@ class Cycle(Ready):
         return self._loop(ArrayLoop)
 
     def _loop(self, kind: type[AnyLoop]) -> AnyLoop:
-        return kind(self.trace, (self.plans.drive_given, *self.moved), given_values(self.given))
+        return kind(self.trace, (self.plans.drive_given, *given_values(self.moved)), given_values(self.given))
 
     def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
         """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
@@ -201,7 +201,7 @@ class Cycle(Ready):
     ) -> tuple[Array, Indices | None]:
         """The table by a loop, and the codes (None: nothing failed); what it only suspects is drawn."""
         moving = {self.plans.drive_given: part} if self._alone else self.moving(part, at)
-        table, codes = loop([np.asarray(moving[name]) for name in loop.inputs], out)
+        table, codes = loop([np.asarray(x) for x in map(given_values(moving).__getitem__, loop.inputs)], out)
         if codes is None or not (suspect := np.isin(codes, self._undecided)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}

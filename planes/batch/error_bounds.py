@@ -179,7 +179,7 @@ class Margins:
         pieces = [np.empty((len(self.cycle.columns), 0))]
         for i in range(0, len(values), PIECE):
             part = values[i : i + PIECE]
-            given = {**given_values(self.cycle.given), **self.cycle.moving(part, at[i : i + PIECE])}
+            given = given_values({**self.cycle.given, **self.cycle.moving(part, at[i : i + PIECE])})
             with np.errstate(all="ignore"):
                 pieces.append(self.margins(read(self.drawn.tape, self.order, given), len(part)))
         return np.hstack(pieces)

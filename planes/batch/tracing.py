@@ -211,7 +211,7 @@ def trace(
 
 def given_on(tape: Tape, name: str, value: Point) -> Point:
     """A given number or place on a tape, by its name."""
-    if isinstance(value, complex):
+    if _is_place(value):
         return Vec(Num(tape, tape.leaf("given", name + ".x")), Num(tape, tape.leaf("given", name + ".y")))
     return Num(tape, tape.leaf("given", name))
 
@@ -220,8 +220,13 @@ def given_values(given: Mapping[str, Point]) -> dict[str, Floats]:
     """The givens of a tape by their names on it."""
     flat: dict[str, Floats] = {}
     for name, value in given.items():
-        if isinstance(value, complex):
+        if _is_place(value):
             flat[name + ".x"], flat[name + ".y"] = value.real, value.imag
         else:
             flat[name] = value
     return flat
+
+
+def _is_place(value: object) -> bool:
+    """Whether it has two coordinates: of one position, or of many in an array."""
+    return isinstance(value, complex) or getattr(getattr(value, "dtype", None), "kind", "") == "c"

@@ -65,7 +65,7 @@ def draw(
         if way is None:
             plots[0].set_title(say("chart_no_limit" if turn is None else "chart_speed", lang), fontsize=10)
         else:
-            _stability(plots[1], way, axis, names, lang)
+            draw_approach(plots[1], way, axis, names, lang)
         if turn:
             draw_turning(plots[-1], *turn, lang)
         save(figure, path)
@@ -161,7 +161,8 @@ def conclusion_of_stability(way: Approach, lang: Lang) -> str:
     return say(key, lang, near=power_of_ten(min(kept, default=max(way.distances))))
 
 
-def _stability(plot: Axes, way: Approach, axis: str, names: Mapping[str, str], lang: Lang) -> None:
+def draw_approach(plot: Axes, way: Approach, axis: str, names: Mapping[str, str], lang: Lang) -> None:
+    """Errors of every method on the way to a limit, the claimed one as a band."""
     plot.set(xscale="log", yscale="log", xlabel=axis, ylabel=say("chart_at", lang))
     plot.set_title(say(f"chart_{way.limit.kind}", lang), fontsize=10)
     d = way.distances

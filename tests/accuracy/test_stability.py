@@ -10,6 +10,7 @@ import pytest
 from planes.accuracy.comparison import Comparison
 from planes.accuracy.limits import find
 from planes.accuracy.stability import Approach, approach
+from planes.accuracy.variation import altered, changed
 from planes.batch import compiled
 from planes.plans import Plans, plans_of
 from planes.scene import load, loads
@@ -107,3 +108,18 @@ def test_no_other_tool_is_better_anywhere(name: str, tool: str) -> None:
     found = next(errors for key, errors in way(name).errors.items() if tool in key)
     told = np.isfinite(found)
     assert told.sum() > 3 and (found[told] >= ours(name)[told]).all()
+
+
+def test_lengths_that_vary_bring_their_own_complex_numbers_along() -> None:
+    """A group of class III is begun from numbers of its lengths that have two parts: rows of many lengths keep both."""
+    plans = plans_of(load(str(ROOT / "samples/class-three/mixtures/rr-pr-rp.yaml")).mechanism)
+    variants = [altered(plans, "l_OA", 0.08 * (1 + 0.01 * k)) for k in range(3)]
+    names = changed(plans, variants[-1])
+    known = {name: np.array([x.given[name] for x in variants]) for name in names}
+    assert any(np.iscomplexobj(v) for v in known.values())
+    bench, drive = Comparison(plans, known, variants), np.full(3, 30.0)
+    together = bench.many(drive, False)
+    for k, x in enumerate(variants):
+        alone = Comparison(x).many(drive[:1], False)[:, 0]
+        assert together[:, k] == pytest.approx(alone, rel=1e-12, abs=1e-12)
+        assert bench.scalar(drive)[:, k] == pytest.approx(alone, rel=1e-11, abs=1e-12)

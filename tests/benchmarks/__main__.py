@@ -28,6 +28,7 @@ from conftest import ROOT, SCENES, angles, plans
 
 from planes.accuracy.methods import machine
 from planes.batch.cycle import Cycle
+from tests.benchmarks.pages import put
 
 COUNTS = (360, 10_000, 1_000_000)
 ROUNDS, POSITIONS = 15, 300_000  # of a count; gone through a round, at the least
@@ -156,14 +157,6 @@ def near_the_limit(lang: str) -> str:
         cells = (f"{float(row[k]):.0e}" if row[k] and float(row[k]) < 1 else "–" for row in kept.values())
         lines.append(f"| {SHOWN[head[k]][lang == 'ru']} | {' | '.join(cells)} |")
     return "\n".join(lines)
-
-
-def put(page: str, name: str, text: str) -> None:
-    """A text into a page, between its marks."""
-    path = ROOT / "docs" / page
-    begin, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
-    before, rest = path.read_text("utf-8").split(begin)
-    path.write_text(f"{before}{begin}\n\n{text}\n\n{end}{rest.split(end)[1]}", "utf-8")
 
 
 if __name__ == "__main__":

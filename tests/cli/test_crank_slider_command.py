@@ -10,8 +10,8 @@ from pathlib import Path
 import pypdfium2
 import pytest
 
-from planes.documents import drawn as roof
 from planes.cli import main
+from planes.documents import drawn as roof
 from tests.helpers import ROOT
 from tests.helpers.crank_slider_scenes import SAMPLE, changed, two_stroke
 
