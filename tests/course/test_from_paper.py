@@ -36,6 +36,7 @@ TEMPLATES = [f for f in sorted((ROOT / "planes" / "templates").glob("*.yaml")) i
 SAMPLES = [f for f in sorted((ROOT / "samples").rglob("*.yaml")) if "links:" in f.read_text("utf-8")]
 VECTORS = [ROOT / "planes/templates/vectors.yaml", *sorted((ROOT / "samples" / "vectors").glob("*.yaml"))]
 FAST = [f for f in SAMPLES if f.stem in ("03", "12", "40", "carriage") or f.parts[-2:] == ("class-three", "guide.yaml")]
+LAWFUL = [f for f in [*SAMPLES, *TEMPLATES] if re.search("working:|table:", f.read_text("utf-8"))]
 PRINTED, DRAWN = 1e-4, 1e-5  # of a value: what a key prints of it; of the largest of its unit: nothing on a plan
 
 
@@ -95,6 +96,37 @@ def test_every_task_is_solved_from_its_paper(path: Path) -> None:
     for lang in langs("course")[SAMPLES.index(path) % 2 :: 2]:
         one = desk(path.read_text("utf-8"), lang)
         same(one.scene, words(one.task()), lang)
+
+
+LAWS = {
+    "strokes": "{working: 1000, idle: 150}",
+    "expression": "1000 + 250*cos(2*phi) - 3*phi",
+    "power": "40*(s_5/0.1)**2 + 20",
+    "table": "{over: phi, table: [[0, 100], [90, 900], [200, 300.5], [360, 100]]}",
+    "working table": "{working: {over: s_5, table: [[-1, 500], [1, 900]]}, idle: 100}",
+}
+
+
+@pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
+def test_a_law_is_told_whole(law: str) -> None:
+    """The answers are those of the law as it is told, in the task's position and in others."""
+    text = (ROOT / "planes/templates/six-link.yaml").read_text("utf-8")
+    changed, count = re.subn(r"force: 1000\b", f"force: {law}", text)
+    assert count == 1
+    one = desk(changed, "en")
+    told = words(one.task())
+    same(one.scene, told, "en")
+    rewritten, missed = rebuilt(one.scene, told, naming_of(one.scene, solve(one.scene).positions[0], "en"))
+    assert rewritten.mechanism and one.scene.mechanism and not [name for name in missed if "law" in name]
+    for angle in (20.0, 130.0, 250.0):
+        (true,), (again,) = (solve(scene, [angle]).positions for scene in (one.scene, rewritten))
+        assert again.value("M_1") == pytest.approx(true.value("M_1"), rel=1e-4)
+
+
+@pytest.mark.parametrize("path", LAWFUL, ids=lambda f: f.stem)
+def test_samples_with_laws_are_solved_from_their_english_tasks(path: Path) -> None:
+    one = desk(path.read_text("utf-8"), "en")
+    same(one.scene, words(one.task()), "en")
 
 
 def test_a_task_says_nothing_that_is_not_asked_for() -> None:

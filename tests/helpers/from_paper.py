@@ -16,7 +16,7 @@ from functools import cached_property
 
 from planes.plans.force.loads import load_names
 from planes.scene import Scene
-from planes.scene.mechanism import Drive, Guide, Journal, Link, Load, Mechanism, RoundGuide
+from planes.scene.mechanism import Amount, Drive, Guide, Journal, Link, Load, LoadLaw, Mechanism, RoundGuide, StrokeLoad
 from planes.scene.vectors import Statement
 from planes.words.lettering import greek
 from planes.words.naming import Naming
@@ -53,10 +53,49 @@ class Paper:
         found = re.search(rf"(?<!\w){plain} (?:has|имеет|має|мае) .{{0,40}}? (-?\d+(?:\.\d+)?)°", self.text)
         return float(found[1]) if found else 0.0
 
+    def law(self, name: str, shape: Amount | StrokeLoad) -> Amount | StrokeLoad:
+        """The law a load of that name is told by (in English); a law of another kind than ``shape`` is none."""
+        plain = " ?".join(map(re.escape, re.sub(r"[\s_^{}]", "", name.translate(_SIGNS))))
+        found = re.search(rf"law: {plain} ?= (.*?)\.(?= ?[A-Z∠]|$| The | Centres )", self.text)
+        if found is None:
+            self.missed.append(f"law of {name}")
+            return 0.0
+        return read_law(found[1])
+
     def place(self, name: str) -> complex:
         """Coordinates."""
         both = self.of(f"x{name} = y{name}")
         return complex(both, both) if both is not None else complex(self.number(f"x{name}"), self.number(f"y{name}"))
+
+
+def read_law(told: str) -> Amount | StrokeLoad:
+    """A law by its words."""
+    strokes = re.fullmatch(
+        r"(.*) in the working stroke \(link (\S+) goes (\w+) along its guide\)\. (.*) in the idle one", told
+    )
+    if strokes:
+        working, slider, way, idle = strokes.groups()
+        stroke = {"forwards": "ahead", "backwards": "behind"}[way]
+        return StrokeLoad(read_amount(working), read_amount(idle), slider, stroke)  # type: ignore[arg-type]
+    return read_amount(told)
+
+
+def read_amount(told: str) -> Amount:
+    """A number, an expression, or a table over one."""
+    if table := re.fullmatch(r"table over (.*) \((.*→.*)\)", told):
+        pairs = [pair.split("→") for pair in table[2].split(";")]
+        return LoadLaw(read_expression(table[1]), tuple((float(x), float(y)) for x, y in pairs))
+    try:
+        return float(told)
+    except ValueError:
+        return LoadLaw(read_expression(told))
+
+
+def read_expression(told: str) -> str:
+    """An expression as a scene has it."""
+    text = re.sub(r"φ ?1", "phi", told).replace("·", "*").replace("^", "**").replace("π", "pi")
+    text = re.sub("[²³⁴]", lambda m: "**" + str("²³⁴".index(m[0]) + 2), text)
+    return re.sub(r"\b([a-z]) ?(\d+)\b", r"\1_\2", text).replace(";", ",")
 
 
 class Rebuilt:
@@ -145,10 +184,12 @@ class Rebuilt:
         return replace(drive, position=position, velocity=velocity, acceleration=acceleration)
 
     def load(self, name: str, load: Load) -> Load:
-        """A law is told as a sentence, and stays what it is."""
+        """A law is told as a sentence; where it is not an English one, it stays what it is."""
         sign, value, angle = self.naming.vector(name), load.value, load.direction_deg
         if isinstance(value, float | int):
             value = self.paper.number(sign)
+        elif self.naming.lang == "en":
+            value = self.paper.law(sign, value)
         if isinstance(angle, float | int):
             of = f"({self.naming.link(load.direction_link)})" if load.direction_link else ""
             angle = self.paper.number(f"∠{sign}{of}")
