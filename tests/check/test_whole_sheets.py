@@ -136,14 +136,10 @@ def test_what_stands_about_a_spoiled_plan_leads_nobody_astray(
 
 
 WHOLE = [(s, n) for s in (*SCENES, *ASSIGNMENTS) for n in (None, 1, 2)]
-CROSSED = pytest.mark.xfail(reason="forces there and back, named nearer to each other's vectors", strict=True)
-CROSSED_ON = (("assignments/02", 2), ("assignments/22", 2))
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(
-    ("sample", "number"), [pytest.param(*w, marks=[CROSSED] if w in CROSSED_ON else []) for w in WHOLE]
-)
+@pytest.mark.parametrize(("sample", "number"), WHOLE)
 def test_every_plan_of_every_sheet_is_right(sample: str, number: int | None, tmp_path: Path) -> None:
     whole = sheet_of(drawn(sample)[0], None, number=number)
     for plan in shown(sample, number):
