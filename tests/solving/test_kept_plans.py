@@ -38,6 +38,11 @@ def drawn(path: Path) -> dict[str, Any]:
         things = {name: place(thing) for name, thing in lesson.drawing.things.items()}
         out["things"] = {name: z for name, z in sorted(things.items()) if z is not None}
         frames = [(f.key, f.plan, f.chapter, f.makes, f.uses, str(f.terms), str(f.rows)) for f in lesson.frames]
+        program = lesson.plans.program
+        reads = [(type(s).__name__, s.makes, sorted(map(str, s.reads()))) for s in program.steps]
+        proofs = sorted(f"{type(p).__name__} {p.reason} {p.plan} {sorted(p.reads)}" for p in program.proofs)
+        stated = [str(x) for x in (*lesson.plans.segments, *lesson.plans.equations, *lesson.plans.moments)]
+        out["program"] = hashlib.sha256(json.dumps([reads, proofs, stated]).encode()).hexdigest()[:16]
         out["frames"] = hashlib.sha256(json.dumps(frames).encode()).hexdigest()[:16]
     except PlanesError as error:
         out["lesson"] = str(error)
