@@ -91,7 +91,8 @@ def vectors_named(
     words = [(spelt.find(w.text), w) for w in sketch.words]
 
     def word(name: str, stroke: Stroke) -> float:
-        far = min((w.beside(stroke) for n, w in words if n == name), default=0.0)
+        own = [w for n, w in words if n == name]
+        far = min((w.beside(stroke) for w in own if w.runs(stroke, sketch.words)), default=math.inf if own else 0.0)
         return far if far <= FARTHEST_MM else math.inf
 
     free = [s for s in (*sketch.strokes, *sketch.short) if not arrows or abs(s[1] - s[0]) < 2 * REACH_MM]
@@ -113,7 +114,8 @@ def vectors_named(
             undrawn.add(name)  # an inner reaction need not be drawn
     known = [*sides.values(), *beside]
     over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows or free for t in [_like(s, known)])
-    over = over or any(_upon(rows[one], rows[two]) for one, two in combinations(rows, 2))
+    numbered = {n for n, w in words if n and w.ends}  # which way they go is told
+    over = over or any(_upon(rows[one], rows[two]) for one, two in combinations(rows, 2) if not {one, two} & numbered)
 
     def nearer(one: str, two: str) -> float:
         third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room

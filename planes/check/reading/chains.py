@@ -116,7 +116,7 @@ def beside(words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], known: N
             continue
         for edge in edges:
             for end, (a, b) in ((edge.end, edge.drawn), (edge.start, edge.drawn[::-1])):
-                if (far := word.beside((a, b))) <= NEAR_MM:
+                if (far := word.beside((a, b))) <= NEAR_MM and word.runs((a, b), words):
                     middle = abs((a + b) / 2 - word.place) / max(abs(b - a), 5.0)
                     upon = any(_there_and_back(nodes, edge, e) for e in edges)
                     cost = far + 2 * min(middle, 1.0) - upon * TIP * ahead_of(word, (a, b))

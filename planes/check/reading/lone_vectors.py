@@ -82,7 +82,7 @@ def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, k
         near = {n: NO_WORD if n not in written else FAR_WORD for n in known}
         for name, word in words:
             far = word.beside((a, b)) * (LED if word.led else 1)
-            if name in near and far <= NEAR_MM:
+            if name in near and far <= NEAR_MM and word.runs((a, b), sketch.words):
                 near[name] = min(near[name], far)
         fits = (n for n, t in known.items() if abs(b - a) >= HEADLESS_MM or abs(t) < HEADLESS_MM)  # or has no head
         row = {n: near[n] + (NAMED if n in written else UNLIKE) * _unlike(b - a, known[n]) for n in fits}

@@ -25,6 +25,7 @@ CROSSINGS = 400  # of more strokes than this crossings are not looked for
 MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
 HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for that to tell the vectors from the rest
 STRAIGHT = 0.005  # radians, by which a polyline that goes straight on may turn at a vertex
+_ENDS = re.compile(r"\((\d+)–(\d+)\)")
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
@@ -47,11 +48,29 @@ class Words:
     width: float = 0.0
     along: complex = 1 + 0j
     led: bool = False  # whether a line with a dot leads from it there
+    ends: tuple[str, str] | None = None  # the numbers between which the vectors of its names run
 
     def listed(self) -> list[Words]:
-        """One for each name where several are written in a row: p, a, d, or F = R; with numbers of ends, G (1–2)."""
-        named = re.split(r"[,=]|\(\d+–\d+\)", self.text) if len(self.text) <= LONGEST_LIST else []
-        return [replace(self, text=t.strip()) for t in named if t.strip()] or [self]
+        """One for each name where several are written in a row: p, a, d, or F = R; with numbers of ends, G (1–2); of
+        F = −R the second goes the other way."""
+        if len(self.text) > LONGEST_LIST:
+            return [self]
+        ends = (found[1], found[2]) if (found := _ENDS.search(self.text)) else None
+        names = [t.strip() for t in re.split("[,=]", _ENDS.sub("", self.text)) if t.strip()]
+        ways = ((t.lstrip("−"), ends and (ends[::-1] if t[0] == "−" else ends)) for t in names)
+        return [replace(self, text=t, ends=way) for t, way in ways] or [self]
+
+    def runs(self, stroke: Stroke, words: Iterable[Words]) -> bool:
+        """Whether a vector may run as the numbers at its ends say; it may where there are none."""
+        if not self.ends:
+            return True
+        at = {w.text: w for w in sorted(words, key=lambda w: -w.beside(stroke)) if w.text in self.ends}
+        if len(at) < len({*self.ends}):
+            return True
+        ahead, back = (
+            sum(at[n].distance(z) for n, z in zip(self.ends, way, strict=True)) for way in (stroke, stroke[::-1])
+        )
+        return ahead <= back
 
     @property
     def middle(self) -> complex:
