@@ -4,15 +4,17 @@ import json
 import re
 from argparse import Namespace
 from dataclasses import replace
-from itertools import chain
 
+from planes.check.grading.figures import figure
 from planes.check.grading.paper import Known, read_table
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare
 from planes.check.handed_in import read_paper
 from planes.check.outcome import STATUS, Outcome
 from planes.check.outcome import check as judge
 from planes.check.report import as_json, chance_told, heads, numbers_of, rows_of
+from planes.course.numbers import answers_of
 from planes.drafting.skill import HAND, cad
+from planes.plans.quantities import catalogue
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving.text_tables import table
@@ -55,16 +57,22 @@ def known_of(args: Namespace) -> Known:
     return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format, page)
 
 
-def judge_results(args: Namespace, scene: Scene, value: float | None) -> Outcome | None:
-    """What is said of a table of results alone, which needs no plan: if they are wrong, by the plan whose mistake
-    explains them; None of any other table."""
-    paper = read_table(args.drawing)
+def judge_table(args: Namespace, scene: Scene, value: float | None) -> Outcome | None:
+    """What is said of a table of results alone, which needs no plan; None of any other table."""
+    plan = args.plan or known_plans(scene_plans(scene))[0]
+    asked, paper = ask(args, scene, plan, value, mu_asked(args, plan)), read_table(args.drawing)
     if not paper.results or paper.spots or paper.segments:
         return None
-    plans = known_plans(scene_plans(scene))
-    found = (judge(ask(args, scene, plan, value, mu_asked(args, plan)), paper) for plan in plans)
-    first = next(found)
-    return first if first.verdict != "wrong" else next((one for one in chain([first], found) if one.mistake), first)
+    return judge(replace(asked, answers=_answers(scene, value, args.plan)), paper)
+
+
+def _answers(scene: Scene, value: float | None, plan: str | None) -> tuple[str, ...]:
+    """The results a whole work has, or those of one plan; what the scene asks for is known without."""
+    if scene.find:
+        return ()
+    known = catalogue(scene_plans(scene))
+    main = ((name, known.get(name)) for name in answers_of(scene, value))
+    return tuple(name for name, q in main if plan is None or (q and figure(name, q, 0.0).plan == plan))
 
 
 def place(text: str, option: str) -> tuple[str, complex]:

@@ -135,6 +135,12 @@ def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
     return found
 
 
+def answers_of(scene: Scene, value: float | None = None) -> tuple[str, ...]:
+    """The names of the main answers at a value of the drive, the scene's own by default; none where it fails there."""
+    solved = solve(scene, None if value is None else [value])
+    return tuple(name for name, _ in main_answers(scene, solved.json())) if solved.positions else ()
+
+
 def _vectors(scene: Scene, stated: Statement, key: Json) -> dict[tuple[str, str], float]:
     """How long the vectors are that are asked, or whose length is not given, and what the values are."""
     units = {s["name"]: s["unit"] for plan in key["plans"].values() for s in plan["segments"].values()}

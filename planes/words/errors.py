@@ -121,6 +121,12 @@ def _near(given: str, known: list[str]) -> Told:
     return Phrase("near_name", name=found[0]) if found else ""
 
 
+def nearest(given: str, names: Iterable[str]) -> str:
+    """The name that is written most like the given one; empty where none is."""
+    near = _near(given[:OFFERED], [*islice(names, 2000)])
+    return str(near.parts["name"]) if isinstance(near, Phrase) else ""
+
+
 def _spelled(name: str) -> str:
     """The name with Greek letters spelled: phi_1 for φ_1."""
     return "".join(_GREEK.get(letter, letter) for letter in name)

@@ -199,11 +199,11 @@ def catalogue(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iter
     return force_variants(ways) if kind == "force" else motion_variants(ways)
 
 
-def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float) -> list[Variant]:
-    """Every mistake that could be made in the plan that is checked."""
+def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float, plan: str = "") -> list[Variant]:
+    """Every mistake that could be made in a plan, by default the one that is checked."""
     drive = bench.plans.drive_given
     there = replace(bench.plans, given={**bench.plans.given, drive: bench.given[drive]})
-    return list(catalogue(PlanSteps(there, bench.program, bench.asked.plan), taken, mu))
+    return list(catalogue(PlanSteps(there, bench.program, plan or bench.asked.plan), taken, mu))
 
 
 class GivenUp(Exception):
