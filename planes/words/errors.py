@@ -58,7 +58,7 @@ class SceneError(PlanesError, ValueError):
     def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
         self.place = place_of(file, line)
         self.file, self.line = file, line
-        super().__init__(phrase)
+        super().__init__(phrase.in_python() if file[:1] == "<" and isinstance(phrase, Phrase) else phrase)
 
 
 @frozen
@@ -71,7 +71,8 @@ class Doubt:
 
     def told(self, lang: Lang = "en") -> str:
         """The place and the sentence in a language."""
-        return f"{place_of(self.file, self.line)}{self.phrase.told(lang)}"
+        phrase = self.phrase.in_python() if self.file[:1] == "<" else self.phrase
+        return f"{place_of(self.file, self.line)}{phrase.told(lang)}"
 
 
 class StructureError(SceneError):
