@@ -5,7 +5,6 @@ import re
 from argparse import Namespace
 from dataclasses import replace
 
-from planes.check.grading.figures import figure
 from planes.check.grading.paper import Known, read_table
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare
 from planes.check.handed_in import read_paper
@@ -14,7 +13,6 @@ from planes.check.outcome import check as judge
 from planes.check.report import as_json, chance_told, heads, numbers_of, rows_of
 from planes.course.numbers import answers_of
 from planes.drafting.skill import HAND, cad
-from planes.plans.quantities import catalogue
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving.text_tables import table
@@ -63,16 +61,7 @@ def judge_table(args: Namespace, scene: Scene, value: float | None) -> Outcome |
     asked, paper = ask(args, scene, plan, value, mu_asked(args, plan)), read_table(args.drawing)
     if not paper.results or paper.spots or paper.segments:
         return None
-    return judge(replace(asked, answers=_answers(scene, value, args.plan)), paper)
-
-
-def _answers(scene: Scene, value: float | None, plan: str | None) -> tuple[str, ...]:
-    """The results a whole work has, or those of one plan; what the scene asks for is known without."""
-    if scene.find:
-        return ()
-    known = catalogue(scene_plans(scene))
-    main = ((name, known.get(name)) for name in answers_of(scene, value))
-    return tuple(name for name, q in main if plan is None or (q and figure(name, q, 0.0).plan == plan))
+    return judge(replace(asked, answers=answers_of(scene, value, args.plan or "")), paper)
 
 
 def place(text: str, option: str) -> tuple[str, complex]:

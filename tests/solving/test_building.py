@@ -68,8 +68,9 @@ def test_numbers_in_what_seem_other_units_are_doubted_in_python_as_on_the_comman
         four_bar(**given).scene()
     text = four_bar(**given).to_yaml()
     assert any(said in str(one.message) and one.filename == __file__ for one in warned)
-    with pytest.warns(UserWarning, match=re.escape(said)):
+    with pytest.warns(UserWarning) as warned:
         planes.loads(text)
+    assert any(said in str(one.message) for one in warned)
     (tmp_path / "four-bar.yaml").write_text(text, "utf-8")
     assert main(["structure", str(tmp_path / "four-bar.yaml"), "--lang", "en"]) == 0
     assert f"warning: {tmp_path / 'four-bar.yaml'}:" in (told := capsys.readouterr().err) and said in told
