@@ -12,7 +12,7 @@ from planes.scene.mechanism import FRAME, RATES, Link, Mechanism
 from planes.scene.parameters import names_of, reached
 from planes.scene.reader import Keys, Reader, line_of, texts
 from planes.scene.source import Node, SourceScalar, SourceTable
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.errors import Doubt
 
 LONG_M = 10.0  # a link this long is more likely given in millimetres
@@ -45,9 +45,9 @@ def read_doubts(
     if mechanism:
         found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
         if (mechanism.gravity or 0) > HEAVY:
-            found.append((Phrase("doubt_gravity", value=f"{mechanism.gravity:g}"), ("gravity",)))
+            found.append((Phrase("doubt_gravity", value=Written(f"{mechanism.gravity:g}")), ("gravity",)))
         found += [
-            (Phrase("doubt_friction", guide=guide, value=value), ("friction", guide))
+            (Phrase("doubt_friction", guide=guide, value=float(value)), ("friction", guide))
             for guide, value in {
                 **mechanism.friction,
                 **{n: j.coefficient for n, j in mechanism.journals.items()},
@@ -67,9 +67,9 @@ def check_lengths(reader: Reader, mechanism: Mechanism) -> None:
         hinges = [point for point in link.points if shared[point] > 1]
         rod = len(hinges) == 2 and not (link.guides or link.slides or any(z.imag for z in link.points.values()))
         if rod and (length := (link.points[hinges[1]] - link.points[hinges[0]]).real) < 0 == link.points[hinges[0]]:
-            told = {"link": link.name, "one": hinges[0], "two": hinges[1], "length": f"{length:g}"}
+            told = {"link": link.name, "one": hinges[0], "two": hinges[1], "length": Written(f"{length:g}")}
             where = mechanism.where.get(("links", link.name, "points", hinges[1]), 1)
-            raise reader.error(Phrase("negative_length", **told, more=f"{-length:g}"), where)
+            raise reader.error(Phrase("negative_length", **told), where)
 
 
 def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
@@ -163,13 +163,13 @@ def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Key
         size = _size(link)
         flywheel = link.name == mechanism.drive.link
         if size and link.mass and not flywheel and (link.inertia or 0) > link.mass * (GYRATION * size) ** 2:
-            told = {"radius": f"{math.sqrt((link.inertia or 0) / link.mass):.3g}", "size": f"{size:g}"}
+            told = {"radius": math.sqrt((link.inertia or 0) / link.mass), "size": size}
             yield Phrase("doubt_inertia", link=link.name, **told), (*path, "inertia")
         if size and (link.mass or 0) > HEAVIEST * size**3:
-            told = {"mass": f"{link.mass:g}", "size": f"{size:g}", "less": f"{(link.mass or 0) / 1000:g}"}
+            told = {"mass": Written(f"{link.mass:g}"), "size": Written(f"{size:g}")}
             yield Phrase("doubt_heavy", link=link.name, **told), (*path, "mass")
         if size >= LONG_M:
-            yield Phrase("doubt_long", link=link.name, size=f"{size:g}", less=f"{size / 1000:g}"), (*path, "points")
+            yield (Phrase("doubt_long", link=link.name, size=Written(f"{size:g}")), (*path, "points"))
 
 
 def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:

@@ -152,7 +152,8 @@ class _Teller(Formatter):
             return (format_spec or ", ").join(self.format_field(v, "") for v in value)
         if isinstance(value, str):
             return _of_system(self.lang).get(value, value)
-        return format(value, format_spec or (".4g" if isinstance(value, float) else ""))
+        number = format(value, format_spec or (".4g" if isinstance(value, float) else ""))
+        return decimal(number, self.lang) if isinstance(value, float) else number
 
 
 def decimal(number: str, lang: Lang) -> str:

@@ -57,7 +57,7 @@ def four_bar(unit: float = 1.0, mass: float = 2.0, rocker: float = 0.3) -> Linka
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"unit": 1000.0}, "link 3 is 300 m long: lengths are in metres; if millimetres are meant, write 0.3"),
+        ({"unit": 1000.0}, "link 3 is 300 m long: lengths are in metres; if millimetres are meant, divide by 1000"),
         ({"mass": 2000.0}, "link 1 has a mass of 2000 kg and is 0.1 m long: masses are in kilograms; if grams"),
     ],
 )
