@@ -78,7 +78,7 @@ def told(found: Outcome, lang: Lang) -> str:
     lines = [" ".join(filter(None, (found.typed(found.sentence.told(lang)), chance_told(found, lang))))]
     for key, head, rows in zip(("marks", "numbers"), heads(lang), (rows_of, numbers_of), strict=True):
         shown = [[found.typed(cell) for cell in row] for _, *row in rows(found, lang)]
-        lines += table(say(f"check_{key}", lang), head, shown)
+        lines += table(say(f"check_{key}", lang), head, shown, even=False)
     return "\n".join(lines + [f"! {found.typed(n.told(lang))}" for n in found.notes])
 
 
