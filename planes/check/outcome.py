@@ -7,7 +7,7 @@ from planes.check.grading.figures import WrittenNumber, offers, read_results, se
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
-from planes.check.grading.readable import doubts_of, readable
+from planes.check.grading.readable import doubts_of, of_another, readable
 from planes.check.grading.remedies import asking, told_to
 from planes.check.grading.sign_faults import SignFault
 from planes.check.grading.signs import NEAR, exchanged, plan_scaled
@@ -156,6 +156,9 @@ def _at_its_scale(asked: Asked, out: Outcome) -> Outcome | None:
 
 def _look(out: Outcome) -> None:
     bench, paper = out.bench, out.paper
+    if other := of_another(bench, paper):
+        out.unreadable = other
+        return
     if paper.scale_mark and all(n.key != "check_scale_vector" for n in out.notes):
         out.notes.append(Phrase("check_scale_vector", mark=paper.scale_mark))
     if paper.spots:

@@ -54,8 +54,15 @@ def read_doubts(
             }.items()
             if value >= STEEP
         ]
-    said = [Doubt(phrase, file, line_of(table, path)) for phrase, path in found]
+    said = [Doubt(phrase, file, line_of(table, _home(table, parameters, phrase, path))) for phrase, path in found]
     return sorted(said, key=lambda doubt: doubt.line)
+
+
+def _home(table: SourceTable, parameters: Mapping[str, Node], phrase: Phrase, path: Keys) -> Keys:
+    """Where a number that seems to be in other units is written: at the one parameter it is made of, if it is."""
+    written = [node for at, node in texts(table) if at[: len(path)] == path and phrase.key in OF_UNITS]
+    names = {node.text for node in written if node.text in parameters}
+    return ("parameters", *names) if len(names) == 1 and "parameters" in table.entries else path
 
 
 def check_lengths(reader: Reader, mechanism: Mechanism) -> None:

@@ -9,7 +9,7 @@ import pytest
 import planes
 from planes.check.grading.by_hand import unsure
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
-from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.grading.prepared_plan import Asked, prepare, redrawn
 from planes.check.outcome import Outcome, check
 from planes.check.report import as_json, chance_told
 from planes.cli import main
@@ -202,3 +202,25 @@ def test_tables_of_answers_of_a_class_need_no_plan(tmp_path: Path, capsys: pytes
     assert main(["check", str(ROOT / "samples" / "six-link.yaml"), str(tmp_path), "--lang", "en"]) == 1
     said = capsys.readouterr().out
     assert "omega_2" in said and "unreadable" not in said and "velocity" not in said
+
+
+def test_marks_of_another_plan_are_not_judged_as_of_this_one(tmp_path: Path) -> None:
+    scene = planes.loads(CRANK)
+    marks = {"p": 0j, **prepare(Asked(scene, "acceleration")).true_marks}
+    paper = ReadPaper("t.csv", [ReadMark(n, z) for n, z in marks.items()])
+    found = check(Asked(scene, "velocity"), paper)
+    assert (found.verdict, found.sentence.key) == ("unreadable", "check_of_another_plan")
+    assert found.sentence.told("en").endswith("write --plan acceleration.")
+    assert check(Asked(scene, "acceleration"), paper).verdict == "right"
+
+
+def test_a_mark_that_follows_from_a_mistake_does_not_miss_where_that_puts_it() -> None:
+    """The mark at which the mistake is made may not be drawn: what follows is off the right construction."""
+    bench = prepare(Asked(planes.loads(CRANK), "acceleration"))
+    for variant in bench.mistakes:
+        things = redrawn(bench, variant, lambda step, made: made)
+        drawn = {n: complex(things[f"acceleration:{n}"]) for n in bench.true_marks if things and n != variant.blames}
+        found = check(bench.asked, ReadPaper("t", [ReadMark(n, z) for n, z in {"p": 0j, **drawn}.items()]))
+        for row in as_json(found)["marks"] if found.verdict != "unreadable" else []:
+            if row["verdict"] == "follows":
+                assert row["own_deviation_mm"] <= row["own_tolerance_mm"], (variant.mistake, row)
