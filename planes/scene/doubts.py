@@ -173,8 +173,8 @@ def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Key
             told = {"radius": math.sqrt((link.inertia or 0) / link.mass), "size": size}
             yield Phrase("doubt_inertia", link=link.name, **told), (*path, "inertia")
         if size and (link.mass or 0) > HEAVIEST * size**3:
-            told = {"mass": Written(f"{link.mass:g}"), "size": Written(f"{size:g}")}
-            yield Phrase("doubt_heavy", link=link.name, **told), (*path, "mass")
+            heavy = {"mass": Written(f"{link.mass:g}"), "size": Written(f"{size:g}")}
+            yield Phrase("doubt_heavy", link=link.name, **heavy), (*path, "mass")
         if size >= LONG_M:
             yield (Phrase("doubt_long", link=link.name, size=Written(f"{size:g}")), (*path, "points"))
 

@@ -55,7 +55,7 @@ class Judgement:
         return label_of(self.wrong[0]) if self.wrong else None
 
     def missed(self, mark: str, verdict: str) -> Miss | None:
-        """By how much a mark misses what its step makes, or, where it follows from the mistake named, what that makes."""
+        """By how much a mark misses what its step makes; what the mistake named makes, where it follows from that."""
         own = self.misses.get(mark)
         return self.explained.get(mark, own) if verdict == "follows" else own
 
