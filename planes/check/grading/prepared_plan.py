@@ -151,10 +151,6 @@ class PreparedPlan:
         asked = replace(self.asked, mu=mu) if told else self.asked
         return replace(self, asked=asked, given={**self.given, mu_of(asked.plan): mu}, said_mu=mu)
 
-    def printed_at(self, share: float) -> PreparedPlan:
-        """The plan as it seems to be by the marks of a sheet that was printed at a share of its size."""
-        return self if share == 1 else self.at(self.said_mu / share)
-
 
 def prepare(asked: Asked) -> PreparedPlan:
     """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
