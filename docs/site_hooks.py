@@ -12,6 +12,9 @@ In a page stand, each as a fenced block:
 - ``essay`` with a command that writes live pages into a folder: a list of them;
 - ``api`` with a package: its public names, each with its signature and docstring.
 
+Above a gallery, an include, tables, an essay, a studio or an api stands a line, ``*In the repository: …*``, that leads
+to the same in the repository. The site leaves it out.
+
 Tables of keys stand in the pages themselves, between ``<!-- keys NAMES -->`` and ``<!-- /keys -->``; ``python
 docs/site_hooks.py`` writes them from the schema. Figures are drawn before the pages are read, into ``figures/`` beside
 them; they are never kept in the repository.
@@ -45,6 +48,8 @@ PAGES = HERE / "site"
 BLOCK = re.compile(
     r"^```(figure|run|gallery|include|tables|essay|studio|api)\b[ ]*(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL
 )
+PLAIN = re.compile(r"^\*(?:In the repository|В репозитории): .*\*\n\n(?=```)", re.MULTILINE)
+"""The line above a block for those who read a page where no block is made; the site has the block instead."""
 KEYS = re.compile(r"<!-- keys ([^>]*?) -->\n.*?<!-- /keys -->", re.DOTALL)
 OUTSIDE = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)]*)\)")
 DRAWN = "drawing.svg"  # what a reader would name a figure
@@ -270,7 +275,7 @@ MAKERS: dict[str, Callable[[str, str, str], str]] = {
 
 def filled(text: str, lang: str) -> str:
     """A page with its blocks made."""
-    return BLOCK.sub(lambda block: MAKERS[block[1]](block[2].strip(), block[3], lang), text)
+    return BLOCK.sub(lambda block: MAKERS[block[1]](block[2].strip(), block[3], lang), PLAIN.sub("", text))
 
 
 def on_pre_build(config: Any) -> None:

@@ -29,19 +29,19 @@ if TYPE_CHECKING:
     from planes.documents.face import animate, check, cycle, extremes, lesson, picture, sheet
     from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
-    from planes.scene import Scene, load, loads
+    from planes.scene import Scene
     from planes.solving import Position
     from planes.solving.building import Linkage
-    from planes.solving.of_scene import solve
+    from planes.solving.of_scene import load, loads, solve
     from planes.words.errors import PlanesError
 
 __version__ = "0.13.0"
 
 _FROM = {
-    "planes.scene": ("Scene", "load", "loads"),
+    "planes.scene": ("Scene",),
     "planes.solving.building": ("Linkage",),
     "planes.documents.face": ("animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"),
-    "planes.solving.of_scene": ("solve",),
+    "planes.solving.of_scene": ("load", "loads", "solve"),
     "planes.drafting.instruments": ("Exact", "Pencil"),
     "planes.solving": ("Position",),
     "planes.batch.table": ("Table",),

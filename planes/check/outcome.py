@@ -1,24 +1,23 @@
 """The outcome of a check: what was handed in, judged, as the object for programs and as words for people."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
-from planes.check.grading.figures import WrittenNumber, read_results, segment_figures
+from planes.check.grading.figures import WrittenNumber, offers, read_results, segment_figures
 from planes.check.grading.grading import Grading, grade
-from planes.check.grading.handwork import Hand
-from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
-from planes.check.grading.readable import doubts_of, readable
+from planes.check.grading.readable import doubts_of, of_another, readable
 from planes.check.grading.remedies import asking, told_to
 from planes.check.grading.sign_faults import SignFault
 from planes.check.grading.signs import NEAR, exchanged, plan_scaled
+from planes.check.grading.ways import free_hand, on_the_way
 from planes.check.grading.written_numbers import Account, account
 from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written, under
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE, kind_of, label_of, mu_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Described
 
 # what is so far, and half as far as it is long, from where steps lead is not called right, if errors may be so large
@@ -37,7 +36,9 @@ class Outcome(Described):
     results: Account | None = None
     unreadable: Phrase | None = None
     notes: list[Phrase] = field(default_factory=list)
-    unknown: list[str] = field(default_factory=list)  # names in tables that mean nothing here
+    unknown: dict[str, str] = field(default_factory=dict)  # names in tables that mean nothing here, the nearest of each
+    missing: list[str] = field(default_factory=list)  # results that are asked and not there
+    unread: list[str] = field(default_factory=list)  # those in units nobody knows
 
     def __repr__(self) -> str:
         return f"<Outcome {self.verdict}: {self.sentence.told()}>"
@@ -85,7 +86,13 @@ class Outcome(Described):
     def sentence(self) -> Phrase:
         """What is wrong and how to mend it."""
         wrong = self.wrong.fault if self.wrong else None
-        return self.unreadable or wrong or self.right(", ".join(self.unseen))
+        return self.unreadable or wrong or self.right(self._left())
+
+    def _left(self) -> tuple[Phrase, ...]:
+        """What is not judged, is not there, or is called as nothing here is."""
+        known = tuple(name for name in self.unseen if name not in self.unknown and name not in self.missing)
+        left = {"judged": known, "given": tuple(self.missing), "known": offers(self.unknown)}
+        return tuple(Phrase(f"check_not_{key}", names=names) for key, names in left.items() if names)
 
     @property
     def unseen(self) -> list[str]:
@@ -94,7 +101,8 @@ class Outcome(Described):
         tables that mean nothing here."""
         if self.unreadable:
             return []
-        left = [*(self.results.unsure if self.results else ()), *self.unknown, *self.paper.left]
+        left = [*self.unread, *self.unknown, *self.missing, *self.paper.left]
+        left[:0] = self.results.unsure if self.results else ()
         if self.grading is None:
             return left
         misses = {} if self.wrong else self.grading.judgement.misses
@@ -114,11 +122,11 @@ class Outcome(Described):
         """Whether these are results with nothing drawn."""
         return bool(self.results) and not (self.grading or self.segments)
 
-    def right(self, unseen: str) -> Phrase:
-        """What is said of a right drawing of the plan, or of right results alone; marks ``unseen`` nobody looked at."""
-        key = "check_right_as_seen" if unseen else "check_right_results" if self.alone else "check_right"
+    def right(self, left: tuple[Phrase, ...]) -> Phrase:
+        """What is said of a right drawing, or of right results alone; ``left`` is what is not judged of it."""
+        key = "check_right_as_seen" if left else "check_right_results" if self.alone else "check_right"
         what = Phrase("check_results") if self.alone else plan_phrase(self.bench.asked.plan)
-        return Phrase(key, plan=what, names=unseen)
+        return Phrase(key, plan=what, left=left)
 
 
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
@@ -148,6 +156,9 @@ def _at_its_scale(asked: Asked, out: Outcome) -> Outcome | None:
 
 def _look(out: Outcome) -> None:
     bench, paper = out.bench, out.paper
+    if other := of_another(bench, paper):
+        out.unreadable = other
+        return
     if paper.scale_mark and all(n.key != "check_scale_vector" for n in out.notes):
         out.notes.append(Phrase("check_scale_vector", mark=paper.scale_mark))
     if paper.spots:
@@ -183,21 +194,15 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     return [Phrase("check_mu", mu=found, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=found)]
 
 
-def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
-    """The true plan with the errors of drafting carried through it, all its mistakes may read, and the wanted names."""
-    program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
-    return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
-
-
 def _segments(out: Outcome) -> None:
-    bench, (figures, unknown) = out.bench, segment_figures(out.bench, out.paper.segments)
-    out.notes += [Phrase("check_unknown_results", names=", ".join(unknown))] if unknown else []
-    out.unknown += unknown
-    if not figures:
+    bench, read = out.bench, segment_figures(out.bench, out.paper.segments)
+    out.notes += read.notes
+    out.unknown |= read.unknown
+    if not (figures := read.figures):
         return
     tried: list[tuple[int, bool, Account]] = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
-        free = _free(bench, [], mu, {})
+        free = free_hand(bench, [], mu, {})
         found = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
         wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first is not None and not found.named)
         tried.append((wrong, k > 0, found))
@@ -220,7 +225,7 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
     found = [bench.said_mu]
     if bench.asked.mu:
         return found
-    free = _free(bench, [], bench.said_mu, {})
+    free = free_hand(bench, [], bench.said_mu, {})
     for f in figures:
         true = float(abs(f.read(free.things)[0]))
         if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in found):
@@ -231,14 +236,15 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
 def _results(out: Outcome) -> None:
     bench, known = out.bench, catalogue(out.bench.plans)
     asked = () if out.paper.spots or out.paper.segments else bench.asked.answers or bench.asked.scene.find or ()
-    figures, unread, notes = read_results(known, bench.naming.names(known, poles=False), out.paper.results, asked)
-    out.notes += notes
-    out.unknown += [name for name in unread if name not in out.paper.left]  # a table of answers lacks one
-    if not figures:
+    read = read_results(known, bench.naming.names(known, poles=False), out.paper.results, asked)
+    out.notes += read.notes
+    out.unknown |= read.unknown
+    out.missing += [name for name in read.missing if name not in (*out.paper.left, *read.strange)]
+    out.unread += read.strange
+    if not (figures := read.figures):
         return
     wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]
     mu = out.grading.mu if out.grading else bench.said_mu
-    free = _free(bench, wanted, mu, {})
-    own = _free(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
-    ways = replace(bench, program=free.program)
-    out.results = account(figures, free, own, [] if own else variants_of(ways, free.taken, mu))
+    free = free_hand(bench, wanted, mu, {})
+    own = free_hand(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
+    out.results = account(figures, free, own, [] if own else on_the_way(bench, free, {f.plan for f in figures}))

@@ -72,11 +72,13 @@ def _run(args: argparse.Namespace) -> int:
 
 
 def _tell_file(args: argparse.Namespace) -> None:
-    """A person at a terminal reads which file was written, and how large it is."""
-    output = getattr(args, "output", None)
-    if output and sys.stderr and sys.stderr.isatty() and os.path.isfile(output):
-        size = math.ceil(os.path.getsize(output) / 1000)
-        print(say("file_written", args.lang or home_lang(), file=output, size=size), file=sys.stderr)
+    """A person at a terminal reads which file was written, and how large it is; of a sheet everybody reads it, with
+    its format."""
+    output, made = getattr(args, "output", None), getattr(args, "made", "")
+    if output and sys.stderr and (made or sys.stderr.isatty()) and os.path.isfile(output):
+        told = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": made}
+        key, to = ("sheet_written", sys.stdout) if made else ("file_written", sys.stderr)
+        print(say(key, args.lang or home_lang(), **told), file=to)
 
 
 def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.ArgumentParser:

@@ -4,7 +4,6 @@ import json
 import re
 from argparse import Namespace
 from dataclasses import replace
-from itertools import chain
 
 from planes.check.grading.paper import Known, read_table
 from planes.check.grading.prepared_plan import Asked, known_plans, prepare
@@ -12,6 +11,7 @@ from planes.check.handed_in import read_paper
 from planes.check.outcome import STATUS, Outcome
 from planes.check.outcome import check as judge
 from planes.check.report import as_json, chance_told, heads, numbers_of, rows_of
+from planes.course.numbers import answers_of
 from planes.drafting.skill import HAND, cad
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
@@ -55,16 +55,13 @@ def known_of(args: Namespace) -> Known:
     return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format, page)
 
 
-def judge_results(args: Namespace, scene: Scene, value: float | None) -> Outcome | None:
-    """What is said of a table of results alone, which needs no plan: if they are wrong, by the plan whose mistake
-    explains them; None of any other table."""
-    paper = read_table(args.drawing)
+def judge_table(args: Namespace, scene: Scene, value: float | None) -> Outcome | None:
+    """What is said of a table of results alone, which needs no plan; None of any other table."""
+    plan = args.plan or known_plans(scene_plans(scene))[0]
+    asked, paper = ask(args, scene, plan, value, mu_asked(args, plan)), read_table(args.drawing)
     if not paper.results or paper.spots or paper.segments:
         return None
-    plans = known_plans(scene_plans(scene))
-    found = (judge(ask(args, scene, plan, value, mu_asked(args, plan)), paper) for plan in plans)
-    first = next(found)
-    return first if first.verdict != "wrong" else next((one for one in chain([first], found) if one.mistake), first)
+    return judge(replace(asked, answers=answers_of(scene, value, args.plan or "")), paper)
 
 
 def place(text: str, option: str) -> tuple[str, complex]:
@@ -81,7 +78,7 @@ def told(found: Outcome, lang: Lang) -> str:
     lines = [" ".join(filter(None, (found.typed(found.sentence.told(lang)), chance_told(found, lang))))]
     for key, head, rows in zip(("marks", "numbers"), heads(lang), (rows_of, numbers_of), strict=True):
         shown = [[found.typed(cell) for cell in row] for _, *row in rows(found, lang)]
-        lines += table(say(f"check_{key}", lang), head, shown)
+        lines += table(say(f"check_{key}", lang), head, shown, even=False)
     return "\n".join(lines + [f"! {found.typed(n.told(lang))}" for n in found.notes])
 
 

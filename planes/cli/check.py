@@ -6,7 +6,7 @@ from pathlib import Path
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import LINES, PICTURES, PRACTICE, TABLES, HandedSheet, read_paper, sheets_in
 from planes.check.outcome import check as judge
-from planes.cli.asking import ask, judge_results, known_of, mu_asked, said
+from planes.cli.asking import ask, judge_table, known_of, mu_asked, said
 from planes.cli.class_check import check_class
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
@@ -22,16 +22,17 @@ def check(args: Namespace) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable, 3 right as far as seen."""
     if is_course(Path(args.scene)) and not args.trace:
         return check_class(args, handed_out(Path(args.scene)), _sheets(args))
-    table = args.plan is None and not args.trace and (args.drawing or "").lower().endswith(TABLES)
+    table = not args.trace and (args.drawing or "").lower().endswith(TABLES)
     scene = scene_of(args)
     if args.plan is None and not table and (args.trace or not _told_by_itself(args.drawing)):
         raise _no_plan(args, scene)
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
     if table:
-        if found := judge_results(args, scene, value):
+        if found := judge_table(args, scene, value):
             return said(args, found)
-        raise _no_plan(args, scene)
+        if args.plan is None:
+            raise _no_plan(args, scene)
     if args.drawing and not args.trace:
         sheets = _sheets(args)
         if args.plan is None or Path(args.drawing).is_dir() or sheets[0].practised:

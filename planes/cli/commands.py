@@ -149,7 +149,9 @@ def sheet(args: Namespace) -> int:
 
         scene, values, said = for_sheet(scene, values, args.lang)
         warn(said, args.lang)
-    warn(draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text"), args.lang)
+    drawn = draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text")
+    warn(drawn.said, args.lang)
+    args.made = drawn.size
     return 0
 
 

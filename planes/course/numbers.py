@@ -7,12 +7,14 @@ import traceback
 from collections.abc import Mapping
 from pathlib import Path
 
+from planes.check.grading.figures import figure
 from planes.course import Course, ParameterChoice
 from planes.course.ledger import fingerprint
 from planes.course.papers import given_of
 from planes.course.random_numbers import choices_of, dice, draw_numbers
 from planes.course.students import Share
 from planes.plans.force.derived import unit_of_value
+from planes.plans.quantities import catalogue
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
@@ -133,6 +135,15 @@ def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
         if (value := at.get(f"balancing_{kind}")) is not None:
             found[f"{letter}_{m.drive.link}", unit] = value
     return found
+
+
+def answers_of(scene: Scene, value: float | None = None, plan: str = "") -> tuple[str, ...]:
+    """The names of the main answers at a value of the drive, the scene's own by default, or of those that one plan
+    gives; none where the position fails, and none that a scene itself asks for others."""
+    solved = solve(scene, None if value is None else [value])
+    names = [name for name, _ in main_answers(scene, solved.json())] if solved.positions and not scene.find else []
+    known = catalogue(solved.plans) if plan else {}
+    return tuple(n for n in names if not plan or (n in known and figure(n, known[n], 0.0).plan == plan))
 
 
 def _vectors(scene: Scene, stated: Statement, key: Json) -> dict[tuple[str, str], float]:

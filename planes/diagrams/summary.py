@@ -197,7 +197,7 @@ def of_cycle(scene: Scene, ends: tuple[float, float] | None = None, names: Itera
     start, end = ends or ((0.0, FULL) if plans.mechanism.drive.kind == "phi" else reach(plans))
     found = summary(scene, plans, start, end, names)
     if not found.grid.works.any():
-        raise PlanesError(Phrase("cycle_never", first=f"{start:g}", last=f"{end:g}"))
+        raise PlanesError(Phrase("cycle_never", first=start, last=end))
     return found
 
 

@@ -6,7 +6,7 @@ from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
 from planes.solving import told
 from planes.solving.text_tables import table
-from planes.words import Lang, decimals, say
+from planes.words import Lang, decimals, home_lang, say
 from planes.words.names import index_of
 from planes.words.naming import Naming
 from planes.words.records import Json, or_none
@@ -113,6 +113,20 @@ def _paths(s: Summary, lang: Lang) -> list[str]:
         rows.append([p.point, quantity(p.length), *box])
     m = say("m", lang)
     return table(say("paths", lang), ["", say("path_length", lang), f"x, {m}", f"y, {m}"], rows)
+
+
+class Extremes(Json):
+    """A cycle's figures, a dict as :func:`as_json` makes it; printed, the tables of ``planes cycle``."""
+
+    def __init__(self, summary: Summary) -> None:
+        super().__init__(as_json(summary))
+        self.summary = summary
+
+    def __str__(self) -> str:
+        return report(self.summary, home_lang()).rstrip()
+
+    def __repr__(self) -> str:
+        return f"<Extremes of {len(self['curves'])} curves: {', '.join(self)}>"
 
 
 def as_json(s: Summary) -> Json:

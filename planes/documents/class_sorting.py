@@ -9,10 +9,9 @@ from planes.check.handed_in import TABLES, HandedSheet, opened
 from planes.check.saved_marks import saved_as
 from planes.check.sheet_mark import SheetMark, mark_on
 from planes.course.handed_out import HandedOut, Task, of_several, plan_named, variant_named
-from planes.course.numbers import main_answers
+from planes.course.numbers import answers_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
-from planes.solving import solve
 from planes.words import Phrase
 from planes.words.errors import PlanesError, shown
 from planes.words.frozen import frozen, replace
@@ -65,7 +64,7 @@ class Sorter:
         key = task, scene.variant, plan, value, mu
         if key not in self.known:
             asked = self.asking(scene, plan, value, mu)
-            self.known[key] = replace(asked, answers=_answers(scene)) if task.student else asked
+            self.known[key] = replace(asked, answers=answers_of(scene, value))
         return task, self.known[key], whose(scene, mark, task.scene if of_several(self.handed.tasks) else "")
 
     def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
@@ -79,12 +78,6 @@ class Sorter:
             own = saved_as(sheet.file) if sheet.file.suffix.lower() in TABLES else ""
             raise PlanesError(Phrase("check_marks_alone" if own else "check_whose_is_it", file=sheet.name, name=own))
         return found
-
-
-def _answers(scene: Scene) -> tuple[str, ...]:
-    """What a student's key answers."""
-    solved = solve(scene)
-    return tuple(name for name, _ in main_answers(scene, solved.json())) if solved.positions else ()
 
 
 def _of_results(sheet: HandedSheet, scene: Scene) -> str:

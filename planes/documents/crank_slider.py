@@ -38,9 +38,9 @@ def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None
 
     low, high = float(found.motion.phi_deg[0]), float(found.motion.phi_deg[-1])
     if phi is not None and not low <= phi <= high:
-        raise PlanesError(Phrase("cs_phi", value=phi, low=low, high=high))
+        raise PlanesError(Phrase("cs_phi", value=f"{phi:g}", low=low, high=high))
     asked = worked(found) if phi is None else float(found.motion.phi_deg[found.at(phi)])
-    for sentence in draw_sheet(scene_at(found, asked), [asked], path, lang):
+    for sentence in draw_sheet(scene_at(found, asked), [asked], path, lang).said:
         print(say("warning", lang, of=sentence), file=sys.stderr)
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 from planes.check.grading.by_hand import unsure
 from planes.documents import constructed
@@ -18,6 +19,7 @@ from render.files.dxf_entities import Lettered
 from render.paper.hues import coloured
 from render.paper.marks import lettered
 from render.paper.outlines import face_of
+from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.single import Makers, of_mechanism, of_vectors, page, traced
 from render.sheet.sizes import Sizes
@@ -33,6 +35,13 @@ def shown(thing: Drawing | Scene | Position) -> str | None:
     return page._repr_svg_() if page else None
 
 
+class DrawnSheet(NamedTuple):
+    """What was drawn: the format and the size of the paper ("A2, 594 × 420 mm"), and what must be said of it."""
+
+    size: str
+    said: tuple[str, ...]
+
+
 def draw_sheet(
     scene: Scene,
     values: Iterable[float] | None,
@@ -41,10 +50,11 @@ def draw_sheet(
     number: int | None = None,
     view: str | None = None,
     text: Lettered = "text",
-) -> tuple[str, ...]:
+) -> DrawnSheet:
     """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be.
 
-    Returns a sentence for each thing that must be said of it: what found no room, or cannot be seen or read.
+    Returns its format and size, and a sentence for each thing that must be said of it: what found no room, or cannot
+    be seen or read.
 
     ``number`` 1 or 2 is that sheet of a course project; without it everything stands on one page. ``view`` is one
     view alone, without a frame. ``text`` "pieces" writes the indices of a DXF as texts of their own, "strokes" draws
@@ -56,10 +66,13 @@ def draw_sheet(
     if suffix in others:
         if number:
             raise PlanesError(Phrase("constructed_sheet", file=output, known=SUFFIXES))
-        return constructed.draw_constructed(scene, view, values, output, lang)
+        return DrawnSheet("", constructed.draw_constructed(scene, view, values, output, lang))
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     drawn.write(output, text)
-    return (*drawn.warnings, *(_by_hand(scene, values, lang) if view is None and number != 2 else ()))
+    paper = f"{drawn.paper.name.replace('x', '×')}, " if isinstance(drawn, Sheet) else ""
+    size = " × ".join(f"{mm:.0f}" for mm in drawn.size)
+    said = (*drawn.warnings, *(_by_hand(scene, values, lang) if view is None and number != 2 else ()))
+    return DrawnSheet(f"{paper}{size} {say('mm', lang)}", said)
 
 
 def _by_hand(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:

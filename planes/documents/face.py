@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,9 +11,10 @@ from planes.batch.cycle import Cycle
 from planes.batch.table import SWEPT, Table
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
-from planes.check.handed_in import read_paper
+from planes.check.handed_in import TABLES, read_paper
 from planes.check.outcome import Outcome
 from planes.check.outcome import check as judge
+from planes.course.numbers import answers_of
 from planes.documents import animation
 from planes.documents.drawn import picture, view_of
 from planes.documents.lesson import Lesson
@@ -26,10 +27,12 @@ from planes.solving.building import Linkage
 from planes.solving.of_scene import read
 from planes.words import Lang, home_lang
 from planes.words.names import kind_of
-from planes.words.records import Json
 from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet
+
+if TYPE_CHECKING:
+    from planes.diagrams.text import Extremes
 
 __all__ = ["animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"]
 
@@ -110,13 +113,15 @@ def check(
 
     ``drawing`` is a table (.csv), a drawing of lines (.svg, .dxf, .pdf) or a picture; ``mu`` its scale, as
     "30 mm/(m/s)", if known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy
-    with y down; ``page`` of several counts from 1. The outcome has a ``verdict`` ("right", "wrong", "unreadable"),
-    ``first_wrong``, ``mistake``, ``sentence``.
+    with y down; ``page`` of several counts from 1. The outcome has a ``verdict`` ("right", "right_as_seen",
+    "wrong", "unreadable"), ``first_wrong``, ``mistake``, ``sentence``. Results alone are right where none of the plan's
+    main ones is left out.
     Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
     scene = read(scene)
     at, known_mu = _place(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
-    asked = Asked(scene, plan, at, known_mu)
+    answers = answers_of(scene, at, plan) if str(drawing).lower().endswith(TABLES) else ()
+    asked = Asked(scene, plan, at, known_mu, answers=answers)
     known = Known(pole, marks or {}, page=None if page is None else page - 1)
     return judge(asked, read_paper(str(drawing), asked, known))
 
@@ -156,9 +161,22 @@ def lesson(
     return page
 
 
-def extremes(scene: Scene | Linkage) -> Json:
-    """Stroke, dead points, time ratio, and the extremes of every curve over the cycle, as ``planes cycle --json`` has
-    them: places of the driver in degrees (of a sliding driver, m), values in the unit beside them.
+def extremes(scene: Scene | Linkage) -> "Extremes":
+    """Stroke, dead points, time ratio, and the extremes of every curve over the cycle.
+
+    A dict of the shape ``planes cycle --json`` prints, its numbers at full precision; printed, it is the tables of
+    ``planes cycle``. Places of the driver (``at``) are in degrees, of a sliding driver in m.
+
+    - ``range``: [first, last] place of the driver; ``assembles``: the ranges in which the mechanism assembles.
+    - ``driven``: the last link before the frame: ``link``, ``curve`` (its place), ``rotates``, ``stroke`` (m, degrees;
+      None if unbounded), ``extreme_positions``, ``forth_deg`` and ``back_deg`` of the driver, ``time_ratio``. Not there
+      where no link is driven.
+    - ``curves``: by name, ``unit``, ``group`` ("place", "analogue", "rate", "force"), ``extremes``; ``rotates`` if it
+      goes round. An extreme is ``{"at", "value", "kind": "greatest" | "least"}``; with ``where`` "end" of the range or
+      "limit" of assembly if it is no turning point, with ``unbounded`` where there is no value.
+    - ``paths``: by point, ``length`` (m) and the range of ``x`` and ``y``.
+
+    Raises :class:`PlanesError` where the mechanism cannot be drawn at all.
 
     >>> import planes
     >>> found = planes.extremes(planes.load("samples/kind-1-rrr.yaml"))
@@ -168,9 +186,9 @@ def extremes(scene: Scene | Linkage) -> Json:
     1.1516
     """
     from planes.diagrams.summary import of_cycle
-    from planes.diagrams.text import as_json
+    from planes.diagrams.text import Extremes
 
-    return as_json(of_cycle(read(scene)))
+    return Extremes(of_cycle(read(scene)))
 
 
 def animate(

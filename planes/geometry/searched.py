@@ -134,7 +134,7 @@ Spot = tuple[Affine, Affine]
 
 def _held(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
     """A tie, as ``Tie.wrench`` has it."""
-    width, place, turn, reach = len(origin[0]), _exact(t.place), _exact(t.turn), Fraction(t.reach)
+    width, place, turn, reach = len(origin[0]), exact_parts(t.place), exact_parts(t.turn), Fraction(t.reach)
     fixed = _fixed(place[0], width), _fixed(place[1], width)
     if t.kind == "arc":
         x, y = _minus(_plus(origin, _turned(axis, t.local)), fixed)
@@ -144,12 +144,13 @@ def _held(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
         height = [turn[0] * q - turn[1] * p for p, q in zip(x, y, strict=True)]
         return Quadratic((), [*height[:-1], height[-1] - reach])
     (x, y), (u, v) = _minus(fixed, origin), _turned(axis, t.turn)
-    local = _exact(t.local)
+    local = exact_parts(t.local)
     beside = turn[0] * local[1] - turn[1] * local[0]  # of the guide, in the link's own axes
     return Quadratic(((u, y), ([-q for q in v], x)), _fixed(-beside - reach, width))
 
 
-def _exact(z: complex) -> tuple[Fraction, Fraction]:
+def exact_parts(z: complex) -> tuple[Fraction, Fraction]:
+    """Both parts of a complex number, as they are in binary."""
     return Fraction(complex(z).real), Fraction(complex(z).imag)
 
 
@@ -172,5 +173,5 @@ def _minus(one: Spot, two: Spot) -> Spot:
 
 def _turned(axis: Spot, local: complex) -> Spot:
     """A place of a link from its origin."""
-    (x, y), (c, s) = _exact(local), axis
+    (x, y), (c, s) = exact_parts(local), axis
     return [x * p - y * q for p, q in zip(c, s, strict=True)], [x * q + y * p for p, q in zip(c, s, strict=True)]

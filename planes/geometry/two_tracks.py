@@ -17,6 +17,7 @@ from math import comb, gcd, lcm
 
 from planes.geometry.arithmetic import EPS
 from planes.geometry.real_roots import Line, caught, isolated
+from planes.geometry.searched import exact_parts
 from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced
 
@@ -28,7 +29,7 @@ Plane = dict[tuple[int, int], int]  # a polynomial in x and y: whole coefficient
 
 def both_assemblies(ties: Sequence[Tie]) -> Counted:
     """Every pose of the two links: where their hinge is, and both axes."""
-    lengths = [x for t in ties for x in (*_parts(t.local), *_parts(t.place), Fraction(t.reach))]
+    lengths = [x for t in ties for x in (*exact_parts(t.local), *exact_parts(t.place), Fraction(t.reach))]
     unit = lcm(*(x.denominator for x in lengths))
     tracks = [_slanted(_track([_row(t, unit) for t in ties if t.link == k])) for k in (0, 1)]
     left = _left(tracks)
@@ -39,15 +40,11 @@ def both_assemblies(ties: Sequence[Tie]) -> Counted:
     return Counted(tuple(sorted(found, key=lambda pose: cmath.phase(pose[1]))), len(ranges), False)
 
 
-def _parts(z: complex) -> tuple[Fraction, Fraction]:
-    return Fraction(complex(z).real), Fraction(complex(z).imag)
-
-
 def _row(t: Tie, unit: int) -> tuple[Plane, Plane, Plane]:
     """A tie as A cos + B sin = C."""
-    turn = _parts(t.turn)
+    turn = exact_parts(t.turn)
     whole = 1 if t.kind == "arc" else lcm(*(x.denominator for x in turn))
-    lx, ly, px, py, reach = (int(z * unit) for z in (*_parts(t.local), *_parts(t.place), Fraction(t.reach)))
+    lx, ly, px, py, reach = (int(z * unit) for z in (*exact_parts(t.local), *exact_parts(t.place), Fraction(t.reach)))
     tx, ty = (int(x * whole) for x in turn)
     gx: Plane = {(1, 0): 1, (0, 0): -px}
     gy: Plane = {(0, 1): 1, (0, 0): -py}

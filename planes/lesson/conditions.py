@@ -25,7 +25,8 @@ def conditions(plans: Plans, lang: Lang) -> Iterator[str]:
     for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
         yield _load(load, name, mechanism, lang)
     masses = {name: link.mass_centre for name, link in mechanism.links.items() if link.mass}
-    if centres := [f"{name} — ⟨{point}⟩" for name, point in masses.items() if not point.startswith("S")]:
+    centres = [f"{name} — ⟨{point}⟩" for name, point in masses.items()]
+    if any(not point.startswith("S") for point in masses.values()):
         yield say("task_centres", lang, centres=", ".join(centres))
     if masses:
         yield say("task_weight" if mechanism.gravity else "task_no_weight", lang)

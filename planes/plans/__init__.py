@@ -24,7 +24,7 @@ from planes.plans.position.scheme import place_all
 from planes.plans.proving import proofs_of
 from planes.plans.record import STILL, Plans, PointMarks, sliced, with_passive
 from planes.scene.mechanism import FRAME, Law, Mechanism
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.errors import ProgramError, SceneError, StructureError
 from planes.words.names import at, mu_of
 
@@ -119,7 +119,9 @@ def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
     what = Phrase("part", key=key, what=Phrase("section", name=law.path[0]))
     if law.path[0] == "loads":
         what = Phrase("part", key=key, what=Phrase("load", number=int(law.path[1]) + 1))
-    why = Phrase("law_frozen", what=what, parameter=law.parameter, kind=drive.kind, value=f"{drive.position:.10g}")
+    why = Phrase(
+        "law_frozen", what=what, parameter=law.parameter, kind=drive.kind, value=Written(f"{drive.position:.10g}")
+    )
     return SceneError(why, file, law.line)
 
 

@@ -132,9 +132,9 @@ def once(quantities: Iterable[Quantity]) -> list[Quantity]:
 def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
     """The quantities named in ``find:``. :class:`SceneError` names those that would have been valid."""
     known = catalogue(plans)
-    names = plans.naming.names(known, poles=False)
+    names, refusal = plans.naming.names(known, poles=False), "find_no_quantity" if file else "no_quantity"
     try:
-        return [known[names.one(name, "no_quantity", lambda n: known[n].path)] for name in find]
+        return [known[names.one(name, refusal, lambda n: known[n].path)] for name in find]
     except PlanesError as error:
         raise SceneError(error.phrase, file, plans.mechanism.where.get(("find",))) from None
 

@@ -21,6 +21,7 @@ SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 BESIDE = dict(zip(SHARES, [*SHARES.values(), 2.8][1:], strict=True))
 """On several of a format side by side, as A3x4: these are as high as the next larger one."""
 USUAL_GROUPS, MORE = 2, 1.2  # the plans of more groups are larger: so that labels have room, and sheets for all
+NOTHING = 1e-12  # of mass times acceleration: a force that is rounding alone
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 LEAST_MM = 50.0  # a force plan that would be smaller at the μ of the others has a second one
 
@@ -68,7 +69,7 @@ def scales(
     if len(chosen) < len(fixed):
         now = {**plans.given, **unit_scales(plans), **(given or {})}
         drawing, failed = reached(plans.program, now)
-        sizes = {plan: extent(drawing, plan) for plan, mu in fixed.items() if not mu}
+        sizes = {plan: _size(plans, drawing, plan) for plan, mu in fixed.items() if not mu}
         for plan, leader in leaders(sizes, fit_mm).items():
             chosen[mu_of(plan)] = fitting(plan, sizes[leader], fit_mm[kind_of(plan)])
         if failed:  # tell it in millimetres of the paper
@@ -82,6 +83,15 @@ def scales(
 def fitting(plan: str, size: float, fit_mm: float) -> float:
     """The largest standard μ, mm per SI unit, at which a plan so large in SI fits so many millimetres."""
     return (standard_scale if plan == "position" else standard_mu)(size, fit_mm)
+
+
+def _size(plans: Plans, drawing: Drawing, plan: str) -> float:
+    """How large a plan is in SI; a force polygon of nothing but the rounding of inertia and weight is nothing."""
+    size, m = extent(drawing, plan), plans.mechanism
+    if kind_of(plan) == "force" and "acceleration" in plans.drawn:
+        mass = sum(link.mass or 0.0 for link in m.links.values())
+        return size if size > NOTHING * mass * ((m.gravity or 0.0) + extent(drawing, "acceleration")) else 0.0
+    return size
 
 
 def extent(drawing: Drawing, plan: str) -> float:

@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any
 
 from planes.scene import settings, source
-from planes.scene.doubts import idle_parameters, read_doubts
+from planes.scene.doubts import check_lengths, idle_parameters, read_doubts
 from planes.scene.friction import read_friction
 from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader, read_turning
@@ -212,7 +212,7 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
     drive = read_drive(reader, table.entries["drive"], frame, links)
     assembly, loads = given["assembly"], given["loads"]
     friction, journals = read_friction(reader, f, frame, links) if (f := given["friction"]) else ({}, {})
-    return Mechanism(
+    mechanism = Mechanism(
         frame,
         MappingProxyType(links),
         drive,
@@ -226,3 +226,5 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
         settings.read_number_of_frame(reader, table.entries["frame"]),
         reader.written,
     )
+    check_lengths(reader, mechanism)
+    return mechanism

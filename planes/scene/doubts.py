@@ -1,26 +1,31 @@
-"""What a scene says that can be meant, but hardly is: told as warnings, each with its line. Nothing is refused here."""
+"""What a scene says that can be meant, but hardly is: told as warnings, each with its line. A negative length is
+refused."""
 
 import math
 import re
+from collections import Counter
 from collections.abc import Container, Iterator, Mapping
 from dataclasses import fields
 from itertools import combinations
 
 from planes.scene.mechanism import FRAME, RATES, Link, Mechanism
 from planes.scene.parameters import names_of, reached
-from planes.scene.reader import Keys, line_of, texts
+from planes.scene.reader import Keys, Reader, line_of, texts
 from planes.scene.source import Node, SourceScalar, SourceTable
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.errors import Doubt
 
 LONG_M = 10.0  # a link this long is more likely given in millimetres
 MOST_HOPS = 20  # from parameter to parameter
 HEAVY = 30.0  # m/s²: no planet weighs so much
+HEAVIEST = 1e6  # kg/m³, of the cube of a link's length: the heaviest flywheels of textbooks have 7e4
 GYRATION = 10.0  # a radius of gyration of so many lengths of its link: an inertia that is not in kg·m²
 STEEP = 1.0  # a coefficient of friction this large is more likely a misprint
 RADIANS = 5e-4  # how near a number is to a multiple of π/12 when it is one, as people write it
 STEP = math.pi / 12
 LARGEST = 6.29  # radians of a turn
+OF_UNITS = [f"doubt_{key}" for key in ("radians", "ratio", "gravity", "friction", "inertia", "heavy", "long")]
+"""The doubts whether a number is in the units of scenes, SI and degrees."""
 _OF_LINK = {f.name for f in fields(Link)} - {"name"}
 _ANGLES = ("phi", "angle", "direction", "perpendicular_to", "near")
 _RATIO = re.compile(r"\s*-?\s*(sin|cos|tan)\s*\(")
@@ -40,17 +45,38 @@ def read_doubts(
     if mechanism:
         found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
         if (mechanism.gravity or 0) > HEAVY:
-            found.append((Phrase("doubt_gravity", value=f"{mechanism.gravity:g}"), ("gravity",)))
+            found.append((Phrase("doubt_gravity", value=Written(f"{mechanism.gravity:g}")), ("gravity",)))
         found += [
-            (Phrase("doubt_friction", guide=guide, value=value), ("friction", guide))
+            (Phrase("doubt_friction", guide=guide, value=float(value)), ("friction", guide))
             for guide, value in {
                 **mechanism.friction,
                 **{n: j.coefficient for n, j in mechanism.journals.items()},
             }.items()
             if value >= STEEP
         ]
-    said = [Doubt(phrase, file, line_of(table, path)) for phrase, path in found]
+    said = [Doubt(phrase, file, line_of(table, _home(table, parameters, phrase, path))) for phrase, path in found]
     return sorted(said, key=lambda doubt: doubt.line)
+
+
+def _home(table: SourceTable, parameters: Mapping[str, Node], phrase: Phrase, path: Keys) -> Keys:
+    """Where a number that seems to be in other units is written: at the one parameter it is made of, if it is."""
+    written = [node for at, node in texts(table) if at[: len(path)] == path and phrase.key in OF_UNITS]
+    names = {node.text for node in written if node.text in parameters}
+    return ("parameters", *names) if len(names) == 1 and "parameters" in table.entries else path
+
+
+def check_lengths(reader: Reader, mechanism: Mechanism) -> None:
+    """No rod from hinge to hinge is less than nothing long: of a link whose points are all on its axis, the second
+    hinge is not behind the first."""
+    links = [mechanism.frame, *mechanism.links.values()]
+    shared = Counter(point for link in links for point in link.points)
+    for link in mechanism.links.values():
+        hinges = [point for point in link.points if shared[point] > 1]
+        rod = len(hinges) == 2 and not (link.guides or link.slides or any(z.imag for z in link.points.values()))
+        if rod and (length := (link.points[hinges[1]] - link.points[hinges[0]]).real) < 0 == link.points[hinges[0]]:
+            told = {"link": link.name, "one": hinges[0], "two": hinges[1], "length": Written(f"{length:g}")}
+            where = mechanism.where.get(("links", link.name, "points", hinges[1]), 1)
+            raise reader.error(Phrase("negative_length", **told), where)
 
 
 def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
@@ -144,10 +170,13 @@ def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Key
         size = _size(link)
         flywheel = link.name == mechanism.drive.link
         if size and link.mass and not flywheel and (link.inertia or 0) > link.mass * (GYRATION * size) ** 2:
-            told = {"radius": f"{math.sqrt((link.inertia or 0) / link.mass):.3g}", "size": f"{size:g}"}
+            told = {"radius": math.sqrt((link.inertia or 0) / link.mass), "size": size}
             yield Phrase("doubt_inertia", link=link.name, **told), (*path, "inertia")
+        if size and (link.mass or 0) > HEAVIEST * size**3:
+            heavy = {"mass": Written(f"{link.mass:g}"), "size": Written(f"{size:g}")}
+            yield Phrase("doubt_heavy", link=link.name, **heavy), (*path, "mass")
         if size >= LONG_M:
-            yield Phrase("doubt_long", link=link.name, size=f"{size:g}", less=f"{size / 1000:g}"), (*path, "points")
+            yield (Phrase("doubt_long", link=link.name, size=Written(f"{size:g}")), (*path, "points"))
 
 
 def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from planes.geometry.arithmetic import Real, acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
 from planes.scene.unit_words import FACTORS, in_si
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.errors import ExpressionError, choices, shown
 
 MAX_LENGTH = 1000
@@ -238,4 +238,6 @@ class ExpressionParser:
         try:
             return function(*given)
         except ValueError:
-            raise self.fail(Phrase("call_without_value", name=name, given=tuple(f"{x:g}" for x in given))) from None
+            raise self.fail(
+                Phrase("call_without_value", name=name, given=tuple(Written(f"{x:g}") for x in given))
+            ) from None

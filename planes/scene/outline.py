@@ -15,12 +15,13 @@ KINDS = {"frame": MECHANISM_KEYS, "vectors": VECTORS_KEYS, "points": STATICS_KEY
 KEYS = tuple(dict.fromkeys((*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS, *STATICS_KEYS)))
 NEEDED = {"frame": ("frame", "links", "drive"), "vectors": ("vectors", "equations"), "points": ("points",)}
 _EXAMPLES = {
-    "frame": "frame: {points: {O: [0, 0]}}",
-    "links": "links: {1: {points: {O: 0, A: 0.1}}}",
-    "drive": "drive: {link: 1, phi: 30, omega: 10}",
-    "equations": 'equations: ["v_C = v_B + v_CB"]',
-    "vectors": "vectors: {v_B: {value: 2, direction: 120}, v_C: {direction: 80}}",
+    "frame": ("frame: {points: {O: [0, 0]}}", "fix(O=(0, 0))"),
+    "links": ("links: {1: {points: {O: 0, A: 0.1}}}", "link(1, O=0, A=0.1)"),
+    "drive": ("drive: {link: 1, phi: 30, omega: 10}", "drive(1, phi=30, omega=10)"),
+    "equations": ('equations: ["v_C = v_B + v_CB"]', ""),
+    "vectors": ("vectors: {v_B: {value: 2, direction: 120}, v_C: {direction: 80}}", ""),
 }
+"""How a part is written in a file, and the call that adds it in Python."""
 
 
 def check_outline(reader: Reader, table: SourceTable) -> None:
@@ -48,6 +49,7 @@ def check_outline(reader: Reader, table: SourceTable) -> None:
 def _check_required(reader: Reader, table: SourceTable, kind: str) -> None:
     for key in NEEDED[kind]:
         if key not in table.entries:
-            raise SceneError(Phrase("part_missing", key=key, example=_EXAMPLES[key]), reader.file, 1)
+            example, call = _EXAMPLES[key]
+            raise SceneError(Phrase("part_missing", key=key, example=example, call=call), reader.file, 1)
         if reader.optional(table, key) is None:
             raise reader.error(Phrase("part_empty", what=key), table.lines[key])

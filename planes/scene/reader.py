@@ -153,7 +153,7 @@ class Reader:
             return self._pair(node, what)
         if isinstance(node, SourceTable):
             table = self.table(node, what, ("r", "angle"))
-            radius = self.number(self.required(table, "r", what), part("r", what))
+            radius = self.positive(self.required(table, "r", what), part("r", what))
             angle = self.said(table, "angle", what) or 0.0
             return self.written.note_place(complex(radius * cos_deg(angle), radius * sin_deg(angle)), radius, angle)
         if not on_axis:

@@ -18,7 +18,7 @@ from planes.solving.own_equations import own_equations
 from planes.solving.readings import KINDS, Readings, known
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
-from planes.words import Lang, Phrase, Told
+from planes.words import Lang, Phrase, Written
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.frozen import frozen
 from planes.words.names import POLE, at, label_of, parts_of
@@ -190,15 +190,14 @@ def failed(failure: PlanFailure, value: float, kind: str, near: float | None = N
 
 
 def told(value: float, kind: str, lang: Lang) -> str:
-    """A value of the drive in words, so that it can be typed again."""
-    place = _place(value, kind)
-    return place.told(lang) if isinstance(place, Phrase) else place
+    """A value of the drive in words."""
+    return _place(value, kind).told(lang)
 
 
-def _place(value: float, kind: str, exact: bool = False) -> Told:
+def _place(value: float, kind: str, exact: bool = False) -> Phrase | Written:
     """A value of the drive, with ten digits or ``exact``."""
     number = repr(value).removesuffix(".0") if exact else f"{value:.10g}"
-    return f"{number}°" if kind == "phi" else Phrase("in_m", value=number)
+    return Written(f"{number}°") if kind == "phi" else Phrase("in_m", value=Written(number))
 
 
 def key_of(plans: Plans) -> str:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any, Self
 
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, loads
+from planes.scene.doubts import OF_UNITS
 from planes.scene.writing import written
-from planes.words import Phrase
+from planes.words import Phrase, home_lang
 from planes.words.errors import PlanesError, choices, shown
 
 Place = float | str | complex | Sequence[float | str] | Mapping[str, float | str]
@@ -174,15 +176,24 @@ class Linkage:
         """The scene, with other numbers for its ``parameters`` (SI, degrees).
 
         Raises :class:`planes.PlanesError`, which names the part, where something cannot be meant, or the links and
-        pairs make no mechanism, or its assembly is open.
+        pairs make no mechanism, or its assembly is open; warns (``UserWarning``) of numbers in what seem to be
+        other units.
         """
         scene = loads(self.to_yaml(), f"<{self.parts['title'] or 'Linkage'}>", None, **parameters)
         scene_plans(scene)
-        return scene
+        return doubted(scene)
 
     def __repr__(self) -> str:
         links = ", ".join(self.parts["links"])
         return f"<Linkage {self.parts['title']!r}: {f'links {links}' if links else 'no links'}>"
+
+
+def doubted(scene: Scene) -> Scene:
+    """The scene; whoever asked for it is warned of numbers in it that seem to be in other units."""
+    for doubt in scene.doubts:
+        if doubt.phrase.key in OF_UNITS:
+            warnings.warn(doubt.told(home_lang()), stacklevel=3)
+    return scene
 
 
 def _given(**parts: Any) -> dict[str, Any]:

@@ -12,39 +12,19 @@ from planes.scene.expressions import evaluate
 from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
 from planes.scene.unit_words import FACTORS
 from planes.solving import Position
+from planes.solving.given_rows import GivenRow, alike, beside, equal
 from planes.words import say
 from planes.words.frozen import frozen
-from planes.words.lettering import flat, greek
+from planes.words.lettering import greek
 from planes.words.names import kind_of, letter_of
 from planes.words.naming import Naming
 from planes.words.units import UNIT, number, unit_of_parameter
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m", "units")
 """Units in the order their rows stand in."""
-SAME = 1e-9
 LONGEST = 60  # signs of a law in a cell
 LOADING = ("kg", "kgm2", "N", "N·m")  # units of what only forces are drawn by
 DIGITS = 6  # a given number is written as it was given
-
-
-@frozen
-class GivenRow:
-    """A name as it is lettered, a value in the unit of the table (SI, degrees), the unit's key; ``given`` is its name
-    in the program, "" of what the scheme is drawn by."""
-
-    name: str
-    value: float
-    unit: str
-    given: str = ""
-    of_drive: bool = False
-    place: bool = False  # a coordinate, which is told even where it is 0
-
-    @property
-    def same(self) -> tuple[str, str]:
-        """What names of one thing have in common: l_{CD} and l_{DC} the letter and the points, J_{S2} and J_{2} the
-        unit and the link."""
-        spatial, index = self.unit in ("m", "°"), sorted(set(flat(self.name[1:])) - {"–"})
-        return self.name[0] if spatial else self.unit, "".join(x for x in index if spatial or x.isdigit())
 
 
 @frozen
@@ -91,16 +71,16 @@ class GivenTable:
         for name, value in self.parameters.items():
             row = GivenRow(greek(name), value, unit_of_parameter(name))
             moved = letter_of(name) == drive.kind and value == drive.position
-            alike = [r for r in self.plain if r.same == row.same and _equal(r.value, value)]
-            read = any(map(self.read, alike)) if alike else self.position.plans.forces or row.unit not in LOADING
+            same = [r for r in self.plain if alike(r, row)]
+            read = any(map(self.read, same)) if same else self.position.plans.forces or row.unit not in LOADING
             if row.name not in shown and not moved and read and not _unit(name, value):
-                other = [r.name for r in alike if r.place or r.unit in ("", "N", "N·m")]
+                other = [beside(r, value) for r in same if r.place or r.unit in ("", "N", "N·m")]
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
     def known(self, row: GivenRow) -> bool:
         """Whether a parameter says the same of the same thing: l_CD of l_DC, J_S2 of J_2."""
         named = (GivenRow(greek(name), v, unit_of_parameter(name)) for name, v in self.parameters.items())
-        return any(r.same == row.same and _equal(r.value, row.value) for r in named)
+        return any(alike(row, r) for r in named)
 
     @cached_property
     def plain(self) -> list[GivenRow]:
@@ -169,7 +149,7 @@ class GivenTable:
             name = f"l_{first}{point}"
             told = self.parameters.get(name, polar[0])  # which may be a coordinate
             plain = name in self.parameters if self.steady else _signs(*polar) <= _signs(way.real, way.imag)
-            if way.imag and not (plain and _equal(told, polar[0])):
+            if way.imag and not (plain and equal(told, polar[0])):
                 yield from self.place(first + point, way)
                 continue
             yield GivenRow(f"l_{{{first}{point}}}", polar[0], "m")
@@ -244,7 +224,3 @@ def _signs(*values: float) -> int:
 def _unit(name: str, value: float) -> bool:
     """Whether a parameter is a unit that others are written in: it is called as one, and as large."""
     return name in FACTORS and math.isclose(value, evaluate(FACTORS[name], {}), rel_tol=1e-3)
-
-
-def _equal(a: float, b: float) -> bool:
-    return abs(a - b) <= SAME * max(abs(a), abs(b))

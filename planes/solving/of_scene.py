@@ -1,14 +1,16 @@
 """What ``planes.solve`` does: one position of a scene, or several."""
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any, overload
 
+from planes import scene as scenes
 from planes.drafting.instruments import Instrument
 from planes.scene import Scene
 from planes.scene.ranges import asked_of_drive, finite
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
-from planes.solving.building import Linkage
+from planes.solving.building import Linkage, doubted
 from planes.words import home_lang
 
 Numbers = Iterable[float]
@@ -17,6 +19,20 @@ Numbers = Iterable[float]
 def read(scene: Scene | Linkage) -> Scene:
     """A scene, or the scene of a mechanism built in Python."""
     return scene.scene() if isinstance(scene, Linkage) else scene
+
+
+def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
+    """Read a scene file, with other numbers for the ``parameters`` named (SI, degrees).
+
+    Raises :class:`~planes.words.errors.SceneError`, with file and line, for a mistake in it or an unknown parameter;
+    warns (``UserWarning``) of numbers in what seem to be other units, as the command line does.
+    """
+    return doubted(scenes.load(path, variant, **parameters))
+
+
+def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **parameters: float) -> Scene:
+    """Read the text of a scene file, as :func:`load` does."""
+    return doubted(scenes.loads(text, file, variant, **parameters))
 
 
 @overload

@@ -11,7 +11,7 @@ from planes.plans.scales import FIT_MM, extent
 from planes.scene import Scene
 from planes.solving import Position, Solved, as_json, failed, key_of, plans_of, told
 from planes.solving.nearest import works
-from planes.words import Lang, say
+from planes.words import Lang, Written, say
 from planes.words.errors import PlanFailure
 from planes.words.names import kind_of, mu_of
 from planes.words.records import Json
@@ -52,7 +52,12 @@ def rescaled(solved: Solved, p: Position) -> Position:
     again.results["remedied"] = sorted(large)
     for kind, (plan, marks, angle, size) in large.items():
         said, now = (mu_text(x[mu_of(plan)], kind, lang, scene.mu_convention) for x in (p.scales, again.scales))
-        parts = {"marks": marks, "angle_deg": f"{angle:.2g}", "size_mm": f"{size:.0f}", "plan": say_plan(plan, lang)}
+        parts = {
+            "marks": marks,
+            "angle_deg": Written(f"{angle:.2g}"),
+            "size_mm": f"{size:.0f}",
+            "plan": say_plan(plan, lang),
+        }
         again.results["warnings"].append(say("remedy_scale", lang, said=said, mu=now, **parts))
     return again
 

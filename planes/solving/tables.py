@@ -56,8 +56,10 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
     lines += _slides(p, lang, e) + _derived(p, lang, naming, "transfers")
     for name, plan in r.get("plans", {}).items():
-        if name != "position" and any(s["mm"] for s in plan["segments"].values()):
+        if name != "position" and any(s["mm"] > 1e-9 for s in plan["segments"].values()):
             lines += _plan(p, name, lang, naming)
+        elif kind_of(name) == "force":
+            lines += ["", say("polygon_empty", lang, plan=titled(p, name, lang, naming).partition(", μ")[0])]
     forces = p.of("reactions")
     if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
         lines += (

@@ -2,7 +2,8 @@
 
 import cmath
 import math
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Sequence
 
 from planes.plans.measuring import say_plan
 from planes.solving import Position
@@ -15,9 +16,29 @@ from planes.words.units import mu_text, quantity
 NOISE = 1e-12  # of the largest number of its kind: nothing
 
 
-def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> list[str]:
-    """Aligned columns under a title; nothing at all when there are no rows."""
-    lines = [list(head), *map(list, rows)]
+_NUMBER = re.compile(r"[-−]?(\d+)(?:([.,])(\d+))?")
+DIGITS = 4  # significant, of what is found
+
+
+def evened(rows: Iterable[Sequence[str]]) -> list[list[str]]:
+    """The rows of a table of what was found, with as many decimals in each number of a column as any there has, as far
+    as its digits are known; 0 and the first column stay as they are."""
+    columns = [list(column) for column in zip(*rows, strict=True)]
+    for column in columns[1:]:
+        numbers = {k: m for k, cell in enumerate(column) if (m := _NUMBER.fullmatch(cell))}
+        longest = max(numbers.values(), key=lambda m: len(m[3] or ""), default=None)
+        for k, m in numbers.items():
+            digits = f"{m[1]}{m[3] or ''}".lstrip("0")
+            if longest and longest[3] and digits:
+                more = min(len(longest[3]) - len(m[3] or ""), DIGITS - len(digits))
+                column[k] += (longest[2] if more > 0 and not m[3] else "") + "0" * more
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def table(title: str, head: Iterable[str], rows: Iterable[Sequence[str]], even: bool = True) -> list[str]:
+    """Aligned columns under a title; nothing at all when there are no rows. ``even`` is not asked of numbers that
+    somebody wrote."""
+    lines = [list(head), *(evened(rows) if even else map(list, rows))]
     if len(lines) == 1:
         return []
     widths = [max(len(row[i]) for row in lines) for i in range(len(lines[0]))]

@@ -7,7 +7,7 @@ from planes.drafting.clearness import NOTHING, clear, far_apart
 from planes.drafting.tools import Thing
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
 from planes.plans.quantities import Quantity, results_of
-from planes.words import Lang, say
+from planes.words import Lang, Written, say
 from planes.words.names import index_of
 
 
@@ -19,7 +19,7 @@ def warnings(
     said = [say("passive", lang, links=", ".join(passive))] if passive else []
     if passive and (m := reader.stated.mechanism) and (m.loads or any(x.mass or x.inertia for x in m.links.values())):
         said.append(say("passive_forces", lang, links=", ".join(passive)))
-    said += [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
+    said += [say("blunt", lang, makes=", ".join(marks), angle_deg=Written(angle)) for angle, marks in blunt]
     for reason, step, _ in reader.drawing.tool.notes:
         said.append(say(reason, lang, makes=index_of(str(getattr(step, "makes", "")))))
     rough, none = _doubts(reader, wanted, given)

@@ -102,8 +102,19 @@ class Phrase:
 
     __str__ = told
 
+    def in_python(self) -> "Phrase":
+        """The same about what was built in Python: a call where the sentence of a file shows lines of a file."""
+        key = f"{self.key}_in_python"
+        return Phrase(key if key in table("en") else self.key, **{name: _called(p) for name, p in self.parts.items()})
+
     def __repr__(self) -> str:
         return f"Phrase({self.key!r}, {self.parts!r})"
+
+
+def _called(part: object) -> object:
+    if isinstance(part, tuple):
+        return tuple(map(_called, part))
+    return part.in_python() if isinstance(part, Phrase) else part
 
 
 class Written:
@@ -141,7 +152,8 @@ class _Teller(Formatter):
             return (format_spec or ", ").join(self.format_field(v, "") for v in value)
         if isinstance(value, str):
             return _of_system(self.lang).get(value, value)
-        return format(value, format_spec or (".4g" if isinstance(value, float) else ""))
+        number = format(value, format_spec or (".4g" if isinstance(value, float) else ""))
+        return decimal(number, self.lang) if isinstance(value, float) else number
 
 
 def decimal(number: str, lang: Lang) -> str:

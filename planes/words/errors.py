@@ -58,7 +58,7 @@ class SceneError(PlanesError, ValueError):
     def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
         self.place = place_of(file, line)
         self.file, self.line = file, line
-        super().__init__(phrase)
+        super().__init__(phrase.in_python() if file[:1] == "<" and isinstance(phrase, Phrase) else phrase)
 
 
 @frozen
@@ -71,7 +71,8 @@ class Doubt:
 
     def told(self, lang: Lang = "en") -> str:
         """The place and the sentence in a language."""
-        return f"{place_of(self.file, self.line)}{self.phrase.told(lang)}"
+        phrase = self.phrase.in_python() if self.file[:1] == "<" else self.phrase
+        return f"{place_of(self.file, self.line)}{phrase.told(lang)}"
 
 
 class StructureError(SceneError):
@@ -119,6 +120,12 @@ def _near(given: str, known: list[str]) -> Told:
         return Phrase("near_alike", name=alike)
     found = get_close_matches(given, known, n=1, cutoff=0.5)
     return Phrase("near_name", name=found[0]) if found else ""
+
+
+def nearest(given: str, names: Iterable[str]) -> str:
+    """The name that is written most like the given one; empty where none is."""
+    near = _near(given[:OFFERED], [*islice(names, 2000)])
+    return str(near.parts["name"]) if isinstance(near, Phrase) else ""
 
 
 def _spelled(name: str) -> str:

@@ -72,7 +72,7 @@ class Polygon:
         self.vectors()
         rays, lettered = drawn_strokes(self.plotted.drawing, self.plotted.figure, self.plan)
         self.marks += rays
-        ground = (*self.marks, *(dot(self.mark(POLE), 0.7, "plan") if self.of_rates else ()))
+        ground = (*self.marks, *dot(self.mark(POLE), 0.7, "plan"))
         details = detail.details(self.places.values(), self.letters(), self.of_rates)
         named = [*self.named(details), *lettered]
         circled = (*ground, *self.aside, *(d.circle() for d in details))
@@ -176,7 +176,8 @@ class Polygon:
             return self.mark_labels(SAME_MM / times)
         places = self.numbered(details)
         numbers = {corner: k for k, (_, corners) in enumerate(places, 1) for corner in corners}
-        ends = gathered([(str(k), z) for k, (z, _) in enumerate(places, 1)], SAME_MM / times)
+        pole = [(self.naming.mark(POLE, self.plan), self.mark(POLE))] if self.plotted.has(self.plan, POLE) else []
+        ends = gathered([*pole, *((str(k), z) for k, (z, _) in enumerate(places, 1))], SAME_MM / times)
         found = [labels.Label(", ".join(n), z, END_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
         for k, ((start, end), names) in enumerate(self.arrows.items()):
             back = self.arrows.get((end, start), [])

@@ -32,7 +32,7 @@ FAINT = """\
 planes: 1
 frame: {points: {C: [-76465.1, -25981.4]}, guides: {g0: {through: [94942.6, -4617.5], angle: -113.9}}}
 links:
-  3: {points: {D: 0, B: -331866.8}}
+  3: {points: {D: 0, B: 331866.8}}
   1: {points: {A: 0, B: 76928.2, S1: {r: 77149.7, angle: -168.5}}, slides: g0, mass: 775641, inertia: 2.68e+17,
       centre: S1}
   2: {points: {C: 0, D: 185194.7}}

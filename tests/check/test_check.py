@@ -139,8 +139,8 @@ def test_results(rows: list[tuple[str, float, str]], plan: str, first: str | Non
 @pytest.mark.parametrize(
     ("rows", "said"),
     [
-        ("v_C,2.4\nomega_2,8.12\n", "The results are right. "),
-        ("v_C,2.4\nv_X,1\n", "Right as far as seen: results; not judged: v_X."),
+        ("v_C,2.4\nomega_2,8.12\n", "Right as far as seen: results; not in the table: epsilon_2, omega_3, "),
+        ("v_H,1.2\nv_X,1\n", "Right as far as seen: results; not judged: v_H; not in the table: omega_2, "),
         ("v_C,2.4\nomega_3,16\n", "omega_3: the magnitude is right, but the sign "),
     ],
 )

@@ -133,7 +133,7 @@ def test_a_table_without_one_force_of_a_polygon_is_not_judged() -> None:
     """Marks of another plan: not one force is said to be left out."""
     asked = Asked(load(SAMPLES / "six-link.yaml"), "force:2-3")
     found = check(asked, ReadPaper("t", [ReadMark(n, z) for n, z in RIGHT.items()]))
-    assert found.verdict == "unreadable" and found.sentence.key == "check_nothing_read"
+    assert found.verdict == "unreadable" and found.sentence.key == "check_of_another_plan"
 
 
 def test_marks_that_were_not_seen_are_named() -> None:

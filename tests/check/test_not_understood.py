@@ -9,7 +9,7 @@ import pytest
 import planes
 from planes.check.grading.by_hand import unsure
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
-from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.grading.prepared_plan import Asked, prepare, redrawn
 from planes.check.outcome import Outcome, check
 from planes.check.report import as_json, chance_told
 from planes.cli import main
@@ -135,6 +135,60 @@ def test_a_number_in_an_unknown_unit_or_left_empty_is_not_seen(tmp_path: Path) -
     assert check(ASKED, read_table(file)).verdict == "right"
 
 
+CRANK = """
+planes: 1
+frame: {points: {O: [0, 0]}, guides: {x-x: {y: 0}}}
+links:
+  1: {points: {O: 0, A: 0.1}}
+  2: {points: {A: 0, B: 0.35, C: 0.12}}
+  3: {points: {B: 0}, slides: x-x}
+assembly: {B: ahead}
+drive: {link: 1, phi: 60, omega: 20}
+"""
+
+
+@pytest.mark.parametrize(
+    ("rows", "options", "status", "said"),
+    [
+        ("v_B,1.987", (), 3, "not in the table: omega_2, epsilon_2, a_B, M_1."),
+        ("v_B,1.987", ("--plan", "velocity"), 3, "not in the table: omega_2."),
+        ("v_B,1.987\nomega_2,-2.95", ("--plan", "velocity"), 0, "The results are right. (Sure.)"),
+        ("v_B,1.99\nomega_2,-2.95\nepsilon_2,99.9\na_B,14.3\nM_1,0", (), 0, "The results are right. (Sure.)"),
+        ("v_B,1.99\nomega_2,-2.95\nepsilon_2,99.9\na_B,14.3\nM_1,0\nv_D,1", (), 3, "not known: v_D (did you mean v_"),
+        ("v_B,1.99\nomega_2,-2.95\nF_99,5", ("--plan", "velocity"), 3, "not known: F_99"),
+    ],
+)
+def test_results_are_right_where_none_is_left_out(
+    rows: str, options: tuple[str, ...], status: int, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What is not in a table, and what means nothing here, are said apart from what cannot be judged."""
+    scene, table = tmp_path / "crank.yaml", tmp_path / "t.csv"
+    scene.write_text(CRANK, "utf-8")
+    table.write_text(f"result,value\n{rows}\n", "utf-8")
+    assert main(["check", str(scene), str(table), *options, "--lang", "en"]) == status
+    told = capsys.readouterr().out
+    assert said in told and "not judged" not in told
+
+
+@pytest.mark.parametrize(
+    ("results", "mistake", "words"),
+    [
+        ({"a_B": 11.1, "a_C": 28.4, "epsilon_2": 102.2}, "normal_missing", "n_BA: the normal acceleration is left out"),
+        ({"a_B": 3.14, "a_C": 1.08, "epsilon_2": -2.22}, "normal_missing", "n_A: the normal acceleration is left out"),
+        ({"a_B": 8.01, "a_C": 27.8, "epsilon_2": 104.0}, "normal_outward", "n_BA: the normal acceleration points away"),
+        ({"v_B": 1.03, "v_C": 1.45, "omega_2": 1.41}, "relative_from_pole", "b: the line of the relative velocity"),
+        ({"a_B": 20.9, "a_C": 29.05, "epsilon_2": 99.9}, None, "a_B = 20.9, but 14.29 is right; the cause is unclear"),
+    ],
+)
+@pytest.mark.parametrize("plan", ["position", "velocity", "acceleration"])
+def test_results_alone_tell_the_mistake_and_its_step_whichever_plan_is_named(
+    plan: str, results: dict[str, float], mistake: str | None, words: str
+) -> None:
+    rows = [(name, value, "") for name, value in results.items()]
+    found = check(Asked(planes.loads(CRANK), plan), ReadPaper("t", results=rows))
+    assert (found.verdict, found.mistake) == ("wrong", mistake) and found.sentence.told("en").startswith(words)
+
+
 def test_an_answer_that_is_asked_and_missing_is_not_seen() -> None:
     whole = replace(ASKED, answers=("v_C", "omega_2", "omega_3"))
     rows = [("v_C", 2.404, "m/s"), ("omega_2", 8.12, "")]
@@ -148,3 +202,25 @@ def test_tables_of_answers_of_a_class_need_no_plan(tmp_path: Path, capsys: pytes
     assert main(["check", str(ROOT / "samples" / "six-link.yaml"), str(tmp_path), "--lang", "en"]) == 1
     said = capsys.readouterr().out
     assert "omega_2" in said and "unreadable" not in said and "velocity" not in said
+
+
+def test_marks_of_another_plan_are_not_judged_as_of_this_one(tmp_path: Path) -> None:
+    scene = planes.loads(CRANK)
+    marks = {"p": 0j, **prepare(Asked(scene, "acceleration")).true_marks}
+    paper = ReadPaper("t.csv", [ReadMark(n, z) for n, z in marks.items()])
+    found = check(Asked(scene, "velocity"), paper)
+    assert (found.verdict, found.sentence.key) == ("unreadable", "check_of_another_plan")
+    assert found.sentence.told("en").endswith("write --plan acceleration.")
+    assert check(Asked(scene, "acceleration"), paper).verdict == "right"
+
+
+def test_a_mark_that_follows_from_a_mistake_does_not_miss_where_that_puts_it() -> None:
+    """The mark at which the mistake is made may not be drawn: what follows is off the right construction."""
+    bench = prepare(Asked(planes.loads(CRANK), "acceleration"))
+    for variant in bench.mistakes:
+        things = redrawn(bench, variant, lambda step, made: made)
+        drawn = {n: complex(things[f"acceleration:{n}"]) for n in bench.true_marks if things and n != variant.blames}
+        found = check(bench.asked, ReadPaper("t", [ReadMark(n, z) for n, z in {"p": 0j, **drawn}.items()]))
+        for row in as_json(found)["marks"] if found.verdict != "unreadable" else []:
+            if row["verdict"] == "follows":
+                assert row["own_deviation_mm"] <= row["own_tolerance_mm"], (variant.mistake, row)

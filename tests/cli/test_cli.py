@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -376,3 +377,13 @@ def loaded(argv: list[str]) -> Iterator[str]:
 def test_solving_loads_nothing_heavy(argv: list[str]) -> None:
     heavy = {"numpy", "matplotlib", "shapely", "reportlab", "svgwrite", "scipy", "mpmath", "ezdxf", "render"}
     assert not heavy & {name.partition(".")[0] for name in loaded(argv)}
+
+
+def test_a_sheet_is_told_at_the_end_with_its_format_and_size(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = str(tmp_path / "six-link.pdf")
+    assert main(["sheet", SIX, "-o", file, "--lang", "en"]) == 0
+    assert re.fullmatch(rf"{file} written: A2, 594 × 420 mm, [0-9]+ kB\n", capsys.readouterr().out)
+    assert main(["sheet", SIX, "--view", "velocity-plan", "-o", str(tmp_path / "v.svg"), "--lang", "ru"]) == 0
+    assert re.search(r"^записан .*v\.svg: [0-9]+ × [0-9]+ мм, [0-9]+ кБ\n$", capsys.readouterr().out)

@@ -154,7 +154,7 @@ def test_the_force_plans_stand_on_a_sheet(tmp_path, capsys):
 
 
 def test_what_the_sheet_leaves_out_is_said(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(roof, "draw_sheet", lambda *how: ("no room on A4",))
+    monkeypatch.setattr(roof, "draw_sheet", lambda *how: roof.DrawnSheet("", ("no room on A4",)))
     (tmp_path / "scene.yaml").write_text(SAMPLE, encoding="utf-8")
     assert main(["crank-slider", str(tmp_path / "scene.yaml"), "--sheet", "sheet.svg", "--lang", "en"]) == 0
     assert capsys.readouterr().err == "warning: no room on A4\n"

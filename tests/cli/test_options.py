@@ -323,11 +323,11 @@ def test_a_cycle_is_given_only_what_its_program_knows() -> None:
 
 
 DOUBTS = [
-    ("phi_1: 40", "phi_1: pi/3", "drive", "looks like radians"),
-    ("phi_1: 40", "phi_1: 1.047", "drive", "radians"),
+    ("phi_1: 40", "phi_1: pi/3", "parameters", "looks like radians"),
+    ("phi_1: 40", "phi_1: 1.047", "parameters", "radians"),
     ("phi: phi_1", "phi: -1.5708", "drive", "radians"),
     ("phi: phi_1", "phi: sin(phi_1)", "drive", "ratio of sides"),
-    ("l_OA: 0.08", "l_OA: 80", "1:", "link 1 is 80 m long: lengths are in metres; if millimetres"),
+    ("l_OA: 0.08", "l_OA: 80", "parameters", "link 1 is 80 m long: lengths are in metres; if millimetres"),
     ("{B: 0}", "{B: 0, mass: 3}", "3:", "mass of link 3 is under points"),
     ("loads", "gravity:\nloads", "gravity", "gravity has no value and therefore no effect"),
     ("loads", "gravity: 9.81\nloads", "", ""),

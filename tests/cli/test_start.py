@@ -168,4 +168,6 @@ def test_a_person_at_a_terminal_reads_what_was_written(
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     assert main(words) == 0
     size = -(-file.stat().st_size // 1000)
-    assert f"{file} written ({size} kB)" in capsys.readouterr().err
+    assert re.fullmatch(rf"{file} written: [0-9]+ × [0-9]+ mm, {size} kB\n", capsys.readouterr().out)
+    words = ["lesson", str(ROOT / "samples/kind-1-rrr.yaml"), "-o", str(tmp_path / "lesson.html"), "--lang", "en"]
+    assert main(words) == 0 and "lesson.html written (" in capsys.readouterr().err

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import doctest
 import importlib
+import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -14,6 +16,7 @@ import numpy as np
 import pytest
 
 import planes
+from planes.cli import main
 from planes.scene.mechanism import Assembly, Drive, Link, Mechanism
 from tests.helpers import ROOT
 
@@ -228,3 +231,13 @@ def test_a_mechanism_built_in_python_needs_no_scene_of_its_own() -> None:
     bar.assemble(R="left").drive(1, phi=60, omega=-10)
     assert planes.solve(bar).omega[2] == planes.solve(bar.scene()).omega[2]
     assert planes.cycle(bar, "omega_3", phi=[60])["omega_3"][0] == pytest.approx(-3.787, abs=1e-3)
+
+
+def test_extremes_print_as_the_tables_of_a_cycle_and_tell_their_shape(capsys: pytest.CaptureFixture[str]) -> None:
+    found = planes.extremes(planes.load(FOUR_BAR))
+    assert main(["cycle", str(FOUR_BAR), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["curves"] == json.loads(json.dumps(found))["curves"]
+    assert not re.search(r"[0-9][.,][0-9]{7}", f"{found} {found!r}")
+    told = str(type(planes.extremes).__doc__) + str(planes.extremes.__doc__)
+    for key in (*list(found)[4:], *found["driven"], "unit", "group", "extremes", "at", "value", "kind"):
+        assert re.search(rf'[`"]{key}[`"]', told), key

@@ -168,3 +168,15 @@ def test_every_link_of_it_leads_somewhere(built: Path) -> None:
         for address in re.findall(r'(?:href|src)="([^"#]+)(?:#[^"]*)?"', told):
             if not re.match(r"[a-z]+:|//", address):
                 assert (file.parent / address.partition("?")[0]).exists(), (file.name, address)
+
+
+@pytest.mark.parametrize("lang", ["en", "ru"])
+def test_a_block_made_by_the_site_has_a_line_for_those_who_read_without_it(lang: str, hooks: ModuleType) -> None:
+    for name, text in PAGES[lang].items():
+        blocks = re.findall(r"(.*)\n\n```(gallery|include|tables|essay|studio|api)\b", f"\n\n{text}")
+        assert len(blocks) == len(re.findall(r"^```(?:gallery|include|tables|essay|studio|api)\b", text, re.M)), name
+        for line, kind in blocks:
+            assert hooks.PLAIN.match(f"{line}\n\n```"), (name, kind, line)
+            for target in re.findall(r"\]\(([^)]*)\)", line):
+                assert (hooks.PAGES / lang / target).resolve().exists(), (name, target)
+        assert not hooks.PLAIN.search(hooks.PLAIN.sub("", text))

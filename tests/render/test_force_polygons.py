@@ -54,7 +54,7 @@ def test_ends_of_forces_in_one_line_are_numbered():
     texts = {m.name: m.text for m in marks if isinstance(m, Text)}
     assert texts["G_5"] == "G_{5} (1–2)" and texts["P_5"] == "P_{5} (3–4)"
     assert texts["F_54"] == "F_{54} = F_{43} (4–1) = −F_{45}"
-    assert {"1", "2", "3", "4"} <= {m.text for m in marks if isinstance(m, Text)}
+    assert {"p, 1", "2", "3", "4"} <= {m.text for m in marks if isinstance(m, Text)}
     assert not any(re.search(r"раздвинут", m.text) for m in marks if isinstance(m, Text))
 
 
@@ -66,3 +66,10 @@ def test_a_sum_stands_beside_its_forces_with_ticks_at_its_ends():
     true = [polygon.mark(label) for label in next(k for k, names in polygon.arrows.items() if "F_32" in names)]
     assert [t.points for t in ticks] == [tick(true[0], arrow.start), tick(true[1], arrow.end)]
     assert abs(arrow.start - true[0]) in (pytest.approx(2.0), pytest.approx(4.0))
+
+
+@pytest.mark.parametrize("sample", ["six-link", "kind-1-rrr", "bntu-3"])
+def test_the_pole_of_a_force_polygon_has_its_letter(sample: str) -> None:
+    for polygon in polygons(f"samples/{sample}.yaml"):
+        texts = [m.text for m in polygon.drawn() if isinstance(m, Text)]
+        assert any(text.split(", ")[0] in ("p", "π") for text in texts), polygon.plan

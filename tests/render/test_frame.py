@@ -289,3 +289,19 @@ def test_the_letter_of_a_study_sheet_is_given_unless_the_scene_says_another():
     assert said_of(sheet())["letter_1"] == "У"
     assert "letter_1" not in said_of(sheet(letter="''"))
     assert said_of(sheet(letter="О"))["letter_1"] == "О"
+
+
+@pytest.mark.parametrize(
+    ("lang", "words"),
+    [
+        ("ru", "Разраб. Листов Масштаб"),
+        ("en", "Drawn Sheets Scale"),
+        ("uk", "Розроб. Аркушів Масштаб"),
+        ("be", "Распр. Лістоў Маштаб"),
+    ],
+)
+def test_the_frame_is_in_the_language_asked_for_whatever_began_the_scene(lang: str, words: str) -> None:
+    """A scene with neither language nor frame of its own, as one typed by hand."""
+    marks = sheet_of(loads(SIX_LINK), None, lang).marks
+    text = {m.text for m in marks if isinstance(m, Text)}
+    assert set(words.split()) <= text

@@ -10,7 +10,7 @@ frame: {points: {A: [0, 0], D: {r: 0.7, angle: -12.3}}}
 links:
   1: {points: {A: 0, B: l}}
   2: {points: {B: 0, C: twice}}
-  3: {points: {C: 0, D: −0.31}}
+  3: {points: {C: 0, D: 0.7, S: −0.31}}
 assembly: {C: left}
 drive: {link: 1, phi: 60.1, omega: same}
 """
@@ -23,7 +23,7 @@ def test_a_decimal_is_known_where_it_stands_and_no_reckoned_number_is() -> None:
     assert written.decimal(mechanism.links["1"].points["B"].real) == "0.1234567890123456789"
     assert written.decimal(-mechanism.drive.velocity) == "-0.1234567890123456789"
     assert written.decimal(mechanism.links["2"].points["C"].real) == ""
-    assert written.decimal(mechanism.links["3"].points["D"].real) == "-0.31"
+    assert written.decimal(mechanism.links["3"].points["S"].real) == "-0.31"
     assert written.places[mechanism.frame.points["D"]] == (0.7, -12.3)
 
 

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import pydoc
 import re
+import warnings
+from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 import planes
+from planes.cli import main
 from planes.solving.building import Linkage
+from planes.words import langs
 from tests.helpers import ROOT
 
 
@@ -40,8 +45,50 @@ def test_what_cannot_be_meant_is_a_sentence_that_names_the_part_and_no_line_of_a
         built.scene()
     built = slider_crank()
     built.parts["gravity"] = 98.1
-    (doubt,) = built.scene().doubts
-    assert re.match("<Slider-crank>: gravity", doubt.told())
+    with pytest.warns(UserWarning, match=r"^<Slider-crank>: gravity is 98.1"):
+        built.scene()
+
+
+def four_bar(unit: float = 1.0, mass: float = 2.0, rocker: float = 0.3) -> Linkage:
+    built = Linkage("Four-bar").fix(O=(0, 0), D=(0.4 * unit, 0)).link(1, O=0, A=0.1 * unit, mass=mass)
+    return built.link(2, A=0, B=0.4 * unit).link(3, D=0, B=rocker * unit).assemble(B="left").drive(1, phi=60, omega=3)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"unit": 1000.0}, "link 3 is 300 m long: lengths are in metres; if millimetres are meant, divide by 1000"),
+        ({"mass": 2000.0}, "link 1 has a mass of 2000 kg and is 0.1 m long: masses are in kilograms; if grams"),
+    ],
+)
+def test_numbers_in_what_seem_other_units_are_doubted_in_python_as_on_the_command_line(
+    given: dict[str, float], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.warns(UserWarning) as warned:
+        four_bar(**given).scene()
+    text = four_bar(**given).to_yaml()
+    assert any(said in str(one.message) and one.filename == __file__ for one in warned)
+    with pytest.warns(UserWarning) as warned:
+        planes.loads(text)
+    assert any(said in str(one.message) for one in warned)
+    (tmp_path / "four-bar.yaml").write_text(text, "utf-8")
+    assert main(["structure", str(tmp_path / "four-bar.yaml"), "--lang", "en"]) == 0
+    assert f"warning: {tmp_path / 'four-bar.yaml'}:" in (told := capsys.readouterr().err) and said in told
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        four_bar().scene()
+
+
+def test_a_negative_length_is_refused_in_python_as_on_the_command_line() -> None:
+    with pytest.raises(
+        planes.PlanesError, match=r"^<Four-bar>: the length DB of link 3 cannot be negative, but is -0.3"
+    ):
+        four_bar(rocker=-0.3).scene()
+    text = four_bar().to_yaml()
+    with pytest.raises(planes.PlanesError, match=r"^a.yaml:[0-9]+: the length DB of link 3 cannot be negative"):
+        planes.loads(text.replace("0.3", "-0.3"), "a.yaml")
+    with pytest.raises(planes.PlanesError, match=r"r of point B of link 3 cannot be negative"):
+        planes.loads(text.replace("B: 0.3", "B: {r: -0.3, angle: 10}"), "a.yaml")
 
 
 def test_an_open_assembly_and_a_missing_link_are_refused_before_anything_is_solved() -> None:
@@ -80,3 +127,41 @@ def test_a_room_is_reached_through_the_verb_of_its_name() -> None:
     assert callable(planes.check) and planes.lesson(scene)
     assert planes.check is planes.check and "check(scene: " in pydoc.render_doc(planes.check, renderer=pydoc.plaintext)
     assert planes.check.__doc__ and "drawing" in planes.check.__doc__
+
+
+def _open() -> planes.Linkage:
+    return planes.Linkage("Open").fix(O=(0, 0), D=(0.4, 0)).link(1, O=0, A=0.1).link(2, A=0, B=0.4).link(3, D=0, B=0.3)
+
+
+@pytest.mark.parametrize(
+    ("build", "said"),
+    [
+        (lambda: _open().drive(1, phi=30), 'assemble({"B": "left"}) for B at'),
+        (lambda: _open().drive(1, phi=30).assemble(B="ahead"), 'valid: "left", "right" or {"near": [x, y]}'),
+        (lambda: _open().drive(1, phi=30).assemble(C="left"), 'assemble(): there is no point or guide "C"'),
+        (lambda: _open().drive(1, phi=30).assemble(B={"near": [9, 9]}), 'assemble({"B": {"near": ['),
+        (lambda: _open().assemble(B="left"), "there is no drive yet; add it: drive(1, phi=30, omega=10)"),
+        (lambda: planes.Linkage("Open"), "add it: fix(O=(0, 0))"),
+        (lambda: _open().assemble(B="left").drive(1, phi=30).friction(B=0.1), 'friction({"B": {"coefficient": 0.1'),
+        (lambda: _open().assemble(B="left").drive(1, phi=30).load(3, "B", force=3), 'along="motion"'),
+        (lambda: _open().link(0, A=0).assemble(B="left").drive(1, phi=30), "give its points to fix()"),
+    ],
+)
+def test_refusals_of_what_was_built_in_python_show_calls(build: Callable[[], planes.Linkage], said: str) -> None:
+    """No line of a file is shown to somebody who has none, in whichever language."""
+    linkage = build()
+    with pytest.raises(planes.PlanesError) as refused:
+        linkage.scene()
+    assert said in str(refused.value)
+    for lang in langs("structure"):
+        told = refused.value.told(lang)
+        assert not re.search(r"(assembly|drive|frame|friction|find|links): |\bkey\b|ключ", told), told
+    with pytest.raises(planes.PlanesError) as refused:
+        planes.loads(linkage.to_yaml(), "a.yaml") and planes.solve(planes.loads(linkage.to_yaml(), "a.yaml"))
+    assert said not in str(refused.value)
+
+
+def test_an_unknown_result_is_not_looked_for_under_a_key_of_a_file() -> None:
+    scene = _open().assemble(B="left").drive(1, phi=30).scene()
+    with pytest.raises(planes.PlanesError, match=r"^there is no quantity v_X; valid"):
+        planes.cycle(scene, ["v_X"])

@@ -69,7 +69,7 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
     ),
     "arcs inside": (
         FOUR_BAR.replace("{D: 0, C: 0.3}", "{D: 0, C: 0.9}"),
-        "дуга l_BC из B и дуга l_DC из D лежат одна внутри другой на 239.4 мм: C не построить; механизм в этом "
+        "дуга l_BC из B и дуга l_DC из D лежат одна внутри другой на 239,4 мм: C не построить; механизм в этом "
         "положении не собирается",
         "of the arcs l_BC about B and l_DC about D one lies inside the other by 239.4 mm: C cannot be drawn; the "
         "mechanism does not assemble in this position",
@@ -152,7 +152,7 @@ def near_offered(sentence: str) -> tuple[str, float | None]:
     """A failure without its offer of the nearest position that works, and that position."""
     found = re.fullmatch(r"(.*?)(?:; (?:the nearest that works|ближайшее рабочее положение): φ = (.*)°)?", sentence)
     assert found
-    return found[1], None if found[2] is None else float(found[2])
+    return found[1], None if found[2] is None else float(found[2].replace(",", "."))
 
 
 @pytest.mark.parametrize("name", CASES)

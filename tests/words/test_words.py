@@ -19,6 +19,7 @@ from planes.words import Phrase, say, table
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.lettering import indexed
 from planes.words.units import read_mu
+from tests.helpers import ROOT
 from tests.helpers.scene_texts import SIX_LINK, VECTORS, changed
 from tests.scene import test_expressions, test_source
 from tests.scene.test_scene_refusals import BAD, BAD_VECTORS
@@ -335,3 +336,19 @@ def test_the_command_line_speaks_the_home_language(monkeypatch, capsys, home, gi
 def test_names_in_a_sentence_have_indices_and_other_words_have_not() -> None:
     told = indexed("crank_slider: v_H, F21^t, phi_1, l_AB, omega_2, my_long_word")
     assert told == "crank_slider: v_{H}, F21^{t}, φ_{1}, l_{AB}, ω_{2}, my_long_word"
+
+
+@pytest.mark.parametrize(("lang", "sign"), [("en", "."), ("ru", ","), ("uk", ","), ("be", ",")])
+def test_numbers_of_a_message_have_the_decimal_sign_of_its_language(
+    lang: str, sign: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of a failed position and the nearest that works, and of the places of two assemblies."""
+    file = ROOT / "samples" / "six-link.yaml"
+    assert cli.main(["solve", str(file), "--phi", "90.5", "--lang", lang]) == 2
+    said = capsys.readouterr().err
+    assert re.findall(r"[0-9]([.,])[0-9]", said.partition("six-link.yaml")[2]) == [sign] * 3
+    text = file.read_text("utf-8").replace("assembly: {C: right}", "assembly: {}")
+    with pytest.raises(PlanesError) as refused:
+        solve(loads(text))
+    told = refused.value.told(lang)
+    assert set(re.findall(r"[0-9]([.,])[0-9]", told)) == {sign}

@@ -4,10 +4,8 @@ A net tells the shapes. A name that stands far from the vector laid for it speak
 """
 
 import math
-import statistics
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 import numpy
 
@@ -70,22 +68,6 @@ class HandWords:
     def by(self, name: str, z: complex, reach_mm: float = 7.0) -> float:
         """How likely a name stands by a place."""
         return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < reach_mm), default=0.0)
-
-    def unwritten(self, name: str) -> float:
-        """What it costs to believe that nobody drew the vector of a name: less than nothing, where the others' names
-        were read and this one was not."""
-        whole = self._read(name)
-        others = statistics.fmean(map(self._read, self.names - {name})) if self.names - {name} else 0.0
-        return math.log(1 - others * SURE * (1 - whole)) - math.log(1 - whole + AWAY * whole)
-
-    def _read(self, name: str) -> float:
-        """How likely a name is one of the words."""
-        return 1 - math.prod(1 - w.likely.get(name, 0.0) for w in self.words)
-
-    @cached_property
-    def names(self) -> set[str]:
-        """The names that words may be."""
-        return {name for word in self.words for name in word.likely}
 
     def _weighed(self, name: str, a: complex, b: complex) -> tuple[float, float]:
         if (key := (name, a, b)) not in self.known:

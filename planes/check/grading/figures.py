@@ -1,12 +1,14 @@
 """Numbers a person wrote down, as they are read off a drawing: lengths of segments, results."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import permutations, product
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.geometry.arithmetic import Many, Real
 from planes.plans.quantities import Quantity
-from planes.words import Phrase
+from planes.words import Phrase, Told
+from planes.words.errors import nearest
 from planes.words.frozen import frozen
 from planes.words.lettering import flat
 from planes.words.names import POLE, at, end_of, label_of, plan_of
@@ -29,30 +31,46 @@ class WrittenNumber:
 
 
 Written = tuple[str, float, str]  # a name, a value and its unit, as written
-Figures = tuple[list[WrittenNumber], list[str]]  # those of a table, and the names that mean nothing here
 
 
-def result_figures(known: Mapping[str, Quantity], names: Names, written: Iterable[tuple[str, float]]) -> Figures:
-    """Figures of a table of results, in SI; a name of two that are one quantity means that."""
-    read = [(names.meant(text), text, value) for text, value in written]
-    sure = {text: n[0] for n, text, _ in read if len({known[one].path for one in n}) == 1}
-    figures = [figure(n, known[n], value) for _, text, value in read if (n := sure.get(text))]
-    return figures, [text for _, text, _ in read if text not in sure]
+@dataclass
+class Figures:
+    """What a table holds: its figures; names that mean nothing here, with the nearest there is; numbers in units nobody
+    knows; and what is asked and not there."""
+
+    figures: list[WrittenNumber]
+    unknown: dict[str, str]
+    strange: dict[str, str] = field(default_factory=dict)
+    missing: list[str] = field(default_factory=list)
+
+    @property
+    def notes(self) -> list[Phrase]:
+        """What is said of the numbers left out."""
+        notes = [Phrase("check_unit", name=name, unit=unit) for name, unit in self.strange.items()]
+        return notes + ([Phrase("check_unknown_results", names=offers(self.unknown))] if self.unknown else [])
+
+
+def offers(unknown: Mapping[str, str]) -> tuple[Told, ...]:
+    """Names that mean nothing here, each with the nearest there is."""
+    return tuple(Phrase("check_name_near", name=name, near=near) if near else name for name, near in unknown.items())
+
+
+def _nearest(written: str, names: Names) -> str:
+    return nearest(written, map(names.naming.typed, names.known))
 
 
 def read_results(
     known: Mapping[str, Quantity], names: Names, written: Sequence[Written], asked: Iterable[str]
-) -> tuple[list[WrittenNumber], list[str], list[Phrase]]:
-    """The figures of a table of results; the names of what could not be understood, or is asked and not there; and
-    what is said of the former."""
-    read = [(name, value, unit, unit_factor(unit)) for name, value, unit in written]
-    strange = {name: unit for name, _, unit, factor in read if factor is None}
-    figures, unknown = result_figures(known, names, [(name, value * by) for name, value, _, by in read if by])
-    notes = [Phrase("check_unit", name=name, unit=unit) for name, unit in strange.items()]
-    notes += [Phrase("check_unknown_results", names=", ".join(unknown))] if unknown else []
+) -> Figures:
+    """The figures of a table of results, in SI; a name of two that are one quantity means that."""
+    read = [(text, value, unit_factor(unit), unit) for text, value, unit in written]
+    meant = {text: names.meant(text) for text, *_ in read}
+    sure = {text: one[0] for text, one in meant.items() if len({known[n].path for n in one}) == 1}
+    figures = [figure(n, known[n], value * by) for text, value, by, _ in read if by and (n := sure.get(text))]
+    unknown = {text: _nearest(text, names) for text, _, by, _ in read if by and text not in sure}
     given = {known[f.name].path for f in figures}
-    missing = [n for n in asked if (found := names.meant(n)) and known[found[0]].path not in given]
-    return figures, list(dict.fromkeys([*strange, *unknown, *missing])), notes
+    missing = [n for n in asked if (ways := names.meant(n)) and known[ways[0]].path not in given]
+    return Figures(figures, unknown, {text: unit for text, _, by, unit in read if by is None}, missing)
 
 
 def figure(name: str, q: Quantity, value: float) -> WrittenNumber:
@@ -74,8 +92,8 @@ def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -
     more = {one + two: ["".join(way) for way in product(ways[one], ways[two])] for one, two in permutations(ends, 2)}
     names = bench.naming.names(pairs, poles=False, more=more)
     read = [(names.find(text), text, mm) for text, mm in written]
-    found = [WrittenNumber(n, mm, _millimetres(plan, *pairs[n]), False, plan) for n, _, mm in read if n]
-    return found, [text for n, text, _ in read if not n]
+    figures = [WrittenNumber(n, mm, _millimetres(plan, *pairs[n]), False, plan) for n, _, mm in read if n]
+    return Figures(figures, {text: _nearest(text, names) for n, text, _ in read if not n})
 
 
 def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:

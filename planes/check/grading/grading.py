@@ -183,7 +183,7 @@ class Grading:
         if len(apart) < 3 or not self.fault:
             return len(apart) > 2
         off = max((abs(found.misses[m].off) for m in found.wrong), default=0.0)
-        fitting = found.explained if found.named else found.misses.keys() - found.wrong
+        fitting = found.explained.keys() if found.named else found.misses.keys() - found.wrong
         others = [m for m in self.shown_by if label_of(m) != found.first_wrong]
         return off > FAR_MM and sum(m in fitting for m in others) >= FITTING * len(others)
 

@@ -43,7 +43,7 @@ class Judgement:
     named: Variant | None = None
     runner_up: Variant | None = None
     as_well: Variant | None = None  # of marks within limits, the mistake that explains them as well as a hand's error
-    explained: frozenset[str] = frozenset()
+    explained: Mapping[str, Miss] = field(default_factory=dict)  # by how much marks miss where the mistake puts them
     score: float = 0.0  # logarithm of how likely the drawing is, with the mistake that is named or without any
     chance_wrong: float = 0.0  # how likely it is that some mark is wrong
 
@@ -53,6 +53,11 @@ class Judgement:
         if self.named:
             return self.named.blames
         return label_of(self.wrong[0]) if self.wrong else None
+
+    def missed(self, mark: str, verdict: str) -> Miss | None:
+        """By how much a mark misses what its step makes; what the mistake named makes, where it follows from that."""
+        own = self.misses.get(mark)
+        return self.explained.get(mark, own) if verdict == "follows" else own
 
     @property
     def doubted(self) -> list[str]:
@@ -168,7 +173,7 @@ def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> N
         found.runner_up = best.variant
         return
     found.named, found.runner_up = best.variant, rest[0].variant if rest else None
-    found.explained = frozenset(m for m, miss in best.under.items() if miss.sigmas <= found.limit)
+    found.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= found.limit}
     found.score += best.score + math.log(SLIP)
 
 

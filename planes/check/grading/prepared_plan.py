@@ -151,10 +151,6 @@ class PreparedPlan:
         asked = replace(self.asked, mu=mu) if told else self.asked
         return replace(self, asked=asked, given={**self.given, mu_of(asked.plan): mu}, said_mu=mu)
 
-    def printed_at(self, share: float) -> PreparedPlan:
-        """The plan as it seems to be by the marks of a sheet that was printed at a share of its size."""
-        return self if share == 1 else self.at(self.said_mu / share)
-
 
 def prepare(asked: Asked) -> PreparedPlan:
     """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
@@ -199,11 +195,11 @@ def catalogue(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iter
     return force_variants(ways) if kind == "force" else motion_variants(ways)
 
 
-def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float) -> list[Variant]:
-    """Every mistake that could be made in the plan that is checked."""
+def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float, plan: str = "") -> list[Variant]:
+    """Every mistake that could be made in a plan, by default the one that is checked."""
     drive = bench.plans.drive_given
     there = replace(bench.plans, given={**bench.plans.given, drive: bench.given[drive]})
-    return list(catalogue(PlanSteps(there, bench.program, bench.asked.plan), taken, mu))
+    return list(catalogue(PlanSteps(there, bench.program, plan or bench.asked.plan), taken, mu))
 
 
 class GivenUp(Exception):

@@ -5,11 +5,14 @@ from collections.abc import Collection
 from planes.check.grading.evidence import ASKED, MOST_BY_CHANCE, SMALLEST, size_of
 from planes.check.grading.grading import Grading
 from planes.check.grading.judging import WARN
+from planes.check.grading.paper import ReadPaper
+from planes.check.grading.prepared_plan import PreparedPlan, known_plans, mark_names
 from planes.check.grading.remedies import asking
 from planes.drafting.steps import Same
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.words import Phrase, Written
-from planes.words.names import label_of
+from planes.words.lettering import plan_phrase
+from planes.words.names import kind_of, label_of
 
 READABLE = 0.5  # the share of a plan's crossings that must be read
 MOST_ASKED = 3  # marks asked about at once
@@ -65,3 +68,15 @@ def doubts_of(grading: Grading) -> Phrase | None:
     first = places[0][0]
     told = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
     return asking("check_ask", "mark", marks=Written(told), mark=first)
+
+
+def of_another(bench: PreparedPlan, paper: ReadPaper) -> Phrase | None:
+    """That a table is of another plan: all its marks are called as there, and not as here."""
+    written, plan = [s.name for s in paper.spots], bench.asked.plan
+    if paper.picture or all(map(bench.names.exactly, written)):
+        return None
+    others = (other for other in known_plans(bench.plans) if kind_of(other) != kind_of(plan))
+    fits = (o for o in others if all(map(mark_names(bench.plans, o, bench.naming).exactly, written)))
+    other = next(fits, "")
+    said = {"other": plan_phrase(other), "plan": plan_phrase(plan), "option": other} if other else {}
+    return Phrase("check_of_another_plan", **said) if other else None

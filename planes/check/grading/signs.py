@@ -18,7 +18,7 @@ def exchanged(bench: PreparedPlan, paper: ReadPaper, found: Grading) -> tuple[Gr
     """The grading of a drawing that is right once two of its letters are exchanged, and which; None where that does not
     mend it, or a mistake of the catalogue explains every mark."""
     judged = found.judgement
-    told = judged.named is not None and judged.explained >= judged.misses.keys()
+    told = judged.named is not None and judged.explained.keys() >= judged.misses.keys()
     if not judged.wrong or told or found.rebuilt or kind_of(bench.asked.plan) == "force":
         return None
     names = {s.name: n for s in paper.spots if (n := bench.names.find(s.name)) and n != POLE}

@@ -7,13 +7,15 @@ from dataclasses import dataclass, field
 from planes.check.grading.evidence import chance_off
 from planes.check.grading.figures import WrittenNumber, first_of
 from planes.check.grading.handwork import Hand
-from planes.check.grading.judging import MARGIN
+from planes.check.grading.judging import MARGIN, OTHER_CAUSE
 from planes.check.grading.slips import SHARE, number_mistake, number_of
 from planes.check.grading.variants import Variant
 from planes.drafting.skill import SIGMAS, too_near
 from planes.words import Phrase, Written
 from planes.words.names import mu_of
 
+ROUNDED = 0.005  # of a number reckoned in three digits
+LEAST = 0.1  # of the true value: smaller numbers are not written more exactly
 LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
 
 
@@ -84,8 +86,8 @@ def account(
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
                 s.slip = number_mistake(s.figure, s.mine, s.sigma, own)
     wrong = sum(s.verdict == "wrong" for s in found.scored)
-    if found.first and found.first.slip is None and (found.lengths or wrong > 1):  # one result tells no construction
-        _name(found, free, variants)
+    if found.first and found.first.slip is None and (found.lengths or len(found.scored) > 1):
+        _name(found, free, variants, (True,) if found.lengths else (True, False) if wrong > 1 else (False,))
     return found
 
 
@@ -132,22 +134,25 @@ def _off(f: WrittenNumber, true: float) -> float:
     return abs(f.given - true) if f.signed else abs(abs(f.given) - abs(true))
 
 
-def _name(found: Account, free: Hand, variants: Iterable[Variant]) -> None:
-    """The mistake in a plan that gives all the numbers as they are written; what it explains beyond the first wrong
-    figure follows from it."""
+def _name(found: Account, free: Hand, variants: Iterable[Variant], means: Sequence[bool]) -> None:
+    """The mistake in a plan that gives all the numbers as they are written, drawn by hand or reckoned (``means``); what
+    it explains beyond the first wrong figure follows from it. Of one wrong result a construction is told only by the
+    digits."""
     best: dict[str, tuple[float, Variant, list[float]]] = {}
     for variant in variants:
         things = {**free.things, **variant.givens, **free.under(variant)}
-        fits = [_fit(s, first_of(s.figure.read(things))) for s in found.scored]
-        score = sum(fits) + math.log(variant.weight)
+        values = [first_of(s.figure.read(things)) for s in found.scored]
+        score, fits = max(_explained(found.scored, values, by_hand) for by_hand in means)
+        score += math.log(variant.weight)
         if score > best.get(variant.mistake, (-math.inf,))[0]:
             best[variant.mistake] = score, variant, fits
     ranked = sorted(best.values(), key=lambda b: -b[0])
     if not ranked:
         return
     (score, variant, fits), first = ranked[0], found.first
-    second = ranked[1][0] if len(ranked) > 1 else -math.inf
-    if score > LIKELY * len(found.scored) and score - second >= MARGIN:
+    rest = [ranked[1][0]] if len(ranked) > 1 else []
+    rest += [] if found.lengths else [_by_other_cause(found.scored, means)]
+    if sum(fits) + math.log(variant.weight) > LIKELY * len(fits) and score - max(rest, default=-math.inf) >= MARGIN:
         found.named = variant
         for s, fit in zip(found.scored, fits, strict=True):
             if s.verdict == "wrong" and s is not first and fit > LIKELY:
@@ -155,6 +160,22 @@ def _name(found: Account, free: Hand, variants: Iterable[Variant]) -> None:
     found.runner_up = ranked[1][1].mistake if len(ranked) > 1 and found.named else variant.mistake
 
 
-def _fit(s: Scored, value: float) -> float:
-    sigma = max(s.sigma, SHARE / 2 * abs(value), 1e-12)
-    return max(-0.5 * (_off(s.figure, value) / sigma) ** 2, -50.0) if math.isfinite(value) else -50.0
+def _by_other_cause(scored: Sequence[Scored], means: Sequence[bool]) -> float:
+    """How likely numbers are to be written where wrong ones may be any of their size, the rest as they should."""
+    rest = [s for s in scored if s.verdict != "wrong"]
+    anywhere = sum(math.log(max(abs(s.figure.given), s.sigma, 1e-12)) for s in scored if s.verdict == "wrong")
+    return math.log(OTHER_CAUSE) - anywhere + max(_explained(rest, [s.true for s in rest], m)[0] for m in means)
+
+
+def _explained(scored: Sequence[Scored], values: Sequence[float], by_hand: bool) -> tuple[float, list[float]]:
+    """How likely numbers are to be written for these values (a log density), and how well each fits."""
+    sigmas = [
+        max(s.sigma if by_hand else 0.0, (SHARE / 2 if by_hand else ROUNDED) * max(abs(v), LEAST * abs(s.true)), 1e-12)
+        for s, v in zip(scored, values, strict=True)
+    ]
+    fits = [_fit(_off(s.figure, v) / sigma, v) for s, v, sigma in zip(scored, values, sigmas, strict=True)]
+    return sum(fits) - sum(map(math.log, sigmas)), fits
+
+
+def _fit(off: float, value: float) -> float:
+    return max(-0.5 * off**2, -50.0) if math.isfinite(value) else -50.0

@@ -35,7 +35,7 @@ def mark_rows(out: Outcome) -> list[Json]:
         return [_segment_row(s) for s in (out.segments.scored if out.segments else [])]
     rows = []
     for mark, verdict in g.verdicts.items():
-        own, miss = g.hand.taken.get(mark), g.judgement.misses.get(mark)
+        own, miss = g.hand.taken.get(mark), g.judgement.missed(mark, verdict)
         row: Json = {"mark": label_of(mark), **dict.fromkeys(SIZES), "verdict": verdict}
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if own and miss and not (absent and verdict == "right"):

@@ -124,8 +124,8 @@ def _rule(grading: Grading) -> Json:
 def _said(found: Outcome, lang: Lang) -> dict[str, str]:
     """Sentences a page may come to, with places for names and numbers."""
     phrases = {
-        "right": found.right(""),
-        "as_seen": found.right("⟦names⟧"),
+        "right": found.right(()),
+        "as_seen": found.right((Phrase("check_not_judged", names="⟦names⟧"),)),
         "nothing_drawn": asking("check_nothing_drawn", size="⟦size⟧"),
         "by_chance": Phrase("check_by_chance", size="⟦size⟧", count="⟦count⟧"),
         "nothing": asking("check_nothing_read", names="⟦names⟧"),

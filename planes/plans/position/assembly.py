@@ -6,7 +6,7 @@ from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Group
 from planes.plans.position.bodies import AssemblyChoice, Bodies, TrackChoice
-from planes.plans.position.tracks import MIDWAY, nearest, one_chosen, resolve_track
+from planes.plans.position.tracks import MIDWAY, nearest, one_chosen, resolve_track, track_offer
 from planes.scene.mechanism import Assembly, Mechanism
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
@@ -30,9 +30,7 @@ def resolve(b: Bodies) -> None:
             raise SceneError(_question(b, program, choice), b.file, line)
         chosen = {key: _side(b, program, choice, key, one) for key, one in said}
         sides = _places(b, program, choice, _judged(b, choice, said[0][0])) if len(said) > 1 else []
-        offers: dict[object, Phrase] = {
-            side: Phrase("track_offer", key=said[0][0], x=z.real, y=z.imag) for side, z in sides
-        }
+        offers: dict[object, Phrase] = {side: track_offer(said[0][0], z) for side, z in sides}
         one_chosen(b, choice, chosen, offers)
         draft.given[choice.side] = chosen[said[0][0]]
 

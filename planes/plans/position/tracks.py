@@ -156,7 +156,7 @@ def nearest(
     ordered = sorted(places, key=lambda place: abs(place - near))
     off = [abs(place - near) for place in ordered]
     if len(off) > 1 and off[0] > doubtful * off[1]:
-        offers = tuple(Phrase("track_offer", key=key, x=z.real, y=z.imag) for z in places)
+        offers = tuple(track_offer(key, z) for z in places)
         told = {"key": key, "off": off[0], "next": off[1], "count": len(off), "offers": offers}
         line = b.mechanism.where.get(("assembly", key))
         raise SceneError(Phrase("near_between", **told, **named(b, choice)), b.file, line)
@@ -198,8 +198,12 @@ def _question(tracks: Tracks, counted: Counted, key: str) -> Phrase:
 
 def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[tuple[Pose, Phrase]]:
     for pose in counted.poses:
-        place = tracks.place(pose, key)
-        yield pose, Phrase("track_offer", key=key, x=place.real, y=place.imag)
+        yield pose, track_offer(key, tracks.place(pose, key))
+
+
+def track_offer(key: str, z: complex) -> Phrase:
+    """The words that choose a place, as they are typed."""
+    return Phrase("track_offer", key=key, place=f"[{z.real:.5g}, {z.imag:.5g}]")
 
 
 def turns(pose: Pose) -> tuple[tuple[float, ...], ...]:

@@ -39,7 +39,7 @@ def _nearer(scene: Scene, name: str, angle: float, found: list[tuple[float, Ways
 
 
 def _refusal(scene: Scene, key: str, name: str, found: list[tuple[float, Ways]], **told: object) -> SceneError:
-    offers = tuple(Phrase("near_angle", angle=ways[name]) for _, ways in found)
+    offers = tuple(Phrase("near_angle", angle=f"{ways[name]:.4g}") for _, ways in found)
     return SceneError(Phrase(key, name=name, offers=offers, **told), scene.file, scene.where.get(("vectors", name)))
 
 
