@@ -117,13 +117,40 @@ def threads(name: str, count: int) -> float:
     return found["one"][0] / found["two"][0]
 
 
-def tables() -> str:
+Measured = dict[str, dict[int, dict[str, tuple[float, float]]]]
+"""By mechanism, number of positions and who: ns a position, least and middle."""
+
+
+def measured() -> Measured:
+    """Everybody on every mechanism."""
+    return {
+        mechanism: {count: raced(entrants(mechanism, count), count, time.process_time) for count in COUNTS}
+        for mechanism in SCENES
+    }
+
+
+def sentence(measured: Measured, lang: str) -> str:
+    """What the README says of it."""
+    cells = []
+    for mechanism, others in (("four-bar", ("numba by hand", "pylinkage")), ("six-link", ("numba by hand",))):
+        few, many = measured[mechanism][COUNTS[0]], measured[mechanism][COUNTS[-1]]
+        cells.append([f"{one[who][0]:.0f}" for who in ("planes, blocks", *others) for one in (few, many)])
+    told = {
+        "en": "Nanoseconds a position, at 360 and at a million: four-bar {} and {} (numba by hand {} and {}, pylinkage "
+        "{} and {}). Six-link with forces: {} and {} (numba {} and {}), on one core of an {}.",
+        "ru": "Наносекунд на положение, при 360 и при миллионе: четырёхзвенник {} и {} (numba вручную {} и {}, "
+        "pylinkage {} и {}). Шестизвенник с силами: {} и {} (numba {} и {}), одно ядро {}.",
+    }
+    return told[lang].format(*cells[0], *cells[1], machine()[0])
+
+
+def tables(measured: Measured) -> str:
     """All of it as Markdown."""
     name, cores = machine()
     busy = f"{name}, {cores} cores, load {os.getloadavg()[0]:.1f}, Python {platform.python_version()}"
     lines = [f"{busy}, numpy {np.__version__}. Processor time in ns a position, least (middle) of {ROUNDS} rounds.", ""]
     for mechanism in SCENES:
-        counted = {count: raced(entrants(mechanism, count), count, time.process_time) for count in COUNTS}
+        counted = measured[mechanism]
         lines += [f"| {mechanism} | {' | '.join(f'{count:,}'.replace(',', ' ') for count in COUNTS)} |",
                   "|---|" + "---|" * len(COUNTS)]  # fmt: skip
         for who in counted[COUNTS[0]]:
@@ -161,9 +188,11 @@ def near_the_limit(lang: str) -> str:
 
 if __name__ == "__main__":
     if "--limits" not in sys.argv:
-        made = tables()
-        print(made)
+        found = measured()
+        print(made := tables(found))
         if "--write" in sys.argv:
-            put("measurements.md", "speed", made)
+            put("docs/measurements.md", "speed", made)
+            for lang, page in (("en", "README.md"), ("ru", "README.ru.md")):
+                put(page, "speed", sentence(found, lang), "")
     for lang in ("en", "ru") if {"--write", "--limits"} & {*sys.argv} else ():
-        put(f"site/{lang}/accuracy.md", "limits", near_the_limit(lang))
+        put(f"docs/site/{lang}/accuracy.md", "limits", near_the_limit(lang))

@@ -84,5 +84,5 @@ def table(ways: dict[str, Approach], lang: Lang) -> str:
 if __name__ == "__main__":
     ways = approached()
     for lang in ("en", "ru"):
-        put(f"site/{lang}/accuracy.md", "failures", table(ways, lang))
+        put(f"docs/site/{lang}/accuracy.md", "failures", table(ways, lang))
         chart(ways, ROOT / "docs" / "site" / lang / "failures.png", lang)
