@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from planes import __version__
 from planes.batch import kept_code
 from planes.batch.llvm_ir import EXTRA, module, row_of
 from planes.batch.loops import Loop
@@ -104,7 +103,7 @@ def _compiled(text: str) -> Callable[..., int]:
     processor, features = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
     machine = target.create_target_machine(cpu=processor, features=features, opt=3)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
-    told = (text, processor, features, target.triple, ".".join(map(str, llvm.llvm_version_info)), __version__)
+    told = (text, processor, features, target.triple, ".".join(map(str, llvm.llvm_version_info)))
     name = sha256("\0".join(told).encode()).hexdigest()
     code = kept_code.kept(name)
     if code is None:

@@ -10,6 +10,8 @@ from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 
+from planes.scene.files import save
+
 MOST = 200  # files; a loop of a six-link is 40 kB
 _DIGEST = sha256().digest_size
 
@@ -42,8 +44,6 @@ def keep(name: str, code: bytes) -> None:
     with suppress(OSError):
         if where:
             where.mkdir(parents=True, exist_ok=True)
-            part = where / f"{name}.{os.getpid()}.part"
-            part.write_bytes(sha256(code).digest() + code)
-            part.replace(where / name)
+            save(sha256(code).digest() + code, where / name)
             for old in sorted(where.iterdir(), key=lambda f: f.stat().st_mtime)[:-MOST]:
                 old.unlink(missing_ok=True)

@@ -1,12 +1,10 @@
 """The lesson as one self-contained page: the exported drawings, a painter of lines between marks, no network."""
 
-import base64
 import html
 import json
 from collections.abc import Iterator
 
 from planes.lesson.formulas import in_both
-from planes.studio.links import deflated
 from planes.words import langs, stand_ins, table, under
 from planes.words.names import lettered
 from planes.words.records import Json
@@ -57,13 +55,14 @@ def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], pa
     body = web_page.filled(web_page.part(f"{name}.html"), parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
     held = {"packed": pressed([told, data]), "letters": data and pressed(letters_of(data))}
-    return web_page.page(title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held)
+    return web_page.page(
+        title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held, small=True
+    )
 
 
 def pressed(thing: object) -> str:
-    """JSON packed and written in letters: a page is half as large."""
-    text = json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return base64.b64encode(deflated(text)).decode()
+    """JSON packed and written in letters."""
+    return web_page.pressed(json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False))
 
 
 def _names(thing: object, key: str = "") -> Iterator[str]:

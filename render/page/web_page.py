@@ -12,7 +12,15 @@ import re
 from collections.abc import Mapping
 from importlib.resources import files
 
+from planes.studio.links import deflated
+
 NONE: Mapping[str, object] = {}
+UNPACK = """const packed = atob(JSON.parse(document.getElementById("code").textContent));
+const bytes = new Blob([Uint8Array.from(packed, c => c.charCodeAt(0))]).stream();
+const script = document.createElement("script");
+script.type = "module";
+script.textContent = await new Response(bytes.pipeThrough(new DecompressionStream("deflate-raw"))).text();
+document.head.append(script);"""
 _PLACE = re.compile(r"\{(\w+)\}")
 _ACTIVE = re.compile("[<>&\u2028\u2029]")
 
@@ -27,22 +35,39 @@ def page(
     data: Mapping[str, object] = NONE,
     kind: str = "",
     allowed: str = "",
+    small: bool = False,
 ) -> str:
     """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them;
-    ``allowed`` is what a browser may do besides (a part of the page's policy)."""
+    ``allowed`` is what a browser may do besides (a part of the page's policy). A ``small`` page carries its script
+    pressed: a short one unpacks it."""
+    begun = code
+    if small:
+        begun, data = UNPACK, {**data, "code": pressed(code)}
     held = (f'<script type="application/json" id="{key}">{embedded(one)}</script>\n' for key, one in data.items())
-    parts = {"lang": lang, "policy": policy(code, allowed), "title": html.escape(title), "style": style, "body": body}
+    parts = {
+        "lang": lang,
+        "policy": policy(allowed, *dict.fromkeys((begun, code))),
+        "title": html.escape(title),
+        "style": style,
+        "body": body,
+    }
     parts["kind"] = f' class="{html.escape(kind)}"' if kind else ""
-    parts["scripts"] = "".join(held) + (f'<script type="module">{code}</script>\n' if code else "")
+    parts["scripts"] = "".join(held) + (f'<script type="module">{begun}</script>\n' if code else "")
     return filled(part("shell.html"), parts)
 
 
-def policy(code: str, more: str = "") -> str:
-    """What a browser may do with a page: styles and pictures that stand in it, a picture a person opens, its script."""
-    hashed = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode()
-    script = f"script-src 'sha256-{hashed}'; " if code else ""
+def policy(more: str = "", *scripts: str) -> str:
+    """What a browser may do with a page: styles and pictures in it, a picture a person opens, these scripts."""
+    hashes = (base64.b64encode(hashlib.sha256(one.encode()).digest()).decode() for one in scripts if one)
+    told = "".join(f" 'sha256-{one}'" for one in hashes)
+    script = f"script-src{told}; " if told else ""
     allowed = "default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; "
     return f"{allowed}{script}{more}base-uri 'none'; form-action 'none'"
+
+
+def pressed(text: str) -> str:
+    """A text packed and written in letters: a page is half as large."""
+    return base64.b64encode(deflated(text)).decode()
 
 
 def filled(template: str, parts: Mapping[str, str]) -> str:

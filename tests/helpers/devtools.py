@@ -24,6 +24,12 @@ import websocket
 from tests.helpers.counting import PATIENCE_S
 
 BEAT_S = 0.02  # between two looks at what is waited for
+UNPACKED = """new Promise(done => {
+  const look = left => document.getElementById("code") && !globalThis.planes && left
+    ? setTimeout(look, 10, left - 1) : done();
+  look(1000);
+})"""
+"""Until a page's script has come out of its wrapping."""
 FUNCTION = re.compile(r"\s*(async\s*)?(\([\w\s,{}\[\].]*\)|\w+)\s*=>|\s*(async\s+)?function\b")
 MODIFIERS = {"Alt": 1, "Control": 2, "Meta": 4, "Shift": 8}
 KEYS = {
@@ -295,6 +301,7 @@ class Page(Asked):
         assert "errorText" not in went, f"{address}: {went['errorText']}"
         while "loaderId" in went and self.loaded == before:
             self.line.heard()
+        self.evaluated(UNPACKED)
 
     def set_content(self, text: str) -> None:
         """Show a document that is given."""

@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 
 from tests.helpers.counting import PATIENCE_S
+from tests.helpers.devtools import UNPACKED
 
 NAMES = ("firefox-esr", "firefox")
 _LISTENS = re.compile(r"WebDriver BiDi listening on (ws://\S+)")
@@ -55,6 +56,7 @@ class Firefox:
     def goto(self, address: str) -> None:
         """Open an address."""
         self.ask("browsingContext.navigate", context=self.tab, url=address, wait="complete")
+        self.evaluate(UNPACKED)
 
     def set_viewport_size(self, size: dict[str, int]) -> None:
         """How large the page is seen."""

@@ -11,7 +11,7 @@ from tests.helpers import ROOT
 from tests.helpers.prose import sentences, words_of
 
 READMES = {lang: (ROOT / name).read_text("utf-8") for lang, name in {"en": "README.md", "ru": "README.ru.md"}.items()}
-MARKS = ["draw", "tests", "python", "output"]
+MARKS = ["draw", "tests", "python", "output", "speed", "end"]
 LONGEST = 30  # words of a sentence
 
 both = pytest.mark.parametrize("lang", READMES)
