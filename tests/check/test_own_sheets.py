@@ -114,7 +114,6 @@ VIEWS = (
     ("kind-1-rrr", "position", ".png"),
 )
 # forces of one line with numbered ends, «F_54 (2–1) = −F_45», whose file of lines is not yet read back whole
-ONE_LINE = {("bntu-3", ".dxf"), ("assignments/12", ".dxf"), ("assignments/36", ".pdf")}
 
 
 @pytest.mark.few(5)
@@ -203,8 +202,6 @@ def test_a_force_that_is_nowhere_on_its_plan_is_left_out_however_unsure_its_size
 @pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_view_of_every_sample(sample: str, suffix: str, tmp_path: Path) -> None:
-    if (sample, suffix) in ONE_LINE:
-        pytest.xfail("forces of one line with numbered ends are not read back whole from this file")
     position = drawn(sample)[1]
     for plan in known_plans(position.plans):
         marks = [m for m in position.drawing.things if m.startswith(f"{plan}:")]
