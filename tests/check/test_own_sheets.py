@@ -113,7 +113,6 @@ VIEWS = (
     ("sliding-driver", "velocity", ".png"),
     ("kind-1-rrr", "position", ".png"),
 )
-# forces of one line with numbered ends, «F_54 (2–1) = −F_45», whose file of lines is not yet read back whole
 
 
 @pytest.mark.few(5)
