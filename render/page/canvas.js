@@ -6,14 +6,15 @@ import { svg } from "./svg.js";
 const GRIP_PX = 14, TOUCH_PX = 26, STEP_DEG = 5, STEPS_M = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1];
 /** @type {Sketch} */
 export const NOTHING = { title: "", points: {}, fixed: [], guides: {}, links: {}, drive: null, loads: [] };
-export const TOOLS = ["move", "fix", "link", "plate", "guide", "slide", "drive", "load", "mass", "remove"];
-const DRAGGED = ["link", "guide"]; // what goes from where a hand is put down to where it is taken off
+export const TOOLS = ["move", "fix", "link", "plate", "guide", "slide", "drive", "load", "mass", "measure", "remove"];
+const DRAGGED = ["link", "guide", "measure"]; // what goes from where a hand is put down to where it is taken off
 
 export const canvas = {
   sketch: /** @type {Sketch} */ (structuredClone(NOTHING)), view: viewOf([-0.3, -0.2, 0.3, 0.2], 600, 400, 40),
   size: [0, 0],
   tool: "move", chosen: "", from: /** @type {any} */ (null), to: /** @type {any} */ (null), hands: 0,
   changed: /** @type {(what: string, more?: any) => void} */ (() => {}), under: /** @type {any} */ (null),
+  ruled: /** @type {Ends | null} */ (null), // a length of the picture beneath, from point to point
 };
 const node = () => /** @type {any} */ ($("canvas"));
 
@@ -24,7 +25,7 @@ export function fit() { // all of it in view, with room to draw
   canvas.size = [width, height];
   paint();
 }
-/** A sentence beside the canvas takes of its room: nothing that is drawn moves against the middle, if all still fits. */
+/** A sentence beside the canvas takes of its room: what is drawn keeps its size and its middle, if all fits. */
 function resized() {
   const { width, height } = node().getBoundingClientRect(), { view, size: [w, h] } = canvas;
   const [mx, my] = view.m([w / 2, h / 2]), [dx, dy] = [width / 2 / view.k, height / 2 / view.k];
@@ -45,6 +46,8 @@ export function paint() {
   if (canvas.under) {
     const [x, y] = view.px(canvas.under.at), w = canvas.under.width * view.k;
     svg("image", { href: canvas.under.href, x, y, width: w, height: w * canvas.under.ratio, opacity: 0.4 }, at);
+    const [a, b] = canvas.ruled?.map(view.px) ?? [];
+    if (b) svg("path", { d: `M${a[0]} ${a[1]}L${b[0]} ${b[1]}`, class: "ruled" }, at);
   }
   grid(at);
   depicted(at, sketch, view, sketch.points, true);
@@ -89,7 +92,7 @@ function under(e) {
   const own = /** @type {any} */ (e.target);
   const hit = document.elementsFromPoint(e.clientX, e.clientY).map((/** @type {any} */ one) => one.dataset);
   const link = own.dataset?.link ?? hit.find(d => d?.link)?.link, guide = hit.find(d => d?.guide)?.guide;
-  return { point: near?.p ?? "", link: link ?? "", guide: guide ?? "", at: view.m(px) };
+  return { point: near?.p ?? "", link: link ?? "", guide: guide ?? "", at: view.m(px), raw: view.m(px) };
 }
 /** A place as a hand means it: on a point, a guide, a whole length and angle from where it began, or the grid.
  * @type {(found: any, from?: any) => any} */
@@ -183,7 +186,23 @@ const ACTS = /** @type {Record<string, (found: any, from: any) => any>} */ ({
     return true;
   },
   move(found, from) { return from.moved; },
+  measure(to, from) {
+    if (!canvas.under || Math.hypot(to.raw[0] - from.raw[0], to.raw[1] - from.raw[1]) < step() / 2) return false;
+    canvas.ruled = [from.raw, to.raw];
+    return true;
+  },
 });
+/** The picture beneath so large that the length ruled on it is so many metres; its first point stays.
+ * @type {(metres: number) => void} */
+export function sized(metres) {
+  const { under, ruled } = canvas;
+  if (!under || !ruled || !(metres > 0)) return;
+  const [[x, y], [u, v]] = ruled, k = metres / Math.hypot(u - x, v - y);
+  under.width *= k;
+  under.at = [x + k * (under.at[0] - x), y + k * (under.at[1] - y)];
+  canvas.ruled = [[x, y], [x + k * (u - x), y + k * (v - y)]];
+  paint();
+}
 /** @type {(link: string) => void} */
 function gone(link) {
   const { sketch } = canvas;

@@ -1,6 +1,6 @@
 // The studio: one text, seen as a lesson, drawn on a canvas, shared as a link; whatever changes it, it is asked anew.
 import { bench, say, words } from "./bench.js";
-import { canvas, fit, listen, NOTHING, paint, show, TOOLS } from "./canvas.js";
+import { canvas, fit, listen, NOTHING, paint, show, sized, TOOLS } from "./canvas.js";
 import { ask, engine, wake, way } from "./carrier.js";
 import { $, on, worded } from "./dom.js";
 import { gallery, shelf } from "./gallery.js";
@@ -114,6 +114,12 @@ function back(from, to) {
   void renewal("undo");
 }
 canvas.changed = async (what, more) => {
+  if (what === "measure") { // the field asks for the length that was drawn along
+    document.querySelector("[data-word=underlay_width]").textContent = say("underlay_length");
+    $("width").value = "";
+    $("width").focus();
+    return;
+  }
   const { text, lang } = bench;
   const load = more?.load && `{link: ${linkOf(more.load)}, point: ${more.load}, force: 100, against: motion}`;
   if (!Object.keys(canvas.sketch.links).length) return; // nothing to be said yet
@@ -205,14 +211,17 @@ on($("underlay"), "change", () => {
   if (!file) return;
   const picture = new Image();
   picture.onload = () => {
+    canvas.ruled = null;
     canvas.under = { href: picture.src, at: canvas.view.m([20, 20]), width: +$("width").value || 0.6,
       ratio: picture.height / picture.width };
     paint();
   };
   picture.src = URL.createObjectURL(file);
 });
-on($("width"), "change", () => {
-  if (canvas.under) canvas.under.width = +$("width").value.replace(",", ".") || 0.6;
+on($("width"), "change", () => { // of the picture, or of the length that was drawn along
+  const metres = +$("width").value.replace(",", ".");
+  if (canvas.ruled) sized(metres);
+  else if (canvas.under) canvas.under.width = metres || 0.6;
   paint();
 });
 on(window, "keydown", e => {

@@ -230,3 +230,24 @@ def test_another_browser_shows_the_same() -> None:
         until(window, "/0.42/.test(bench.text)")
         until(window, f"Math.abs(({INNER}?.live?.given['place_C.x'] ?? 0) - 0.42) < 1e-9")
         assert not [e for e in window.errors if "127.0.0.1" not in e]
+
+
+def test_a_picture_beneath_is_sized_by_a_length_on_it(browser: Any, address: str) -> None:
+    """A person drags along a length he knows and types it; its first point stays where it is."""
+    page = opened(browser, address)
+    page.locator("#fresh").click()
+    picture = "{ href: 'data:image/png;base64,iVBORw0KGgo=', at: [-0.3, 0.2], width: 0.6, ratio: 0.5 }"
+    page.evaluate(f"(() => {{ canvas.under = {picture}; return 1; }})()")
+    hand = Hand(page)
+    hand.tool("measure")
+    hand.drag((-0.1, 0.0), (0.1, 0.0))
+    (x, y), (u, v) = page.evaluate("canvas.ruled")
+    assert abs(complex(u - x, v - y)) == pytest.approx(0.2, abs=2e-3)
+    assert page.inner_text("[data-word=underlay_width]") == "this length, m"
+    page.fill("#width", "0.5")
+    page.evaluate("document.getElementById('width').dispatchEvent(new Event('change'))")
+    under, ruled = page.evaluate("[canvas.under, canvas.ruled]")
+    k = 0.5 / abs(complex(u - x, v - y))
+    assert under["width"] == pytest.approx(0.6 * k) and ruled[0] == [x, y]
+    assert under["at"] == pytest.approx([x + k * (-0.3 - x), y + k * (0.2 - y)])
+    assert abs(complex(ruled[1][0] - x, ruled[1][1] - y)) == pytest.approx(0.5)
