@@ -138,13 +138,13 @@ def test_what_stands_about_a_spoiled_plan_leads_nobody_astray(
 WHOLE = [(s, n) for s in (*SCENES, *ASSIGNMENTS) for n in (None, 1, 2)]
 
 
-SHARED = pytest.mark.xfail(reason="two forces that run nearly alike end in one head", strict=True)
-SHARED_ON = {(f"assignments/{k}", n) for k, n in (("16", None), ("16", 2), ("24", None), ("24", 2), ("32", None))}
+UNDRAWN = pytest.mark.xfail(reason="a force of 1.1 mm is drawn in its detail alone", strict=True)
+UNDRAWN_ON = {("assignments/32", None)}
 
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    ("sample", "number"), [pytest.param(*w, marks=[SHARED] if w in SHARED_ON else []) for w in WHOLE]
+    ("sample", "number"), [pytest.param(*w, marks=[UNDRAWN] if w in UNDRAWN_ON else []) for w in WHOLE]
 )
 def test_every_plan_of_every_sheet_is_right(sample: str, number: int | None, tmp_path: Path) -> None:
     whole = sheet_of(drawn(sample)[0], None, number=number)

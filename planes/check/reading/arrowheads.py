@@ -25,7 +25,7 @@ ASKEW = 0.02  # radians, by which a shaft drawn in pieces may turn
 LONGER, SHORTER, EXACT = 1.3, 0.6, 0.3
 STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the least
 TURNS = tuple(cmath.rect(1, k * math.tau / 3) for k in range(3))  # ways a head of equal sides may point
-AGAIN_MM, AGAIN = 0.1, 0.05  # a head so near another one that points as it does is that head: filled, then outlined
+AGAIN_MM, AGAIN = 0.1, 0.01  # a head so near another one that points as it does is that head: filled, then outlined
 NARROW_MM = 1.5  # a drawn arrow's shaft is no wider
 
 

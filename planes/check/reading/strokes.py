@@ -61,16 +61,13 @@ class Words:
         return [replace(self, text=t, ends=way) for t, way in ways] or [self]
 
     def runs(self, stroke: Stroke, words: Iterable[Words]) -> bool:
-        """Whether a vector may run as the numbers at its ends say; it may where there are none."""
-        if not self.ends:
-            return True
-        at = {w.text: w for w in sorted(words, key=lambda w: -w.beside(stroke)) if w.text in self.ends}
-        if len(at) < len({*self.ends}):
-            return True
-        ahead, back = (
-            sum(at[n].distance(z) for n, z in zip(self.ends, way, strict=True)) for way in (stroke, stroke[::-1])
-        )
-        return ahead <= back
+        """Whether a vector may run as the numbers at its ends say, those that are there."""
+        at = {w.text: w for w in sorted(words, key=lambda w: -w.beside(stroke)) if w.text in (self.ends or ())}
+
+        def off(way: Stroke) -> float:
+            return sum(at[n].distance(z) for n, z in zip(self.ends or (), way, strict=False) if n in at)
+
+        return off(stroke) <= off(stroke[::-1])
 
     @property
     def middle(self) -> complex:
