@@ -52,10 +52,10 @@ class Loops:
 
     def residual(self, q: Array, value: float) -> Array:
         """What the constraints lack of holding, the drive's last."""
-        found: list[float] = []
+        residuals: list[float] = []
         for pair in self.plans.structure.pairs:
-            found += self._hinge(q, pair) if pair.kind == "R" else self._slider(q, pair)
-        return np.array([*found, self.drive(q) - value])
+            residuals += self._hinge(q, pair) if pair.kind == "R" else self._slider(q, pair)
+        return np.array([*residuals, self.drive(q) - value])
 
     def place(self, q: Array, link: str, point: str) -> complex:
         origin, angle = self.pose(q, link)
@@ -146,12 +146,12 @@ class Loops:
     def _bends(self, q: Array, v: Array) -> Array:
         """What the constraints' second derivatives are without accelerations of the pose: exact, centripetal parts and
         those of Coriolis."""
-        found: list[float] = []
+        bends: list[float] = []
         for pair in self.plans.structure.pairs:
             bend = self._bend(q, v, pair)
-            found += [bend.real, bend.imag] if pair.kind == "R" else [bend.imag, 0.0]
+            bends += [bend.real, bend.imag] if pair.kind == "R" else [bend.imag, 0.0]
         pair = self.plans.structure.drive_pair
-        return np.array([*found, self._bend(q, v, pair).real if pair.kind == "P" else 0.0])
+        return np.array([*bends, self._bend(q, v, pair).real if pair.kind == "P" else 0.0])
 
     def _bend(self, q: Array, v: Array, pair: Pair) -> complex:
         """The same of a pair: of a hinge in the frame's axes, of a slider in its guide's."""
@@ -176,7 +176,7 @@ class Loops:
 
     def points(self, q: Array, v: Array, a: Array) -> dict[str, tuple[complex, complex, complex]]:
         """Place, velocity and acceleration of every point of the moving links."""
-        found = {}
+        rates = {}
         for link in self.links:
             k = 3 * self.links.index(link)
             turn = cmath.exp(1j * float(q[k + 2]))
@@ -184,8 +184,8 @@ class Loops:
                 arm = local * turn
                 speed = complex(v[k], v[k + 1]) + 1j * v[k + 2] * arm
                 quick = complex(a[k], a[k + 1]) + (1j * a[k + 2] - v[k + 2] ** 2) * arm
-                found[name] = complex(q[k], q[k + 1]) + arm, speed, quick
-        return found
+                rates[name] = complex(q[k], q[k + 1]) + arm, speed, quick
+        return rates
 
     def start(self, number: Callable[[str], Point]) -> Array:
         """A pose to begin from, read off a drawing."""

@@ -81,16 +81,16 @@ class Comparison:
         """The columns at 50 digits, rounded once."""
         return self.scalar(values, Digits(50))
 
-    def error(self, found: Array, truth: Array) -> Array:
+    def error(self, measured: Array, truth: Array) -> Array:
         """The largest error at each position of what was found, relative to the largest place, velocity or
         acceleration of all."""
-        worst, told = np.zeros(truth.shape[1]), ~np.isnan(found).all(axis=1)
+        worst, known = np.zeros(truth.shape[1]), ~np.isnan(measured).all(axis=1)
         for letter in "rva":
-            rows = (self.letters == letter) & told
+            rows = (self.letters == letter) & known
             if rows.any():
                 size = np.abs(truth[rows]).max() or 1.0
-                worst = np.maximum(worst, np.abs(found - truth)[rows].max(axis=0) / size)
-        return worst if told.any() else worst * math.nan
+                worst = np.maximum(worst, np.abs(measured - truth)[rows].max(axis=0) / size)
+        return worst if known.any() else worst * math.nan
 
     def sizes(self, truth: Array) -> Array:
         """For each column and position the largest place, velocity or acceleration there, whichever it is of."""
@@ -112,8 +112,8 @@ class Comparison:
         for i in range(0, len(values), CHUNK):
             part = values[i : i + CHUNK]
             given = given_values({**self.cycle.given, **self.cycle.moving(part, slice(i, i + len(part)))})
-            found = read(trace.tape, order, given, np.float32)
-            rows.append(np.array([np.broadcast_to(found[o], part.shape) for o in trace.outputs]))
+            numbers = read(trace.tape, order, given, np.float32)
+            rows.append(np.array([np.broadcast_to(numbers[o], part.shape) for o in trace.outputs]))
         return np.hstack(rows)
 
     def differences(self, values: Array, step: float = STEP) -> Array:
@@ -122,17 +122,17 @@ class Comparison:
         places = Cycle(self.plans, [f"r_{p}" for p in self.points], self.cycle.moved)
         width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.plans.reach,) * 2
 
-        found = np.empty((len(self.letters), len(values)))
+        table = np.empty((len(self.letters), len(values)))
         here, back, on = (places.table(x, fast=False)[0] for x in (values, values - unit, values + unit))
-        found[self.letters == "r"] = here
-        found[self.letters == "v"], found[self.letters == "a"] = differences(
+        table[self.letters == "r"] = here
+        table[self.letters == "v"], table[self.letters == "a"] = differences(
             here, back, on, drive.velocity, drive.acceleration, width
         )
-        return found
+        return table
 
     def newton(self, values: Array) -> Array:
         """Closed loops by iteration, each position of a path begun from the one before."""
-        drive, q, found = self.plans.mechanism.drive, np.empty(0), list[Mapping[str, Triple]]()
+        drive, q, poses = self.plans.mechanism.drive, np.empty(0), list[Mapping[str, Triple]]()
         for k, value in enumerate(values):
             loops = Loops(self.at(k))
             if k in self.begins:
@@ -141,14 +141,14 @@ class Comparison:
                 q = loops.start(run(plans.program, given).__getitem__)
             try:
                 q = loops.newton(q, loops.target(q, float(value)))
-                found.append(loops.points(q, *loops.rates(q, drive.velocity, drive.acceleration)))
+                poses.append(loops.points(q, *loops.rates(q, drive.velocity, drive.acceleration)))
             except np.linalg.LinAlgError:
-                found.append({})
-        return self.rows(found)
+                poses.append({})
+        return self.rows(poses)
 
-    def rows(self, found: Sequence[Mapping[str, Triple]]) -> Array:
+    def rows(self, poses: Sequence[Mapping[str, Triple]]) -> Array:
         """Columns of positions out of what is known of their points."""
-        return np.array([self._row(triples) for triples in found]).T
+        return np.array([self._row(triples) for triples in poses]).T
 
     def _row(self, triples: Mapping[str, Triple]) -> list[float]:
         """Columns out of places, velocities and accelerations by point; NaN of what is not among them."""

@@ -92,8 +92,8 @@ class Curves:
         place, step = start, self.room.step / 4
         for gone in range(LONGEST):
             while step > self.room.step * SHORTEST:
-                found = self._next(place, way, step)
-                if found:
+                advance = self._next(place, way, step)
+                if advance:
                     break
                 step /= 2
             else:
@@ -102,7 +102,7 @@ class Curves:
             if gone > 2 and np.linalg.norm(back) < 1.5 * step and back @ way > 0:
                 yield place + back  # the start again
                 return
-            place, way = found
+            place, way = advance
             yield place
             if not self.room.holds(place):
                 return

@@ -34,7 +34,7 @@ class Spread(Margins):
         given, takes = {**cycle.given, **mus}, [c.take for c in cycle.columns]
         super().__init__(cycle, trace(cycle.program, given, takes, mus, errors))
 
-    def margins(self, found: Values, count: int) -> Array:
+    def margins(self, numbers: Values, count: int) -> Array:
         drawn = self.drawn
         sizes = {s.place: s.size for s in drawn.sources}
         out, squares = np.zeros((len(drawn.outputs), count)), np.empty((len(sizes), 1))
@@ -44,7 +44,7 @@ class Spread(Margins):
                 squares[carrying.made] = sizes[place] ** 2
                 carrying.carry(place, (), (), own=True)
             elif op not in STIFF:
-                carrying.carry(place, args, SLOPES[op](found[place], *(found[a] for a in args)), own=False)
+                carrying.carry(place, args, SLOPES[op](numbers[place], *(numbers[a] for a in args)), own=False)
             if place in carrying.rows:
                 rows = carrying.rows[place]
                 for k in (k for k, p in enumerate(drawn.outputs) if p == place):
@@ -99,8 +99,8 @@ def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
             asked_of = None if wanted is None else asked(plans, wanted)
             ready[id(plans)] = Errors(plans, asked_of, position, instrument)
         errors = ready[id(plans)]
-        found = position.results["errors"] = errors.of(position)
-        for plan, segments in found.get("plans", {}).items():
+        position_errors = position.results["errors"] = errors.of(position)
+        for plan, segments in position_errors.get("plans", {}).items():
             for key, error in segments["segments"].items():
                 if error["mm"] is not None:
                     position.results["plans"][plan]["segments"][key]["error_mm"] = error["mm"]

@@ -63,11 +63,11 @@ class LengthField:
     @cached_property
     def steps(self) -> list[Step]:
         """The steps with several places, those that hang on no track; of one link's track one."""
-        found: dict[object, Step] = {}
+        steps: dict[object, Step] = {}
         for step in self.plans.program.steps:
             if isinstance(step, TwoPlaces | CutTrack) and not self._tracked(self.program(step)):
-                found.setdefault(step.holds if isinstance(step, CutTrack) else step, step)
-        return list(found.values())
+                steps.setdefault(step.holds if isinstance(step, CutTrack) else step, step)
+        return list(steps.values())
 
     @cached_property
     def whole(self) -> bool:
@@ -95,8 +95,8 @@ class LengthField:
 
         def equations(at: Array) -> Array:
             drawing = self.drawn(program, at[0], at[1])
-            found = step.opening(drawing.things) + np.zeros(len(at[0]))
-            return np.array([np.where(drawing.failed(), np.nan, found)])
+            openings = step.opening(drawing.things) + np.zeros(len(at[0]))
+            return np.array([np.where(drawing.failed(), np.nan, openings)])
 
         return equations
 
@@ -135,26 +135,26 @@ class LengthField:
     @cached_property
     def sheets(self) -> dict[str, Sheets]:
         """Of every track of links hinged to each other their assemblies on the grid."""
-        found = dict[str, Sheets]()
+        sheets = dict[str, Sheets]()
         for step in self.steps:
             if isinstance(step, CutTrack) and _chained(step):
                 size, ties = self.base[step.guess.size], partial(self.ties, step, self.program(step))
-                found[step.makes] = Sheets(ties, size, self.across, self.up, self.turns)
-        return found
+                sheets[step.makes] = Sheets(ties, size, self.across, self.up, self.turns)
+        return sheets
 
     @cached_property
     def grids(self) -> dict[str, Array]:
         """Of every step its opening on the grid, or its closure at angles all round."""
-        found = dict[str, Array]()
+        grids = dict[str, Array]()
         around = np.exp(2j * math.pi * np.arange(ROUND) / ROUND)[:, None]
         for step in (s for s in self.steps if not _chained(s)):
             if isinstance(step, CutTrack):
                 grid = closure(self.ties(step, self.program(step), *self.spots), around)
-                found[step.makes] = grid.reshape(ROUND, *self.shape)
+                grids[step.makes] = grid.reshape(ROUND, *self.shape)
             else:
                 assert isinstance(step, TwoPlaces)
-                found[step.makes] = self.opening(step)(self.spots).reshape(self.shape)
-        return found
+                grids[step.makes] = self.opening(step)(self.spots).reshape(self.shape)
+        return grids
 
     @cached_property
     def count(self) -> Indices:
@@ -209,11 +209,11 @@ def _real(terms: Array) -> Indices:
     """How many angles there are at which trigonometric polynomials are nothing: their roots on the unit circle."""
     sizes = np.abs(terms).max(axis=1)
     degree = max(k for k in range(DEGREE + 1) if sizes[DEGREE + k] > 1e-12 * sizes.max())
-    whole = terms[DEGREE - degree : DEGREE + degree + 1]
+    significant = terms[DEGREE - degree : DEGREE + degree + 1]
     matrix = np.zeros((terms.shape[1], 2 * degree, 2 * degree), complex)
     matrix[:, range(1, 2 * degree), range(2 * degree - 1)] = 1.0
     with np.errstate(all="ignore"):
-        matrix[:, :, -1] = -(whole[:-1] / whole[-1]).T
+        matrix[:, :, -1] = -(significant[:-1] / significant[-1]).T
     plain = np.isfinite(matrix).all(axis=(1, 2))
     count = np.zeros(len(matrix), int)
     count[plain] = (abs(abs(np.linalg.eigvals(matrix[plain])) - 1) < CIRCLE).sum(axis=1)

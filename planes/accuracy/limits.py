@@ -75,8 +75,8 @@ class MovedGiven:
         """From 1 down to 0 where nothing can be drawn."""
         drawing = self.draw(np.asarray(values, float))
         with np.errstate(all="ignore"):
-            found = self._open(drawing)
-        return np.where(np.isfinite(found) & ~np.asarray(drawing.failed()), found, 0.0) + np.zeros(len(values))
+            sharpness = self._open(drawing)
+        return np.where(np.isfinite(sharpness) & ~np.asarray(drawing.failed()), sharpness, 0.0) + np.zeros(len(values))
 
     def fine(self, value: Real) -> Real:
         """The same of one value, at 50 digits."""
@@ -88,13 +88,13 @@ class MovedGiven:
     def _open(self, drawing: Drawing) -> Real:
         """The least sharpness, or how slow the quickest point still is against the drive, if that is less."""
         ar, drive = drawing.tool.ar, self.bench.plans.mechanism.drive
-        found: Real = 1.0
+        least: Real = 1.0
         for sharp in drawing.sharpness.values():
-            found = ar.minimum(found, sharp)
+            least = ar.minimum(least, sharp)
         slow = QUICK * abs(drive.velocity) * (self.bench.plans.reach if drive.kind == "phi" else 1.0)
         if slow:
-            found = ar.minimum(found, slow / (slow + self._largest(drawing, "v")))
-        return found
+            least = ar.minimum(least, slow / (slow + self._largest(drawing, "v")))
+        return least
 
     def _largest(self, drawing: Drawing, letter: str) -> Real:
         top: Real = 0.0
@@ -132,29 +132,29 @@ def find(bench: Comparison) -> Limit | None:
     if len(bench.plans.structure.dyads) < len(bench.plans.structure.groups):
         return None  # an assembly is followed along the drive: what ends with an altered length, turning curves tell
     names = alterable(bench.plans, bench.cycle.program.givens)
-    found = [next(_limits(MovedGiven(bench, name, held)), None) for name in names]
-    return min((x for x in found if x), key=lambda x: x.way.away(x.value), default=None)
+    limits = [next(_limits(MovedGiven(bench, name, held)), None) for name in names]
+    return min((x for x in limits if x), key=lambda x: x.way.away(x.value), default=None)
 
 
 def like(limit: Limit, way: MovedGiven) -> Limit | None:
     """The nearest limit of another way, if it is of the same sort."""
-    found = next(_limits(way), None)
-    return found if found and (found.kind, found.side) == (limit.kind, limit.side) else None
+    other = next(_limits(way), None)
+    return other if other and (other.kind, other.side) == (limit.kind, limit.side) else None
 
 
 def bluntest(bench: Comparison) -> float:
     """The value of the drive whose crossings are least sharp."""
     way = MovedGiven(bench, bench.plans.drive_given)
-    values, found = way.values, way.openness(way.values)
-    return float(values[np.argmin(np.where(found > 0, found, 2.0))])
+    values, openness = way.values, way.openness(way.values)
+    return float(values[np.argmin(np.where(openness > 0, openness, 2.0))])
 
 
 def _limits(way: MovedGiven) -> Iterator[Limit]:
     """Limits, the nearest first."""
-    values, found = way.values, way.openness(way.values)
-    works = found > 0
+    values, openness = way.values, way.openness(way.values)
+    works = openness > 0
     edges = np.flatnonzero(works[1:] != works[:-1])
-    before, middle, after = found[:-2], found[1:-1], found[2:]
+    before, middle, after = openness[:-2], openness[1:-1], openness[2:]
     blunt = (middle <= BLUNT) & (middle <= before) & (middle <= after)
     dips = 1 + np.flatnonzero(blunt & works[:-2] & works[1:-1] & works[2:])
     spots = [(way.away(values[k]), k, k + 1) for k in edges] + [(way.away(values[k]), k - 1, k + 1) for k in dips]
@@ -182,8 +182,8 @@ def _edge(way: MovedGiven, good: float, bad: float) -> Limit:
     end, powers, (past, past_open), one_open = abs(two - one) / 2**HALVINGS, [2, 1, 0.5], (two, 0), way.fine(one)
     while (wide := abs(two - one)) > end and (one + two) / 2 not in (one, two):
         opening, before = one_open ** powers[0], past_open ** powers[0]
-        told = one - opening * (one - past) / (opening - before) if opening != before else one
-        for place in (told + (one - told) / NEARER, told + (two - told) / NEARER, (one + two) / 2):
+        estimate = one - opening * (one - past) / (opening - before) if opening != before else one
+        for place in (estimate + (one - estimate) / NEARER, estimate + (two - estimate) / NEARER, (one + two) / 2):
             if not min(one, two) < place < max(one, two):
                 continue
             if is_open := way.fine(place):

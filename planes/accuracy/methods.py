@@ -54,9 +54,9 @@ def method_name(key: str, number: str, lang: Lang) -> str:
 def machine() -> tuple[str, int]:
     """The processor times are measured on, and how many cores of it there are."""
     name = platform.processor() or platform.machine()
-    told = Path("/proc/cpuinfo")
-    if told.exists():
-        lines = told.read_text(encoding="utf-8").splitlines()
+    cpuinfo = Path("/proc/cpuinfo")
+    if cpuinfo.exists():
+        lines = cpuinfo.read_text(encoding="utf-8").splitlines()
         name = next((line.partition(": ")[2] for line in lines if line.startswith("model name")), name)
     return name, os.cpu_count() or 1
 
@@ -82,12 +82,12 @@ def measure(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[Method]:
         raise PlanFailure("no_working")
     truth = bench.truth(values)
     long = np.resize(values, MANY)
-    found = []
+    methods = []
 
     def add(key: str, number: str, work: Work, timed: Array, again: Callable[[Array], object] | None = None) -> None:
         error = float(np.nanmax(bench.error(work(values), truth)))
         seconds = clock(lambda: (again or work)(timed)) / len(timed)
-        found.append(Method(key, number, seconds, max(error, 2.0**-54)))
+        methods.append(Method(key, number, seconds, max(error, 2.0**-54)))
 
     add("method_scalar", "", bench.scalar, values)
     add("method_batch", "", lambda v: bench.many(v, False), long, lambda v: bench.through(v, False))
@@ -100,12 +100,12 @@ def measure(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[Method]:
     add("method_newton", "", bench.newton, values)
     for o in (o for o in others if o.can(plans)):
         add(o.name, "", partial(o.work, bench), long[: o.most], o.quickest(bench, values))
-    return found + _pencils(bench, values, truth)
+    return methods + _pencils(bench, values, truth)
 
 
 def _pencils(bench: Comparison, values: Array, truth: Array) -> list[Method]:
     """Pencils on sheets of every format, with a good ruler and a better one."""
-    found = []
+    methods = []
     for sheet, factor in SHEETS.items():
         fit = {plan: size * factor for plan, size in FIT_MM.items()}
         mus = scales(bench.plans, {}, {bench.plans.drive_given: float(values[len(values) // 2])}, fit)
@@ -118,8 +118,8 @@ def _pencils(bench: Comparison, values: Array, truth: Array) -> list[Method]:
                 error = np.nanmax(bench.error(ruled, truth))
             one = {**given, bench.plans.drive_given: float(values[0])}
             seconds = clock(partial(_try, bench, one, pencil), 20)
-            found.append(Method("method_pencil", f"{sheet}, {ruler:g}", seconds, float(error)))
-    return found
+            methods.append(Method("method_pencil", f"{sheet}, {ruler:g}", seconds, float(error)))
+    return methods
 
 
 def _try(bench: Comparison, given: Mapping[str, Point], pencil: Pencil) -> None:

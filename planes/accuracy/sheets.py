@@ -43,8 +43,8 @@ class Sheets:
     @property
     def counted(self) -> Indices:
         """How many assemblies there are on the grid."""
-        whole = self.count.reshape(len(self.up), self.columns)
-        return np.hstack([whole, whole[:, :1]]) if self.turns else whole
+        counts = self.count.reshape(len(self.up), self.columns)
+        return np.hstack([counts, counts[:, :1]]) if self.turns else counts
 
     def over(self, x: Array, y: Array) -> list[Tie]:
         """The ties at many places, lengths over the links' size."""
@@ -75,8 +75,8 @@ class Sheets:
         with np.errstate(all="ignore"):
             for _ in range(steps):
                 pose, moved, det = advanced(ties, pose)
-            found = np.array(pose).T
-            return found, (moved < SETTLED) & (abs(det) > 0) & (abs(abs(found[:, 1:]) - 1).max(axis=1) < SETTLED), det
+            poses = np.array(pose).T
+            return poses, (moved < SETTLED) & (abs(det) > 0) & (abs(abs(poses[:, 1:]) - 1).max(axis=1) < SETTLED), det
 
     def _added(self, at: Indices, poses: Array) -> tuple[Indices, Array]:
         """Those of some assemblies that were not known; they are from now on."""
@@ -101,14 +101,14 @@ class Sheets:
         next_ = (row * self.columns + column % self.columns)[inside]
         sign = np.sign(advanced(_of(self.ties, at), tuple(poses.T))[2])
         ties = _of(self.ties, next_)
-        found, settled, det = self._settled(ties, tuple(poses.T), NEWTON)
-        lasts = settled & (abs(found - poses).max(axis=1) < BEND) & (det * sign > 0)
+        moved, settled, det = self._settled(ties, tuple(poses.T), NEWTON)
+        lasts = settled & (abs(moved - poses).max(axis=1) < BEND) & (det * sign > 0)
         middle = (self.spots[:, at] + self.spots[:, next_]) / 2
         if self.turns and right:
             middle[0] = self.spots[0, at] + right * (self.across[1] - self.across[0]) / 2
         ended = ~lasts & np.isfinite(ties[0].place)
         self.ends += [_laid(middle[:, k], poses[k]) for k in np.flatnonzero(ended)]
-        return next_[lasts], found[lasts]
+        return next_[lasts], moved[lasts]
 
     def equations(self, at: Array) -> Array:
         """The ties and the determinant at places: drive, logarithm, hinge, angles of the links."""

@@ -69,9 +69,9 @@ def _crowd(limit: Limit) -> list[Limit]:
     Roundings differ from one to the next, which those close to one limit would all share.
     """
     for ways in _beside(limit.way):
-        found = [like(limit, way) for way in ways]
-        if all(x and abs((x.value - limit.value) / limit.unit) < NEAR for x in found):
-            return [limit, *(x for x in found if x)]
+        limits = [like(limit, way) for way in ways]
+        if all(x and abs((x.value - limit.value) / limit.unit) < NEAR for x in limits):
+            return [limit, *(x for x in limits if x)]
     return [limit] * CROWD
 
 
@@ -89,14 +89,14 @@ def _beside(way: MovedGiven) -> Iterator[Iterator[MovedGiven]]:
 
 def ways(bench: Comparison, others: Sequence[OtherProgram]) -> dict[str, Work]:
     """Every method that can be tried, ours before others'."""
-    found: dict[str, Work] = {"method_scalar": bench.scalar, "method_batch": lambda v: bench.many(v, False)}
+    works: dict[str, Work] = {"method_scalar": bench.scalar, "method_batch": lambda v: bench.many(v, False)}
     if compiled.available():
-        found["method_compiled"] = lambda v: bench.many(v, True)
-    found["method_digits"] = lambda v: bench.scalar(v, Digits(30))
-    found["method_single"] = bench.single
-    found["method_newton"] = bench.newton
-    found["method_differences"] = bench.differences
-    return found | {o.name: partial(o.work, bench) for o in others if o.can(bench.plans)}
+        works["method_compiled"] = lambda v: bench.many(v, True)
+    works["method_digits"] = lambda v: bench.scalar(v, Digits(30))
+    works["method_single"] = bench.single
+    works["method_newton"] = bench.newton
+    works["method_differences"] = bench.differences
+    return works | {o.name: partial(o.work, bench) for o in others if o.can(bench.plans)}
 
 
 def _measured(
@@ -105,11 +105,11 @@ def _measured(
     truth = bench.truth(values)
     works = np.isfinite(truth).all(axis=0) & (distances > 0)
     with np.errstate(all="ignore"):
-        found = {key: work(values) for key, work in ways(bench, others).items()}
-        told = np.all([~np.isnan(table).all(axis=1) for table in found.values()], axis=0)
-        size = _sizes(bench, np.where(works, truth, 0.0))[told]
-        claims = np.max(Claims(bench.cycle).bounds(values)[told] / size, axis=0)
-        errors = {key: np.max(np.abs(table - truth)[told] / size, axis=0) for key, table in found.items()}
+        tables = {key: work(values) for key, work in ways(bench, others).items()}
+        known = np.all([~np.isnan(table).all(axis=1) for table in tables.values()], axis=0)
+        size = _sizes(bench, np.where(works, truth, 0.0))[known]
+        claims = np.max(Claims(bench.cycle).bounds(values)[known] / size, axis=0)
+        errors = {key: np.max(np.abs(table - truth)[known] / size, axis=0) for key, table in tables.items()}
         errors = {key: np.where(np.isfinite(row), row, math.nan) for key, row in errors.items()}
     sharp = np.full(len(values), math.nan)
     for k in np.flatnonzero(works):

@@ -51,15 +51,15 @@ def lengthened(plans: Plans, name: str) -> dict[str, Thing]:
 def alterable(plans: Plans, names: Iterable[str]) -> list[str]:
     """Those of the names that can be altered, with nothing but other lengths of links and angles of guides following:
     the givens whose makers say what they mean."""
-    found, own = [], scheme_given(plans, plans.mechanism)
+    free, own = [], scheme_given(plans, plans.mechanism)
     means = {n: m for n, m in plans.means.items() if m.quantity in ("length", "angle")}
     for name in (n for n in names if n in means):
         value = float(plans.given[name])
         other = _mechanism(plans, name, value * 1.01 if means[name].quantity == "length" else value + 1.0)
         follow = _differing(own, scheme_given(plans, other))
         if name in follow and all(n in means for n in follow):
-            found.append(name)
-    return found
+            free.append(name)
+    return free
 
 
 def _link(plans: Plans, name: str, value: float) -> Link:
@@ -78,16 +78,16 @@ def _link(plans: Plans, name: str, value: float) -> Link:
 
 def _sides(plans: Plans) -> dict[str, Assembly]:
     """The assemblies in words, also those told by places."""
-    found = {}
+    assemblies = {}
     for group in plans.structure.dyads:
         words = WORDS_OF_KIND.get(group.kind)
         key = group.inner.guide if group.kind == 3 else group.inner.point
         if words:
-            found[key] = Assembly(order=words[0 if plans.given[f"side_{key}"] > 0 else 1])  # type: ignore[arg-type]
+            assemblies[key] = Assembly(order=words[0 if plans.given[f"side_{key}"] > 0 else 1])  # type: ignore[arg-type]
     tracked = [g for g in plans.structure.groups if not isinstance(g, Group)]
     things = drawn_in_si(plans, plans.mechanism.drive.position).things if tracked else {}
     for higher in tracked:
         outer = {pair.point for pair in higher.pairs if pair not in higher.inner_pairs}
         key = next(p for link in higher.links for p in plans.mechanism.links[link].points if p not in outer)
-        found[key] = Assembly(near=complex(things[at("position", key)]))
-    return found
+        assemblies[key] = Assembly(near=complex(things[at("position", key)]))
+    return assemblies

@@ -56,16 +56,16 @@ class CompiledLoop(Loop):
         memory = np.empty((inputs + 1 + made) * wide + LINE // 8)
         begin = _address(memory)
         begin += (skip := -begin % LINE)
-        whole = np.ndarray((inputs + 1 + made, wide), float, memory, skip)
+        block = np.ndarray((inputs + 1 + made, wide), float, memory, skip)
         for k, values in enumerate(rows):
-            whole[k, :count] = values
+            block[k, :count] = values
         codes, filled = begin + 8 * wide * inputs, begin + 8 * wide * (inputs + 1)
         if out is None:
-            out = whole[inputs + 1 :, :count]
+            out = block[inputs + 1 :, :count]
         else:
             filled, wide = _address(out[0]), out.strides[0] >> 3
         failed = self.run(begin, filled, codes, self._fixed, count, wide)
-        return out, whole[inputs, :count].view(np.int64).astype(np.int16) if failed else None
+        return out, block[inputs, :count].view(np.int64).astype(np.int16) if failed else None
 
     def fill(self, values: Array, out: Array) -> bool:
         """All positions of the only input, each output straight into its row of ``out``; whether every one of them
@@ -103,8 +103,8 @@ def _compiled(text: str) -> Callable[..., int]:
     processor, features = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
     machine = target.create_target_machine(cpu=processor, features=features, opt=3)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
-    told = (text, processor, features, target.triple, ".".join(map(str, llvm.llvm_version_info)))
-    name = sha256("\0".join(told).encode()).hexdigest()
+    identity = (text, processor, features, target.triple, ".".join(map(str, llvm.llvm_version_info)))
+    name = sha256("\0".join(identity).encode()).hexdigest()
     code = kept_code.kept(name)
     if code is None:
         kept_code.keep(name, code := _made(text, machine))

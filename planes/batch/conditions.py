@@ -14,14 +14,14 @@ SUSPECTED = 1e-12  # relative to all that a plan shows: what is apart by more is
 
 def carried(tape: Tape, numbers: Iterable[Real]) -> set[int]:
     """The places of all that makes one of these numbers infinite, or none, by being so."""
-    found, stack = set[int](), [x.at for x in numbers if isinstance(x, Num)]
+    carriers, stack = set[int](), [x.at for x in numbers if isinstance(x, Num)]
     while stack:
         place = stack.pop()
-        if place not in found:
-            found.add(place)
+        if place not in carriers:
+            carriers.add(place)
             op, args = tape.ops[place]
             stack.extend(args if op in ("add", "sub", "mul", "neg", "abs", "hypot") else ())
-    return found
+    return carriers
 
 
 def proved_together(

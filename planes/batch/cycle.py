@@ -205,8 +205,8 @@ class Cycle(Ready):
         if codes is None or not (suspect := np.isin(codes, self._undecided)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
-        table[:, suspect], found = drawn(self, self.trace, self.forces, some, int(suspect.sum()))
-        codes[suspect] = 0 if found is None else found
+        table[:, suspect], drawn_codes = drawn(self, self.trace, self.forces, some, int(suspect.sum()))
+        codes[suspect] = 0 if drawn_codes is None else drawn_codes
         return table, codes if codes.any() else None
 
     def _whole(self, part: Array, table: Array, codes: Indices | None) -> Block:
@@ -222,9 +222,9 @@ class Cycle(Ready):
         where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self._dim)
         block.codes[where] = 0
         if len(where) and not bare:
-            found = self.claims.bounds(block.values[where], at[where])
+            bounds = self.claims.bounds(block.values[where], at[where])
             table = block.table[:, where]
-            doubtful = self.claims.doubtful(table, found) | self.claims.faint(table, found)
+            doubtful = self.claims.doubtful(table, bounds) | self.claims.faint(table, bounds)
             block.table[:, where] = np.where(doubtful, np.nan, table)
             block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
         return block

@@ -35,8 +35,8 @@ TURN = 60.0  # degrees: a radian, near enough
 class _Running:
     """The errors on the way, of one piece of positions: how far every place reached may be off."""
 
-    def __init__(self, claims: "Claims", found: Values, count: int) -> None:
-        self.tape, self.found, self.count, self.claims = claims.drawn.tape, found, count, claims
+    def __init__(self, claims: "Claims", numbers: Values, count: int) -> None:
+        self.tape, self.found, self.count, self.claims = claims.drawn.tape, numbers, count, claims
         self.carrying = Carrying(self.tape, claims.order, count)
         self.largest, self.lost = np.zeros((claims.most, count)), np.zeros((claims.most, count))
         self.usual, self.losing = np.ones(claims.most), np.zeros(claims.most, bool)
@@ -184,7 +184,7 @@ class Margins:
                 pieces.append(self.margins(read(self.drawn.tape, self.order, given), len(part)))
         return np.hstack(pieces)
 
-    def margins(self, found: Values, count: int) -> Array:
+    def margins(self, numbers: Values, count: int) -> Array:
         """Those of a piece of ``count`` positions, of which every number of the tape is known."""
         raise NotImplementedError
 
@@ -207,9 +207,9 @@ class Claims(Margins):
         made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
         self.most = made + len(self.written) + 1
 
-    def margins(self, found: Values, count: int) -> Array:
+    def margins(self, numbers: Values, count: int) -> Array:
         outputs = self.drawn.outputs
-        bounds = _Running(self, found, count)(frozenset(outputs))
+        bounds = _Running(self, numbers, count)(frozenset(outputs))
         bound = np.array([bounds[p] for p in outputs]).reshape(len(outputs), count) * ROUNDED
         return np.where(bound < BLIND * 1e-50, bound, np.inf)
 

@@ -18,8 +18,8 @@ _DIGEST = sha256().digest_size
 
 def folder() -> Path | None:
     """Where code is kept."""
-    if told := os.environ.get("PLANES_CACHE"):
-        return None if told == "off" else Path(told)
+    if setting := os.environ.get("PLANES_CACHE"):
+        return None if setting == "off" else Path(setting)
     homes = {"win32": os.environ.get("LOCALAPPDATA"), "darwin": "~/Library/Caches"}
     home = homes.get(sys.platform) or os.environ.get("XDG_CACHE_HOME") or "~/.cache"
     return Path(home).expanduser() / "planes" / "code"

@@ -91,9 +91,9 @@ def cosine() -> str:
     z = t.op("fmul", "%x", "%x")
     half = t.op("fmul", z, literal(0.5))
     rest = t.op("fmul", t.op("fmul", z, z), t.horner(z, COS))
-    whole = t.op("fsub", literal(1.0), half)
-    lost = t.op("fsub", t.op("fsub", literal(1.0), whole), half)
-    return _function("kcos", "double %x", t, t.op("fadd", whole, t.op("fadd", lost, rest)))
+    rounded = t.op("fsub", literal(1.0), half)
+    lost = t.op("fsub", t.op("fsub", literal(1.0), rounded), half)
+    return _function("kcos", "double %x", t, t.op("fadd", rounded, t.op("fadd", lost, rest)))
 
 
 def arctangent() -> str:
@@ -126,9 +126,9 @@ def gap() -> str:
     names = ("cx", "cy", "dx", "dy", "r", "s")
     x, y = (_squared(t, f"%d{axis}", f"%c{axis}", "fsub") for axis in "xy")
     radii = _squared(t, "%r", "%s", "fadd")
-    whole, part = _apart(t, x[0], t(f"fneg double {y[0]}"))
+    difference, part = _apart(t, x[0], t(f"fneg double {y[0]}"))
     lost = t.op("fadd", part, t.op("fadd", x[1], y[1]))
-    left = t.op("fadd", t.op("fsub", radii[0], whole), t.op("fsub", radii[1], lost))
+    left = t.op("fadd", t.op("fsub", radii[0], difference), t.op("fsub", radii[1], lost))
     size, *more = (t.call("llvm.fabs.f64", f"%{name}") for name in names)
     for one in more:
         size = t.op("fadd", size, one, " reassoc contract")

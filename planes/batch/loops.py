@@ -32,8 +32,8 @@ class Loop:
         order = tape.needed([*trace.outputs, *self.conditions], stop=still)
         self.moved = [p for p in order if p in moved]
         fixed = [p for p in order if p in still]
-        found = read(tape, tape.needed(fixed), given)
-        self.still = {p: found[p] for p in fixed}
+        numbers = read(tape, tape.needed(fixed), given)
+        self.still = {p: numbers[p] for p in fixed}
 
     def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
         """Outputs (a row for each) and codes (the number of the first condition that does not hold, 0 where all do;
@@ -54,16 +54,16 @@ class ArrayLoop(Loop):
         """Which array holds what is made at a place, by its kind (yes and no, or numbers) and its number."""
         ops, free, numbers = self.trace.tape.ops, {True: list[int](), False: list[int]()}, count()
         last = {a: p for p in self.moved for a in ops[p][1]}
-        kept, found = {*self.trace.outputs, *self.conditions, *self.places}, dict[int, tuple[bool, int]]()
+        kept, shelves = {*self.trace.outputs, *self.conditions, *self.places}, dict[int, tuple[bool, int]]()
         for place in self.moved:
             op, args = ops[place]
             test = op in TESTS
-            found[place] = test, free[test].pop() if free[test] else next(numbers)
+            shelves[place] = test, free[test].pop() if free[test] else next(numbers)
             for arg in set(args):
-                if last[arg] == place and arg in found and arg not in kept:
-                    kind, number = found[arg]
+                if last[arg] == place and arg in shelves and arg not in kept:
+                    kind, number = shelves[arg]
                     free[kind].append(number)
-        return found
+        return shelves
 
     def _ready(self, width: int) -> None:
         """Arrays for so many positions, and the work to be done in them."""

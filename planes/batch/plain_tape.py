@@ -59,14 +59,14 @@ def exported(tape: Tape, wanted: Iterable[int], sources: Iterable[Source] = ()) 
     names = dict(sorted({op: len(args) for op, args in ops}.items()))
     index = {op: k for k, op in enumerate(names)}
     consts = [(p, v) for p, v in values if tape.ops[p][0] == "const"]
-    told = {
+    exported_tape = {
         "names": names,
         "ops": "".join(DIGITS[index[op]] + in_digits(p - new[a] for a in args) for p, (op, args) in enumerate(ops)),
         "consts": {new[p]: float(v) if math.isfinite(v) else None for p, v in consts},
         "givens": {v: new[p] for p, v in values if tape.ops[p][0] == "given"},
         "sources": [[new[s.place], s.size] for s in sources if s.place in new],
     }
-    return told, new
+    return exported_tape, new
 
 
 def in_digits(numbers: Iterable[int]) -> str:

@@ -18,20 +18,20 @@ REST = {math.radians(1): 2.9486522708701687e-19, math.degrees(1): -1.98784956705
 """What the doubles of π/180 and 180/π leave out."""
 
 
-def rounding(tape: Tape, place: int, found: Values, whole: frozenset[int]) -> Floats | None:
+def rounding(tape: Tape, place: int, numbers: Values, integers: frozenset[int]) -> Floats | None:
     """Half of the last place of what an operation makes, or how far off a constant is; None where all comes out."""
     op, args = tape.ops[place]
     if op == "const":
         x = tape.values[place]
         exact = isinstance(x, bool) or not math.isfinite(x) or (x * 1024).is_integer()
         return None if exact else abs(REST.get(x, np.spacing(abs(x)) / 2))
-    if op in EXACT or place in whole:
+    if op in EXACT or place in integers:
         return None
     if op == "gap":  # its digits are those of numbers twice as long; where it is nothing, it may be a little
-        z, given = found[place], [found[a] for a in args]
+        z, given = numbers[place], [numbers[a] for a in args]
         return np.where(z == 0, doubt(*given), np.spacing(np.abs(z)) / 2 + 2.0**-100 * sum(map(np.abs, given)) ** 2)
-    out = _comes_out(op, found[place], *(found[a] for a in args))
-    return None if np.all(out) else np.where(out, 0.0, np.spacing(np.abs(found[place])) / 2)
+    out = _comes_out(op, numbers[place], *(numbers[a] for a in args))
+    return None if np.all(out) else np.where(out, 0.0, np.spacing(np.abs(numbers[place])) / 2)
 
 
 def _comes_out(op: str, z: Array, *args: Array) -> Truth:
@@ -55,13 +55,13 @@ def _doubling(x: Array) -> Truth:
 
 def whole_numbers(tape: Tape, order: list[int]) -> frozenset[int]:
     """Places of small whole numbers: quarter turns and what is reckoned of them comes out exactly."""
-    found = set[int]()
+    integers = set[int]()
     for place in order:
         op, args = tape.ops[place]
         counts = op == "floor" or (op == "const" and float(tape.values[place]).is_integer())
-        if counts or (op in ("add", "sub", "mul", "neg") and found.issuperset(args)):
-            found.add(place)
-    return frozenset(found)
+        if counts or (op in ("add", "sub", "mul", "neg") and integers.issuperset(args)):
+            integers.add(place)
+    return frozenset(integers)
 
 
 def unit_parts(tape: Tape, order: list[int]) -> tuple[dict[int, int], dict[int, int]]:

@@ -27,10 +27,10 @@ def drawn(
         for row, column in zip(table, cycle.columns, strict=True):
             row[:] = column.take(drawing.things, drawing.tool.ar)
     numbered = {(r, makes): k for k, (r, makes, _) in enumerate(trace.requires, 1)}
-    whole = np.array([not c.beside for c in cycle.columns])
+    counted = np.array([not c.beside for c in cycle.columns])
     plain = clear(cycle.program, drawing.things, drawing.tool, forces)
     codes = np.where(plain, 0, numbered.get((UNCLEAR, ""), 0))
-    codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
+    codes = np.where(np.isfinite(table[counted].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
     for reason, step, ok, _ in reversed(drawing.tool.failures):
         codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
     return table, codes.astype(np.int16) if codes.any() else None
@@ -38,8 +38,8 @@ def drawn(
 
 def dependent(cycle: Ready, trace: Trace) -> dict[str, list[int]]:
     """The columns that depend on each thing that may fail."""
-    found: dict[str, list[int]] = {makes: [] for _, makes, _ in trace.requires}
+    columns: dict[str, list[int]] = {makes: [] for _, makes, _ in trace.requires}
     for k, column in enumerate(cycle.columns):
-        for made in cycle.program.sliced(column.needs).made & found.keys():
-            found[made].append(k)
-    return {**found, "": list(range(len(cycle.columns)))}
+        for made in cycle.program.sliced(column.needs).made & columns.keys():
+            columns[made].append(k)
+    return {**columns, "": list(range(len(cycle.columns)))}

@@ -104,8 +104,8 @@ class Table(Described, Mapping[str, Array | Complexes]):
             for name in curves:
                 values = np.abs(self[name]) if np.iscomplexobj(self[name]) else self[name]
                 for run in np.split(np.arange(len(values)), ends):
-                    told = [f"{one} = {self.columns[one][run[0]]:g}" for one in swept]
-                    panel.plot(self[over][run], values[run], label=", ".join([name, *told]))
+                    swept_values = [f"{one} = {self.columns[one][run[0]]:g}" for one in swept]
+                    panel.plot(self[over][run], values[run], label=", ".join([name, *swept_values]))
             panel.set_ylabel(unit)
             panel.grid(alpha=0.3)
             panel.legend(loc="best")

@@ -44,14 +44,14 @@ class Tape:
 
     def needed(self, wanted: list[int], stop: frozenset[int] = frozenset()) -> list[int]:
         """The places of all that leads to the wanted ones, in order, going no further back than ``stop``."""
-        found, stack = set[int](), list(wanted)
+        places, stack = set[int](), list(wanted)
         while stack:
             place = stack.pop()
-            if place not in found:
-                found.add(place)
+            if place not in places:
+                places.add(place)
                 if place not in stop:
                     stack.extend(self.ops[place][1])
-        return sorted(found)
+        return sorted(places)
 
     def moved_by(self, names: frozenset[str]) -> frozenset[int]:
         """The places of all that changes when the named givens change."""
@@ -75,12 +75,12 @@ def reckoned(
 ) -> dict[int, Number]:
     """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
     are 0."""
-    found: dict[int, Number] = {}
+    numbers: dict[int, Number] = {}
     for place in order:
         op, args = tape.ops[place]
         if op in LEAVES:
             leaf = tape.values[place]
-            found[place] = real(given[leaf] if op == "given" else leaf if op == "const" else 0.0)
+            numbers[place] = real(given[leaf] if op == "given" else leaf if op == "const" else 0.0)
         else:
-            found[place] = ops[op](*(found[a] for a in args))
-    return found
+            numbers[place] = ops[op](*(numbers[a] for a in args))
+    return numbers

@@ -76,9 +76,9 @@ def _tell_file(args: argparse.Namespace) -> None:
     its format."""
     output, made = getattr(args, "output", None), getattr(args, "made", "")
     if output and sys.stderr and (made or sys.stderr.isatty()) and os.path.isfile(output):
-        told = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": made}
+        words = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": made}
         key, to = ("sheet_written", sys.stdout) if made else ("file_written", sys.stderr)
-        print(say(key, args.lang or home_lang(), **told), file=to)
+        print(say(key, args.lang or home_lang(), **words), file=to)
 
 
 def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.ArgumentParser:

@@ -73,23 +73,23 @@ def place(text: str, option: str) -> tuple[str, complex]:
     return (match[1] or "").strip(), complex(float(match[2]), float(match[3]))
 
 
-def told(found: Outcome, lang: Lang) -> str:
+def told(outcome: Outcome, lang: Lang) -> str:
     """The outcome for people: the sentence, then the tables."""
-    lines = [" ".join(filter(None, (found.typed(found.sentence.told(lang)), chance_told(found, lang))))]
+    lines = [" ".join(filter(None, (outcome.typed(outcome.sentence.told(lang)), chance_told(outcome, lang))))]
     for key, head, rows in zip(("marks", "numbers"), heads(lang), (rows_of, numbers_of), strict=True):
-        shown = [[found.typed(cell) for cell in row] for _, *row in rows(found, lang)]
+        shown = [[outcome.typed(cell) for cell in row] for _, *row in rows(outcome, lang)]
         lines += table(say(f"check_{key}", lang), head, shown, even=False)
-    return "\n".join(lines + [f"! {found.typed(n.told(lang))}" for n in found.notes])
+    return "\n".join(lines + [f"! {outcome.typed(n.told(lang))}" for n in outcome.notes])
 
 
-def said(args: Namespace, found: Outcome) -> int:
+def said(args: Namespace, outcome: Outcome) -> int:
     """The report written, the outcome printed."""
     if args.output:
         from planes.documents.check import write_report
 
-        write_report(found, args.output, args.lang)
+        write_report(outcome, args.output, args.lang)
     if args.json:
-        print(json.dumps(as_json(found, args.lang), ensure_ascii=False, allow_nan=False))
+        print(json.dumps(as_json(outcome, args.lang), ensure_ascii=False, allow_nan=False))
     else:
-        print(told(found, args.lang))
-    return STATUS[found.verdict]
+        print(told(outcome, args.lang))
+    return STATUS[outcome.verdict]

@@ -29,8 +29,8 @@ def check(args: Namespace) -> int:
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
     if table:
-        if found := judge_table(args, scene, value):
-            return said(args, found)
+        if outcome := judge_table(args, scene, value):
+            return said(args, outcome)
         if args.plan is None:
             raise _no_plan(args, scene)
     if args.drawing and not args.trace:

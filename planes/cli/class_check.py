@@ -111,18 +111,18 @@ class ClassDesk:
         """What is found on the only page that holds the plan asked for; None of several, or where all are kept."""
         if len(self.read) != 1 or self.work.ledger or self.work.output.endswith(".csv"):
             return None
-        [(page, found)] = self.read.items()
-        found.notes.append(Phrase("check_page_of", page=page, count=count))
-        return found
+        [(page, outcome)] = self.read.items()
+        outcome.notes.append(Phrase("check_page_of", page=page, count=count))
+        return outcome
 
 
 def _command(args: Namespace) -> str:
     """The command that checks the same sheets once more, with all that it was told: else all would be judged anew."""
     names = ("variant", "phi", "s", "plan", "mu", "pole", "format", "page", "work")
-    told = [(f"--{name}", str(text)) for name in names if (text := getattr(args, name)) is not None]
-    told += [*(("--with", pair) for pair in args.others), *(("--mark", pair) for pair in args.mark)]
-    told += [("--lang", args.lang)] * (args.lang != home_lang()) + [("-o", args.output)] * bool(args.output)
-    more = (f"{flag}{'=' if text[:1] == '-' else ' '}{shlex.quote(text)}" for flag, text in told)
+    options = [(f"--{name}", str(text)) for name in names if (text := getattr(args, name)) is not None]
+    options += [*(("--with", pair) for pair in args.others), *(("--mark", pair) for pair in args.mark)]
+    options += [("--lang", args.lang)] * (args.lang != home_lang()) + [("-o", args.output)] * bool(args.output)
+    more = (f"{flag}{'=' if text[:1] == '-' else ' '}{shlex.quote(text)}" for flag, text in options)
     return " ".join([shlex.join(["planes", "check", args.scene, args.drawing]), *more])
 
 
@@ -130,8 +130,19 @@ def _options(args: Namespace) -> list[object]:
     """All of the command line that what is found depends on."""
     others = [Path(pair.partition("=")[2]) for pair in args.others]
     read = [file.read_bytes() for file in others if file.is_file()]
-    told = (args.variant, args.plan, args.mu, args.phi, args.s, args.pole, args.mark, args.format, args.work, args.lang)
-    return [args.page, *told, args.others, read]
+    options = (
+        args.variant,
+        args.plan,
+        args.mu,
+        args.phi,
+        args.s,
+        args.pole,
+        args.mark,
+        args.format,
+        args.work,
+        args.lang,
+    )
+    return [args.page, *options, args.others, read]
 
 
 def _class_table(work: ClassWork) -> list[str]:

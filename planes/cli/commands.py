@@ -94,13 +94,13 @@ def _survey(args: Namespace) -> int:
 
     check_options(args, "solve", "folder")
     tasks = [(str(path), args.lang, args.variant) for path in scenes_of(args.scene)]
-    found = {}
+    rows_of = {}
     with crowd(ready=("planes.course.survey",)) as each, bar() as step:
         for k, lines in each(lines_of, tasks):
-            found[k] = lines
+            rows_of[k] = lines
             if step:
-                step(len(found), len(tasks))
-    rows = [row for k in sorted(found) for row in found[k]]
+                step(len(rows_of), len(tasks))
+    rows = [row for k in sorted(rows_of) for row in rows_of[k]]
     print(as_json([row.json() for row in rows]) if args.json else report(rows, args.lang), end="\n" * args.json)
     return 0 if all(row.right for row in rows) else 1
 
@@ -118,18 +118,18 @@ def structure(args: Namespace) -> int:
             raise PlanesError(Phrase("no_structure", file=args.scene))
         print(*(x.told(args.lang) for x in figure.counted), sep="\n")
         return 0
-    found = structure_of(scene.mechanism, scene.file)
+    links = structure_of(scene.mechanism, scene.file)
     try:
         variant = aligned(scene_plans(scene), scene.file)
     except PlanesError as error:  # the structure is known all the same
         warn([error.told(args.lang)], args.lang)
         variant = None
     if args.json:
-        print(as_json({**found.json(), "self_aligning": variant and variant.json()}))
+        print(as_json({**links.json(), "self_aligning": variant and variant.json()}))
     else:
-        told = [structure_report(found, args.lang, scene.frame_number)]
-        told += [alignment_report(variant, args.lang)] if variant else []
-        print(*told, sep="\n\n")
+        reports = [structure_report(links, args.lang, scene.frame_number)]
+        reports += [alignment_report(variant, args.lang)] if variant else []
+        print(*reports, sep="\n\n")
     return 0
 
 
@@ -208,15 +208,24 @@ def course(args: Namespace) -> int:
     args.lang = said or home_lang()
     if args.jobs is not None and args.jobs < 1:
         raise PlanesError(Phrase("course_jobs", count=args.jobs))
-    found = read_course(args.folder)
-    lang = said or found.lang or args.lang
-    warn((doubt.told(lang) for assignment in found.assignments for doubt in assignment.doubts), lang)
-    warn([say("course_two_lists", lang, file=found.file, other=found.unread)] * bool(found.unread), lang)
-    folder = Path(args.output) if args.output else Path(found.file).parent / OUT
+    plan_of_course = read_course(args.folder)
+    lang = said or plan_of_course.lang or args.lang
+    warn((doubt.told(lang) for assignment in plan_of_course.assignments for doubt in assignment.doubts), lang)
+    warn(
+        [say("course_two_lists", lang, file=plan_of_course.file, other=plan_of_course.unread)]
+        * bool(plan_of_course.unread),
+        lang,
+    )
+    folder = Path(args.output) if args.output else Path(plan_of_course.file).parent / OUT
     with crowd(args.jobs, args.scheduler, READY) as each, bar() as step:
-        report = conduct(found, folder, each, lang, step, bool(args.scheduler))
+        report = conduct(plan_of_course, folder, each, lang, step, bool(args.scheduler))
     for place, file, sentence in (*report.faults, *report.said):
         print(f"{place}{f'/{file}' if file else ''}: {sentence}", file=sys.stderr)
-    counts = {"students": len(found.students), "made": report.made, "kept": report.kept, "faults": len(report.faults)}
+    counts = {
+        "students": len(plan_of_course.students),
+        "made": report.made,
+        "kept": report.kept,
+        "faults": len(report.faults),
+    }
     print(say("course_done", args.lang, folder=str(folder), **counts))
     return 1 if report.faults else 0

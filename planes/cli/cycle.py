@@ -135,8 +135,8 @@ def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
 
-    found = of_cycle(scene, span.ends if span else None, _names(args))
-    print(as_json(plain(found)) if args.json else report(found, args.lang), end="\n" if args.json else "")
+    cycle = of_cycle(scene, span.ends if span else None, _names(args))
+    print(as_json(plain(cycle)) if args.json else report(cycle, args.lang), end="\n" if args.json else "")
     return 0
 
 
@@ -149,6 +149,6 @@ def _graphical(args: Namespace, scene: Scene) -> int:
 
         draw_constructions(scene, args.graphical, args.pole, args.output, args.lang)
         return 0
-    found = constructed(scene, args.graphical, args.pole)
-    print(as_json(plain(found)) if args.json else report(found, args.lang).rstrip())
+    graphs = constructed(scene, args.graphical, args.pole)
+    print(as_json(plain(graphs)) if args.json else report(graphs, args.lang).rstrip())
     return 0

@@ -61,18 +61,18 @@ class HandedOut:
 
     def marked(self, mark: SheetMark) -> Task | None:
         """The one a sheet's mark means."""
-        found = [t for t in self.tasks if mark.fits(t.scene, t.student)]
-        return found[0] if len(found) == 1 else None
+        tasks = [t for t in self.tasks if mark.fits(t.scene, t.student)]
+        return tasks[0] if len(tasks) == 1 else None
 
     def named(self, stem: str) -> Task | None:
         """The one the name of a file means: by the student's names, or the last name alone if nobody else has it."""
         words = words_of(stem)
-        whole = [t for t in self.tasks if t.student and set(self._names[t]) <= set(words)]
+        by_full_name = [t for t in self.tasks if t.student and set(self._names[t]) <= set(words)]
         last = [t for t in self.tasks if t.student and self._names[t][0] in words]
-        found = whole or (last if len({t.student for t in last}) == 1 else [])
-        told = [t for t in found if set(words_of(t.scene)) <= set(words)]
-        found = told if len(found) > 1 else found
-        return found[0] if len(found) == 1 else None
+        tasks = by_full_name or (last if len({t.student for t in last}) == 1 else [])
+        of_scene = [t for t in tasks if set(words_of(t.scene)) <= set(words)]
+        tasks = of_scene if len(tasks) > 1 else tasks
+        return tasks[0] if len(tasks) == 1 else None
 
     @cached_property
     def _names(self) -> dict[Task, list[str]]:
@@ -87,8 +87,8 @@ def words_of(text: str) -> list[str]:
 def variant_named(stem: str, variants: Sequence[str]) -> str | None:
     """The variant a file's name tells: after the word for it."""
     text = " ".join(words_of(stem))
-    found = [v for v in variants if re.search(rf"\b{_VARIANT}{re.escape(' '.join(words_of(v)))}\b", text)]
-    return max(found, key=len, default=None)
+    named_variants = [v for v in variants if re.search(rf"\b{_VARIANT}{re.escape(' '.join(words_of(v)))}\b", text)]
+    return max(named_variants, key=len, default=None)
 
 
 def plan_named(stem: str, scene: Scene) -> str | None:
@@ -96,8 +96,8 @@ def plan_named(stem: str, scene: Scene) -> str | None:
     text = " ".join(words_of(stem))
     plans = known_plans(scene_plans(scene)) if scene.mechanism else []
     forms = {p: _KINDS.get(p, rf"\b{' '.join(words_of(p))}\b") for p in plans}
-    found = [p for p in plans if re.search(forms[p], text)]
-    return found[0] if len(found) == 1 else None
+    named_plans = [p for p in plans if re.search(forms[p], text)]
+    return named_plans[0] if len(named_plans) == 1 else None
 
 
 def is_course(path: Path) -> bool:

@@ -31,11 +31,11 @@ def fingerprint() -> str:
     house = Path(__file__).parents[2]
     every = (f for room in ("planes", "render") for f in (house / room).rglob("*"))
     files = [f for f in every if f.is_file() and "__pycache__" not in f.parts]
-    found = hashlib.sha256()
+    digest = hashlib.sha256()
     for file in sorted(files, key=lambda f: f.relative_to(house).as_posix()):
-        found.update(file.relative_to(house).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
-    found.update(repr(made_with()).encode())
-    return found.hexdigest()
+        digest.update(file.relative_to(house).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    digest.update(repr(made_with()).encode())
+    return digest.hexdigest()
 
 
 def made_with() -> dict[str, str]:
@@ -162,10 +162,10 @@ def _own(path: Path) -> int:
 def _parsed(text: str) -> Json:
     """An object, or nothing if it was not written to its end."""
     try:
-        found = json.loads(text)
+        record = json.loads(text)
     except (ValueError, RecursionError):
         return {}
-    return found if isinstance(found, dict) else {}
+    return record if isinstance(record, dict) else {}
 
 
 def _entry(read: object) -> Entry:

@@ -90,8 +90,8 @@ def _settled(q: Question) -> Settled:
     solved = solve(scene := loads(text, FILE), lang=q.lang)
     if not solved.positions:
         return Settled(fault=solved.failed[0]["error"])
-    told = replace(scene, file=q.file, where=loads(q.text, q.file, q.variant).where)
-    given_of(told, solved.positions[0], q.lang)  # a paper must be able to tell it
+    original = replace(scene, file=q.file, where=loads(q.text, q.file, q.variant).where)
+    given_of(original, solved.positions[0], q.lang)  # a paper must be able to tell it
     return Settled(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
 
 
@@ -118,23 +118,23 @@ def drawn(q: Question) -> dict[str, str]:
 def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
     """What a teacher compares first, by name and unit: links' ω and ε, sliders' v and a, the balancing load; of stated
     vectors those that are sought, and the values."""
-    found: dict[tuple[str, str], float] = {}
+    answers: dict[tuple[str, str], float] = {}
     if scene.statement is not None:
         return _vectors(scene, scene.statement, key)
     if not key["positions"] or scene.mechanism is None:
-        return found
+        return answers
     at, m = key["positions"][0], scene.mechanism
     for name, link in m.links.items():
         rates, slide = at.get("links", {}).get(name, {}), at.get("slides", {}).get(name)
         if link.slides and slide and m.owner(link.slides.guide) == FRAME:
             point = at.get("points", {}).get(link.first_point, {})
-            found |= {(f"{k}_{link.first_point}", RATE_UNITS[k]): math.hypot(*point[k]) for k in "va" if k in point}
+            answers |= {(f"{k}_{link.first_point}", RATE_UNITS[k]): math.hypot(*point[k]) for k in "va" if k in point}
         elif name != m.drive.link and not link.slides:
-            found |= {(f"{k}_{name}", RATE_UNITS[k]): rates[k] for k in ("omega", "epsilon") if k in rates}
+            answers |= {(f"{k}_{name}", RATE_UNITS[k]): rates[k] for k in ("omega", "epsilon") if k in rates}
     for kind, unit, letter in (("moment", "N·m", "M"), ("force", "N", "Fb")):
         if (value := at.get(f"balancing_{kind}")) is not None:
-            found[f"{letter}_{m.drive.link}", unit] = value
-    return found
+            answers[f"{letter}_{m.drive.link}", unit] = value
+    return answers
 
 
 def answers_of(scene: Scene, value: float | None = None, plan: str = "") -> tuple[str, ...]:
@@ -151,5 +151,5 @@ def _vectors(scene: Scene, stated: Statement, key: Json) -> dict[tuple[str, str]
     units = {s["name"]: s["unit"] for plan in key["plans"].values() for s in plan["segments"].values()}
     given = {n for n, v in stated.vectors.items() if v.value is not None}
     asked = found_of(scene) or [*(n for n in stated.vectors if n not in given), *stated.values]
-    found = {(n, units[n]): float(key["vectors"][n]["value"]) for n in asked if n in key["vectors"] and n in units}
-    return found | {(n, unit_of_value(n)): float(key["values"][n]) for n in asked if n in key.get("values", {})}
+    answers = {(n, units[n]): float(key["vectors"][n]["value"]) for n in asked if n in key["vectors"] and n in units}
+    return answers | {(n, unit_of_value(n)): float(key["values"][n]) for n in asked if n in key.get("values", {})}

@@ -170,13 +170,13 @@ def segments(drawn: Position, name: str, lang: Lang, convention: Convention) -> 
     """The segments of one plan: name, ends, millimetres, value."""
     rows, kind = [], kind_of(name)
     pole = Naming(lang).mark(POLE, kind)
-    for vector, s, found in drawn.measured_on(name):
-        value = number(found["value"] if found["mm"] > NOISE_MM else 0.0, lang)
+    for vector, s, segment in drawn.measured_on(name):
+        value = number(segment["value"] if segment["mm"] > NOISE_MM else 0.0, lang)
         rows.append(
             (
                 f"⟨{vector}⟩",
                 f"⟨{pole if s.start == POLE else s.start}⟩⟨{pole if s.end == POLE else s.end}⟩",
-                decimal(f"{found['mm']:.1f}", lang),
+                decimal(f"{segment['mm']:.1f}", lang),
                 value,
             )
         )
@@ -223,9 +223,9 @@ def _points_apart(plans: Plans, drawing: Drawing) -> float:
 
 def _links_apart(plans: Plans, drawing: Drawing) -> float:
     """The sine of the least angle between two links joined by a hinge."""
-    found = [1.0]
+    sines = [1.0]
     for pair in plans.structure.pairs:
         one, two = (plans.links[name].angle for name in (pair.link, pair.other))
         if one and two and pair.kind == "R":
-            found.append(abs(math.sin(math.radians(drawing[one] - drawing[two]))))
-    return min(found)
+            sines.append(abs(math.sin(math.radians(drawing[one] - drawing[two]))))
+    return min(sines)

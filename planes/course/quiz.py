@@ -112,11 +112,11 @@ def error_of(name: str, errors: Json) -> float:
         return math.hypot(*(x or 0.0 for x in errors["vectors"][name]))
     if name in errors.get("values", {}):
         return float(errors["values"][name] or 0.0)
-    letter, of, _ = parts_of(name)
+    letter, index, _ = parts_of(name)
     if letter in ("omega", "epsilon"):
-        return float(errors["links"][of][letter] or 0.0)
+        return float(errors["links"][index][letter] or 0.0)
     if letter in ("v", "a"):
-        return math.hypot(*(x or 0.0 for x in errors["points"][of][letter]))
+        return math.hypot(*(x or 0.0 for x in errors["points"][index][letter]))
     return float(errors.get("balancing_moment") or errors.get("balancing_force") or 0.0)
 
 
@@ -125,11 +125,11 @@ WIDE = 0.5  # of a value: a tolerance in which half of it, and its double, would
 
 def too_wide(quizzes: Iterable[Quiz]) -> dict[str, list[str]]:
     """By assignment the results that are not asked: in somebody's numbers a pencil may be off by half of one."""
-    found = dict[str, dict[str, None]]()
+    names_by_assignment = dict[str, dict[str, None]]()
     for quiz in quizzes:
         wide = [q.name for q in quiz.questions if q.tolerance > WIDE * abs(q.value)]
-        found.setdefault(quiz.assignment, {}).update(dict.fromkeys(wide))
-    return {name: list(names) for name, names in found.items() if names}
+        names_by_assignment.setdefault(quiz.assignment, {}).update(dict.fromkeys(wide))
+    return {name: list(names) for name, names in names_by_assignment.items() if names}
 
 
 def judgeable(quizzes: Sequence[Quiz]) -> list[Quiz]:
@@ -143,10 +143,10 @@ def judgeable(quizzes: Sequence[Quiz]) -> list[Quiz]:
 
 def by_assignment(quizzes: Iterable[Quiz]) -> dict[str, list[Quiz]]:
     """The quizzes of each assignment."""
-    found: dict[str, list[Quiz]] = {}
+    quizzes_of: dict[str, list[Quiz]] = {}
     for quiz in quizzes:
-        found.setdefault(quiz.assignment, []).append(quiz)
-    return found
+        quizzes_of.setdefault(quiz.assignment, []).append(quiz)
+    return quizzes_of
 
 
 @frozen
@@ -159,9 +159,9 @@ class Pool:
     @cached_property
     def numbers(self) -> dict[str, list[float]]:
         """Everybody's given numbers by their keys; what is told to some alone is 0 for the others."""
-        found = dict.fromkeys(n.key for quiz in self.group for n in quiz.given)
+        keys = dict.fromkeys(n.key for quiz in self.group for n in quiz.given)
         tables = [{n.key: n.value for n in quiz.given} for quiz in self.group]
-        return {key: [table.get(key, 0.0) for table in tables] for key in found}
+        return {key: [table.get(key, 0.0) for table in tables] for key in keys}
 
     @cached_property
     def varied(self) -> dict[str, list[float]]:
@@ -178,15 +178,15 @@ class Pool:
         """What is to be done and what is given, indices in braces; ``mark`` writes a number that is not everybody's."""
         self.check()
         named = {n.key: n for quiz in self.group for n in quiz.given}
-        told = []
+        given_texts = []
         for key, values in self.numbers.items():
             value = mark(key) if key in self.varied else decimal(f"{values[0]:.6g}", self.lang)
             unit = named[key].unit
-            told.append(f"{named[key].name} = {value}{' ' + say(unit, self.lang) if unit else ''}")
+            given_texts.append(f"{named[key].name} = {value}{' ' + say(unit, self.lang) if unit else ''}")
         said = (mark(f"law_{k}") if f"law_{k}" in self.varied else column[0] for k, column in self.columns)
         words = _NUMBER.split(self.group[0].said)
         more = "".join(x for pair in zip_longest(words, said, fillvalue="") for x in pair)
-        return f"{say('quiz_task', self.lang, numbers=', '.join(told))} {more}".strip()
+        return f"{say('quiz_task', self.lang, numbers=', '.join(given_texts))} {more}".strip()
 
     def check(self) -> None:
         """:class:`PlanesError` where students are told different things, not only different numbers."""

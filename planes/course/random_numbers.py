@@ -35,8 +35,8 @@ def around_turn(plans: Plans) -> list[float | None]:
     """The least sharpness at which lines meet at each angle of the driver, None where it cannot be drawn."""
     drawing = drawn_in_si(plans, numpy.array(ROUND))
     least = numpy.ones(len(ROUND))
-    for found in drawing.sharpness.values():
-        least = numpy.fmin(least, numpy.broadcast_to(found, least.shape))
+    for sharpnesses in drawing.sharpness.values():
+        least = numpy.fmin(least, numpy.broadcast_to(sharpnesses, least.shape))
     bad = numpy.broadcast_to(drawing.failed(), least.shape)
     return [None if b else float(sharpness) for b, sharpness in zip(bad, least, strict=True)]
 
@@ -47,28 +47,28 @@ def choices_of(text: str, file: str, draw: Mapping[str, ParameterChoice] | None)
     own = entries_of(table.entries.get("parameters"))
     plain = {k: float(v.text) for k, v in own.items() if isinstance(v, SourceScalar) and _NUMBER.fullmatch(v.text)}
     asked = _usual(table, plain) if draw is None else {k: c for k, c in draw.items() if k in own}
-    found = {}
+    values_of = {}
     for name, choice in asked.items():
         if choice.percent is not None and name not in plain:
             raise SceneError(Phrase("course_not_plain", name=name), file, own[name].line)
-        found[name] = choice.values if choice.percent is None else around(plain[name], choice.percent)
-    if not found:
+        values_of[name] = choice.values if choice.percent is None else around(plain[name], choice.percent)
+    if not values_of:
         raise SceneError(Phrase("course_nothing_drawn"), file, 1)
-    return {name: found[name] for name in own if name in found}
+    return {name: values_of[name] for name in own if name in values_of}
 
 
 def _usual(table: SourceTable, plain: Mapping[str, float]) -> dict[str, ParameterChoice]:
     """What is drawn when nothing is said: the driver's place, lengths and coordinates, its speed, loads."""
     at = entries_of(table.entries.get("drive")).get("phi")
     angle = at.text if isinstance(at, SourceScalar) else ""
-    found = {}
+    choices = {}
     for name, value in plain.items():
         percent = next((p for head, p in _SHARES if name.startswith(head)), None)
         if name == angle:
-            found[name] = ParameterChoice(_ANGLES)
+            choices[name] = ParameterChoice(_ANGLES)
         elif percent is not None and value:
-            found[name] = ParameterChoice(percent=percent)
-    return found
+            choices[name] = ParameterChoice(percent=percent)
+    return choices
 
 
 def around(value: float, percent: float) -> tuple[str, ...]:

@@ -79,9 +79,9 @@ def _students(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tup
         return str(path), read_file(path)
     if node is not None:
         return reader.file, tuple(_student(reader, n, item) for n, item in enumerate(reader.items(node, "students"), 1))
-    if not (found := _list_in(folder)):
+    if not (list_file := _list_in(folder)):
         raise SceneError(Phrase("course_no_students", folder=str(folder), files=FILES), reader.file)
-    return found, read_file(Path(found))
+    return list_file, read_file(Path(list_file))
 
 
 def _list_in(folder: Path) -> str:
@@ -111,11 +111,11 @@ def _assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assig
     if not files:
         where = reader.file if node is not None else str(folder)
         raise SceneError(Phrase("course_no_scenes"), where, None if node is None else node.line)
-    found = tuple(_assignment(f) for f in files)
-    names = [a.name for a in found]
+    assignments = tuple(_assignment(f) for f in files)
+    names = [a.name for a in assignments]
     if twice := next((n for n in names if names.count(n) > 1), None):
         raise SceneError(Phrase("course_scene_twice", name=twice), reader.file, None if node is None else node.line)
-    return found
+    return assignments
 
 
 def _path(reader: Reader, node: Node, what: Told, folder: Path) -> Path:

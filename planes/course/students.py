@@ -37,7 +37,7 @@ def _table(text: str, file: str) -> tuple[Student, ...]:
     first = lines[0] if lines else ""
     rows = csv.reader(lines, delimiter=max(",;\t", key=first.count))
     columns: list[str] = []
-    found = []
+    students = []
     for row in rows:
         cells = [cell.strip() for cell in row]
         if not any(cells):
@@ -49,8 +49,8 @@ def _table(text: str, file: str) -> tuple[Student, ...]:
         if not said.get("name"):
             raise SceneError(Phrase("course_no_name"), file, rows.line_num)
         assignment, variant = (said.get(key) or None for key in ("assignment", "variant"))
-        found.append(Student(said["name"], said.get("group", ""), assignment, variant, rows.line_num))
-    return tuple(found)
+        students.append(Student(said["name"], said.get("group", ""), assignment, variant, rows.line_num))
+    return tuple(students)
 
 
 def _head(cells: list[str], file: str) -> list[str]:
@@ -141,16 +141,16 @@ def _assignments(course: Course, student: Student, number: int) -> list[Assignme
 
 def _places(students: tuple[Student, ...]) -> list[str]:
     """A folder for each student: the name in letters any disk holds; the second of one name gets a number."""
-    found = dict.fromkeys(DEVICES, "")  # by what a disk that knows no capitals tells apart
+    place_of = dict.fromkeys(DEVICES, "")  # by what a disk that knows no capitals tells apart
     for number, s in enumerate(students, 1):
         base = place = _slug(s.name) or f"student-{number}"
-        if s.group and place.casefold() in found:
+        if s.group and place.casefold() in place_of:
             base = place = f"{place}-{_slug(s.group)}"
         count = 2
-        while place.casefold() in found:
+        while place.casefold() in place_of:
             place, count = f"{base}-{count}", count + 1
-        found[place.casefold()] = place
-    return [place for place in found.values() if place]
+        place_of[place.casefold()] = place
+    return [place for place in place_of.values() if place]
 
 
 def _slug(name: str) -> str:

@@ -34,8 +34,8 @@ class StudentRow:
         scene = loads(text or share.assignment.text, "scene.yaml")
         if fault:
             return cls(share, share.student.group, scene.title, {}, {}, fault)
-        found = main_answers(scene, json.loads(key))
-        return cls(share, str(scene.sheet.get("group", "")), scene.title, scene.parameters, found, "")
+        answers = main_answers(scene, json.loads(key))
+        return cls(share, str(scene.sheet.get("group", "")), scene.title, scene.parameters, answers, "")
 
 
 def varied(rows: Sequence[StudentRow]) -> list[str]:
@@ -65,8 +65,8 @@ def as_csv(rows: Sequence[StudentRow], lang: Lang) -> str:
     for row in rows:
         who = [row.share.student.name, row.group, row.share.assignment.name, variant(row, lang)]
         said = (f"{row.numbers[n]:.10g}" if n in row.numbers else "" for n in numbers)
-        found = (repr(row.found[key]) if key in row.found else "" for key in answers)
-        table.append([*who, *said, *found, row.fault])
+        answer_cells = (repr(row.found[key]) if key in row.found else "" for key in answers)
+        table.append([*who, *said, *answer_cells, row.fault])
     return csv_of(table)
 
 
@@ -87,8 +87,8 @@ def as_blocks(rows: Sequence[StudentRow], title: str, lang: Lang) -> Iterator[Bl
         whose = [(row.share.student.name, variant(row, lang)) for row in own]
         yield from _table("sum_numbers", (*heads, *units), whose, numbers, lang)
         units = (f"⟨{n}⟩, {say(u, lang)}" for n, u in answers)
-        found = (tuple(_told(row.found.get(k), lang) for k in answers) for row in own)
-        yield from _table("sum_answers", (*heads, *units), whose, found, lang)
+        answer_rows = (tuple(_told(row.found.get(k), lang) for k in answers) for row in own)
+        yield from _table("sum_answers", (*heads, *units), whose, answer_rows, lang)
         yield from (Paragraph(f"{row.share.student.name}: {row.fault}") for row in lines if row.fault)
 
 

@@ -124,24 +124,24 @@ def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
         numbers = (decimal(cell, lang) for cell in (x.drive, *loads, apart))
         rows.append([x.scene, x.variant, next(numbers), yes_or_no[x.solved], *numbers])
     heads = ("scene", "variant", "drive", "solved", "balancing", "lever", "difference")
-    found = table(say("survey_title", lang), [say(f"survey_{k}", lang) for k in heads], rows)
+    report_lines = table(say("survey_title", lang), [say(f"survey_{k}", lang) for k in heads], rows)
     said = [
         f"{scene} ({', '.join(v)}): {text}" if any(v) else f"{scene}: {text}"
         for (scene, text), v in remarks(lines).items()
     ]
     if said:
-        found += ["", say("survey_exceptions", lang), *said]
+        report_lines += ["", say("survey_exceptions", lang), *said]
     worst = max((x.difference for x in lines if x.difference is not None), default=0.0)
     counts = {"solved": sum(x.solved for x in lines), "forces": sum(x.balancing is not None for x in lines)}
     counts |= {"count": len(lines), "said": len(said)}
     count = say("survey_count", lang, **counts, worst=decimal(f"{worst:.1e}", lang))
-    return "\n".join([*found, "", count]).lstrip("\n") + "\n"
+    return "\n".join([*report_lines, "", count]).lstrip("\n") + "\n"
 
 
 def remarks(lines: Sequence[SurveyRow]) -> dict[tuple[str, str], list[str]]:
     """The sentences, each with the variants it is said of."""
-    found: dict[tuple[str, str], list[str]] = {}
+    variants_of: dict[tuple[str, str], list[str]] = {}
     for line in lines:
         for text in line.remarks:
-            found.setdefault((line.scene, text), []).append(line.variant)
-    return found
+            variants_of.setdefault((line.scene, text), []).append(line.variant)
+    return variants_of

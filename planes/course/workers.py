@@ -166,8 +166,8 @@ def _cluster(address: str) -> Iterator[Each]:
             for done in dask.as_completed(list(waiting)):
                 yield waiting.pop(done), done.result()
         except (Exception, CancelledError) as error:  # of any library on the way
-            told = {"kind": type(error).__name__, "reason": str(error).partition("\n")[0]}
-            raise PlanesError(Phrase("course_cluster", **told)) from None
+            details = {"kind": type(error).__name__, "reason": str(error).partition("\n")[0]}
+            raise PlanesError(Phrase("course_cluster", **details)) from None
 
     try:
         yield each

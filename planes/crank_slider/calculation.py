@@ -100,11 +100,11 @@ def calculate(scene: Scene) -> Calculation:
     motion, pressure = motion_of(given)
     points, plane = as_points(shape, motion), as_plane_motion(shape, motion)
     _check_friction(scene, given, motion)
-    found = follow(scene, shape, motion)
+    drawn = follow(scene, shape, motion)
     forces = balance(shape, motion, plane)
     done = work(shape, motion, plane, forces, given.bore, given.allowed_unevenness)
     weights = given.counterweights
-    level = balanced(shape, given.shaft, weights, motion, found) if given.shaft and weights else None
+    level = balanced(shape, given.shaft, weights, motion, drawn) if given.shaft and weights else None
     held = supports(shape, given.shaft, weights, level, forces) if given.shaft else None
     cut = sections(shape, given.shaft, held) if given.shaft and held else {}
     rod, pin, steels = given.rod, given.pin, given.materials
@@ -115,12 +115,12 @@ def calculate(scene: Scene) -> Calculation:
         pressure=pressure,
         points=points,
         plane=plane,
-        found=found,
+        found=drawn,
         forces=forces,
         simple=classical(shape, motion, plane),
         parts=replaced(shape),
         work=done,
-        agreement=_agreement(given, points, plane, found, forces, done),
+        agreement=_agreement(given, points, plane, drawn, forces, done),
         balance=level,
         supports=held,
         sections=cut,
@@ -145,15 +145,17 @@ def _fatigue(given: Given, cut: dict[str, Section]) -> tuple[Fatigue, ...]:
         return ()
     steel, k = given.materials["shaft"], given.concentration
     rounds = {"journal_A": "journal", "crankpin": "crankpin", "journal_B": "journal"}
-    return tuple(checked(cut[name], getattr(shaft, of), steel, k[of]) for name, of in rounds.items())
+    return tuple(
+        checked(cut[name], getattr(shaft, round_key), steel, k[round_key]) for name, round_key in rounds.items()
+    )
 
 
 def _check_thin(c: Calculation) -> None:
     """A part stressed beyond its strength breaks: that is an error, not a result."""
-    found = [(s.name, float(s.equivalent.max()), "shaft") for s in c.sections.values()]
-    found += [("rod", c.rod.sigma, "rod")] if c.rod else []
-    found += [("piston_pin", c.pin.equivalent, "piston_pin")] if c.pin else []
-    for part, stress, key in found:
+    stresses = [(s.name, float(s.equivalent.max()), "shaft") for s in c.sections.values()]
+    stresses += [("rod", c.rod.sigma, "rod")] if c.rod else []
+    stresses += [("piston_pin", c.pin.equivalent, "piston_pin")] if c.pin else []
+    for part, stress, key in stresses:
         steel = c.given.materials[key]
         if stress > steel.strength:
             line = c.scene.where.get(("crank_slider", key))
@@ -162,22 +164,27 @@ def _check_thin(c: Calculation) -> None:
 
 
 def _agreement(
-    given: Given, points: RodMotion, plane: RodMotion, found: Found, f: CycleForces, done: Work
+    given: Given, points: RodMotion, plane: RodMotion, drawn_plans: Found, f: CycleForces, done: Work
 ) -> Agreement:
     w, r = given.shape.omega, given.shape.r
-    ways = {"points_plane": (points, plane), "points_plans": (points, found), "plane_plans": (plane, found)}
+    ways = {"points_plane": (points, plane), "points_plans": (points, drawn_plans), "plane_plans": (plane, drawn_plans)}
     velocity = {k: apart(a.v, b.v, w * r) for k, (a, b) in ways.items()}
     acceleration = {k: apart(a.a, b.a, w**2 * r) for k, (a, b) in ways.items()}
     omega = {k: _largest(a.omega - b.omega) / w for k, (a, b) in ways.items()}
     epsilon = {k: _largest(a.epsilon - b.epsilon) / w**2 for k, (a, b) in ways.items()}
     own = f.on_pin, -f.on_rod_at_b, f.N, f.on_crank_from_frame
-    drawn = -found.on_rod_from_crank, found.on_slider_from_rod, found.push, found.on_crank_from_frame
+    drawn = (
+        -drawn_plans.on_rod_from_crank,
+        drawn_plans.on_slider_from_rod,
+        drawn_plans.push,
+        drawn_plans.on_crank_from_frame,
+    )
     forces = max(_largest(a - b) for a, b in zip(own, drawn, strict=True)) / max(map(_largest, own))
     top = _largest(f.torque) or 1.0
-    torque, lever = (_largest(one - found.torque) / top for one in (f.torque, found.lever))
+    torque, lever = (_largest(one - drawn_plans.torque) / top for one in (f.torque, drawn_plans.lever))
     of_work = abs(done.torque - done.gas - done.friction) / max(abs(done.gas), abs(done.torque), 1e-300)
     return Agreement(velocity, acceleration, omega, epsilon, forces, torque, lever, of_work)
 
 
-def _largest(of: np.ndarray[Any, Any]) -> float:
-    return float(np.max(np.abs(of)))
+def _largest(numbers: np.ndarray[Any, Any]) -> float:
+    return float(np.max(np.abs(numbers)))

@@ -47,12 +47,12 @@ class Indicator:
 
     def pressure(self, turned_deg: Array, path: Array) -> Array:
         """Absolute pressure, Pa, ``turned_deg`` after the cycle's start, where the piston has gone ``path`` of S."""
-        turned, found = np.asarray(turned_deg, float), np.zeros(np.shape(turned_deg))
+        turned, pressure = np.asarray(turned_deg, float), np.zeros(np.shape(turned_deg))
         for k, name in enumerate(self.names):
             inside = (turned >= 180.0 * k) & (turned <= 180.0 * (k + 1))
             at = np.asarray(path)[inside] if self.over == "path" else turned[inside]
-            found[inside] = self.curve(name)(at) * UNITS[self.unit]
-        return found
+            pressure[inside] = self.curve(name)(at) * UNITS[self.unit]
+        return pressure
 
     def curve(self, stage: str) -> Callable[[Array], Array]:
         """The pressure of one stage in the table's unit over its own variable."""
@@ -80,8 +80,8 @@ def monotone(x: list[float], y: list[float]) -> Callable[[Array], Array]:
         t, one = (at - xs[k]) / h[k], h[k]
         rise = t * t * (3.0 - 2.0 * t)
         bend = t * (1.0 - t) ** 2 * slopes[k] - t * t * (1.0 - t) * slopes[k + 1]
-        found: Array = ys[k] + rise * (ys[k + 1] - ys[k]) + one * bend
-        return found
+        values: Array = ys[k] + rise * (ys[k + 1] - ys[k]) + one * bend
+        return values
 
     return value
 

@@ -78,9 +78,9 @@ def follow(scene: Scene, shape: CrankSliderShape, motion: EngineCycle) -> Found:
         f"P_{shape.slider}_given": motion.gas,
     }
     drawing = run(plans.program, {**plans.given, **unit_scales(plans), **moved})
-    found = _read(plans, drawing, shape, np.shape(motion.phi_deg))
-    _check(scene, shape, motion, found)
-    return found
+    drawn = _read(plans, drawing, shape, np.shape(motion.phi_deg))
+    _check(scene, shape, motion, drawn)
+    return drawn
 
 
 def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[int, ...]) -> Found:
@@ -112,13 +112,13 @@ def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[i
     )
 
 
-def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, found: Found) -> None:
-    bad = ~np.isfinite(found.torque) | ~np.isfinite(found.r["B"])
+def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, drawn: Found) -> None:
+    bad = ~np.isfinite(drawn.torque) | ~np.isfinite(drawn.r["B"])
     if bad.any():
         phi = float(motion.phi_deg[np.argmax(bad)])
         words = Phrase("cs_locked", phi=phi, f=shape.f) if shape.f else Phrase("cs_engine", phi=phi)
         raise SceneError(words, scene.file)
-    if (found.r["B"].real < found.r["A"].real).any():
+    if (drawn.r["B"].real < drawn.r["A"].real).any():
         raise SceneError(Phrase("cs_behind", point=shape.hinge), scene.file)
 
 

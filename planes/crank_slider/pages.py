@@ -48,8 +48,8 @@ class ChapterWriter:
 
     def say(self, key: str, **parts: object) -> str:
         """The words of a key."""
-        told = {k: self.number(v) if isinstance(v, float) else str(v) for k, v in parts.items()}
-        return say(key, self.lang, **told)
+        shown = {k: self.number(v) if isinstance(v, float) else str(v) for k, v in parts.items()}
+        return say(key, self.lang, **shown)
 
     def number(self, value: float, digits: int = 4, near: float = 0.0) -> str:
         """A number as it stands in a text; rounding noise of numbers ``near`` that large is zero."""
@@ -72,12 +72,12 @@ class ChapterWriter:
                 self._line(line, values)
 
     def _line(self, line: str, values: object) -> None:
-        mark, _, told = line.partition(" ")
+        mark, _, content = line.partition(" ")
         if mark == "$":
-            tex, _, number = told.partition(" № ")
+            tex, _, number = content.partition(" № ")
             self.formula(_PLACE.sub(lambda place: self._placed(place[1], values), tex), number)
         elif mark in ("#", "##"):
-            self.blocks.append(Heading(self.say(told), len(mark)))
+            self.blocks.append(Heading(self.say(content), len(mark)))
         else:
             key, *given = line.removeprefix("! ").split()
             parts = {name: _value(path, values) for name, _, path in (one.partition("=") for one in given)}
@@ -112,12 +112,12 @@ class ChapterWriter:
     def sizes(self, part: str, values: object) -> list[tuple[str, str, str]]:
         """Rows of a table of ``report.txt``: what it is, its sign, its value with the unit."""
         rows = ([cell.strip() for cell in line.split("|")] for line in _parts()[part])
-        told = ((key, sign, self.number(_value(path, values)), unit) for key, sign, path, unit in rows)
-        return [(self.say(key), sign, f"{x} {self.say(unit)}" if unit else x) for key, sign, x, unit in told]
+        sizes = ((key, sign, self.number(_value(path, values)), unit) for key, sign, path, unit in rows)
+        return [(self.say(key), sign, f"{x} {self.say(unit)}" if unit else x) for key, sign, x, unit in sizes]
 
-    def figure(self, key: str, of: Chart | DrawnViews | ShaftSketch, **parts: object) -> None:
+    def figure(self, key: str, picture: Chart | DrawnViews | ShaftSketch, **parts: object) -> None:
         self.charts += 1
-        self.blocks.append(Figure(of, f"{self.say('figure')} {self.charts}. {self.say(key, **parts)}"))
+        self.blocks.append(Figure(picture, f"{self.say('figure')} {self.charts}. {self.say(key, **parts)}"))
 
     def chart(
         self, key: str, x: str, y: str, curves: Sequence[PlottedLine], *, ticks: float = 0.0, height_mm: float = 62.0
@@ -136,7 +136,7 @@ def _parts() -> dict[str, list[str]]:
     """The lines of every part of the report by its name."""
     text = Path(__file__).with_name("report.txt").read_text("utf-8")
     named = (part.partition("]\n") for part in text.removeprefix("[").split("\n["))
-    return {name: told.rstrip().split("\n") for name, _, told in named}
+    return {name: body.rstrip().split("\n") for name, _, body in named}
 
 
 def _value(path: str, values: object) -> Any:

@@ -24,10 +24,10 @@ def write_given(w: ChapterWriter, c: Calculation) -> None:
     """What the calculation starts from."""
     g, s = c.given, c.given.shape
     w.write("given", g)
-    told = w.sizes("sizes", SimpleNamespace(given=g, s=s, p0=g.ambient / 1e6, strokes=float(len(g.indicator.names))))
+    sizes = w.sizes("sizes", SimpleNamespace(given=g, s=s, p0=g.ambient / 1e6, strokes=float(len(g.indicator.names))))
     if g.speed.unevenness:
-        told.append((w.say("g_uneven"), "δ; n", f"{w.number(g.speed.unevenness)}; {w.number(g.speed.waves)}"))
-    w.table("t_given", w.words("c_what", "c_sign", "c_value"), told)
+        sizes.append((w.say("g_uneven"), "δ; n", f"{w.number(g.speed.unevenness)}; {w.number(g.speed.waves)}"))
+    w.table("t_given", w.words("c_what", "c_sign", "c_value"), sizes)
     scene, solved = drawn_at(w, c, chosen(c))
     w.figure("f_scheme", DrawnViews(scene, solved, (("scheme",),), True), phi=chosen(c))
 
@@ -60,16 +60,16 @@ def scene_at(c: Calculation, phi_deg: float) -> Scene:
 def values_at(c: Calculation, phi_deg: float, **more: object) -> SimpleNamespace:
     """What the text of one position names: the numbers of the calculation at its step, and ``more``."""
     k, s = c.at(phi_deg), c.given.shape
-    found = {name: at_step(getattr(c, name), k) for name in ("motion", "points", "plane", "forces")}
-    motion = found["motion"]
+    records = {name: at_step(getattr(c, name), k) for name in ("motion", "points", "plane", "forces")}
+    motion = records["motion"]
     beta = math.degrees(float(swing(s, np.radians(motion.phi_deg))))
     rates = {"phi": float(motion.phi_deg), "omega": float(motion.omega), "eps": float(motion.epsilon), "beta": beta}
-    return SimpleNamespace(s=s, given=c.given, parts=c.parts, work=c.work, **rates, **found, **more)
+    return SimpleNamespace(s=s, given=c.given, parts=c.parts, work=c.work, **rates, **records, **more)
 
 
-def at_step(of: object, k: int) -> SimpleNamespace:
+def at_step(record: object, k: int) -> SimpleNamespace:
     """The numbers of a record of arrays at one step of the cycle."""
-    named = of if isinstance(of, dict) else vars(of)
+    named = record if isinstance(record, dict) else vars(record)
     rows = {name: v[k] if isinstance(v, np.ndarray) else v for name, v in named.items()}
     return SimpleNamespace(**{name: at_step(v, k) if isinstance(v, dict) else v for name, v in rows.items()})
 
@@ -111,11 +111,11 @@ def _results(w: ChapterWriter, c: Calculation) -> None:
     phi = c.motion.phi_deg[turn]
     p, q = c.points, c.plane
     v, a = ({"A": np.abs(x["A"]), "B": x["B"].real, "C": np.abs(x["C"])} for x in (p.v, p.a))
-    rates = {f"{letter}_{{{n}}}": of[n] for letter, of in (("v", v), ("a", a)) for n in "ABC"}
+    rates = {f"{letter}_{{{n}}}": vectors[n] for letter, vectors in (("v", v), ("a", a)) for n in "ABC"}
     columns = {"φ, °": phi, "x_{B}": p.r["B"].real, **rates, "ω_{AB}": q.omega, "ε_{AB}": q.epsilon}
     w.over_cycle("t_kin", c.steps(len(phi)), columns)
     turned = {r"$\omega_{AB}/\omega$": q.omega / s.omega, r"$\varepsilon_{AB}/\omega^2$": q.epsilon / s.omega**2}
-    sizes = [{n: np.abs(x) / whole for n, x in of.items()} for of, whole in ((v, unit), (a, rate))]
+    sizes = [{n: np.abs(x) / unit_size for n, x in vectors.items()} for vectors, unit_size in ((v, unit), (a, rate))]
     for key, y, curves in (("f_7a", "y_v", sizes[0]), ("f_7b", "y_a", sizes[1]), ("f_omega", "y_w", turned)):
         w.chart(key, "x_phi", y, lines(phi, {n: x[turn] for n, x in curves.items()}), ticks=30)
 
@@ -179,8 +179,8 @@ def _off(true: Array, simple: Array) -> float:
 def _cycle(w: ChapterWriter, c: Calculation) -> None:
     f, m = c.forces, c.motion
     inertia, phi = c.given.shape.m3 * c.plane.a["B"].real, m.phi_deg
-    gas, whole = f"P_{{{w.say('sub_gas')}}}", f"P_{{{w.say('sub_p')}}}"
-    forces = {gas: m.gas, "m_{3}a_{B}": inertia, whole: f.P, "N": f.N, "S": f.S, "T": f.T, "K": f.K}
+    gas, total = f"P_{{{w.say('sub_gas')}}}", f"P_{{{w.say('sub_p')}}}"
+    forces = {gas: m.gas, "m_{3}a_{B}": inertia, total: f.P, "N": f.N, "S": f.S, "T": f.T, "K": f.K}
     kn = {name: force * KN for name, force in forces.items()}
     w.over_cycle("t_forces", c.steps(len(phi)), {"φ, °": phi, "p": c.pressure / 1e6, **kn, "M": f.torque})
     along = (("l_gas", m.gas, 1), ("l_inertia", inertia, 2), ("l_sum", f.P, 0))

@@ -30,8 +30,8 @@ def write_balance(w: ChapterWriter, c: Calculation) -> None:
     forces = {("pin", "up"): "Φ_{R}", ("weight_0", "down"): f"Φ_{{1{cw}}}", ("weight_1", "down"): f"Φ_{{2{cw}}}"}
     w.figure("f_masses", shaft_sketch(c, masses=masses, forces=forces, sizes=arms))
 
-    def pair(found: float, expected: float) -> str:
-        own, other = (w.number(force * KN, near=b.force * KN) for force in (found, expected))
+    def pair(value: float, expected: float) -> str:
+        own, other = (w.number(force * KN, near=b.force * KN) for force in (value, expected))
         return f"{own} ({other})"
 
     names = {x.name: w.say(f"w_{x.name}", part=weights.translating) for x in b.cases}
@@ -139,10 +139,10 @@ def _fatigue(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _rod(w: ChapterWriter, c: Calculation) -> None:
-    r, of = c.rod, c.given.rod
-    assert r and of
+    r, shank = c.rod, c.given.rod
+    assert r and shank
     v = SimpleNamespace(r=r, steel=c.given.materials["rod"], limits=c.given.limits)
-    v.area, v.modulus, v.bending = of.area * 1e6, of.modulus * 1e9, r.bending * 1e3
+    v.area, v.modulus, v.bending = shank.area * 1e6, shank.modulus * 1e9, r.bending * 1e3
     w.write("rod", v)
     rows = [(w.say(f"b_plane_{i}"), b.mu, b.slenderness, b.critical, r.sigma_c, b.n) for i, b in enumerate(r.planes)]
     cr, sq = w.words("sub_cr", "sub_c")
@@ -166,9 +166,9 @@ def write_summary(w: ChapterWriter, c: Calculation) -> None:
     """Every check in one table, and every error of the source text in another."""
     w.write("summary", c)
     rows = []
-    for name, found, low, high, ok in checks(c):
+    for name, value, low, high, ok in checks(c):
         bounds = ("" if low is None else f"{w.number(low)} ≤ ", "" if high is None else f" ≤ {w.number(high)}")
-        rows.append((w.say(f"c_{name}"), found, "…".join(bounds), w.say("yes" if ok else "no")))
+        rows.append((w.say(f"c_{name}"), value, "…".join(bounds), w.say("yes" if ok else "no")))
     if rows:
         w.table("t_summary", w.words("c_check", "c_found", "c_needed", "c_verdict"), rows)
     w.table("t_wrong", w.words("c_formula", "c_error"), [(f"({n})", w.say(f"e_{key}")) for key, n in WRONG.items()])

@@ -109,11 +109,11 @@ def _positions(top: Values, cycle: float, start: float) -> tuple[float, ...]:
     if (node := top.reader.optional(top.table, "positions")) is None:
         return ()
     what = top.named("positions")
-    found = tuple(top.reader.number(item, what) for item in top.reader.items(node, what))
-    for value in found:
+    places = tuple(top.reader.number(item, what) for item in top.reader.items(node, what))
+    for value in places:
         if not start <= value <= start + cycle:
             raise top.error(Phrase("cs_range", what=what, low=start, high=start + cycle, value=value), "positions")
-    return found[:6]
+    return places[:6]
 
 
 def _counterweights(table: Values) -> Counterweights:
@@ -185,8 +185,8 @@ def _material(table: Values, key: str) -> Material:
     node = table.reader.required(table.table, key, table.what)
     if isinstance(node, SourceScalar):
         name = table.reader.text(node, table.named(key))
-        if found := steel(name):
-            return found
+        if known_steel := steel(name):
+            return known_steel
         what = Phrase("about", what=table.named(key), why=shown(name))
         raise table.error(Phrase("cs_no_steel", what=what, valid=choices(name, STEELS)), key)
     inner = table.needed(key, KEYS["material"])
@@ -202,13 +202,13 @@ def _material(table: Values, key: str) -> Material:
 
 def _concentration(table: Values) -> dict[str, Concentration]:
     """Stress raisers of journal and crank pin."""
-    found = {}
+    raisers = {}
     for key in table.table.entries:
         inner = table.needed(key, KEYS["concentration"])
-        found[key] = Concentration(
+        raisers[key] = Concentration(
             k_sigma=inner.between("k_sigma", 1.0, 20.0),
             k_tau=inner.between("k_tau", 1.0, 20.0),
             size_sigma=inner.between("size_sigma", 0.1, 1.0),
             size_tau=inner.between("size_tau", 0.1, 1.0),
         )
-    return found
+    return raisers

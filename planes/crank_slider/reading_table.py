@@ -45,9 +45,9 @@ class Values:
     def needed(self, key: str, keys: Sequence[str]) -> Values:
         """The table under a key that must be there."""
         self.reader.required(self.table, key, self.what)
-        found = self.inner(key, keys)
-        assert found is not None
-        return found
+        inner_table = self.inner(key, keys)
+        assert inner_table is not None
+        return inner_table
 
     def number(self, key: str, usual: float | None = None) -> float:
         """A number; ``usual`` where it is not given."""

@@ -43,7 +43,7 @@ def summary(c: Calculation, lang: Lang) -> str:
 
 def as_json(c: Calculation) -> Json:
     """What ``planes crank-slider --json`` prints."""
-    found: Json = {
+    report: Json = {
         "planes": 1,
         "scene": c.scene.file,
         "variant": c.scene.variant,
@@ -54,15 +54,15 @@ def as_json(c: Calculation) -> Json:
         "torque": _but_curve(c.work),
     }
     if c.balance:
-        found["balance"] = {**vars(c.balance), "cases": list(map(_but_curve, c.balance.cases))}
+        report["balance"] = {**vars(c.balance), "cases": list(map(_but_curve, c.balance.cases))}
     if c.supports:
-        found |= {"shaft": _shaft(c), "fatigue": c.fatigue}
-    found |= {"rod": c.rod} if c.rod else {}
-    found |= {"piston_pin": c.pin} if c.pin else {}
-    found["checks"] = [dict(zip(("name", "found", "low", "high", "holds"), one, strict=True)) for one in checks(c)]
+        report |= {"shaft": _shaft(c), "fatigue": c.fatigue}
+    report |= {"rod": c.rod} if c.rod else {}
+    report |= {"piston_pin": c.pin} if c.pin else {}
+    report["checks"] = [dict(zip(("name", "found", "low", "high", "holds"), one, strict=True)) for one in checks(c)]
     texts = [(k, printed(c.given.shape, c.motion, c.plane, c.forces, k)) for k in map(c.at, c.given.positions)]
-    found["source_text"] = [{"phi_deg": c.motion.phi_deg[k], "printed": of} for k, of in texts]
-    return {key: _plain(value) for key, value in found.items()}
+    report["source_text"] = [{"phi_deg": c.motion.phi_deg[k], "printed": text} for k, text in texts]
+    return {key: _plain(value) for key, value in report.items()}
 
 
 def _plain(value: object) -> object:

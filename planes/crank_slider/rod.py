@@ -61,26 +61,26 @@ class PinStrength:
 
 
 def rod_strength(
-    shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, of: Shank, steel: Material
+    shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, shank: Shank, steel: Material
 ) -> RodStrength:
     """Stresses of the shank over the cycle; compression positive."""
     beta = swing(shape, m.phi)
     axial = (f.S, -(f.on_pin * np.exp(1j * beta)).real)  # at B, at A
     large = np.where(np.abs(axial[0]) >= np.abs(axial[1]), axial[0], axial[1])
     moment = _bending(shape, way, beta)
-    sigma_b = moment / of.modulus * MPA
-    both = np.abs(large) / of.area * MPA + sigma_b
+    sigma_b = moment / shank.modulus * MPA
+    both = np.abs(large) / shank.area * MPA + sigma_b
     push, pull, bend, worst = (int(np.argmax(x)) for x in (large, -large, moment, both))
     squeezed, pulled = max(float(large[push]), 0.0), max(float(-large[pull]), 0.0)
-    stress, limit = squeezed / of.area * MPA, math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
-    freely, held = (math.sqrt(j / of.area) for j in (of.inertia, of.inertia_across))
+    stress, limit = squeezed / shank.area * MPA, math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
+    freely, held = (math.sqrt(j / shank.area) for j in (shank.inertia, shank.inertia_across))
     return RodStrength(
         squeezed=squeezed,
         squeezed_deg=float(m.phi_deg[push]),
         pulled=pulled,
         pulled_deg=float(m.phi_deg[pull]),
         sigma_c=stress,
-        sigma_p=pulled / of.area * MPA,
+        sigma_p=pulled / shank.area * MPA,
         bending=float(moment[bend]),
         bending_deg=float(m.phi_deg[bend]),
         sigma_b=float(sigma_b[bend]),

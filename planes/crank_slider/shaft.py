@@ -56,13 +56,13 @@ class Balance:
     cases: tuple[Shaking, ...]
 
 
-def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: EngineCycle, found: Found) -> Balance:
+def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: EngineCycle, drawn: Found) -> Balance:
     """Counterweights that balance the rotating masses, and those chosen."""
     parts = replaced(shape)
     rotating = shaft.pin_mass + shaft.web_mass * shaft.web_radius / shape.r + parts.at_a  # (27)
     a, b = shaft.left, shaft.right
-    whole = rotating * shape.r / weights.radius  # (28): m₁ + m₂
-    needed = whole * b / (a + b), whole * a / (a + b)  # (29)
+    static_sum = rotating * shape.r / weights.radius  # (28): m₁ + m₂
+    needed = static_sum * b / (a + b), static_sum * a / (a + b)  # (29)
     chosen = weights.masses or needed
     w2 = shape.omega**2
     force = rotating * shape.r * w2
@@ -76,7 +76,7 @@ def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: 
         "part": (rotating + weights.translating * translating) * shape.r,
     }
     cases = tuple(
-        _shaking(name, value, shape, shaft, m, found, (rotating, translating))
+        _shaking(name, value, shape, shaft, m, drawn, (rotating, translating))
         for name, value in moments.items()
         if name != "chosen" or weights.masses
     )
@@ -89,13 +89,13 @@ def _shaking(
     shape: CrankSliderShape,
     shaft: Shaft,
     m: EngineCycle,
-    found: Found,
+    drawn: Found,
     masses: tuple[float, float],
 ) -> Shaking:
     turn = (m.phi_deg >= m.phi_deg[0]) & (m.phi_deg < m.phi_deg[0] + 360.0 - 1e-9)
     radial = np.exp(1j * m.phi[turn]) * (m.omega**2 - 1j * m.epsilon)[turn]
     crank = shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius
-    curve = (crank - moment) * radial - shape.m2 * found.a["C"][turn] - shape.m3 * found.a["B"][turn]
+    curve = (crank - moment) * radial - shape.m2 * drawn.a["C"][turn] - shape.m3 * drawn.a["B"][turn]
     first, second = (_harmonic(curve, m.phi[turn], k) for k in (1, 2))
     w2, r = shape.omega**2, shape.r
     rotating, moving = (masses[0] * r - moment) * w2, masses[1] * r * w2
@@ -179,9 +179,9 @@ def sections(shape: CrankSliderShape, shaft: Shaft, s: Supports) -> dict[str, Se
     return {one.name: one for one in made}
 
 
-def _round(name: str, z: Array, y: Array, torque: Array, of: Round) -> Section:
-    sigma = np.hypot(z, y) / of.modulus * MPA
-    return Section(name, z, y, torque, sigma, np.abs(torque) / (2 * of.modulus) * MPA)
+def _round(name: str, z: Array, y: Array, torque: Array, round_part: Round) -> Section:
+    sigma = np.hypot(z, y) / round_part.modulus * MPA
+    return Section(name, z, y, torque, sigma, np.abs(torque) / (2 * round_part.modulus) * MPA)
 
 
 def _web(name: str, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
@@ -219,15 +219,15 @@ class Fatigue:
     static: float  # yield over the largest σ_eq of the cycle
 
 
-def checked(section: Section, of: Round, steel: Material, k: Concentration) -> Fatigue:
+def checked(section: Section, round_part: Round, steel: Material, k: Concentration) -> Fatigue:
     """The factors of one round section."""
     theta = np.radians(np.arange(0.0, 360.0))[:, None]
-    sigma = (section.bending_z * np.cos(theta) + section.bending_y * np.sin(theta)) / of.modulus * MPA
+    sigma = (section.bending_z * np.cos(theta) + section.bending_y * np.sin(theta)) / round_part.modulus * MPA
     top, low = sigma.max(axis=1), sigma.min(axis=1)
     amplitude, mean = (top - low) / 2, (top + low) / 2
     worse = k.k_sigma / k.size_sigma * amplitude + steel.psi * np.maximum(mean, 0.0)
     at = int(np.argmax(worse))
-    tau = section.torsion / (2 * of.modulus) * MPA
+    tau = section.torsion / (2 * round_part.modulus) * MPA
     tau_a, tau_m = float(tau.max() - tau.min()) / 2, abs(float(tau.max() + tau.min())) / 2
     n_sigma = factor(steel.fatigue, float(worse[at]))
     n_tau = factor(steel.fatigue_torsion, k.k_tau / k.size_tau * tau_a + steel.psi_torsion * tau_m)

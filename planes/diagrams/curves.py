@@ -71,25 +71,25 @@ def needs_of(things: Iterable[Curve | CycleVector], slopes: bool = True) -> list
 def curves_of(plans: Plans) -> dict[str, Curve]:
     """Every curve of a mechanism by its name, in the order they are listed; a reaction's other name leads to it too, as
     does an analogue's as it is lettered."""
-    found = {c.name: c for c in (*_places(plans), *_motions(plans, "q"), *_motions(plans), *_forces(plans))}
+    curves = {c.name: c for c in (*_places(plans), *_motions(plans, "q"), *_motions(plans), *_forces(plans))}
     for r in plans.reactions.values():
-        found.setdefault(force_name(r.pair.other, r.pair.link), found[r.key])
+        curves.setdefault(force_name(r.pair.other, r.pair.link), curves[r.key])
     for link in turning(plans):
-        found.setdefault(f"omegaq_{link}", found[ratio_name(plans, link)])
-    return {as_indexed(name): curve for name, curve in found.items()} | found
+        curves.setdefault(f"omegaq_{link}", curves[ratio_name(plans, link)])
+    return {as_indexed(name): curve for name, curve in curves.items()} | curves
 
 
 def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     """Every vector of a mechanism by its name: r_C, v_C, vq_C, a_C, aq_C, F_21."""
-    units, found = analogue_units(plans.mechanism.drive.kind == "phi"), {}
+    units, vectors = analogue_units(plans.mechanism.drive.kind == "phi"), {}
     for p in plans.points:
         for letter, unit in (("r", "m"), ("v", "m/s"), ("a", "m/s²")):
-            found[f"{letter}_{p}"] = CycleVector(f"{letter}_{p}", unit, f"{letter}_{p}")
+            vectors[f"{letter}_{p}"] = CycleVector(f"{letter}_{p}", unit, f"{letter}_{p}")
         for letter in "va":
-            found[f"{letter}q_{p}"] = CycleVector(f"{letter}q_{p}", units[letter], f"{UNIT}{letter}_{p}")
+            vectors[f"{letter}q_{p}"] = CycleVector(f"{letter}q_{p}", units[letter], f"{UNIT}{letter}_{p}")
     for r in plans.reactions.values():
-        found[r.key] = CycleVector(r.key, "N", r.key)
-    return found
+        vectors[r.key] = CycleVector(r.key, "N", r.key)
+    return vectors
 
 
 def named(written: str, known: Mapping[str, T], plans: Plans, file: str) -> T:

@@ -64,17 +64,17 @@ class _Limit:
 
 def extremes(g: Grid) -> list[list[Extreme]]:
     """For every curve of the turn its extremes, in the order of the driver's places; none for a constant curve."""
-    found: list[list[Extreme]] = [[] for _ in g.turn.curves]
+    of_curves: list[list[Extreme]] = [[] for _ in g.turn.curves]
     brackets, limits = list[_Bracket](), [_Limit.of(g, i, limit) for i, limit in g.limits]
     for k, curve in enumerate(g.turn.curves):
         y = g.values(curve)
         if varies(y, g.noise(curve)):
             brackets += _brackets(g, k, y)
-            found[k] += _edges(g, curve, y, limits)
+            of_curves[k] += _edges(g, curve, y, limits)
     for bracket, place, value in _inside(g, brackets) if brackets else ():
         again = g.closed and place >= g.places[-1] - 1e-9
-        found[bracket.curve].append(Extreme(place - FULL if again else place, value, bracket.sense))
-    return [sorted(some, key=lambda e: e.place) for some in found]
+        of_curves[bracket.curve].append(Extreme(place - FULL if again else place, value, bracket.sense))
+    return [sorted(some, key=lambda e: e.place) for some in of_curves]
 
 
 def _inside(g: Grid, brackets: list[_Bracket]) -> list[tuple[_Bracket, float, float]]:
@@ -88,12 +88,12 @@ def _inside(g: Grid, brackets: list[_Bracket]) -> list[tuple[_Bracket, float, fl
     plain = [(b, float(x)) for b, x in zip(brackets, places, strict=True) if np.isfinite(x)]
     rough = [b for b, x in zip(brackets, places, strict=True) if not np.isfinite(x)]
     values = _values(g.turn, [b for b, _ in plain], np.array([x for _, x in plain])) if plain else ()
-    told = [(b, x, float(y)) for (b, x), y in zip(plain, values, strict=True) if np.isfinite(y)]
+    extremes_inside = [(b, x, float(y)) for (b, x), y in zip(plain, values, strict=True) if np.isfinite(y)]
     rough += [b for (b, _), y in zip(plain, values, strict=True) if not np.isfinite(y)]
     if not rough:
-        return told
+        return extremes_inside
     batches = [rough[start : start + BATCH] for start in range(0, len(rough), BATCH)]
-    return told + _joined(g, rough, np.concatenate([_refined(g.turn, batch) for batch in batches]))
+    return extremes_inside + _joined(g, rough, np.concatenate([_refined(g.turn, batch) for batch in batches]))
 
 
 def _joined(g: Grid, brackets: list[_Bracket], places: Array) -> list[tuple[_Bracket, float, float]]:
@@ -104,17 +104,17 @@ def _joined(g: Grid, brackets: list[_Bracket], places: Array) -> list[tuple[_Bra
     values, (near, far) = _values(g.turn, brackets, places), _values(g.turn, brackets * 4, around).reshape(2, 2, -1)
     size = {k: np.nanmax(np.abs(g.values(g.turn.curves[k]))) for k in {b.curve for b in brackets}}
     alone = np.abs(values - near).min(axis=0) > 1e-3 * np.array([size[b.curve] for b in brackets])
-    found = []
+    extremes_there = []
     for i, b in enumerate(brackets):
         value = float(values[i])
         if _grows(b, value, near[:, i], far[:, i]):
-            found.append((b, float(places[i]), b.sense * np.inf))
+            extremes_there.append((b, float(places[i]), b.sense * np.inf))
             continue
         if alone[i]:
             value = float(b.sense * (b.sense * near[:, i]).max())
         if np.isfinite(value) and (not alone[i] or b.sense * value >= (b.sense * far[:, i]).max()):
-            found.append((b, float(places[i]), value))
-    return found
+            extremes_there.append((b, float(places[i]), value))
+    return extremes_there
 
 
 def _grows(b: _Bracket, value: float, near: Array, far: Array) -> bool:
@@ -139,27 +139,27 @@ def _brackets(g: Grid, k: int, y: Array) -> list[_Bracket]:
         y, x = np.append(y, y[1] + period), np.append(x, x[-1] + step)
     before, here, after = y[:-2], y[1:-1], y[2:]
     noise = 1e-13 * np.nanmax(np.abs(y))
-    found = []
+    brackets = []
     for sense in (1, -1):
         up, down = sense * (here - before) > noise, sense * (here - after) >= -noise
         tops = np.flatnonzero(up & down & (np.abs(here - before) + np.abs(here - after) > 2 * noise))
-        found += [
+        brackets += [
             _Bracket(k, sense, int(i) + 1, x[i], x[i + 2], float(y[i + 1]), g.turn.curves[k].angular) for i in tops
         ]
-    return found
+    return brackets
 
 
 def _edges(g: Grid, curve: Curve, y: Array, limits: list[_Limit]) -> list[Extreme]:
     """Values at the ends of the range, and at the limits of assembly, where they may be the largest of all."""
-    found = []
+    ends = []
     if not g.closed:
         for i, other in ((0, 1), (len(y) - 1, len(y) - 2)):
             if np.isfinite(y[i]) and np.isfinite(y[other]):
-                found.append(Extreme(float(g.places[i]), float(y[i]), 1 if y[i] > y[other] else -1, "end"))
+                ends.append(Extreme(float(g.places[i]), float(y[i]), 1 if y[i] > y[other] else -1, "end"))
     for limit in limits:
         if np.isfinite(y[limit.index]):
-            found += _at_limit(curve, float(y[limit.index]), limit)
-    return found
+            ends += _at_limit(curve, float(y[limit.index]), limit)
+    return ends
 
 
 def _at_limit(curve: Curve, y: float, at: _Limit) -> list[Extreme]:
@@ -202,13 +202,13 @@ def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> Array:
 
 
 def _values(turn: WholeTurn, brackets: list[_Bracket], place: Array) -> Array:
-    sample, found = turn.sample(place), np.empty(len(place))
+    sample, values_there = turn.sample(place), np.empty(len(place))
     owner, near = np.array([b.curve for b in brackets]), np.array([b.near for b in brackets])
     for k in np.unique(owner):
         mine, curve = owner == k, turn.curves[k]
         value = (curve.read(sample) + np.zeros(len(place)))[mine]
-        found[mine] = value + FULL * np.round((near[mine] - value) / FULL) if curve.angular else value
-    return found
+        values_there[mine] = value + FULL * np.round((near[mine] - value) / FULL) if curve.angular else value
+    return values_there
 
 
 def _unknown(sample: Sample) -> float:

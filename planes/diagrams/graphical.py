@@ -142,8 +142,8 @@ def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> No
     d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
     steepest = max(abs(b - a) for a, b in pairwise(c.exact(before))) / (c.motion.time[1] - c.motion.time[0])
     pole = pole_mm or _pole(steepest, c.mu_t, before.mu)
-    found = before.mu * pole / c.mu_t
-    c.axes(plan, found, pole)
+    mu = before.mu * pole / c.mu_t
+    c.axes(plan, mu, pole)
     made: list[tuple[int, str]] = []
     for (one, first), (two, second) in pairwise(before.points):
         half, label = (one + two) // 2, _label((one + two) // 2)
@@ -157,7 +157,7 @@ def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> No
         made.insert(0, (half, _label(half)))
     for half, label in made:
         c.measure(plan, half, label)
-    c.stages.append(Stage(plan, rank, found, pole, tuple(made), False))
+    c.stages.append(Stage(plan, rank, mu, pole, tuple(made), False))
 
 
 def _label(half: int) -> str:
@@ -207,8 +207,8 @@ def _summed(c: Construction, middles: list[tuple[int, str]], plan: str, rank: in
     """The integral of a diagram: over each section a parallel to the ray through the ordinate of its middle."""
     d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
     assert before.pole_mm
-    found = before.mu * c.mu_t / before.pole_mm
-    c.axes(plan, found, None)
+    mu = before.mu * c.mu_t / before.pole_mm
+    c.axes(plan, mu, None)
     c.lay_off(plan, 0, "0", start)
     end = at(plan, "0")
     made = [(0, "0")]
@@ -219,4 +219,4 @@ def _summed(c: Construction, middles: list[tuple[int, str]], plan: str, rank: in
         made.append((2 * k + 2, str(k + 1)))
     for half, label in made:
         c.measure(plan, half, label)
-    c.stages.append(Stage(plan, rank, found, None, tuple(made), False))
+    c.stages.append(Stage(plan, rank, mu, None, tuple(made), False))

@@ -33,7 +33,7 @@ class MeasuredDiagram:
     def rows(self) -> list[tuple[int, str, float, float, float]]:
         """Half sections, label, what was found, the exact value, the deviation; the last middle is not told twice."""
         rows = zip(self.stage.points, self.found, self.exact, self.pencil, strict=True)
-        return [(half, label, found, exact, spread) for (half, label), found, exact, spread in rows if half >= 0]
+        return [(half, label, measured, exact, spread) for (half, label), measured, exact, spread in rows if half >= 0]
 
     @property
     def worst(self) -> float:
@@ -56,11 +56,11 @@ def readings(c: Construction, pencil: Pencil | None = None) -> list[MeasuredDiag
 
     drawing: Drawing = c.drawn(Exact())
     crowd = c.drawn(pencil or Pencil(), {"mu_paper": numpy.ones(PENCILS)})
-    found = []
+    diagrams = []
     for stage in c.stages:
         spread = [float(numpy.std(v)) if numpy.ndim(v) else 0.0 for v in c.measured(crowd, stage)]
-        found.append(MeasuredDiagram(stage, [float(v) for v in c.measured(drawing, stage)], c.exact(stage), spread))
-    return found
+        diagrams.append(MeasuredDiagram(stage, [float(v) for v in c.measured(drawing, stage)], c.exact(stage), spread))
+    return diagrams
 
 
 def scales(c: Construction, lang: Lang) -> list[str]:
@@ -85,11 +85,11 @@ def scales(c: Construction, lang: Lang) -> list[str]:
 
 def as_json(constructions: list[Construction]) -> Json:
     """The constructions as plain things: scales, poles, and every point with what was found and what is exact, SI."""
-    told = []
+    rows = []
     for c in constructions:
         diagrams = [_diagram(c, r) for r in readings(c)]
-        told.append({"kind": c.kind, "link": c.motion.link, "mu_t": c.mu_t, "diagrams": diagrams})
-    return {"planes": 1, "constructions": told}
+        rows.append({"kind": c.kind, "link": c.motion.link, "mu_t": c.mu_t, "diagrams": diagrams})
+    return {"planes": 1, "constructions": rows}
 
 
 def _diagram(c: Construction, r: MeasuredDiagram) -> Json:
@@ -118,9 +118,9 @@ def _reading(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:
     point, found_head, exact_head, pencil = (say(f"graphical_{k}", lang) for k in ("point", "found", "exact", "pencil"))
     size = max(map(abs, r.exact)) or 1.0
     rows = []
-    for half, label, found, exact, spread in r.rows:
-        cells = (quantity(0.0 if abs(x) < 1e-12 * size else x) for x in (found, exact))
-        shares = (f"{100 * x / size:.2f}" for x in (found - exact, spread))
+    for half, label, measured, exact, spread in r.rows:
+        cells = (quantity(0.0 if abs(x) < 1e-12 * size else x) for x in (measured, exact))
+        shares = (f"{100 * x / size:.2f}" for x in (measured - exact, spread))
         rows.append([label, quantity(_angle(c, half), 5), *cells, *shares])
     title = f"{LETTERS[slides][rank]}{c.motion.link}, {unit}"
     lines = table(title, [point, f"{Naming().plain(c.motion.driver)}, °", found_head, exact_head, "Δ, %", pencil], rows)

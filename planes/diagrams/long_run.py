@@ -161,15 +161,15 @@ def listed_json(turn: WholeTurn, values: Any) -> Json:
 
 def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
     """Why positions cannot be drawn, a sentence for each that cannot."""
-    plans, found = turn.plans, []
+    plans, sentences = turn.plans, []
     given = {**plans.given, **dict.fromkeys(unit_scales(plans), 1000.0)}
     nearest = Nearest(plans)
     for value in map(float, values):
         try:
             run(plans.program, {**given, plans.drive_given: value})
         except PlanFailure as failure:
-            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest.to(value)).told(lang))
-    return found
+            sentences.append(failed(failure, value, plans.mechanism.drive.kind, nearest.to(value)).told(lang))
+    return sentences
 
 
 def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:

@@ -45,8 +45,8 @@ def _around(g: Grid, curve: Curve, index: Indices) -> Array:
     if not g.closed:
         return np.where((at >= 0) & (at < count), row[np.clip(at, 0, count - 1)], np.nan)
     turns, place = np.divmod(at, count - 1)
-    found: Array = row[place]
-    return found if curve.slope or not curve.angular else found + turns * FULL * np.round((row[-1] - row[0]) / FULL)
+    slopes: Array = row[place]
+    return slopes if curve.slope or not curve.angular else slopes + turns * FULL * np.round((row[-1] - row[0]) / FULL)
 
 
 @cache

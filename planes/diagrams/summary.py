@@ -112,26 +112,26 @@ class Summary:
     @cached_property
     def rows(self) -> tuple[CurveSummary, ...]:
         """The curves a person reads: of vectors the sizes; equal ones in one row; nothing that is always zero."""
-        found: list[tuple[Array, CurveSummary]] = []
+        rows_with_values: list[tuple[Array, CurveSummary]] = []
         for curve in self.grid.turn.curves:
             if not self._shown(curve):
                 continue
             y = self.grid.values(curve)
             if not np.isfinite(y).any() or np.nanmax(np.abs(y)) <= self.grid.noise(curve):
                 continue
-            twin = next((k for k, (other, row) in enumerate(found) if _same(y, other, curve, row)), None)
+            twin = next((k for k, (other, row) in enumerate(rows_with_values) if _same(y, other, curve, row)), None)
             if twin is None:
-                found.append((y, self._row(curve, y)))
+                rows_with_values.append((y, self._row(curve, y)))
             else:
-                other, row = found[twin]
-                found[twin] = other, replace(row, names=(*row.names, curve.name))
-        return tuple(row for _, row in found)
+                other, row = rows_with_values[twin]
+                rows_with_values[twin] = other, replace(row, names=(*row.names, curve.name))
+        return tuple(row for _, row in rows_with_values)
 
     def _row(self, curve: Curve, y: Array) -> CurveSummary:
         some, size, rounds = self.extremes[curve.name], float(np.nanmax(np.abs(y))), self.grid.rounds(curve)
         k = int(np.flatnonzero(np.isfinite(y))[0])
-        of = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # a constant's only one
-        low, high = _first_most(of, -1, size), _first_most(of, 1, size)
+        extremes = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # a constant's only one
+        low, high = _first_most(extremes, -1, size), _first_most(extremes, 1, size)
         still = not some and not rounds
         return CurveSummary((curve.name,), curve.unit, curve.group, low, high, size, rounds, still)
 
@@ -148,7 +148,7 @@ class Summary:
     @cached_property
     def paths(self) -> tuple[Path, ...]:
         """Paths of the moving points."""
-        found, frame = [], self.plans.mechanism.frame.points
+        paths, frame = [], self.plans.mechanism.frame.points
         for p in (p for p in self.plans.points if p not in frame):
             z = self.grid.sample[f"r_{p}_x"] + 1j * self.grid.sample[f"r_{p}_y"]
             length = sum(_length(run) for run in np.split(z, np.flatnonzero(~self.grid.works)))
@@ -156,8 +156,8 @@ class Summary:
                 both = (*self.extremes[f"r_{p}_x"], *self.extremes[f"r_{p}_y"])
                 length = np.inf if any(np.isinf(e.value) for e in both) else length
                 x, y = ((self._most(f"r_{p}_{axis}", -1), self._most(f"r_{p}_{axis}", 1)) for axis in "xy")
-                found.append(Path(p, length, x, y))
-        return tuple(found)
+                paths.append(Path(p, length, x, y))
+        return tuple(paths)
 
     def _most(self, name: str, sense: int) -> float:
         """The greatest (or least, −1) coordinate there is."""
@@ -177,10 +177,10 @@ def _length(path: Complexes) -> float:
     path = path[np.isfinite(path)]
     if len(path) < 2:
         return 0.0
-    whole = float(np.abs(np.diff(path)).sum())
+    polygon = float(np.abs(np.diff(path)).sum())
     if len(path) % 2 == 0:
-        return whole
-    return whole + (whole - float(np.abs(np.diff(path[::2])).sum())) / 3
+        return polygon
+    return polygon + (polygon - float(np.abs(np.diff(path[::2])).sum())) / 3
 
 
 def _same(y: Array, other: Array, curve: Curve, row: CurveSummary) -> bool:
@@ -195,10 +195,10 @@ def of_cycle(scene: Scene, ends: tuple[float, float] | None = None, names: Itera
     :class:`PlanesError` where the mechanism assembles nowhere."""
     plans = scene_plans(scene)
     start, end = ends or ((0.0, FULL) if plans.mechanism.drive.kind == "phi" else reach(plans))
-    found = summary(scene, plans, start, end, names)
-    if not found.grid.works.any():
+    cycle = summary(scene, plans, start, end, names)
+    if not cycle.grid.works.any():
         raise PlanesError(Phrase("cycle_never", first=start, last=end))
-    return found
+    return cycle
 
 
 def summary(
@@ -210,6 +210,6 @@ def summary(
     A full turn in which the mechanism stops somewhere is begun there, so that a working range is one piece.
     """
     count = max(721, round(abs(end - start) / 0.5) + 1) if plans.mechanism.drive.kind == "phi" else 721
-    told = () if names is None else tuple(c.name for c in turn_of(plans, names, file=scene.file).curves)
+    shown = () if names is None else tuple(c.name for c in turn_of(plans, names, file=scene.file).curves)
     turn, low, high = turn_of(plans), min(start, end), max(start, end)
-    return Summary(scene, plans, in_one_piece(grid(turn, low, high, min(count, 20001))), told)
+    return Summary(scene, plans, in_one_piece(grid(turn, low, high, min(count, 20001))), shown)

@@ -61,11 +61,13 @@ def _assembles(s: Summary, lang: Lang) -> list[str]:
 
 def _flips(s: Summary, lang: Lang) -> list[str]:
     """Where links turn over, those of one place together."""
-    found: dict[str, list[str]] = {}
+    links_at: dict[str, list[str]] = {}
     for name, place in s.grid.flips:
-        found.setdefault(_place(s, place, lang), []).append(index_of(name))
+        links_at.setdefault(_place(s, place, lang), []).append(index_of(name))
     name = drive_name(s)
-    return [say("cycle_flips", lang, name=name, place=place, links=", ".join(of)) for place, of in found.items()]
+    return [
+        say("cycle_flips", lang, name=name, place=place, links=", ".join(links)) for place, links in links_at.items()
+    ]
 
 
 def _stroke(s: Summary, lang: Lang) -> list[str]:
@@ -132,7 +134,7 @@ class Extremes(Json):
 def as_json(s: Summary) -> Json:
     """The whole summary as plain things; every extreme of every curve is there."""
     drive, stroke = s.plans.mechanism.drive, s.stroke
-    found: Json = {
+    report: Json = {
         "planes": 1,
         "scene": s.scene.file,
         "variant": s.scene.variant,
@@ -141,7 +143,7 @@ def as_json(s: Summary) -> Json:
         "assembles": [list(r) for r in s.grid.ranges],
     }
     if stroke:
-        found["driven"] = {
+        report["driven"] = {
             "link": stroke.link,
             "curve": stroke.curve,
             "rotates": stroke.rounds,
@@ -151,19 +153,19 @@ def as_json(s: Summary) -> Json:
             "back_deg": stroke.back,
             "time_ratio": stroke.K,
         }
-    found["curves"] = {}
+    report["curves"] = {}
     for c in s.grid.turn.curves:
         rotates = {"rotates": True} if s.grid.rounds(c) else {}
-        found["curves"][c.name] = {
+        report["curves"][c.name] = {
             "unit": c.unit,
             "group": c.group,
             "extremes": [_extreme(e) for e in s.extremes[c.name]],
             **rotates,
         }
-    found["paths"] = {
+    report["paths"] = {
         p.point: {"length": or_none(p.length), "x": [*map(or_none, p.x)], "y": [*map(or_none, p.y)]} for p in s.paths
     }
-    return found
+    return report
 
 
 def _extreme(e: Extreme) -> Json:

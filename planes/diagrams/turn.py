@@ -53,7 +53,7 @@ class WholeTurn:
         return self._run(np.asarray(values, float), bare)[0]
 
     def _run(self, values: Array, bare: bool = False, fast: bool = False) -> tuple[dict[str, Array], Indices]:
-        found: dict[str, Array] = {}
+        columns: dict[str, Array] = {}
         codes, past = np.zeros(len(values), int), 0
         for prefix, run in self.cycles:
             blocks = list(run.blocks(values, fast=fast, bare=bare))
@@ -61,8 +61,8 @@ class WholeTurn:
             mine = np.hstack([b.codes for b in blocks])
             codes = np.where((codes == 0) & (mine != 0), mine + past, codes)
             past += len(run.reasons)
-            found |= {prefix + c.name: row for c, row in zip(run.columns, table, strict=True)}
-        return found, codes
+            columns |= {prefix + c.name: row for c, row in zip(run.columns, table, strict=True)}
+        return columns, codes
 
     def blocks(self, values: Span | Array, chunk: int = CHUNK, fast: bool | None = None) -> Iterator[Block]:
         """The curves (one row each) of successive positions, in blocks: what a long table is written from. ``fast``
@@ -70,8 +70,8 @@ class WholeTurn:
         fast = pays(len(values)) if fast is None else fast
         for start in range(0, len(values), chunk):
             part = np.asarray(values[start : start + chunk], float)
-            found, codes = self._run(part, fast=fast)
-            yield Block(part, np.array([c.read(found) + np.zeros(len(part)) for c in self.curves]), codes)
+            columns, codes = self._run(part, fast=fast)
+            yield Block(part, np.array([c.read(columns) + np.zeros(len(part)) for c in self.curves]), codes)
 
 
 def turn_of(
@@ -86,20 +86,20 @@ def turn_of(
 def unwound(angles: Array) -> Array:
     """Angles without jumps of a full turn, most of them as they were told; NaN stays, and what follows it goes on from
     the last angle before."""
-    told = np.array(angles, float)
-    found, good = told.copy(), np.flatnonzero(np.isfinite(told))
+    jumping = np.array(angles, float)
+    unwrapped, good = jumping.copy(), np.flatnonzero(np.isfinite(jumping))
     if len(good):
-        found[good] = np.unwrap(told[good], period=FULL)
-        found -= FULL * np.round(np.median((found - told)[good]) / FULL)
-    return found
+        unwrapped[good] = np.unwrap(jumping[good], period=FULL)
+        unwrapped -= FULL * np.round(np.median((unwrapped - jumping)[good]) / FULL)
+    return unwrapped
 
 
 def _assembled(sample: Mapping[str, Array], places: Array) -> Booleans:
-    found = np.ones(len(places), bool)
+    assembles = np.ones(len(places), bool)
     for name, row in sample.items():
         if letter_of(name) in ("r", "phi", "q:v", "q:omega"):
-            found &= np.isfinite(row)
-    return found
+            assembles &= np.isfinite(row)
+    return assembles
 
 
 @frozen
@@ -122,8 +122,8 @@ class Grid:
 
     def values(self, curve: Curve) -> Array:
         """A curve over the grid, NaN where the mechanism does not assemble; angles unwound."""
-        found = np.where(self.works, curve.read(self.sample), np.nan)
-        return unwound(found) if curve.angular else found
+        row = np.where(self.works, curve.read(self.sample), np.nan)
+        return unwound(row) if curve.angular else row
 
     def rounds(self, curve: Curve) -> bool:
         """Whether a link goes round with the driver: its angle has no least value, nor a greatest."""
@@ -137,17 +137,17 @@ class Grid:
     @cached_property
     def _sizes(self) -> dict[str, float]:
         """How large the numbers of each unit commonly are; those of the driver's own motion count too."""
-        drive, found = self.turn.plans.mechanism.drive, {"°": FULL}
+        drive, sizes = self.turn.plans.mechanism.drive, {"°": FULL}
         if drive.kind == "phi":
-            found |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
+            sizes |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
         for curve in (c for c in self.turn.curves if not c.angular):
             y = np.abs(self.values(curve))
             if np.isfinite(y).any():
-                found[curve.unit] = max(found.get(curve.unit, 0.0), float(np.nanmedian(y)))
+                sizes[curve.unit] = max(sizes.get(curve.unit, 0.0), float(np.nanmedian(y)))
         if drive.kind == "phi":
             for _, unit, rate in RATES.values():
-                found[rate] = max(found.get(rate, 0.0), found.get(unit, 0.0) * abs(drive.velocity))
-        return found
+                sizes[rate] = max(sizes.get(rate, 0.0), sizes.get(unit, 0.0) * abs(drive.velocity))
+        return sizes
 
     @cached_property
     def limits(self) -> tuple[tuple[int, float], ...]:
@@ -180,7 +180,7 @@ class Grid:
     @cached_property
     def flips(self) -> tuple[tuple[str, float], ...]:
         """Curves of angles that turn over, and where: a slider passes through its hinge, the assembly changes."""
-        found = []
+        flips = []
         for curve in (c for c in self.turn.curves if c.angular):
             for i in np.flatnonzero(np.abs(np.diff(self.values(curve))) > FLIP):
                 low, high = float(self.places[i]), float(self.places[i + 1])
@@ -188,8 +188,8 @@ class Grid:
                     middle = (low + high) / 2
                     low, high = (middle, high) if self._turn(curve, low, middle) <= FLIP else (low, middle)
                 if not self._turn(curve, low, high) <= FLIP:  # or it cannot be drawn there at all
-                    found.append((curve.name, high))
-        return tuple(found)
+                    flips.append((curve.name, high))
+        return tuple(flips)
 
     def _turn(self, curve: Curve, one: float, two: float) -> float:
         a, b = curve.read(self.turn.sample([one, two])) + np.zeros(2)

@@ -49,12 +49,12 @@ def _quizzes(folder: Path, places: Sequence[str]) -> list[Quiz]:
 
 def book(keys: Sequence[Path]) -> bytes:
     """The pages of everybody's key, one after another in the order of the list."""
-    whole, held = pypdfium2.PdfDocument.new(), io.BytesIO()
+    pages, held = pypdfium2.PdfDocument.new(), io.BytesIO()
     for key in keys:
         with pypdfium2.PdfDocument(key) as one:
-            whole.import_pages(one)
-    whole.save(held)
-    whole.close()
+            pages.import_pages(one)
+    pages.save(held)
+    pages.close()
     named = hashlib.sha256(b"".join(key.read_bytes() for key in keys)).hexdigest()[:32].upper().encode()
     plain = _OWN_NAME.sub(b"<" + named + b">", held.getvalue())  # the library names a file by chance, and dates it
     return _DATE.sub(lambda date: b"0" * len(date[0]), plain)

@@ -67,8 +67,8 @@ def _given(bench: PreparedPlan, lang: Lang) -> list[str]:
     cut = sliced(plans, [step.makes for step in plans.program.marks[asked.plan]])
     value = plans.mechanism.drive.position if asked.value is None else asked.value
     at = position(asked.scene, cut, [], value, None, lang)
-    told = given_of(asked.scene, at, lang).rows()
-    rows = [f"{name} = {number} {unit}".removesuffix(" —").replace(" °", "°") for name, number, unit in told]
+    given_rows = given_of(asked.scene, at, lang).rows()
+    rows = [f"{name} = {number} {unit}".removesuffix(" —").replace(" °", "°") for name, number, unit in given_rows]
     return [f"{row};" for row in rows[:-1]] + [f"{row}." for row in rows[-1:]]
 
 
@@ -95,30 +95,30 @@ def write_trace(asked: Asked, output: str, lang: Lang) -> None:
     keep(check_pages.trace_page(tracing_data(asked, lang), lang).encode(), output)
 
 
-def write_report(found: Outcome, output: str, lang: Lang) -> None:
+def write_report(outcome: Outcome, output: str, lang: Lang) -> None:
     """The report by the file's suffix: a page, a sheet, a picture or the object."""
     suffix = Path(output).suffix.lower()
     if suffix == ".json":
-        keep(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False).encode(), output)
+        keep(json.dumps(as_json(outcome, lang), ensure_ascii=False, allow_nan=False).encode(), output)
     elif suffix in (".html", ".htm"):
-        keep(check_pages.report_page(report.page_data(found, lang), lang).encode(), output)
+        keep(check_pages.report_page(report.page_data(outcome, lang), lang).encode(), output)
     else:
-        marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
-        _write(Page(tuple(marks), SHEET_MM, report.title(found, lang), lang, under=photo), output)
+        marks, photo = check_sheet.compose(SHEET_MM, _overlay(outcome, lang))
+        _write(Page(tuple(marks), SHEET_MM, report.title(outcome, lang), lang, under=photo), output)
 
 
-def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
+def _overlay(outcome: Outcome, lang: Lang) -> check_sheet.Overlay:
     """What a sheet shows: both plans, the table and the sentence."""
-    asked, plans = found.bench.asked, found.bench.plans
+    asked, plans = outcome.bench.asked, outcome.bench.plans
     kind, naming = kind_of(asked.plan), Naming(lang, **lettering(asked.scene, plans))
-    verdicts = {r["mark"]: r["verdict"] for r in mark_rows(found)}
+    verdicts = {r["mark"]: r["verdict"] for r in mark_rows(outcome)}
 
     def name(label: str) -> str:
         return naming.vector(parted(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
 
-    first, said = found.first_wrong or "", found.sentence.told(lang)
-    told, shown = name(first) if first in verdicts else naming.vector(first), shown_plans(found)
-    photo = Photo(found.paper.picture, found.paper.box) if found.paper.picture and found.paper.box else None
+    first, said = outcome.first_wrong or "", outcome.sentence.told(lang)
+    name_shown, shown = name(first) if first in verdicts else naming.vector(first), shown_plans(outcome)
+    photo = Photo(outcome.paper.picture, outcome.paper.box) if outcome.paper.picture and outcome.paper.box else None
     laid = photo is None or max(photo.box[:2]) < -1  # on a picture its pole must be known, or it stands at the corner
     return check_sheet.Overlay(
         own=shown.own,
@@ -127,25 +127,25 @@ def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
         marks={name(n): (z, verdicts.get(n, "right")) for n, z in shown.marks.items()},
         along={name(n): v for n, v in shown.along.items()},
         pole=name(POLE),
-        title=report.title(found, lang),
-        tables=_tables(found, name, naming),
-        sentence=said.replace(f"{first}:", f"{told}:", 1) if first else said,
+        title=report.title(outcome, lang),
+        tables=_tables(outcome, name, naming),
+        sentence=said.replace(f"{first}:", f"{name_shown}:", 1) if first else said,
         legend=[say(f"check_page_{pen}", lang) for pen in check_sheet.PENS],
         reduced=say("check_reduced", lang, n="{n}"),
         lines=kind == "position",
-        notes=[n.told(lang) for n in found.notes],
+        notes=[n.told(lang) for n in outcome.notes],
         photo=photo,
         lang=lang,
     )
 
 
-def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[check_sheet.Table]:
+def _tables(outcome: Outcome, name: Callable[[str], str], naming: Naming) -> list[check_sheet.Table]:
     """The steps, and the results that were written down."""
     lang = naming.lang
     head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
-    rows = [[name(label), off, limit, told] for _, label, off, limit, _, told in report.rows_of(found, lang)]
+    rows = [[name(label), off, limit, verdict] for _, label, off, limit, _, verdict in report.rows_of(outcome, lang)]
     numbers = [
-        [naming.vector(n), decimal(given, lang), decimal(true, lang), told.split(":")[0]]
-        for _, n, given, true, told in report.numbers_of(found, lang)
+        [naming.vector(n), decimal(given, lang), decimal(true, lang), verdict.split(":")[0]]
+        for _, n, given, true, verdict in report.numbers_of(outcome, lang)
     ]
     return [(head, rows), (report.heads(lang)[1], numbers)]

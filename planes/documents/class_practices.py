@@ -26,11 +26,11 @@ class PracticeSorter:
         """The row of a practice; one that is damaged, altered or of another scene says so."""
         try:
             with guarded("check_broken", sheet.name):
-                task, found = self._judged(sheet)
+                task, practice = self._judged(sheet)
         except PlanesError as error:
             return practice_row(sheet, "unreadable", error, self.lang), None
-        told = Phrase("practice_told", **{name: str(value) for name, value in asdict(found).items()})
-        return practice_row(sheet, "confirmed", told, self.lang, asdict(found)), task
+        result = Phrase("practice_told", **{name: str(value) for name, value in asdict(practice).items()})
+        return practice_row(sheet, "confirmed", result, self.lang, asdict(practice)), task
 
     def _judged(self, sheet: HandedSheet) -> tuple[Task, HandedPractice]:
         tasks = [*self._tasks(sheet)]
@@ -62,11 +62,11 @@ class PracticeSorter:
 
 
 def practice_row(
-    sheet: HandedSheet, verdict: str, told: Phrase | PlanesError, lang: Lang, more: Json | None = None
+    sheet: HandedSheet, verdict: str, result: Phrase | PlanesError, lang: Lang, more: Json | None = None
 ) -> ClassRow:
     """The row of a practice: whose it is as the pupil says, how much was right at once or why it is refused."""
     place, more = f"{sheet.file}: ", more or {}
-    said = {one: told.told(one).removeprefix(place) for one in {*langs("check"), lang}}
+    said = {one: result.told(one).removeprefix(place) for one in {*langs("check"), lang}}
     whose = str(more.get("name", ""))
     return ClassRow(
         file=sheet.name,

@@ -68,16 +68,16 @@ class Sorter:
         return task, self.known[key], whose(scene, mark, task.scene if of_several(self.handed.tasks) else "")
 
     def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
-        found = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)
-        if found is None and mark:
-            told = {"scene": shown(mark.scene), "student": shown(mark.student)}
-            raise PlanesError(Phrase("check_other_mark", file=sheet.name, **told))
-        if found is None and len(self.handed.tasks) == 1:
-            found = self.handed.tasks[0]
-        if found is None:
+        task = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)
+        if task is None and mark:
+            details = {"scene": shown(mark.scene), "student": shown(mark.student)}
+            raise PlanesError(Phrase("check_other_mark", file=sheet.name, **details))
+        if task is None and len(self.handed.tasks) == 1:
+            task = self.handed.tasks[0]
+        if task is None:
             own = saved_as(sheet.file) if sheet.file.suffix.lower() in TABLES else ""
             raise PlanesError(Phrase("check_marks_alone" if own else "check_whose_is_it", file=sheet.name, name=own))
-        return found
+        return task
 
 
 def _of_results(sheet: HandedSheet, scene: Scene) -> str:

@@ -93,8 +93,8 @@ class ClassWork:
             kept = json.loads(self.ledger.path(files[0]).read_bytes())
             row = ClassRow.read(kept["row"])
             same = any(str(t.file) == kept["scene"] and digest(t.file.read_bytes()) == kept["sha256"] for t in tasks)
-            whole = self.ledger.fresh(files[1], source) or not row.plan
-            if same and whole:
+            page_kept = self.ledger.fresh(files[1], source) or not row.plan
+            if same and page_kept:
                 self.rows.append(row)
                 self.wanted += files if row.plan else files[:1]
                 return True
@@ -119,8 +119,8 @@ class ClassWork:
             self._keep(INDEX, digest(data), data)
             self.ledger.close(self.wanted)
         elif suffix:
-            told = {".json": self.json, ".csv": self.csv}.get(suffix, self.page)
-            keep(told().encode(), self.output)
+            writer = {".json": self.json, ".csv": self.csv}.get(suffix, self.page)
+            keep(writer().encode(), self.output)
 
     def json(self) -> str:
         """The objects of all drawings."""
@@ -129,8 +129,8 @@ class ClassWork:
     def table(self) -> tuple[list[str], list[list[str]]]:
         """The head and the rows in words."""
         keys, names = columns(self.rows, self.lang)
-        told = zip(self.rows, self._cells(self.rows, keys), strict=True)
-        return names, [typed(row, cells, self.lang) for row, cells in told]
+        rows = zip(self.rows, self._cells(self.rows, keys), strict=True)
+        return names, [typed(row, cells, self.lang) for row, cells in rows]
 
     def _cells(self, rows: Sequence[ClassRow], keys: Sequence[str]) -> list[list[str]]:
         """The cells of rows; beside what was found stands where the same plan of the same person is once more."""
@@ -164,14 +164,14 @@ class ClassWork:
         counts = Counter(row.verdict for row in self.rows)
         ranked = sorted(self.rows, key=lambda row: row.rank)
         shown = [v for v in reversed(STATUS) if counts[v] or v not in ("confirmed", "right_as_seen")]
-        told = [(say(f"verdict_{v}", self.lang), counts[v]) for v in shown]
-        told.append((say("check_unsure_count", self.lang), sum(row.rank == UNSURE for row in self.rows)))
+        verdict_counts = [(say(f"verdict_{v}", self.lang), counts[v]) for v in shown]
+        verdict_counts.append((say("check_unsure_count", self.lang), sum(row.rank == UNSURE for row in self.rows)))
         keys, head = columns(self.rows, self.lang)
         table = self._cells([replace(r, said=r.said.removeprefix(f"{r.first}: ")) for r in ranked], keys)
         rows = list(zip(ranked, table, strict=True))
         title, missing = f"{say('check_class', self.lang)}: {self.title}", self.missing()
         absent = Phrase("check_missing", names=missing).told(self.lang) if missing else ""
-        return check_pages.class_page(title, told, self._often(), absent, head, rows, self.lang)
+        return check_pages.class_page(title, verdict_counts, self._often(), absent, head, rows, self.lang)
 
     def _often(self) -> list[tuple[str, list[tuple[str, str]]]]:
         """Mistakes that more than one drawing has (what came twice is one), with whose these are, and their reports."""

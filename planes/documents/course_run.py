@@ -98,11 +98,11 @@ class Conductor:
 
     def answered(self, asked: dict[Share, Question]) -> dict[Share, Settled]:
         """Answers read from the folder where they are there, worked out where not."""
-        found = {s: known for s, q in asked.items() if (known := self.read(s, q))}
-        todo = [s for s in asked if s not in found]
+        answers = {s: known for s, q in asked.items() if (known := self.read(s, q))}
+        todo = [s for s in asked if s not in answers]
         for k, answer in self.each(settle, [replace(asked[s], program=self.program) for s in todo]):
-            found[todo[k]] = answer
-        return found
+            answers[todo[k]] = answer
+        return answers
 
     def read(self, share: Share, q: Question) -> Settled | None:
         """Scene and key of an earlier run."""

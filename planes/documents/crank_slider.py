@@ -20,32 +20,35 @@ def run(scene: Scene, args: Namespace, lang: Lang) -> int:
     """Calculate; write the report and the sheet if files are named; print the object or the summary."""
     if args.output and Path(args.output).suffix.lower() not in (*report.SUFFIXES, ".json"):
         raise PlanesError(Phrase("cs_suffix", file=args.output))
-    found = calculate(scene)
+    calculation = calculate(scene)
     if args.output:
-        _write(found, Path(args.output), lang)
+        _write(calculation, Path(args.output), lang)
     if args.sheet:
-        _sheet(found, args.sheet, args.phi, lang)
+        _sheet(calculation, args.sheet, args.phi, lang)
     if args.json:
-        print(json.dumps(as_json(found), allow_nan=False))
+        print(json.dumps(as_json(calculation), allow_nan=False))
     elif not args.output and not args.sheet:
-        print(summary(found, lang), end="")
+        print(summary(calculation, lang), end="")
     return 0
 
 
-def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None:
+def _sheet(calculation: Calculation, path: str, phi: float | None, lang: Lang) -> None:
     """The drawing sheet of one position, the gas force on the piston."""
     from planes.documents.drawn import draw_sheet
 
-    low, high = float(found.motion.phi_deg[0]), float(found.motion.phi_deg[-1])
+    low, high = float(calculation.motion.phi_deg[0]), float(calculation.motion.phi_deg[-1])
     if phi is not None and not low <= phi <= high:
         raise PlanesError(Phrase("cs_phi", value=f"{phi:g}", low=low, high=high))
-    asked = worked(found) if phi is None else float(found.motion.phi_deg[found.at(phi)])
-    for sentence in draw_sheet(scene_at(found, asked), [asked], path, lang).said:
+    asked = worked(calculation) if phi is None else float(calculation.motion.phi_deg[calculation.at(phi)])
+    for sentence in draw_sheet(scene_at(calculation, asked), [asked], path, lang).said:
         print(say("warning", lang, of=sentence), file=sys.stderr)
 
 
-def _write(found: Calculation, path: Path, lang: Lang) -> None:
+def _write(calculation: Calculation, path: Path, lang: Lang) -> None:
     if path.suffix.lower() == ".json":
-        keep((json.dumps(as_json(found), ensure_ascii=False, allow_nan=False) + "\n").encode(), path)
+        keep((json.dumps(as_json(calculation), ensure_ascii=False, allow_nan=False) + "\n").encode(), path)
     else:
-        keep(report.rendered(document(found, lang), path.suffix.lower(), Composer(found.scene, lang).naming), path)
+        keep(
+            report.rendered(document(calculation, lang), path.suffix.lower(), Composer(calculation.scene, lang).naming),
+            path,
+        )

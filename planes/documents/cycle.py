@@ -49,12 +49,14 @@ class Turned:
     def curve(self, curve: Curve, ends: Sequence[Extreme] = ()) -> DiagramCurve:
         """A curve, with the values that are marked; an angle is unwound, and so are these."""
         places, values = self.joined(curve)
-        at, told = [e.place for e in ends], numpy.array([e.value for e in ends])
+        at, marked_values = [e.place for e in ends], numpy.array([e.value for e in ends])
         if curve.angular:
             values = unwound(values)
             there = numpy.isfinite(values)
-            told = told + FULL * numpy.round((numpy.interp(at, places[there], values[there]) - told) / FULL)
-        name, marked = self.naming.curve(curve.name), tuple(zip(at, told.tolist(), strict=True))
+            marked_values = marked_values + FULL * numpy.round(
+                (numpy.interp(at, places[there], values[there]) - marked_values) / FULL
+            )
+        name, marked = self.naming.curve(curve.name), tuple(zip(at, marked_values.tolist(), strict=True))
         place = curve.group == "place"
         return DiagramCurve(letter_of_scale(name), curve.unit, known(values), name, known(places), marked, place)
 
@@ -159,17 +161,17 @@ def _diagrams(turned: Turned, panels: Sequence[Sequence[str]]) -> list[View]:
     turn, runs, by_name = turned.turn, turned.runs, {c.name: c for c in turned.turn.curves}
     if not panels:
         return []
-    found = zip(turn.curves, extremes(grid(turn, runs.start, runs.end)), strict=True)
-    ends = {curve.name: _ends(some) for curve, some in found}
+    curve_ends = zip(turn.curves, extremes(grid(turn, runs.start, runs.end)), strict=True)
+    ends = {curve.name: _ends(some) for curve, some in curve_ends}
     curves = [[turned.curve(by_name[n], ends[n]) for n in names] for names in panels]
     stations = runs.stations().tolist()
     shown = Diagrams(turn.plans, stations, curves, turned.naming, SECTION_MM, runs.closed, to_read=True)
     return [view("diagrams", "", shown.drawn())]
 
 
-def _ends(found: Sequence[Extreme]) -> list[Extreme]:
+def _ends(curve_extremes: Sequence[Extreme]) -> list[Extreme]:
     """The least and the greatest value, where they are finite."""
-    some = [e for e in found if isfinite(e.value)]
+    some = [e for e in curve_extremes if isfinite(e.value)]
     return [max(some, key=lambda e: sense * e.value) for sense in (-1, 1)] if some else []
 
 

@@ -21,12 +21,12 @@ def constructions(
     scene: Scene, composer: Composer, sections: int = STATIONS, pole_mm: float | None = None
 ) -> list[View]:
     """Both graphical constructions of the driven link's motion."""
-    found = []
+    views = []
     for one in constructed(scene, sections, pole_mm):
         title = say(one.kind, composer.lang, link=composer.naming.link(one.motion.link))
         marks = Graphical(one, one.drawn(), composer.naming).drawn()
-        found.append(view(one.kind, title, marks, figure=True))
-    return found
+        views.append(view(one.kind, title, marks, figure=True))
+    return views
 
 
 def views_beside(scene: Scene, drawn: Position, composer: Composer) -> Makers:

@@ -45,8 +45,8 @@ def in_notebook(thing: Scene | Position | Table | Outcome) -> str:
 def _of_scene(scene: Scene, lang: Lang) -> Iterable[str]:
     yield f"<b>{html.escape(scene.title.get(lang, '') or scene.file)}</b>"
     if scene.mechanism:
-        found = structure_of(scene.mechanism, scene.file)
-        yield f"<br>W = {found.W}, {html.escape(found.formula_as(scene.frame_number).replace('->', '→'))}"
+        links = structure_of(scene.mechanism, scene.file)
+        yield f"<br>W = {links.W}, {html.escape(links.formula_as(scene.frame_number).replace('->', '→'))}"
     yield shown(scene) or ""
     yield table([], [(name, number(value, lang)) for name, value in scene.parameters.items()])
 
@@ -83,10 +83,10 @@ def _cell(value: Any, lang: Lang) -> str:
     return "—" if np.isnan(value) else decimal(quantity(float(value)), lang)
 
 
-def _of_check(found: Outcome, lang: Lang) -> Iterable[str]:
+def _of_check(outcome: Outcome, lang: Lang) -> Iterable[str]:
     marks, numbers = heads(lang)
-    yield f"<p>{html.escape(found.sentence.told(lang))}</p>"
-    for head, rows in ((marks, rows_of(found, lang)), (numbers, numbers_of(found, lang))):
+    yield f"<p>{html.escape(outcome.sentence.told(lang))}</p>"
+    for head, rows in ((marks, rows_of(outcome, lang)), (numbers, numbers_of(outcome, lang))):
         yield table(head, [row[1:] for row in rows])
 
 

@@ -72,14 +72,14 @@ def xml_file(root: Element) -> bytes:
 
 def _text(parent: Element, tag: str, text: str, **how: str) -> Element:
     """An element whose words stand in a <text>, as Moodle has it."""
-    found = SubElement(parent, tag, how)
-    SubElement(found, "text").text = text
-    return found
+    element = SubElement(parent, tag, how)
+    SubElement(element, "text").text = text
+    return element
 
 
-def _fields(parent: Element, told: Mapping[str, str]) -> None:
+def _fields(parent: Element, fields: Mapping[str, str]) -> None:
     """Elements that hold nothing but their text."""
-    for tag, text in told.items():
+    for tag, text in fields.items():
         SubElement(parent, tag).text = text
 
 
@@ -93,8 +93,8 @@ def _question(quiz: Element, kind: str, name: str, text: str, picture: bytes) ->
     question = SubElement(quiz, "question", type=kind)
     _text(question, "name", name)
     shown = f'{text}<p><img src="@@PLUGINFILE@@/{PICTURE}" alt="" style="max-width: 100%"/></p>'
-    told = _text(question, "questiontext", shown, format="html")
-    held = SubElement(told, "file", name=PICTURE, path="/", encoding="base64")
+    body = _text(question, "questiontext", shown, format="html")
+    held = SubElement(body, "file", name=PICTURE, path="/", encoding="base64")
     held.text = base64.b64encode(picture).decode()
     _text(question, "generalfeedback", "", format="html")
     _fields(question, {"defaultgrade": GRADE, "penalty": "0.3333333", "hidden": "0"})
@@ -127,8 +127,8 @@ def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -
     answer = SubElement(question, "answer", fraction="100")
     SubElement(answer, "text").text = f"{{{item.key}}}"
     least = min(q.questions[number].tolerance for q in group)
-    told = {"tolerance": f"{least:.6g}", "tolerancetype": "2", "correctanswerformat": "2", "correctanswerlength": "4"}
-    _fields(answer, told)  # nominal; significant figures
+    fields = {"tolerance": f"{least:.6g}", "tolerancetype": "2", "correctanswerformat": "2", "correctanswerlength": "4"}
+    _fields(answer, fields)  # nominal; significant figures
     _text(answer, "feedback", "", format="html")
     _fields(question, UNITLESS)
     rows = pool.varied | {item.key: [q.questions[number].value for q in group]}
@@ -169,8 +169,8 @@ def _stack(quiz: Element, name: str, group: Sequence[Quiz], lang: Lang) -> None:
     feedback = "".join(f"[[feedback:prt{k}]]" for k in range(1, len(first.questions) + 1))
     _text(question, "specificfeedback", feedback, format="html")
     _text(question, "questionnote", "{@k@}")
-    told = {"questionsimplify": "1", "assumepositive": "0", "multiplicationsign": "dot", "sqrtsign": "1"}
-    _fields(question, told)
+    fields = {"questionsimplify": "1", "assumepositive": "0", "multiplicationsign": "dot", "sqrtsign": "1"}
+    _fields(question, fields)
     for k in range(1, len(first.questions) + 1):
         _input(question, k)
     for k in range(1, len(first.questions) + 1):
@@ -184,11 +184,11 @@ def seeds(count: int) -> list[int]:
 
     It is Maxima's ``random``, the first number of a Mersenne twister of that seed, modulo the count.
     """
-    found: dict[int, int] = {}
+    seed_of: dict[int, int] = {}
     for seed in itertools.count(1):
-        found.setdefault(int(RandomState(seed).randint(0, 2**32, dtype=uint32)) % count, seed)
-        if len(found) == count:
-            return [found[k] for k in range(count)]
+        seed_of.setdefault(int(RandomState(seed).randint(0, 2**32, dtype=uint32)) % count, seed)
+        if len(seed_of) == count:
+            return [seed_of[k] for k in range(count)]
     raise AssertionError
 
 
@@ -210,9 +210,9 @@ def _one_of(name: str, numbers: Sequence[str]) -> list[str]:
 
 
 def _input(question: Element, k: int) -> None:
-    told = {"name": f"ans{k}", "type": "numerical", "tans": f"ta{k}", "boxsize": "12", "strictsyntax": "1"}
-    told |= {"insertstars": "0", "forbidfloat": "0", "requirelowestterms": "0", "checkanswertype": "0"}
-    _fields(SubElement(question, "input"), told | {"mustverify": "0", "showvalidation": "1"})
+    fields = {"name": f"ans{k}", "type": "numerical", "tans": f"ta{k}", "boxsize": "12", "strictsyntax": "1"}
+    fields |= {"insertstars": "0", "forbidfloat": "0", "requirelowestterms": "0", "checkanswertype": "0"}
+    _fields(SubElement(question, "input"), fields | {"mustverify": "0", "showvalidation": "1"})
 
 
 def _tree(question: Element, k: int, share: float, lang: Lang) -> None:
@@ -221,10 +221,17 @@ def _tree(question: Element, k: int, share: float, lang: Lang) -> None:
     _fields(tree, {"name": f"prt{k}", "value": f"{share:.7f}", "autosimplify": "1", "feedbackstyle": "1"})
     _text(tree, "feedbackvariables", f"near{k}: is(abs(ans{k} - ta{k}) <= tol{k});")
     node = SubElement(tree, "node")
-    told = {"name": "0", "answertest": "AlgEquiv", "sans": f"near{k}", "tans": "true", "testoptions": "", "quiet": "1"}
-    _fields(node, told)
+    fields = {
+        "name": "0",
+        "answertest": "AlgEquiv",
+        "sans": f"near{k}",
+        "tans": "true",
+        "testoptions": "",
+        "quiet": "1",
+    }
+    _fields(node, fields)
     for side, score, key in (("true", "1", "quiz_right"), ("false", "0", "quiz_wrong")):
-        told = {"scoremode": "=", "score": score, "penalty": "", "nextnode": "-1"}
-        told["answernote"] = f"prt{k}-1-{side[0].upper()}"
-        _fields(node, {f"{side}{tag}": text for tag, text in told.items()})
+        fields = {"scoremode": "=", "score": score, "penalty": "", "nextnode": "-1"}
+        fields["answernote"] = f"prt{k}-1-{side[0].upper()}"
+        _fields(node, {f"{side}{tag}": text for tag, text in fields.items()})
         _text(node, f"{side}feedback", say(key, lang), format="html")

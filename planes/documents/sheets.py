@@ -190,8 +190,8 @@ Rows = Mapping[str, Array]
 
 def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) -> Project:
     """A project with the driver moved through its range, and if wanted the numbered positions of the scheme."""
-    found, motion = span_of(plans), TurningMechanism(plans)
-    span = found if found.whole else found.inner(MARGIN)
+    range_of_drive, motion = span_of(plans), TurningMechanism(plans)
+    span = range_of_drive if range_of_drive.whole else range_of_drive.inner(MARGIN)
     dead = dead_points(driven_grid(plans, span.start, span.end)) if span.whole or twelve else []
     if span.whole and dead:
         span = WorkingRange(dead[0], dead[0] + FULL, True)
@@ -244,6 +244,6 @@ class TurningMechanism:
         places = [(v, (v - span.start) / section) for v in extreme]
         between = [(v, p) for v, p in places if abs(p - round(p)) >= CLOSE]
         near = {round(p) % (last + 1) for v, p in places if (v, p) not in between} | {0, 0 if span.whole else SECTIONS}
-        found = [Numbered(str(k), turn[k * every], k in near) for k in range(last + 1)]
+        numbered = [Numbered(str(k), turn[k * every], k in near) for k in range(last + 1)]
         primed = self.places(self.rows([v for v, _ in between])) if between else []
-        return found + [Numbered(f"{int(p)}′", r, True) for (_, p), r in zip(between, primed, strict=True)]
+        return numbered + [Numbered(f"{int(p)}′", r, True) for (_, p), r in zip(between, primed, strict=True)]

@@ -87,14 +87,14 @@ class StudioServer:
             if request.headers.get("host") not in here or origin not in (None, *(f"http://{one}" for one in here)):
                 return self.refused("studio_not_here", 421)
             if secrets.compare_digest(request.query_params.get("token", ""), self.token):
-                found: Response = RedirectResponse("/", 303)
-                found.set_cookie(COOKIE, self.token, httponly=True, samesite="strict")
+                response: Response = RedirectResponse("/", 303)
+                response.set_cookie(COOKIE, self.token, httponly=True, samesite="strict")
             elif secrets.compare_digest(request.cookies.get(COOKIE, ""), self.token):
-                found = await act(request)
+                response = await act(request)
             else:
-                found = self.refused("studio_no_token", 403)
-            found.headers.update(SAFE)
-            return found
+                response = self.refused("studio_no_token", 403)
+            response.headers.update(SAFE)
+            return response
 
         return answered
 
@@ -112,8 +112,8 @@ class StudioServer:
     async def gallery(self, _: Request) -> Response:
         """The scenes of the gallery, made when they are first asked for."""
         if not self.shelf:
-            found = await run_in_threadpool(shelf, self.scenes)
-            self.shelf = json.dumps(found, ensure_ascii=False).encode()
+            scenes = await run_in_threadpool(shelf, self.scenes)
+            self.shelf = json.dumps(scenes, ensure_ascii=False).encode()
         return Response(self.shelf, media_type=KINDS["json"])
 
     async def body(self, request: Request, most: int) -> dict[str, object] | None:
@@ -124,10 +124,10 @@ class StudioServer:
             if len(data) > most:
                 return None
         try:
-            found = json.loads(data)
+            message = json.loads(data)
         except (ValueError, RecursionError):
             return None
-        return found if isinstance(found, dict) else None
+        return message if isinstance(message, dict) else None
 
     async def ask(self, request: Request) -> Response:
         """A message and its answer."""
@@ -165,8 +165,8 @@ class StudioServer:
 
     async def report(self, request: Request) -> Response:
         """A report that was made."""
-        found = self.reports.get(request.path_params["name"])
-        return Response(found, media_type=KINDS["html"]) if found else self.refused("studio_no_page", 404)
+        page = self.reports.get(request.path_params["name"])
+        return Response(page, media_type=KINDS["html"]) if page else self.refused("studio_no_page", 404)
 
     async def made(
         self, message: dict[str, object], line: list[str], output: str, beside: dict[str, bytes] | None = None

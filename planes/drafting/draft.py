@@ -77,13 +77,13 @@ class Draft:
             self.means.setdefault(name, means)
         return name
 
-    def reckon(self, name: str, of: Dimension, means: Meaning | None = None) -> str:
+    def reckon(self, name: str, dimension: Dimension, means: Meaning | None = None) -> str:
         """State a given that is reckoned of the dimensions of links; it is there already where it is of the same."""
-        while name in self.given and (name not in self.reckoned or self.reckoned[name].of != of.of):
+        while name in self.given and (name not in self.reckoned or self.reckoned[name].of != dimension.of):
             name += "′"
         if name not in self.reckoned:
-            name = self.give(name, of.value, means)
-            self.reckoned[name] = of
+            name = self.give(name, dimension.value, means)
+            self.reckoned[name] = dimension
         return name
 
     def law(self, name: str, law: Law | None) -> None:
@@ -127,16 +127,16 @@ class Draft:
         """The direction from mark to mark."""
         return self.step(Through(name, start, end, means=means))
 
-    def square(self, of: str) -> str:
+    def square(self, line_name: str) -> str:
         """A direction turned by a right angle with the set square."""
-        line = self.steps[of].means
-        return self.step(Turn(f"⊥{of}", of, 1, means=line and replace(line, quantity="across")))
+        line = self.steps[line_name].means
+        return self.step(Turn(f"⊥{line_name}", line_name, 1, means=line and replace(line, quantity="across")))
 
     def turn(
-        self, name: str, of: str, angle_deg: float | Dimension, means: Meaning, given: Meaning | None = None
+        self, name: str, line_name: str, angle_deg: float | Dimension, means: Meaning, given: Meaning | None = None
     ) -> str:
         """A direction turned by an angle, which may itself be ``given`` as something."""
-        return self.step(Turn(name, of, 0, self._angle(name, angle_deg, given), means=means))
+        return self.step(Turn(name, line_name, 0, self._angle(name, angle_deg, given), means=means))
 
     def _angle(self, name: str, angle: float | Dimension, means: Meaning | None) -> str:
         given = f"angle_{name}"
@@ -205,13 +205,13 @@ class Draft:
             return self.lay_off(plan, term.end, place, along, term.length, term.means)
         return at(plan, term.end)
 
-    def reversed(self, of: str) -> str:
+    def reversed(self, line_name: str) -> str:
         """A direction the other way."""
-        line = self.steps[of].means
+        line = self.steps[line_name].means
         turned = line and replace(line, quantity=_REVERSED.get(line.quantity, line.quantity))
         if turned and turned.quantity == "towards":
             turned = replace(turned, of=turned.about, about=turned.of)
-        return self.step(Turn(f"−{of}", of, 2, means=turned))
+        return self.step(Turn(f"−{line_name}", line_name, 2, means=turned))
 
     def _meet(self, equation: Equation, ends: list[str], open_terms: list[list[Term]]) -> None:
         """Cross the lines or arcs of the two open terms."""

@@ -77,14 +77,14 @@ class Equation:
     @property
     def unknowns(self) -> tuple[tuple[str, str], ...]:
         """Pairs (name of the vector, "length" or "direction"), in the order of the terms."""
-        found = []
+        unknowns = []
         for term in self.terms:
             if not term.drawn:
-                found += [(term.name, "length")] * (term.length is None)
-                found += [(term.name, "direction")] * (term.direction is None)
+                unknowns += [(term.name, "length")] * (term.length is None)
+                unknowns += [(term.name, "direction")] * (term.direction is None)
         if self.total and not self.chains[1]:
-            found += [(self.total, "length"), (self.total, "direction")]
-        return tuple(found)
+            unknowns += [(self.total, "length"), (self.total, "direction")]
+        return tuple(unknowns)
 
     @property
     def kind(self) -> EquationKind:

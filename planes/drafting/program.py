@@ -56,11 +56,11 @@ class Program:
     @cached_property
     def marks(self) -> dict[str, list[Step]]:
         """The steps that draw marks, by their plan: position, velocity, acceleration, force:2-3, …, force:1."""
-        found: dict[str, list[Step]] = {}
+        marks: dict[str, list[Step]] = {}
         for step in self.steps:
             if step.kind == "mark":
-                found.setdefault(plan_of(step.makes), []).append(step)
-        return found
+                marks.setdefault(plan_of(step.makes), []).append(step)
+        return marks
 
     @cached_property
     def trials(self) -> frozenset[str]:
@@ -70,11 +70,11 @@ class Program:
     @cached_property
     def readers(self) -> dict[str, list[Step]]:
         """The steps that need each thing."""
-        found: dict[str, list[Step]] = {}
+        readers: dict[str, list[Step]] = {}
         for step in self.steps:
             for name in dict.fromkeys(name for name, _ in step.reads()):
-                found.setdefault(name, []).append(step)
-        return found
+                readers.setdefault(name, []).append(step)
+        return readers
 
     @cached_property
     def vanishing(self) -> frozenset[str]:
@@ -102,13 +102,13 @@ class Program:
     ) -> tuple[Step, ...]:
         """The steps drawn anew when what is given as ``changed`` changes, or other steps are drawn ``instead`` of some;
         what is ``fixed`` stays, whatever leads to it."""
-        dirty, found = set(changed), []
+        dirty, steps = set(changed), []
         for step in self.steps:
             if step.makes in instead or any(name in dirty for name, _ in step.reads()):
-                found.append(step)
+                steps.append(step)
                 if step.makes not in fixed:
                     dirty.add(step.makes)
-        return tuple(found)
+        return tuple(steps)
 
     @cached_property
     def corners(self) -> frozenset[str]:

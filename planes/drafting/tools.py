@@ -122,8 +122,8 @@ class Tool:
 def names_of(step: Step) -> dict[str, Told]:
     """The names a sentence about the step may use; ``line`` and ``other_line`` are what it crosses."""
     named = {f.name: value for f in fields(step) if isinstance(value := getattr(step, f.name), str)}
-    found = {name: name_in_words(value) for name, value in named.items()}
+    words = {name: name_in_words(value) for name, value in named.items()}
     for line, along, start in (("line", "along", "start"), ("other_line", "across", "other")):
         if along in named and start in named:
-            found[line] = line_in_words(named[along], named[start])
-    return found
+            words[line] = line_in_words(named[along], named[start])
+    return words

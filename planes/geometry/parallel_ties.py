@@ -66,8 +66,8 @@ class Parallel:
             return Counted((), 0, True)
         roots = [(float(caught(own, *r)), sign_at(own, *r, bound)) for r in isolated(sturm(own))]
         axes = [(axis_at(t), sign) for t, sign in roots] + [(-1 + 0j, 1 if far > 0 else -1)] * bool(lost)
-        found = [pose for axis, sign in axes for pose in self._along(axis, sign)]
-        return Counted(tuple(p for pose in found for p in settled(self.ties, pose)), len(found), double or lost > 1)
+        poses = [pose for axis, sign in axes for pose in self._along(axis, sign)]
+        return Counted(tuple(p for pose in poses for p in settled(self.ties, pose)), len(poses), double or lost > 1)
 
     def _along(self, axis: complex, sign: int) -> Iterator[Pose]:
         """The poses of an angle; ``sign`` is that of the limit."""
@@ -84,6 +84,6 @@ class Parallel:
         yield from ((base.place - base.local * axis + place, axis) for place in places)
 
 
-def _at_half_turn(whole: Laurent) -> Fraction:
+def _at_half_turn(trigonometric: Laurent) -> Fraction:
     """A real trigonometric polynomial at θ = 180°, exactly."""
-    return sum((-x if k % 2 else x for k, (x, _) in whole.terms.items()), Fraction(0))
+    return sum((-x if k % 2 else x for k, (x, _) in trigonometric.terms.items()), Fraction(0))

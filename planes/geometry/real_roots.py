@@ -17,12 +17,12 @@ def isolated(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
     more = [-((lead - 2 - q.bit_length()) // k) for k, q in enumerate(reversed(poly[:-1]), 1)]
     edge = 3 << max(0, *more, 0)  # beyond twice the largest of |a/lead|^(1/k) there is none (M. Fujiwara)
     start = _stretched(_shifted_by(poly, -edge), 2 * edge)
-    found, left = list[tuple[Fraction, Fraction]](), [(start, Fraction(-edge), Fraction(2 * edge), 0)]
+    ranges, left = list[tuple[Fraction, Fraction]](), [(start, Fraction(-edge), Fraction(2 * edge), 0)]
     while left:
         here, low, wide, depth = left.pop()
         changes = _changes(_shifted(here[::-1]))
         if changes == 1:
-            found.append((low, low + wide))
+            ranges.append((low, low + wide))
         if changes < 2:
             continue
         halves = [q << (len(here) - 1 - k) for k, q in enumerate(here)]
@@ -30,16 +30,16 @@ def isolated(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
         if depth == DEPTH or not upper[0]:
             return None
         left += [(halves, low, wide / 2, depth + 1), (upper, low + wide / 2, wide / 2, depth + 1)]
-    return found
+    return ranges
 
 
 def _shifted(poly: Line) -> Line:
     """At one more."""
-    found = poly[:]
-    for k in range(len(found) - 1):
-        for j in reversed(range(k, len(found) - 1)):
-            found[j] += found[j + 1]
-    return found
+    shifted = poly[:]
+    for k in range(len(shifted) - 1):
+        for j in reversed(range(k, len(shifted) - 1)):
+            shifted[j] += shifted[j + 1]
+    return shifted
 
 
 def _shifted_by(poly: Line, by: int) -> Line:

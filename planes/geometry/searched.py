@@ -28,8 +28,8 @@ def searched(ties: Sequence[Tie], size: float) -> Counted:
         before, met = len(met), _met(over, links, STARTS << k)
         if met and (min(count for _, count in met) >= OFTEN or (len(met) == before > 0 and k > 1)):
             break
-    found = sorted((pose for pose, _ in met if proved(over, pose)), key=lambda pose: pose[1].imag)
-    return Counted(tuple((pose[0] * size, *pose[1:]) for pose in found), len(met), False, whole=False)
+    proven = sorted((pose for pose, _ in met if proved(over, pose)), key=lambda pose: pose[1].imag)
+    return Counted(tuple((pose[0] * size, *pose[1:]) for pose in proven), len(met), False, whole=False)
 
 
 def _met(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
@@ -47,12 +47,12 @@ def _met(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
             pose = (pose[0], *(axis / abs(axis) for axis in pose[1:]))
     good = (moved < 1e-12 * (1 + abs(pose[0]))) & (abs(det) > 0)
     rows = np.array(pose)[:, good].T
-    found: list[tuple[Pose, int]] = []
+    places: list[tuple[Pose, int]] = []
     while len(rows):
         near = abs(rows - rows[0]).max(axis=1) < SAME * (1 + abs(rows[0][0]))
-        found.append((tuple(complex(z) for z in rows[0]), int(near.sum())))
+        places.append((tuple(complex(z) for z in rows[0]), int(near.sum())))
         rows = rows[~near]
-    return found
+    return places
 
 
 Affine = list[Fraction]  # the factors of the unknowns, and what is added
@@ -72,11 +72,11 @@ class Quadratic:
 
     def slopes(self, x: Sequence[Fraction]) -> list[Fraction]:
         """Its slopes there."""
-        found = self.rest[:-1]
+        slopes = self.rest[:-1]
         for a, b in self.products:
             at_a, at_b = _at(a, x), _at(b, x)
-            found = [s + at_a * q + at_b * p for s, p, q in zip(found, a[:-1], b[:-1], strict=True)]
-        return found
+            slopes = [s + at_a * q + at_b * p for s, p, q in zip(slopes, a[:-1], b[:-1], strict=True)]
+        return slopes
 
     @property
     def bend(self) -> Fraction:

@@ -29,22 +29,22 @@ class Laurent:
         return cls({k: (Fraction(complex(z).real), Fraction(complex(z).imag)) for k, z in terms.items()})
 
     def __add__(self, other: Laurent) -> Laurent:
-        found = dict(self.terms)
+        terms = dict(self.terms)
         for k, (x, y) in other.terms.items():
-            p, q = found.get(k, (Fraction(0), Fraction(0)))
-            found[k] = p + x, q + y
-        return Laurent(found)
+            p, q = terms.get(k, (Fraction(0), Fraction(0)))
+            terms[k] = p + x, q + y
+        return Laurent(terms)
 
     def __sub__(self, other: Laurent) -> Laurent:
         return self + Laurent({k: (-x, -y) for k, (x, y) in other.terms.items()})
 
     def __mul__(self, other: Laurent) -> Laurent:
-        found: dict[int, tuple[Fraction, Fraction]] = {}
+        terms: dict[int, tuple[Fraction, Fraction]] = {}
         for i, (x, y) in self.terms.items():
             for j, (u, v) in other.terms.items():
-                p, q = found.get(i + j, (Fraction(0), Fraction(0)))
-                found[i + j] = p + x * u - y * v, q + x * v + y * u
-        return Laurent(found)
+                p, q = terms.get(i + j, (Fraction(0), Fraction(0)))
+                terms[i + j] = p + x * u - y * v, q + x * v + y * u
+        return Laurent(terms)
 
     def bar(self) -> Laurent:
         """The conjugate."""
@@ -77,18 +77,18 @@ class Counted:
 def assemblies(ties: Sequence[Tie]) -> Counted:
     """Every pose of a link on three ties, by growing angle from -180°."""
     base, one, two = _order(ties)
-    (whole, place, divisor) = _eliminated(base, one, two)
-    poly, lost = in_tangent(whole)
+    (eliminant, place, divisor) = _eliminated(base, one, two)
+    poly, lost = in_tangent(eliminant)
     if not poly:
         return Counted((), 0, True)
     own, double = each_once(poly)
     axes = [axis_at(float(caught(own, low, high))) for low, high in isolated(sturm(own))]
     axes += [-1 + 0j] * bool(lost)  # the highest power is gone: a root at θ = 180°
-    found = []
+    poses = []
     for axis in axes:
         below = divisor.at(axis)
-        found.append((base.place - base.local * axis + (place.at(axis) / below if below else 0j), axis))
-    return Counted(tuple(p for pose in found for p in settled(ties, pose)), len(found), double or lost > 1)
+        poses.append((base.place - base.local * axis + (place.at(axis) / below if below else 0j), axis))
+    return Counted(tuple(p for pose in poses for p in settled(ties, pose)), len(poses), double or lost > 1)
 
 
 def axis_at(t: float) -> complex:
@@ -147,20 +147,20 @@ def _eliminated(base: Tie, one: Tie, two: Tie) -> tuple[Laurent, Laurent, Lauren
     divisor, place = a.bar() * c - a * c.bar(), d * a - b * c
     if base.kind == "arc":
         reach = Laurent.of({0: base.reach})
-        whole = place * place.bar() + reach * reach * divisor * divisor
+        eliminant = place * place.bar() + reach * reach * divisor * divisor
     else:
         e, f = row(base, base)
-        whole = (e.bar() * place - e * place.bar() + f * divisor).turned()
-    return whole, place, divisor
+        eliminant = (e.bar() * place - e * place.bar() + f * divisor).turned()
+    return eliminant, place, divisor
 
 
-def in_tangent(whole: Laurent) -> tuple[Polynomial, int]:
+def in_tangent(trigonometric: Laurent) -> tuple[Polynomial, int]:
     """A real trigonometric polynomial as one in t = tan θ/2, e^{iθ} = (1 + it) / (1 - it), its sign kept; and how many
     of its highest powers are gone: so many roots are at θ = 180°."""
-    n = max((abs(k) for k, z in whole.terms.items() if any(z)), default=0)
+    n = max((abs(k) for k, z in trigonometric.terms.items() if any(z)), default=0)
     plus, minus = Laurent.of({0: 1, 1: 1j}), Laurent.of({0: 1, 1: -1j})  # in powers of t
     total = Laurent({})
-    for k, z in whole.terms.items():
+    for k, z in trigonometric.terms.items():
         if any(z):
             factors = [plus] * (n + k) + [minus] * (n - k)
             total = total + reduce(Laurent.__mul__, factors, Laurent({0: z}))

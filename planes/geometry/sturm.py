@@ -17,9 +17,9 @@ def trimmed(poly: Polynomial) -> Polynomial:
     if not poly:
         return []
     below = reduce(lambda m, q: m * q.denominator // gcd(m, q.denominator), poly, 1)
-    whole = [int(q * below) for q in poly]
-    common = gcd(*whole)
-    return [Fraction(q // common) for q in whole]
+    integers = [int(q * below) for q in poly]
+    common = gcd(*integers)
+    return [Fraction(q // common) for q in integers]
 
 
 def value(poly: Polynomial, t: Fraction) -> Fraction:
@@ -43,12 +43,12 @@ def sturm(poly: Polynomial) -> list[Polynomial]:
 
 def divided(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
     """The quotient of two polynomials and what is left."""
-    rest, found = list(poly), list[Fraction]()
+    rest, quotient = list(poly), list[Fraction]()
     while len(rest) >= len(by):
         factor, shift = rest[-1] / by[-1], len(rest) - len(by)
-        found.append(factor)
+        quotient.append(factor)
         rest = [q - factor * by[k - shift] if k >= shift else q for k, q in enumerate(rest)][:-1]
-    return found[::-1], rest
+    return quotient[::-1], rest
 
 
 def changes(chain: list[Polynomial], t: Fraction) -> int:
@@ -62,16 +62,16 @@ def isolated(chain: list[Polynomial]) -> list[tuple[Fraction, Fraction]]:
     poly = chain[0]
     bound = 1 + max((abs(q / poly[-1]) for q in poly[:-1]), default=Fraction(0))
     edge = Fraction(1 << (int(bound) + 1).bit_length())
-    found, left = [], [(-edge, edge, changes(chain, -edge), changes(chain, edge))]
+    ranges, left = [], [(-edge, edge, changes(chain, -edge), changes(chain, edge))]
     while left:
         low, high, before, after = left.pop()
         if before - after == 1:
-            found.append((low, high))
+            ranges.append((low, high))
         elif before > after:
             middle = (low + high) / 2
             between = changes(chain, middle)
             left += [(middle, high, between, after), (low, middle, before, between)]
-    return found
+    return ranges
 
 
 def caught(poly: Polynomial, low: Fraction, high: Fraction) -> Fraction:

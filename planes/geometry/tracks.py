@@ -93,11 +93,11 @@ def hung_on(ties: Sequence[Tie]) -> list[int]:
 def origins(ties: Sequence[Tie], pose: Pose) -> list[Point]:
     """Where the origins of the links are."""
     origin, *axes = pose
-    found = [origin, origin][: len(axes)]
+    places = [origin, origin][: len(axes)]
     for t in ties:
         if t.kind == "hinge":
-            found.append(found[t.link] + axes[t.link] * t.local)
-    return found
+            places.append(places[t.link] + axes[t.link] * t.local)
+    return places
 
 
 Wrench = tuple[Real, Point, Real]

@@ -36,16 +36,16 @@ def both_assemblies(ties: Sequence[Tie]) -> Counted:
     ranges = isolated(left) if left else None
     if ranges is None:
         return Counted((), 0, True)
-    found = [p for low, high in ranges for p in _posed(ties, tracks, caught(left, low, high), unit)]
-    return Counted(tuple(sorted(found, key=lambda pose: cmath.phase(pose[1]))), len(ranges), False)
+    poses = [p for low, high in ranges for p in _posed(ties, tracks, caught(left, low, high), unit)]
+    return Counted(tuple(sorted(poses, key=lambda pose: cmath.phase(pose[1]))), len(ranges), False)
 
 
 def _row(t: Tie, unit: int) -> tuple[Plane, Plane, Plane]:
     """A tie as A cos + B sin = C."""
     turn = exact_parts(t.turn)
-    whole = 1 if t.kind == "arc" else lcm(*(x.denominator for x in turn))
+    denominator = 1 if t.kind == "arc" else lcm(*(x.denominator for x in turn))
     lx, ly, px, py, reach = (int(z * unit) for z in (*exact_parts(t.local), *exact_parts(t.place), Fraction(t.reach)))
-    tx, ty = (int(x * whole) for x in turn)
+    tx, ty = (int(x * denominator) for x in turn)
     gx: Plane = {(1, 0): 1, (0, 0): -px}
     gy: Plane = {(0, 1): 1, (0, 0): -py}
     if t.kind == "arc":
@@ -53,27 +53,27 @@ def _row(t: Tie, unit: int) -> tuple[Plane, Plane, Plane]:
         return _sum((2 * lx, gx), (2 * ly, gy)), _sum((-2 * ly, gx), (2 * lx, gy)), _sum((-1, size))
     if t.kind == "line":
         cos, sin = {(0, 0): tx * ly - ty * lx}, {(0, 0): tx * lx + ty * ly}
-        return cos, sin, _sum((-tx, gy), (ty, gx), (reach * whole, ONE))
-    return _sum((-tx, gy), (ty, gx)), _sum((ty, gy), (tx, gx)), {(0, 0): tx * ly - ty * lx + reach * whole}
+        return cos, sin, _sum((-tx, gy), (ty, gx), (reach * denominator, ONE))
+    return _sum((-tx, gy), (ty, gx)), _sum((ty, gy), (tx, gx)), {(0, 0): tx * ly - ty * lx + reach * denominator}
 
 
 ONE: Plane = {(0, 0): 1}
 
 
 def _sum(*terms: tuple[int, Plane]) -> Plane:
-    found: Plane = {}
+    total: Plane = {}
     for factor, poly in terms:
         for k, q in poly.items():
-            found[k] = found.get(k, 0) + factor * q
-    return {k: q for k, q in found.items() if q}
+            total[k] = total.get(k, 0) + factor * q
+    return {k: q for k, q in total.items() if q}
 
 
 def _times(one: Plane, two: Plane) -> Plane:
-    found: Plane = {}
+    terms: Plane = {}
     for (i, j), p in one.items():
         for (k, m), q in two.items():
-            found[i + k, j + m] = found.get((i + k, j + m), 0) + p * q
-    return found
+            terms[i + k, j + m] = terms.get((i + k, j + m), 0) + p * q
+    return terms
 
 
 def _track(rows: list[tuple[Plane, Plane, Plane]]) -> Plane:
@@ -91,20 +91,20 @@ def _degree(track: Plane) -> int:
 def _slanted(track: Plane) -> Plane:
     """The same in u and y."""
     along, up = SLANT
-    degree, found = _degree(track), Plane()
+    degree, slanted = _degree(track), Plane()
     for (i, j), q in track.items():
         for k in range(i + 1):  # x = (u − up·y) / along
             term = q * comb(i, k) * (-up) ** (i - k) * along ** (degree - i)
-            found[k, j + i - k] = found.get((k, j + i - k), 0) + term
-    return _sum((1, found))
+            slanted[k, j + i - k] = slanted.get((k, j + i - k), 0) + term
+    return _sum((1, slanted))
 
 
 def _in_y(track: Plane, u: int | Fraction) -> list[int | Fraction]:
     """A track's polynomial in y at one u, from the lowest power; of the same length for every u."""
-    found: list[int | Fraction] = [0] * (1 + max((j for _, j in track), default=0))
+    coefficients: list[int | Fraction] = [0] * (1 + max((j for _, j in track), default=0))
     for (k, j), q in track.items():
-        found[j] += q * u**k
-    return found
+        coefficients[j] += q * u**k
+    return coefficients
 
 
 def _left(tracks: list[Plane]) -> Line:
@@ -124,9 +124,9 @@ def _left(tracks: list[Plane]) -> Line:
     while poly and not poly[-1]:
         poly.pop()
     below = lcm(*(q.denominator for q in poly)) if poly else 1
-    whole = [int(q * below) for q in poly]
-    common = gcd(*whole) or 1
-    return [q // common for q in whole]
+    integers = [int(q * below) for q in poly]
+    common = gcd(*integers) or 1
+    return [q // common for q in integers]
 
 
 def _sylvester(one: list[int | Fraction], two: list[int | Fraction]) -> list[list[int]]:
@@ -177,18 +177,18 @@ def _roots(poly: list[int | Fraction], unit: int) -> list[complex]:
     while shares and not shares[-1]:
         shares.pop()
     size = 1 + max(abs(q / shares[-1]) for q in shares)
-    found = [size * cmath.rect(0.5, 0.4 + 2 * math.pi * k / (len(shares) - 1)) for k in range(len(shares) - 1)]
+    roots = [size * cmath.rect(0.5, 0.4 + 2 * math.pi * k / (len(shares) - 1)) for k in range(len(shares) - 1)]
     for _ in range(SETTLING):
         most_moved = 0.0
-        for k, z in enumerate(found):
+        for k, z in enumerate(roots):
             value = reduce(lambda sum_, q: sum_ * z + q, reversed(shares), 0j)
-            apart = math.prod((z - other for j, other in enumerate(found) if j != k), start=complex(shares[-1]))
+            apart = math.prod((z - other for j, other in enumerate(roots) if j != k), start=complex(shares[-1]))
             step = value / apart if apart else 0j
-            found[k] = z - step
+            roots[k] = z - step
             most_moved = max(most_moved, abs(step) / size)
         if most_moved < EPS:
             break
-    return found
+    return roots
 
 
 def _axis(ties: Sequence[Tie], hinge: complex) -> complex:

@@ -62,35 +62,37 @@ class Teller:
         put: list[s.Step] = [step for step in self.drawing.program.steps if isinstance(step, s.Put) and step.at]
         fixed: Names = {"names": ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)}
         key = "points" if self.plans.figure else "fixed"
-        found = [self.frame(key, "position", tuple(p.makes for p in put), names=fixed)] if put else []
+        frames = [self.frame(key, "position", tuple(p.makes for p in put), names=fixed)] if put else []
         readings: list[s.Step] = []
         for step in self.drawing.program.steps:
             if step.makes in self.moments or step.makes in self.rates:
                 readings.append(step)
             if step in put or step.makes in self.trials or not self.shown(step):
                 continue
-            found += self.readings(readings, found)
+            frames += self.readings(readings, frames)
             readings = []
-            found.append(self.mark(step))
+            frames.append(self.mark(step))
             solved = ((e.plan, sought(e)) for e in self.solved.get(step.makes, ()))
-            found += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
-            found += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
-        told = self.bodies.opened(self.stating.stated(found + self.readings(readings, found), self.frame), self.frame)
-        return self.in_order(CentreFrames(self.plans, self.frame, self.reading).among(told))
+            frames += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
+            frames += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
+        opened = self.bodies.opened(
+            self.stating.stated(frames + self.readings(readings, frames), self.frame), self.frame
+        )
+        return self.in_order(CentreFrames(self.plans, self.frame, self.reading).among(opened))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
         """The frames, each after one that finds whatever number it needs and none before it told."""
-        reckoning, found = self.reckoning, list[Frame]()
+        reckoning, ordered = self.reckoning, list[Frame]()
         for f in frames:
             if steps := reckoning.missing(f):
                 arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
                 terms = tuple(force for force, arm in arms if arm in {step.makes for step in steps})
                 names: Names = {"readings": tuple(map(reckoning.reading, steps))}
                 reason = "found_arms" if terms else "found_values"
-                found.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
+                ordered.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
             reckoning.tell(f)
-            found.append(f)
-        return in_chapters(standing(found, self.plans))
+            ordered.append(f)
+        return in_chapters(standing(ordered, self.plans))
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
@@ -115,7 +117,7 @@ class Teller:
         names: Names = NOTHING,
     ) -> Frame:
         """A frame with its words in both languages; what is callable is asked per language."""
-        index, found = self.equation_of(plan, makes)
+        index, equation_terms = self.equation_of(plan, makes)
         rows = tuple(row for said in names.values() if isinstance(said, tuple) for row in said)
         own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT.finditer(said))
         scale = [("k", mu_of(plan))] if key in ("pole", "fixed", "points") else []
@@ -126,7 +128,7 @@ class Teller:
             return say(f"lesson_{key}", lang, **{k: worded(v, lang, rows) for k, v in names.items()})
 
         why = in_both(reason if callable(reason) else partial(say, f"why_{reason or key}"))
-        in_hand = found if terms is None else terms
+        in_hand = equation_terms if terms is None else terms
         return Frame(key, plan, makes, uses, index, in_hand, in_both(marked), why, moments, rows=rows, numbers=numbers)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
@@ -155,20 +157,20 @@ class Teller:
         if self.plans.moves and not any(f.plan in ("velocity", "acceleration") for f in before):
             rates = []
         if not self.plans.moves:
-            found = [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
-            return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]
+            frames = [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
+            return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
         crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
         plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
-        found = [*self.stating.turns(rates, plan, self.frame)]
-        found += [self.measured(plan, rates, before)] if rates or crossed else []
-        return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]
+        frames = [*self.stating.turns(rates, plan, self.frame)]
+        frames += [self.measured(plan, rates, before)] if rates or crossed else []
+        return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
         """What is read off a plan of rates once an equation is solved, and the angular rates that follow."""
         index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
         names = sought(self.plans.equations[index]) if index is not None else []
-        told = {name for f in before if (f.key, f.plan) == ("measured", plan) for name in f.terms}
-        return self.read_off("measured", plan, [name for name in names if name not in told], rates)
+        read_names = {name for f in before if (f.key, f.plan) == ("measured", plan) for name in f.terms}
+        return self.read_off("measured", plan, [name for name in names if name not in read_names], rates)
 
     def read_off(self, key: str, plan: str, names: list[str], rates: list[Calculate]) -> Frame:
         """Segments of a plan measured, and rates with their formula and sense."""
@@ -183,8 +185,8 @@ class Teller:
 
     def span(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
         """The ends of the segment of that name."""
-        found = next((x for x in self.plans.segments if x.name == name and x.plan == plan and x.start != x.end), None)
-        return (at(plan, found.start), at(plan, found.end)) if found else ()
+        segment = next((x for x in self.plans.segments if x.name == name and x.plan == plan and x.start != x.end), None)
+        return (at(plan, segment.start), at(plan, segment.end)) if segment else ()
 
     def reading(self, name: str, plan: str) -> Row:
         """A segment measured: its millimetres and its value."""
@@ -206,18 +208,18 @@ class Teller:
         own = (r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan))
         names = [name for name in own if name not in inside.values()]
         names += [n for n in (self.bodies.balancing(plan),) if n and self.plans.mechanism.drive.kind == "s"]
-        found = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
+        frames = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
         for one in links:
             key = inside[one.force]
             closes: Names = {**apart_words(one, key), "readings": (self.reading(key, plan),)}
-            found.append(self.frame("apart", plan, names=closes, terms=one.drawn))
+            frames.append(self.frame("apart", plan, names=closes, terms=one.drawn))
         reactions = self.plans.reactions.values()
-        return found + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
+        return frames + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
         """Both parts of a reaction with friction, or its circle, and the power of friction."""
-        key, found = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
-        readings = tuple(self.reckoning.reading(self.made[n]) for n in (*found, r.power))
+        key, parts = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
+        readings = tuple(self.reckoning.reading(self.made[n]) for n in (*parts, r.power))
         names: Names = {"force": r.key, "point": r.pair.point, "readings": readings}
         return self.frame(key, plan, names=names, terms=(r.key,))
 
@@ -236,9 +238,9 @@ class Teller:
         m: Moments = self.plans.moments[index]
         key, names, terms = moment_words(m, step, self.cycle)
         plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
-        found = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
+        frames = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
-        return found + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
+        return frames + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
 
 
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:

@@ -95,8 +95,8 @@ class CentreFrames:
 
     def left(self) -> list[str]:
         """The centres that are not found."""
-        found, links = {c.links for c in self.plans.centres}, (FRAME, *self.plans.mechanism.links)
-        pairs = (pair for pair in combinations(links, 2) if pair not in found)
+        known, links = {c.links for c in self.plans.centres}, (FRAME, *self.plans.mechanism.links)
+        pairs = (pair for pair in combinations(links, 2) if pair not in known)
         return [centre_name(*pair, self.plans.mechanism.frame_number) for pair in pairs]
 
 

@@ -60,8 +60,8 @@ class Choices:
         made = (s for s in self.plans.program.marks[plan] if not s.loose and label_of(s.makes) != POLE)
         shown = [s.makes for s in made if s.makes not in self.plans.program.trials]
         kind = kind_of(plan)
-        told = in_both(partial(say, UNIT.get(kind, "one_unit")))
-        named: Json = {"name": long or next(iter(frame.terms), label_of(first.makes)), "unit": told}
+        unit_said = in_both(partial(say, UNIT.get(kind, "one_unit")))
+        named: Json = {"name": long or next(iter(frame.terms), label_of(first.makes)), "unit": unit_said}
         return {"offered": [{"value": mu} for mu in offered], "marks": shown, "most": self.fit_mm[kind], **named}
 
     @cached_property
@@ -72,19 +72,19 @@ class Choices:
     @cached_property
     def waits(self) -> dict[str, dict[str, set[str]]]:
         """By force plan the plans it waits for, and the reactions that each of them finds for it."""
-        bodies, found = FreeBodies(self.plans, self.drawing), dict[str, dict[str, set[str]]]()
+        bodies, waits = FreeBodies(self.plans, self.drawing), dict[str, dict[str, set[str]]]()
         for plan in self.forces:
-            found[plan] = {}
+            waits[plan] = {}
             for name, _ in bodies.known(plan):
                 for r in self.plans.reactions.values():
                     if name in r.names and r.plan != plan:
-                        found[plan].setdefault(r.plan, set()).add(name)
-        return found
+                        waits[plan].setdefault(r.plan, set()).add(name)
+        return waits
 
     def order(self, plan: str) -> Json | None:
         """The links whose forces are still to be found, where some of them must wait: a group of one polygon each."""
-        driver, whole = self.plans.structure.driver, [set(g.whole) for g in self.plans.structure.groups]
-        if any(links_of(p) != (driver,) and set(links_of(p)) not in whole for p in self.forces):
+        driver, group_links = self.plans.structure.driver, [set(g.whole) for g in self.plans.structure.groups]
+        if any(links_of(p) != (driver,) and set(links_of(p)) not in group_links for p in self.forces):
             return None
         left = self.forces[self.forces.index(plan) :]
         names = {p: sorted(n for q in left for n in self.waits[p].get(q, ())) for p in left}
@@ -144,9 +144,9 @@ class Choices:
 
 def lines(equation: Json) -> list[tuple[str, Json]]:
     """The equation by each of its sides that is a sum, with the vector that side begins with."""
-    found = []
+    sums = []
     for side in equation["sides"]:
         if len(side) > 1:
             signed = (f"{'−' if t['minus'] else '+'} ⟨{t['name']}⟩" for t in side)
-            found.append((f"⟨{equation['total']['name']}⟩ = {' '.join(signed).removeprefix('+ ')}", side[0]))
-    return found
+            sums.append((f"⟨{equation['total']['name']}⟩ = {' '.join(signed).removeprefix('+ ')}", side[0]))
+    return sums

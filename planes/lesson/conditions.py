@@ -45,8 +45,8 @@ def _load(load: Load, name: str, mechanism: Mechanism, lang: Lang) -> str:
     acting = [say("_".join(filter(None, ("task", load.kind, way))), lang, **what)]
     for sign, law in ((f"⟨{name}⟩", load.value), (f"∠⟨{name}⟩", load.direction_deg)):
         if law is not None and not isinstance(law, float | int):
-            told = law_said(law, mechanism.drive, "⟨{}⟩".format, lang)
-            acting.append(say("task_law", lang, name=sign, law=told))
+            law_text = law_said(law, mechanism.drive, "⟨{}⟩".format, lang)
+            acting.append(say("task_law", lang, name=sign, law=law_text))
     return " ".join(acting)
 
 
@@ -112,16 +112,16 @@ class Layout:
         places = {name: z - first for name, z in link.points.items()}
         aimed = [load.direction_link for load in self.mechanism.loads if self.plans.forces]
         turned = drive.kind == "phi" and drive.on != FRAME and link.name in (drive.link, drive.on)
-        told = any(z.imag for z in places.values()) or link.guides or link.name in aimed or turned
-        if slide and (told or len(places) > 1 or slide.angle_deg):
+        uses_axes = any(z.imag for z in places.values()) or link.guides or link.name in aimed or turned
+        if slide and (uses_axes or len(places) > 1 or slide.angle_deg):
             key = "way_turned" if slide.angle_deg else "way_guide"
             return self.say(key, link=link.name, guide=slide.guide)
-        if not told or slide:
+        if not uses_axes or slide:
             return ""
         ways = (("way_points", link.first_point, name) for name, z in places.items() if not z.imag and z.real > 0)
         back = (("way_points", name, link.first_point) for name, z in places.items() if not z.imag and z.real < 0)
-        if found := next(ways, None) or next(back, None):
-            return self.say(found[0], one=found[1], two=found[2])
+        if axis_points := next(ways, None) or next(back, None):
+            return self.say(axis_points[0], one=axis_points[1], two=axis_points[2])
         guide = next((g.name for g in link.guides.values() if not g.angle_deg), "")
         return self.say("way_guide", guide=guide) if guide else ""
 

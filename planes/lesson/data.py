@@ -35,9 +35,9 @@ Progress = Callable[[int, int], None]
 def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = False) -> Json:
     """The lesson of a scene, with its instantaneous ``centres`` if they are asked for; ``progress`` hears how far the
     catalogue of mistakes is drawn. Errors as :class:`Told`."""
-    told = Told.of(scene, centres)
-    plans, drawing, knobs, frames = told.plans, told.drawing, told.knobs, told.frames
-    kit, more = Kit(plans, drawing), told.leaning or {}
+    lesson = Told.of(scene, centres)
+    plans, drawing, knobs, frames = lesson.plans, lesson.drawing, lesson.knobs, lesson.frames
+    kit, more = Kit(plans, drawing), lesson.leaning or {}
     return {
         "title": dict(scene.title),
         "moves": plans.moves,
@@ -45,18 +45,18 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "lettering": lettering(scene, plans),
         "drive": drive_of(plans),
         "home": knobs.free.home,
-        "knobs": [k for k in knobs.all if told.leaning is not None or "stays" not in k],
+        "knobs": [k for k in knobs.all if lesson.leaning is not None or "stays" not in k],
         "drags": knobs.drags(),
         "plans": [_plan(plans, p, scene.mu_convention) for p in plans.drawn if p != "motion"],
         "segments": _segments(plans, drawing),
         "traces": _traces(drawing),
         "scheme": scheme(plans, drawing),
         "moments": arms(plans),
-        "bodies": told.teller.bodies.drawn,
-        "related": related(plans, {u.other: u.link for u in told.teller.stating.under.values()}),
+        "bodies": lesson.teller.bodies.drawn,
+        "related": related(plans, {u.other: u.link for u in lesson.teller.stating.under.values()}),
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
-        "under": {at("position", u.point): u.other for u in told.teller.stating.under.values()},
-        "equations": told.equations,
+        "under": {at("position", u.point): u.other for u in lesson.teller.stating.under.values()},
+        "equations": lesson.equations,
         "centres": lines_of(plans),
         "noted": {k: in_both(partial(say, f"lesson_centre_{k}", name="{name}")) for k in NOTED * bool(plans.centres)},
         "frames": (shown := [_shown(f, kit) for f in frames]),
@@ -64,7 +64,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
         "results": (results := _results(plans)),
         "units": {n: in_both(partial(unit, n)) for n in needed([*frames, *more.values()]) if unit(n, "en")},
-        **_live(told, [r["value"] for r in results], progress),
+        **_live(lesson, [r["value"] for r in results], progress),
     }
 
 
@@ -75,34 +75,34 @@ def _shown(frame: Frame, kit: Kit) -> Json:
     return {**own, "values": told_values(frame), "tells": tells, "tools": kit.of_frame(frame)}
 
 
-def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
+def _live(lesson: Told, results: list[str], progress: Progress | None) -> Json:
     """The tape, and where on it every mark, direction, value, sharpness and mistake stands; with what is practised."""
-    plans, frames = told.plans, told.frames
-    live = Live(told.knobs.free)
+    plans, frames = lesson.plans, lesson.frames
+    live = Live(lesson.knobs.free)
     drawn, own = live.drawing, feet(plans, live.drawing)
     made = (s.makes for s in plans.program.steps if s.kind == "mark" and s.makes not in plans.program.trials)
     marks = {name: drawn[name] for name in made if plan_of(name) != "motion"} | own
     fails = live.failures(plans.drive_given, "φ" if plans.mechanism.drive.kind == "phi" else "s")
     # directions of guides, and of the forces in moment equations
     ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
-    loaded = [*arms(plans), *told.teller.bodies.drawn.values()]
+    loaded = [*arms(plans), *lesson.teller.bodies.drawn.values()]
     ways += [f.along for forces in plans.acting.forces.values() for f in forces if plans.figure and f.spot]
     ways += [line.along for c in plans.centres for line in c.lines]
     ways += [f["along"] for one in loaded for f in one["forces"]]
     sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
     sharp = {n: z for n, z in drawn.sharpness.items() if n not in plans.program.trials and plan_of(n) != "motion"}
-    told_in = needed([*frames, *(told.leaning or {}).values()])
+    told_in = needed([*frames, *(lesson.leaning or {}).values()])
     names = dict.fromkeys([*told_in, *results, *sizes, *map(mu_of, plans.drawn), plans.drive_given])
-    slips, wrong = told.practice.slips(live, progress)
-    lines = told.practice.lines()
+    slips, wrong = lesson.practice.slips(live, progress)
+    lines = lesson.practice.lines()
     tape, places = live.exported(
         {
             "marks": marks,
             "turned": {d: drawn[d] for d in dict.fromkeys([*ways, *lines]) if d in drawn},
             "values": {
-                **{n: value_of(n, told.teller, drawn) for n in names},
+                **{n: value_of(n, lesson.teller, drawn) for n in names},
                 **live.numbers,
-                **told.practice.senses(drawn),
+                **lesson.practice.senses(drawn),
             },
             "sharp": sharp,
             "holds": {str(k): ok for k, (ok, _) in enumerate(fails)},
@@ -116,10 +116,10 @@ def _live(told: Told, results: list[str], progress: Progress | None) -> Json:
     places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(slips)]
     asked: Json = {
         "judging": JUDGING,
-        "practice": told.practice.items(),
+        "practice": lesson.practice.items(),
         "lines": lines,
         "mistakes": sentences(slips),
-        "id": told.practice.id,
+        "id": lesson.practice.id,
     }
     return {**places, **asked, "tape": tape, "holds": holds, "blunt": blunt, "helpers": helpers}
 
@@ -144,7 +144,7 @@ def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     """Each vector of the plans once, by its ends, with every name it goes by."""
-    found: dict[tuple[str, str, str], Json] = {}
+    segments: dict[tuple[str, str, str], Json] = {}
     named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
     for s in plans.segments:
         rays = plans.figure.poles if plans.figure else ()
@@ -152,15 +152,15 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
         if s.start != s.end and shown and at(s.plan, s.end) in drawing:
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
             new["corner"] = at(s.plan, s.end) in drawing.program.corners
-            names = found.setdefault((s.plan, s.start, s.end), new)["names"]
+            names = segments.setdefault((s.plan, s.start, s.end), new)["names"]
             name = named.get(s.name, s.name)
             names += [name] * (name not in names)
-    return list(found.values())
+    return list(segments.values())
 
 
 def _traces(drawing: Drawing) -> Json:
     """For each crossed mark, the marks its lines come through, or its arcs are drawn about."""
-    found: Json = {}
+    traces: Json = {}
     steps = drawing.program.makers
     for step in drawing.program.steps:
         name = step.makes
@@ -168,15 +168,15 @@ def _traces(drawing: Drawing) -> Json:
             step = steps[step.trials[0].mark]
         match step:
             case Cross():
-                found[name] = {"lines": [step.start, step.other]}
+                traces[name] = {"lines": [step.start, step.other]}
             case CrossArc():
-                found[name] = {"lines": [step.start], "arcs": [step.centre]}
+                traces[name] = {"lines": [step.start], "arcs": [step.centre]}
             case CutTrack():
                 own = [h for h in step.holds if h.local == step.local]
-                found[name] = {"arcs" if h.kind == "arc" else "lines": [h.place] for h in own}
+                traces[name] = {"arcs" if h.kind == "arc" else "lines": [h.place] for h in own}
             case CrossArcs():
-                found[name] = {"arcs": [step.centre, step.other]}
-    return found
+                traces[name] = {"arcs": [step.centre, step.other]}
+    return traces
 
 
 def _results(plans: Plans) -> list[Json]:

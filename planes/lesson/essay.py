@@ -85,15 +85,15 @@ def essay_data(number: int) -> Json:
     """All that a page shows, numbered from one."""
     name, *shown = PAGES[number - 1]
     data = dict(lesson_data(loads(RAFT, "raft") if name == "raft" else load(str(TEMPLATES / f"{name}.yaml"))))
-    frames, told = data["frames"], list[Json]()
+    frames, paragraphs = data["frames"], list[Json]()
     for k, (view, frame, *knobs) in enumerate(map(str.split, shown), 1):
         said = {lang: _known(text, data["values"]) for lang, text in _told(f"essay_{number}_{k}").items()}
-        told.append({"view": view, "frame": _place(frame, frames), "knobs": knobs, "said": said})
+        paragraphs.append({"view": view, "frame": _place(frame, frames), "knobs": knobs, "said": said})
     kept: Mapping[str, object] = {"said": {"en": ""}, "why": {"en": ""}}
     for unused in ("practice", "results", "blunt"):
         del data[unused]
     titles = [_told(f"essay_{k}") for k in range(1, len(PAGES) + 1)]
-    own = {"frames": [{**{key: f[key] for key in KEPT}, **kept} for f in frames], "paragraphs": told}
+    own = {"frames": [{**{key: f[key] for key in KEPT}, **kept} for f in frames], "paragraphs": paragraphs}
     return {**data, **own, "title": titles[number - 1], "titles": titles, "number": number}
 
 

@@ -38,9 +38,9 @@ _LETTERS = {
 UNITS = {letter: key for key, letters in _LETTERS.items() for letter in letters.split()}
 
 
-def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
+def in_both(say_in: Callable[[Lang], One]) -> dict[Lang, One]:
     """What is told, in every language of lessons."""
-    return {lang: told(lang) for lang in LANGS}
+    return {lang: say_in(lang) for lang in LANGS}
 
 
 def unit(name: str, lang: Lang) -> str:

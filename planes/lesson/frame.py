@@ -62,12 +62,12 @@ Make = Callable[..., Frame]  # a frame with its words in every language
 
 def in_chapters(frames: list[Frame]) -> list[Frame]:
     """The frames, each with the plan it serves; a chapter of its own takes in what is found for it."""
-    found, here = list[Frame](), "position"
+    frames_with_chapters, here = list[Frame](), "position"
     for f, after in zip_longest(frames, frames[1:]):
         own = after.chapter if f.key == "found_values" and after else f.chapter
         here = here if own or (f.moments is not None and f.plan == "position") else f.plan
-        found.append(replace(f, chapter=own or here))
-    return found
+        frames_with_chapters.append(replace(f, chapter=own or here))
+    return frames_with_chapters
 
 
 def needed(frames: Iterable[Frame]) -> list[str]:

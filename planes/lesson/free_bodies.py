@@ -38,18 +38,18 @@ class FreeBodies:
 
     def opened(self, frames: list[Frame], make: Make) -> list[Frame]:
         """The frames, each force polygon's after the links it is of are taken apart, its pole after its equation."""
-        found, waiting = list[Frame](), dict[str, Frame]()
+        opened, waiting = list[Frame](), dict[str, Frame]()
         for f in frames:
             if f.key == "pole" and kind_of(f.plan) == "force" and self.plans.moves:
                 waiting[f.plan] = f
-                found += self.apart(f.plan, make)
+                opened += self.apart(f.plan, make)
                 continue
             if f.plan in waiting and f.key != "equation":
-                found.append(waiting.pop(f.plan))
-            found.append(f)
+                opened.append(waiting.pop(f.plan))
+            opened.append(f)
             if f.key == "equation" and f.plan in waiting:
-                found.append(waiting.pop(f.plan))
-        return found
+                opened.append(waiting.pop(f.plan))
+        return opened
 
     def apart(self, plan: str, make: Make) -> Iterator[Frame]:
         """What acts on the links and what of it is unknown; then the reactions that are split."""
@@ -84,8 +84,8 @@ class FreeBodies:
 
     def own(self, plan: str) -> dict[str, Reaction]:
         """The reactions found by a polygon, by their names on its links: those inside have both."""
-        found = [(r, r.names.items()) for r in self.plans.reactions.values() if r.plan == plan]
-        return {name: r for r, names in found for name, link in names if link in links_of(plan)}
+        reactions = [(r, r.names.items()) for r in self.plans.reactions.values() if r.plan == plan]
+        return {name: r for r, names in reactions for name, link in names if link in links_of(plan)}
 
     def outer(self, plan: str) -> dict[str, Reaction]:
         """Those of them that act from other links."""
@@ -110,7 +110,7 @@ class FreeBodies:
     @cached_property
     def drawn(self) -> Json:
         """For a page: by polygon what acts on its links, and both parts of the reactions that are split."""
-        found: Json = {}
+        bodies: Json = {}
         for plan in (p for p in self.plans.drawn if kind_of(p) == "force"):
             known = [{"name": n, **how} for n, how in self.known(plan)]
             forces = [{**how, "foot": None} for how in known if "mark" in how]
@@ -121,8 +121,8 @@ class FreeBodies:
                     mark = at(SCHEME, reaction.pair.point)
                     for t in (one.normal, one.tangential):
                         forces.append({"name": t.name, "mark": mark, "along": t.direction, "size": "", "foot": None})
-            found[plan] = {"about": "", "forces": forces, "couples": couples}
-        return found
+            bodies[plan] = {"about": "", "forces": forces, "couples": couples}
+        return bodies
 
 
 def links_told(plan: str, lang: Lang) -> str:

@@ -41,15 +41,21 @@ def read_code(file: str) -> Json:
         text = Path(file).read_bytes()[:LARGEST].decode().strip()
         head, letters, total = text.split(".")
         data = base64.urlsafe_b64decode(letters + "=" * (-len(letters) % 4))
-        told: Json = json.loads(data)
-        whole = head == HEAD and total == f"{checksum(data):08x}" and isinstance(told["answers"], list)
-        good = whole and all(isinstance(told[key], int) for key in ("seed", "right")) and isinstance(told["name"], str)
-        good = good and all(isinstance(mu, (int, float)) and mu > 0 for mu in told.setdefault("scales", {}).values())
+        practice: Json = json.loads(data)
+        undamaged = head == HEAD and total == f"{checksum(data):08x}" and isinstance(practice["answers"], list)
+        good = (
+            undamaged
+            and all(isinstance(practice[key], int) for key in ("seed", "right"))
+            and isinstance(practice["name"], str)
+        )
+        good = good and all(
+            isinstance(mu, (int, float)) and mu > 0 for mu in practice.setdefault("scales", {}).values()
+        )
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         good = False
     if not good:
         raise PlanesError(Phrase("practice_damaged", file=file))
-    return told
+    return practice
 
 
 def checksum(data: bytes) -> int:
@@ -77,19 +83,19 @@ def random(seed: int) -> Callable[[], float]:
 class PracticeJudge:
     """Judges the practices of one scene."""
 
-    def __init__(self, told: Told) -> None:
-        self.told, self.items = told, told.practice.items()
-        self.live = Live(told.knobs.free)
-        drawn, trials = self.live.drawing, told.plans.program.trials
+    def __init__(self, lesson: Told) -> None:
+        self.told, self.items = lesson, lesson.practice.items()
+        self.live = Live(lesson.knobs.free)
+        drawn, trials = self.live.drawing, lesson.plans.program.trials
         self.marks = [item["what"] for item in self.items if item["kind"] == "mark"]
-        slips, wrong = told.practice.slips(self.live)
+        slips, wrong = lesson.practice.slips(self.live)
         self.slips = [(slip["at"], f"wrong {k}") for k, slip in enumerate(slips)]
         sharp = {n: z for n, z in drawn.sharpness.items() if n not in trials and plan_of(n) != "motion"}
         self.things = {
             **{f"{m}": drawn[m] for m in self.marks},
             **{f"at {m}": drawn[m] for item in self.items if item["kind"] == "mu" for m in item["marks"]},
-            **{f"= {n}": value_of(n, told.teller, drawn) for n in told.practice.values},
-            **{f"= {n}": z for n, z in told.practice.senses(drawn).items()},
+            **{f"= {n}": value_of(n, lesson.teller, drawn) for n in lesson.practice.values},
+            **{f"= {n}": z for n, z in lesson.practice.senses(drawn).items()},
             **{f"wrong {k}": z for k, z in wrong.items()},
             **{f"sharp {n}": z for n, z in sharp.items()},
             **{f"holds {k}": ok for k, (_, _, ok, _) in enumerate(self.live.tool.failures)},
@@ -97,21 +103,21 @@ class PracticeJudge:
 
     def judged(self, file: str) -> HandedPractice:
         """:class:`PlanesError` where a file is damaged, of another scene, or says what its answers do not."""
-        told = read_code(file)
-        if told["id"] != self.told.practice.id or len(told["answers"]) != len(self.items):
+        practice = read_code(file)
+        if practice["id"] != self.told.practice.id or len(practice["answers"]) != len(self.items):
             raise PlanesError(Phrase("practice_other_scene", file=file, scene=self.told.scene.file))
-        given = self.fresh(told["seed"]) if told["seed"] else self.home
+        given = self.fresh(practice["seed"]) if practice["seed"] else self.home
         right, numbers = 0, self.live.numbers_of(self.things, given)
-        for item, answer in zip(self.items, told["answers"], strict=True):
+        for item, answer in zip(self.items, practice["answers"], strict=True):
             right += self.right(item, answer, numbers, given)
-            scale = told["scales"].get(item["what"]) if item["kind"] == "mu" else None
+            scale = practice["scales"].get(item["what"]) if item["kind"] == "mu" else None
             if scale is not None and self.right(item, scale, numbers, given):
                 given = self.drawn_at(item["what"], scale, given)
                 numbers = self.live.numbers_of(self.things, given)
-        if right != told["right"]:
-            names = {"file": file, "said": str(told["right"]), "right": str(right)}
+        if right != practice["right"]:
+            names = {"file": file, "said": str(practice["right"]), "right": str(right)}
             raise PlanesError(Phrase("practice_altered", **names, count=str(len(self.items))))
-        return HandedPractice(told["name"], told["seed"], right, len(self.items))
+        return HandedPractice(practice["name"], practice["seed"], right, len(self.items))
 
     @cached_property
     def home(self) -> dict[str, float]:

@@ -40,13 +40,15 @@ class Knobs:
     def all(self) -> list[Json]:
         """Each with its name, its unit and what it is in the scene; ``tied`` are those that change with it as they do,
         and one that ``stays`` is none of those that fresh numbers are drawn for: guides, and what lies on a line."""
-        used, found = {*self.plans.program.givens, *self.free.own}, []
+        used, knobs = {*self.plans.program.givens, *self.free.own}, []
         for name, value in self.free.home.items():
             given, _, axis = name.partition(".")
             plan = next((p for p in self.plans.drawn if mu_of(p) == given), None)
-            told = "" if plan else self.told(given, axis)
-            if given in used and (told or plan not in (None, *CARRIED[1:])):
-                kind: Json = {"plan": plan} if plan else {"name": told, "unit": in_both(partial(unit, told))}
+            name_in_scene = "" if plan else self.told(given, axis)
+            if given in used and (name_in_scene or plan not in (None, *CARRIED[1:])):
+                kind: Json = (
+                    {"plan": plan} if plan else {"name": name_in_scene, "unit": in_both(partial(unit, name_in_scene))}
+                )
                 kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
                 kind |= (
                     {"when": in_both(partial(say, STROKES[given[0]]))}
@@ -54,8 +56,8 @@ class Knobs:
                     else {}
                 )
                 kind |= {"stays": True} if given in self.free.turned.values() or (not value and aimed(given)) else {}
-                found.append({"given": name, "at": value, "tied": self.tied(given), **kind})
-        return [{**k, **self.around(k, found)} for k in found if k["at"] or self.around(k, found)]
+                knobs.append({"given": name, "at": value, "tied": self.tied(given), **kind})
+        return [{**k, **self.around(k, knobs)} for k in knobs if k["at"] or self.around(k, knobs)]
 
     def around(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
         """Of a number that is nothing how far from it one may go: as far as the largest of its kind, an angular
@@ -110,12 +112,12 @@ class Knobs:
     def drags(self) -> dict[str, list[str]]:
         """For each mark of the scheme the numbers that place it."""
         free, drive = self.free.home, self.plans.drive_given
-        found = {}
+        placed_by = {}
         for step in self.plans.program.steps:
             names = [n for n in self.placing(step) if free.get(n) or n == drive or (n in free and aimed(n))]
             if plan_of(step.makes) == "position" and step.kind == "mark" and names:
-                found[step.makes] = names
-        return found
+                placed_by[step.makes] = names
+        return placed_by
 
     def placing(self, step: Step) -> list[str]:
         """The numbers a step places its mark by."""
@@ -141,5 +143,5 @@ class Knobs:
 
     def own(self, mark: str, *links: str) -> list[str]:
         """The numbers that place a point on its link, one of some ``links``."""
-        found = (self.free.placing(x, label_of(mark)) for x in links or self.plans.mechanism.links)
-        return next(filter(None, found), [])
+        names_of_links = (self.free.placing(x, label_of(mark)) for x in links or self.plans.mechanism.links)
+        return next(filter(None, names_of_links), [])

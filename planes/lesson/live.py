@@ -64,25 +64,27 @@ class Live:
 
     def failures(self, drive: str, symbol: str) -> list[tuple[Thing, dict[Lang, str]]]:
         """What must hold, in the order of the drawing, and what is said where it does not."""
-        found = []
+        failures = []
         for k, (reason, step, ok, numbers) in enumerate(self.tool.failures):
-            told = {**getattr(step, "ends", {}), **{n: slot(f"!{n}_{k}") for n in numbers}}
+            details = {**getattr(step, "ends", {}), **{n: slot(f"!{n}_{k}") for n in numbers}}
             self.numbers |= {f"!{n}_{k}": x if n == "value" else abs(x) for n, x in numbers.items()}
-            why = Phrase(reason, **names_of(step), **told)
+            why = Phrase(reason, **names_of(step), **details)
             where = slot(drive, "k") + "°" * (symbol == "φ")
-            found.append((ok, in_both(partial(say, "at", name=symbol, value=where, why=why, nearest=""))))
-        return found
+            failures.append((ok, in_both(partial(say, "at", name=symbol, value=where, why=why, nearest=""))))
+        return failures
 
     def exported(self, things: Mapping[str, Mapping[str, Thing]]) -> tuple[Json, Json]:
         """The tape, and the places on it of everything by group and name: one of a number, two of a mark."""
         old = {group: {n: self._places(z) for n, z in them.items()} for group, them in things.items()}
-        told, new = exported(self.tape, [p for them in old.values() for places in them.values() for p in places])
-        del told["sources"]
+        exported_tape, new = exported(
+            self.tape, [p for them in old.values() for places in them.values() for p in places]
+        )
+        del exported_tape["sources"]
         flat = {
             group: {n: new[p[0]] if len(p) == 1 else [new[q] for q in p] for n, p in them.items()}
             for group, them in old.items()
         }
-        return told, flat
+        return exported_tape, flat
 
     def _places(self, thing: Thing) -> list[int]:
         """Of a mark or a direction its two coordinates."""

@@ -33,8 +33,12 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
 
     def size(name: str) -> str:
-        told = f"⟨{forces.get(name, name)}⟩"
-        return f"∣{told}∣" if parts_of(name)[0] not in ARMS and any(x < 0 for x in many(cycle[name])) else told
+        written_size = f"⟨{forces.get(name, name)}⟩"
+        return (
+            f"∣{written_size}∣"
+            if parts_of(name)[0] not in ARMS and any(x < 0 for x in many(cycle[name]))
+            else written_size
+        )
 
     reaction = m.unknown if over and over == m.arm else ""  # a force is positive as it acts, a couple to the left
     letters, numbers = by_sense(step, size, over, m.arm, dropped, reaction)

@@ -125,10 +125,10 @@ class Note:
     def self_aligning(self) -> Iterator[Block]:
         """The variant without redundant constraints, where there is one."""
         try:
-            found = aligned(self.position.plans, self.scene.file)
+            variant = aligned(self.position.plans, self.scene.file)
         except PlanesError:
             return
-        count, numbers, *pairs = alignment_report(found, self.lang, self.naming.frame).splitlines()
+        count, numbers, *pairs = alignment_report(variant, self.lang, self.naming.frame).splitlines()
         yield Paragraph(f"{self.say('note_self_aligning')} {count}.")
         yield Paragraph(f"{numbers}: {'; '.join(pair.strip() for pair in pairs)}.")
         yield self.figure("self-aligning", self.say("note_aligned"))
@@ -204,9 +204,9 @@ class Note:
     def compared(self) -> Iterator[Block]:
         """The balancing load two ways."""
         plans, drawing = self.position.plans, self.position.drawing
-        found, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
-        percent = 100 * difference(found, check)
-        names = {"found": number(found, self.lang), "check": number(check, self.lang)}
+        balancing, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
+        percent = 100 * difference(balancing, check)
+        names = {"found": number(balancing, self.lang), "check": number(check, self.lang)}
         shown = number(percent if percent > 1e-6 else 0.0, self.lang, 2)
         yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))
 
@@ -239,12 +239,12 @@ class Note:
         if names := ", ".join(f"⟨{name}⟩" for name in unsure(self.position)):
             yield Paragraph(self.say("note_warning", text=self.say("unsure_by_hand", names=names).rstrip(".")))
 
-    def vector(self, found: Measured | None) -> tuple[str, str]:
+    def vector(self, measured: Measured | None) -> tuple[str, str]:
         """Size and direction."""
-        if found is None:
+        if measured is None:
             return "—", "—"
-        size, angle = abs(found.vector), math.degrees(cmath.phase(found.vector))
+        size, angle = abs(measured.vector), math.degrees(cmath.phase(measured.vector))
         return (number(size, self.lang), number(round(angle, 1), self.lang)) if size > 1e-9 else ("0", "—")
 
-    def number(self, found: Measured | None) -> str:
-        return "—" if found is None else number(0.0 if abs(found.number) <= 1e-9 else found.number, self.lang)
+    def number(self, measured: Measured | None) -> str:
+        return "—" if measured is None else number(0.0 if abs(measured.number) <= 1e-9 else measured.number, self.lang)

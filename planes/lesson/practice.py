@@ -84,7 +84,7 @@ class Practice:
     def items(self) -> list[Json]:
         """What is asked, in the order of the lesson: what is to be chosen (:class:`Choices`), what is known of an
         equation's vectors (``known``), a sense (``sense``), numbers (``number``), marks (``mark``)."""
-        asked, found = set[object](), list[Json]()
+        asked, items = set[object](), list[Json]()
         for k, f in enumerate(self.frames):
             for kind, name in self.of_frame(f):
                 if (kind, plain(str(name))) not in asked:
@@ -92,8 +92,8 @@ class Practice:
                     more: Json | None = {"mu": self.read_at(str(name))} if kind == "number" else {}
                     more = self.choices.of(kind, name, k) if kind in CHOICES else more
                     signed: Json = {"signed": True} if kind == "number" and letter_of(str(name)) in MOMENTS else {}
-                    found += [{"frame": k, "kind": kind, "what": name, **more, **signed}] if more is not None else []
-        return found
+                    items += [{"frame": k, "kind": kind, "what": name, **more, **signed}] if more is not None else []
+        return items
 
     def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
         """The kinds and names of what a frame may ask."""
@@ -123,18 +123,18 @@ class Practice:
     @cached_property
     def turning(self) -> dict[str, Floats]:
         """Which way each tangential reaction turns its link about the point of its moments, of those that do."""
-        found = self.senses(self.drawing)
-        return {n: z for n, z in found.items() if abs(z) > NOTHING}
+        moments = self.senses(self.drawing)
+        return {n: z for n, z in moments.items() if abs(z) > NOTHING}
 
     def senses(self, drawn: Drawing) -> dict[str, Thing]:
         """The moments of tangential reactions on paper, in a drawing: plus is counter-clockwise."""
-        found = {}
-        for moment, told in zip(self.plans.moments, arms(self.plans), strict=True):
-            for f in told["forces"]:
+        senses = {}
+        for moment, equation in zip(self.plans.moments, arms(self.plans), strict=True):
+            for f in equation["forces"]:
                 if f["name"] == moment.unknown and f["foot"] is None and f["mark"] in drawn:
-                    lever = drawn[f["mark"]] - drawn[told["about"]]
-                    found[f"{SENSE}{f['name']}"] = (lever.conjugate() * drawn[f["along"]]).imag * drawn[f["size"]]
-        return found
+                    lever = drawn[f["mark"]] - drawn[equation["about"]]
+                    senses[f"{SENSE}{f['name']}"] = (lever.conjugate() * drawn[f["along"]]).imag * drawn[f["size"]]
+        return senses
 
     @property
     def scaled(self) -> set[str]:
@@ -157,20 +157,20 @@ class Practice:
     def id(self) -> str:
         """Eight letters by which a practice of another scene is told from this one."""
         free = sorted({*self.plans.given} - {*self.plans.reckoned})
-        told = [(item["kind"], item["what"]) for item in self.items()], free
-        return sha256(repr(told).encode()).hexdigest()[:8]
+        content = [(item["kind"], item["what"]) for item in self.items()], free
+        return sha256(repr(content).encode()).hexdigest()[:8]
 
     def lines(self) -> dict[str, str]:
         """Directions of the drawing a set square is laid to, each with the line it is told by."""
-        found: dict[str, str] = {}
+        lines_of_directions: dict[str, str] = {}
         for step in self.plans.program.steps:
             for name in (getattr(step, "along", None), getattr(step, "across", None)):
                 own = name and self.base(name)
-                if own and own in self.drawing and self.plans.means.get(own) and own not in found:
+                if own and own in self.drawing and self.plans.means.get(own) and own not in lines_of_directions:
                     line = self.plans.means[own].line or self.plans.means[own].action
-                    if line and line not in found.values():
-                        found[own] = line
-        return found
+                    if line and line not in lines_of_directions.values():
+                        lines_of_directions[own] = line
+        return lines_of_directions
 
     def base(self, direction: str) -> str:
         """The direction a perpendicular was raised on, or the direction itself."""
@@ -180,7 +180,7 @@ class Practice:
 
     def slips(self, live: Live, progress: Progress | None = None) -> tuple[list[Json], dict[str, Thing]]:
         """Every mistake at every mark that is asked, and where on the lesson's tape it puts the mark."""
-        found = list[tuple[Json, Thing]]()
+        slips = list[tuple[Json, Thing]]()
         asked = {item["what"] for item in self.items() if item["kind"] == "mark"}
         for k, plan in enumerate(plans := known_plans(self.plans)):
             if progress:
@@ -192,10 +192,10 @@ class Practice:
                 mark = at(plan, variant.blames)
                 made = variant.drawn(ways.program, live.drawing.things, tool, own) if mark in asked else {}
                 if mark in made:
-                    found.append((self.slip(variant, mark), made[mark]))
-        apart = live.apart([(thing, live.drawing[slip["at"]]) for slip, thing in found])
-        told = [one for one, off in zip(found, apart, strict=True) if off > APART_MM]
-        return [slip for slip, _ in told], {str(k): thing for k, (_, thing) in enumerate(told)}
+                    slips.append((self.slip(variant, mark), made[mark]))
+        apart = live.apart([(thing, live.drawing[slip["at"]]) for slip, thing in slips])
+        visible = [one for one, off in zip(slips, apart, strict=True) if off > APART_MM]
+        return [slip for slip, _ in visible], {str(k): thing for k, (_, thing) in enumerate(visible)}
 
     def slip(self, variant: Variant, mark: str) -> Json:
         """A mistake at a mark, with the names in its sentence in the order of its parts."""
@@ -203,13 +203,13 @@ class Practice:
         line = self.plans.means[along].line if along else ""
         names = {"mark": variant.blames, "line": line, **variant.about}
         parts = (names.get(part, "") for part in parts_of_sentence(f"mistake_{variant.mistake}"))
-        told = [in_both(p.told) if isinstance(p, Phrase) else str(p).lstrip("°") for p in parts]
-        return {"m": variant.mistake, "at": mark, "names": told}
+        names_said = [in_both(p.told) if isinstance(p, Phrase) else str(p).lstrip("°") for p in parts]
+        return {"m": variant.mistake, "at": mark, "names": names_said}
 
 
-def sentences(told: Sequence[Json]) -> Json:
+def sentences(slips: Sequence[Json]) -> Json:
     """The sentences of the mistakes there are, with places for names, and what stands in them in which order."""
-    keys = {slip["m"]: f"mistake_{slip['m']}" for slip in told} | NUMBERS | LENGTHS
+    keys = {slip["m"]: f"mistake_{slip['m']}" for slip in slips} | NUMBERS | LENGTHS
     places = {part: f"{{{part}}}" for part in PARTS}
     return {
         m: {"said": in_both(partial(say, key, **places)), "parts": parts_of_sentence(key)} for m, key in keys.items()

@@ -26,21 +26,21 @@ class Reckoning:
 
     def missing(self, frame: Frame) -> list[Step]:
         """The steps that find what a frame needs, in the order they can be told; they are told now."""
-        own, found = {row.name for row in frame.rows}, dict[str, Step]()
+        own, steps = {row.name for row in frame.rows}, dict[str, Step]()
         for name in frame.used:
             if plain(name) not in own:
-                self._find(name, found)
-        return list(found.values())
+                self._find(name, steps)
+        return list(steps.values())
 
-    def _find(self, name: str, found: dict[str, Step]) -> None:
+    def _find(self, name: str, steps: dict[str, Step]) -> None:
         step = self.made.get(name)
         if plain(name) in self.told or not isinstance(step, Calculate | Drop | Measure | Fed | Settle):
             return
         self.told.add(plain(name))
         if isinstance(step, Calculate):
             for factor in factors(step):
-                self._find(factor, found)
-        found[name] = step
+                self._find(factor, steps)
+        steps[name] = step
 
     def reading(self, step: Step) -> Row:
         """How a value is found: by its formula, or its length on paper."""

@@ -41,9 +41,9 @@ class Row:
         parts = {k: getattr(self, k) for k in ("name", "letters", "numbers", "value")}
         parts |= {"head": self.head or f"⟨{self.name}⟩", "unit": self.unit(lang)}
         arm = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm, lang)})" if self.arm else ""
-        found = f"; ⟨{self.name}⟩" if "·" in parts["head"] else ""
+        lead = f"; ⟨{self.name}⟩" if "·" in parts["head"] else ""
         sense = f" ({slot(self.name, 's')})" if self.turns else ""
-        return say(f"lesson_row_{self.kind or 'formula'}", lang, **parts, arm=arm, found=found) + sense
+        return say(f"lesson_row_{self.kind or 'formula'}", lang, **parts, arm=arm, found=lead) + sense
 
     @property
     def unit_said(self) -> str:
@@ -71,6 +71,6 @@ def reckoned(step: Calculate, called: str = "", unit_key: str = "", turns: bool 
 def templates(rows: Iterable[Row]) -> Json:
     """What a page words rows by: the sentence of every kind with its places, and the units."""
     units = dict.fromkeys(["m", *(row.unit_said for row in rows if row.unit_said)])
-    told = in_both(partial(under, "lesson_row_"))
-    words = {kind: {lang: told[lang][kind] for lang in LANGS} for kind in told["en"]}
+    row_sentences = in_both(partial(under, "lesson_row_"))
+    words = {kind: {lang: row_sentences[lang][kind] for lang in LANGS} for kind in row_sentences["en"]}
     return {"words": words, "units": {key: in_both(partial(say, key)) for key in units}}

@@ -21,7 +21,9 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
     moving = [p for x in m.links.values() for p in x.points]
     links, guides = [], []
     for x in m.links.values():
-        centre, owner = (found[0].centre, found[1]) if (found := m.round_guide(x)) else ("", "")
+        centre, owner = (
+            (guide_and_owner[0].centre, guide_and_owner[1]) if (guide_and_owner := m.round_guide(x)) else ("", "")
+        )
         points = [p for p in x.points if p != centre]
         hinges = [at("position", p) for p in points if moving.count(p) > 1 or p in m.frame.points]
         own: Json = {"name": x.name, "points": [at("position", p) for p in points], "hinges": hinges}
@@ -60,13 +62,13 @@ def pivots(m: Mechanism) -> list[str]:
 
 def arms(plans: Plans) -> list[Json]:
     """For each moment equation the forces in it: where each acts, its direction and the foot of its arm."""
-    steps, found = plans.program.makers, []
+    steps, equations = plans.program.makers, []
     for m in plans.moments:
         plan = "lever" if m.links == ("lever",) else "position"
         forces = [*_forces(m, steps), *_unknown(plans, m, steps)]
         own = {"about": at(plan, m.about), "plan": plan, "links": list(m.links)}
-        found.append({**own, "forces": forces, "couples": list(_couples(plans, m))})
-    return found
+        equations.append({**own, "forces": forces, "couples": list(_couples(plans, m))})
+    return equations
 
 
 def _forces(m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
@@ -104,21 +106,21 @@ def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> Iterator[Json]
 
 def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
     """The feet of the arms as marks."""
-    found = {}
+    foot_places = {}
     for step in plans.program.steps:
         if isinstance(step, Drop) and step.makes in cycle and plan_of(step.point) != "motion":
             way = ((cycle[step.about] - cycle[step.point]) * cycle[step.along].conjugate()).real
-            found[_foot(step.makes, step)] = cycle[step.point] + way * cycle[step.along]
-    return found
+            foot_places[_foot(step.makes, step)] = cycle[step.point] + way * cycle[step.along]
+    return foot_places
 
 
 def acting(plans: Plans) -> dict[str, str]:
     """The mark of the scheme at which each force acts; of a slider's reaction its point, whatever its arm."""
-    found = {f.name: f.point for forces in plans.acting.forces.values() for f in forces}
+    marks = {f.name: f.point for forces in plans.acting.forces.values() for f in forces}
     for r in plans.reactions.values():
         point = at("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
-        found |= {f"{name}{part}": point for name in r.names for part in ("", "^t", "^n")}
-    return found
+        marks |= {f"{name}{part}": point for name in r.names for part in ("", "^t", "^n")}
+    return marks
 
 
 def related(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
@@ -128,8 +130,8 @@ def related(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
     names |= {*plans.links, *plans.program.made}
     acted_on = {name: link for r in plans.reactions.values() for name, link in r.names.items()}
     own = {**under, **special_points(plans)}
-    found = {name: _owner(plans, name, acted_on, own) for name in sorted(names)}
-    return {name: [owner] for name, owner in found.items() if owner}
+    owners = {name: _owner(plans, name, acted_on, own) for name in sorted(names)}
+    return {name: [owner] for name, owner in owners.items() if owner}
 
 
 def special_points(plans: Plans) -> dict[str, str]:

@@ -44,9 +44,9 @@ class StatedWords(StepWords):
 
     def action(self, direction: str) -> Said:
         """A line of action: of a given angle the angle."""
-        found = super().action(direction)
-        if found:
-            return found
+        action = super().action(direction)
+        if action:
+            return action
         angle = round(math.degrees(phase(complex(self.drawing[direction]))), 1) + 0.0
         return lambda lang: f"∠{number(angle, lang)}°"
 
@@ -79,18 +79,18 @@ class StatedWords(StepWords):
         if isinstance(source, Measure):
             return "carried_stated", "reckoned", names
         if isinstance(source, Calculate):
-            told = {**names, "formula": (reckoned(source, self.vector(step)),)}
-            return "lay_off", reason if step.quantity in ("normal", "coriolis") else "reckoned", told
+            named = {**names, "formula": (reckoned(source, self.vector(step)),)}
+            return "lay_off", reason if step.quantity in ("normal", "coriolis") else "reckoned", named
         return key, "stated" if key == "given" else reason, names
 
 
 def last_marks(plans: Plans) -> dict[str, list[Equation]]:
     """The equations by the mark with which all they seek is on the paper."""
     order = {step.makes: k for k, step in enumerate(plans.program.steps)}
-    found = dict[str, list[Equation]]()
+    solved_at = dict[str, list[Equation]]()
     for e in plans.equations:
         ends = {at(e.plan, label) for t in e.terms for label in (t.start, t.end)} - {at(e.plan, POLE)}
         made = [mark for mark in ends if mark in order]
         if made and len(made) == len(ends):
-            found.setdefault(max(made, key=order.__getitem__), []).append(e)
-    return found
+            solved_at.setdefault(max(made, key=order.__getitem__), []).append(e)
+    return solved_at

@@ -42,12 +42,12 @@ class StatedNote(Note):
             rows.append((f"⟨{f.quantity.name}⟩", *self.vector(f), say(f.quantity.columns[0].unit, self.lang)))
         head: tuple[str, ...] = (self.say("note_vector"), self.say("value"), angle, self.say("note_unit"))
         yield from self.table("note_vectors_table", head, rows)
-        found, most = (
+        numbers, most = (
             ((f, f.quantity.columns[0].unit) for f in self.position.of("values").values()),
             largest(self.position),
         )
-        told = ((f, k, f.number if abs(f.number) > NOISE * most else 0.0) for f, k in found)
-        values = [(f"⟨{f.quantity.name}⟩", number(x, self.lang), k and say(k, self.lang)) for f, k, x in told]
+        rounded = ((f, k, f.number if abs(f.number) > NOISE * most else 0.0) for f, k in numbers)
+        values = [(f"⟨{f.quantity.name}⟩", number(x, self.lang), k and say(k, self.lang)) for f, k, x in rounded]
         yield from self.table(
             "note_values_table", (self.say("quantity"), self.say("value"), self.say("note_unit")), values
         )
@@ -68,9 +68,9 @@ class StaticsNote(StatedNote):
     def blocks(self) -> list[Block]:
         figure = self.position.plans.figure
         assert figure
-        found = [*self.opening(), *(Paragraph(x.told(self.lang)) for x in figure.counted), *self.plans()]
-        found += [self.figure("beam", self.say("beam_diagrams"))] if figure.moments else []
-        return [*found, *self.vectors()]
+        blocks = [*self.opening(), *(Paragraph(x.told(self.lang)) for x in figure.counted), *self.plans()]
+        blocks += [self.figure("beam", self.say("beam_diagrams"))] if figure.moments else []
+        return [*blocks, *self.vectors()]
 
     def heading(self, plan: str) -> str:
         return self.say("space_diagram") if plan == "position" else super().heading(plan)

@@ -37,17 +37,19 @@ class Stating:
 
     def stated(self, frames: list[Frame], make: Make) -> list[Frame]:
         """The frames, each vector equation written before the first that draws of it."""
-        found, told = list[Frame](), set[int]()
+        frames_with_equations, stated_equations = list[Frame](), set[int]()
         for f in frames:
-            new = f.equation not in told and kind_of(f.plan) != "position" and self.plans.moves  # else it is given
+            new = (
+                f.equation not in stated_equations and kind_of(f.plan) != "position" and self.plans.moves
+            )  # else it is given
             if f.equation is not None and new:
-                told.add(f.equation)
+                stated_equations.add(f.equation)
                 e = self.plans.equations[f.equation]
                 names: Names = {"equation": self.written(e), "unknown": partial(self.unknown, e)}
                 frame = make("equation", f.plan, (), (), partial(self.why, e), (), names=names)
-                found.append(replace(frame, equation=f.equation))
-            found.append(f)
-        return found
+                frames_with_equations.append(replace(frame, equation=f.equation))
+            frames_with_equations.append(f)
+        return frames_with_equations
 
     def written(self, e: Equation) -> str:
         """The equation in letters, without a side that is the whole itself, along a guide of the frame."""
@@ -75,8 +77,8 @@ class Stating:
     def parted(self, e: Equation, lang: Lang) -> Iterator[str]:
         """For each relative vector whose motion it is."""
         for term in e.terms:
-            _, of, _ = parts_of(term.name)
-            if link := self.carrying.get(of):
+            _, index, _ = parts_of(term.name)
+            if link := self.carrying.get(index):
                 yield say("why_equation_turns", lang, one=link[1], two=link[2], link=link[0])
             elif under := self.sliding(term):
                 key = "why_equation_slides" if under.other else "why_equation_guide"
@@ -86,7 +88,7 @@ class Stating:
     @cached_property
     def under(self) -> dict[str, Under]:
         """The sliders by the names of their motion against the guide: HL, B3B."""
-        m, found = self.plans.mechanism, {}
+        m, sliders = self.plans.mechanism, {}
         for x in (x for x in m.links.values() if x.slides):
             owner = next((y.name for y in (m.frame, *m.links.values()) if x.slides and x.slides.guide in y.guides), "")
             for pair in (parts_of(s.name)[1] for s in self.plans.segments if s.plan == "velocity"):
@@ -95,8 +97,8 @@ class Stating:
                 if x.slides and p != pair and other not in (pair, "", "0") and owner in (*m.links,):
                     marked = m.links[owner].guides[x.slides.guide].mark
                     if other in (marked, p + owner):
-                        found[pair] = Under(p, other, owner, x.slides.guide)
-        return self.driven() | found
+                        sliders[pair] = Under(p, other, owner, x.slides.guide)
+        return self.driven() | sliders
 
     def driven(self) -> dict[str, Under]:
         """The hinge that a drive inside a group moves, by the names of its motion against the link on the frame."""
@@ -104,15 +106,15 @@ class Stating:
             means = (t.means for e in self.plans.equations for t in e.terms if t.means)
             hinge, guide = g.inner.point, g.drive.guide if g.drive else ""
             given = (m.of for m in means if m.quantity == "relative")
-            return {of: Under(hinge, of.removeprefix(hinge), g.held, guide) for of in given}
+            return {index: Under(hinge, index.removeprefix(hinge), g.held, guide) for index in given}
         return {}
 
     def sliding(self, term: Term) -> Under | None:
         """Whose motion along a guide a vector is."""
         line = self.plans.means.get(term.direction or "")
-        _, of, _ = parts_of(term.name)
-        if of in self.under or line is None or line.quantity != "along":
-            return self.under.get(of)
+        _, index, _ = parts_of(term.name)
+        if index in self.under or line is None or line.quantity != "along":
+            return self.under.get(index)
         frame = self.plans.mechanism.frame
         point = next(
             (x.first_point for x in self.plans.mechanism.links.values() if x.slides and x.slides.guide == line.line), ""
@@ -133,8 +135,8 @@ class Stating:
         for rate in rates:
             factors = rate.terms[0].factors if len(rate.terms) == 1 else ()
             vector = factors[0][0].strip("|‖") if [power for _, power in factors] == [1, -1] else ""
-            letter, of, _ = parts_of(vector)
-            link = self.carrying.get(of)
+            letter, index, _ = parts_of(vector)
+            link = self.carrying.get(index)
             if link and letter in LETTERS.values():
                 name, point, about = link
                 said: Names = {"vector": vector, "point": point, "about": about, "link": name, "rate": rate.makes}

@@ -164,8 +164,8 @@ class StepWords:
         if step.quantity == "load":
             return "load", self.why_load(step.length), shown
         if isinstance(source, Calculate):
-            told: Names = {**named, "formula": (reckoned(source),)}
-            return "lay_off", _kind_of_vector(step, kind, source), told
+            words: Names = {**named, "formula": (reckoned(source),)}
+            return "lay_off", _kind_of_vector(step, kind, source), words
         if isinstance(source, Measure):
             return "carried", "carried", shown
         return "given", "slide_v", shown
@@ -222,8 +222,8 @@ def way(direction: Meaning, lang: Lang) -> str:
 def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
     """Which reason a calculated vector has."""
     if kind == "force":
-        found = {"tangential": "projected", "weight": "weight", "inertia": "inertia"}
-        return found.get(step.quantity or "", "load")
+        reasons = {"tangential": "projected", "weight": "weight", "inertia": "inertia"}
+        return reasons.get(step.quantity or "", "load")
     if kind == "velocity":
         return "driver_v"
     if step.quantity == "normal":

@@ -99,14 +99,24 @@ def drive_of(plans: Plans) -> Json:
     drive = plans.mechanism.drive
     turns = drive.kind == "phi"
     reach, start = (0.0, drive.position % 1.0) if turns else (plans.reach, drive.position)
-    told: Json = {"symbol": "φ" if turns else "s", "given": plans.drive_given, "at": drive.position, "held": None}
+    range_of_drive: Json = {
+        "symbol": "φ" if turns else "s",
+        "given": plans.drive_given,
+        "at": drive.position,
+        "held": None,
+    }
     if not plans.turns:
-        return {**told, "from": drive.position, "to": drive.position}
+        return {**range_of_drive, "from": drive.position, "to": drive.position}
     try:
         plans.at(drive.position + 1.0)
     except SceneError as law:  # a number that holds where the drive stands in the file alone
-        return {**told, "from": drive.position, "to": drive.position, "held": in_both(PlanesError(law.phrase).told)}
-    return {**told, "from": start - reach, "to": start + (reach or 360.0)}
+        return {
+            **range_of_drive,
+            "from": drive.position,
+            "to": drive.position,
+            "held": in_both(PlanesError(law.phrase).told),
+        }
+    return {**range_of_drive, "from": start - reach, "to": start + (reach or 360.0)}
 
 
 def equation_written(plans: Plans, e: Equation) -> Json:

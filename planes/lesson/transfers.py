@@ -31,16 +31,16 @@ class TransferFunctions:
 
     def rows(self) -> Iterator[list[str]]:
         """Name, relation of segments, value and unit of each."""
-        drive, found = driver_vector(self.position.plans), self.position.of("transfers")
+        drive, transfers = driver_vector(self.position.plans), self.position.of("transfers")
         if drive is None:
             return
         segment, times = self.ends(drive.start, drive.end), f"·{greek(drive.length)}" if drive.length else ""
-        for alike, ends, arm in self.turning(found.values()):
+        for alike, ends, arm in self.turning(transfers.values()):
             yield self.row(alike, f"{ends}{times}/({segment}·{greek(arm)})")
         noise = NOISE * (abs(self.position.drawing[drive.length]) if drive.length else 1.0)
         plans = self.position.plans
         still = {marks.velocity for p, marks in plans.points.items() if p in plans.standing}
-        for one in (f for f in found.values() if f.quantity.columns[0].part):
+        for one in (f for f in transfers.values() if f.quantity.columns[0].part):
             if (column := one.quantity.columns[0]).end in still:
                 continue
             ends = self.ends(*column.needs[:2])
@@ -50,13 +50,13 @@ class TransferFunctions:
         """A row of the table, of quantities that are one and the same; less than ``noise`` is nothing."""
         name = " = ".join(self.naming.curve(f.quantity.name) for f in alike)
         unit, value = alike[0].quantity.columns[0].unit, alike[0].number
-        told = measured(value if abs(value) > noise else 0.0, self.naming.lang)
-        return [name, relation, told, "" if unit == "1" else say(unit, self.naming.lang)]
+        shown = measured(value if abs(value) > noise else 0.0, self.naming.lang)
+        return [name, relation, shown, "" if unit == "1" else say(unit, self.naming.lang)]
 
-    def turning(self, found: Iterable[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
+    def turning(self, transfers: Iterable[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
         """Ratios of links whose angular velocity is read off the plan, those that turn alike together, with the segment
         and the length it is found by."""
-        known, program = list(found), self.position.drawing.program
+        known, program = list(transfers), self.position.drawing.program
         for rate, (vector, length) in products(program, -1).items():
             alike = [f for f in known if f.quantity.columns[0].value == rate]
             if alike and isinstance(step := program.makers.get(vector), Measure):

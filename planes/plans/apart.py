@@ -48,14 +48,14 @@ class LinkApart:
 
     def marks(self, plans: Plans, drawing: Drawing) -> dict[str, complex] | None:
         """Where its vectors end, mm from the pole; None where one is not drawn."""
-        found, place = {POLE: 0j}, 0j
+        marks, place = {POLE: 0j}, 0j
         for name in self.known:
             vector = self._vector(name, plans, drawing)
             if vector is None:
                 return None
             place += vector
-            found[end_of(name)] = place
-        return found if self._vector(self.force, plans, drawing) is not None else None
+            marks[end_of(name)] = place
+        return marks if self._vector(self.force, plans, drawing) is not None else None
 
     def _vector(self, name: str, plans: Plans, drawing: Drawing) -> complex | None:
         if name in self.reactions:
@@ -84,7 +84,7 @@ def links_apart(plans: Plans, plan: str) -> Iterator[LinkApart]:
 
     shown: dict[str, LinkApart] = {}  # a link that closes two reactions is shown once
     for r in inner.values():
-        found = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and not any(p.joins(x) for p in drives)]
-        one = min(found, key=lambda one: (sum(x.pair.joins(one.link) for x in inner.values()), len(one.known)))
+        candidates = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and not any(p.joins(x) for p in drives)]
+        one = min(candidates, key=lambda one: (sum(x.pair.joins(one.link) for x in inner.values()), len(one.known)))
         shown[one.link] = one
     yield from shown.values()

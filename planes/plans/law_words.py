@@ -23,8 +23,8 @@ def law_said(value: Amount | StrokeLoad, drive: Drive, letter: Letter, lang: Lan
     text = _expression(value.text, drive, letter, lang)
     if not value.table:
         return text
-    told = "; ".join(f"{number(x, lang, DIGITS)} → {number(y, lang, DIGITS)}" for x, y in value.table)
-    return say("law_of_table", lang, over=text) + (f" ({told})" if pairs else "")
+    pairs_text = "; ".join(f"{number(x, lang, DIGITS)} → {number(y, lang, DIGITS)}" for x, y in value.table)
+    return say("law_of_table", lang, over=text) + (f" ({pairs_text})" if pairs else "")
 
 
 def _expression(text: str, drive: Drive, letter: Letter, lang: Lang) -> str:

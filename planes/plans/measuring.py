@@ -49,14 +49,14 @@ class DrawingReader:
 
         Where one segment is two vectors (v_C and v_CD of a fixed D), it is named as the point's own.
         """
-        found: dict[str, Segment] = {}
+        segments: dict[str, Segment] = {}
         for s in self.stated.segments_of.get(plan, ()):
             there = at(s.plan, s.start) in self.drawing and at(s.plan, s.end) in self.drawing
             if s.start != s.end and there and (names is None or s.name in names):
                 key = s.start + s.end
-                if key not in found or (s.name in self.own and found[key].name not in self.own):
-                    found[key] = s
-        return found
+                if key not in segments or (s.name in self.own and segments[key].name not in self.own):
+                    segments[key] = s
+        return segments
 
     def plans(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> Json:
         """What was measured on each plan: μ, segments in mm and in SI, sharpness of the crossings."""

@@ -93,10 +93,10 @@ class Measured(NamedTuple):
         return list(self.numbers) if len(self.numbers) == 2 else self.numbers[0]
 
 
-def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
+def nested(measured: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
     """What was found in the shape of the JSON, its ``groups`` there even if they are empty."""
     out: Json = {group: {} for group in groups}
-    for one in found:
+    for one in measured:
         *outer, last = one.quantity.path
         within = out
         for key in outer:
@@ -125,8 +125,8 @@ def told_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quan
 
 def once(quantities: Iterable[Quantity]) -> list[Quantity]:
     """Each of the quantities once, by the first of its names."""
-    found = dict[tuple[str, ...], Quantity]()
-    return [found.setdefault(q.path, q) for q in quantities if q.path not in found]
+    by_path = dict[tuple[str, ...], Quantity]()
+    return [by_path.setdefault(q.path, q) for q in quantities if q.path not in by_path]
 
 
 def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:

@@ -139,16 +139,16 @@ class Plans:
     @cached_property
     def segments_of(self) -> dict[str, list[Segment]]:
         """The measured segments of each plan."""
-        found: dict[str, list[Segment]] = {}
+        segments: dict[str, list[Segment]] = {}
         for segment in self.segments:
-            found.setdefault(segment.plan, []).append(segment)
-        return found
+            segments.setdefault(segment.plan, []).append(segment)
+        return segments
 
     def moments_of(self, links: tuple[str, ...]) -> list[Moments]:
         """The moment equations that give what the plan of some links is drawn by, or else are of these links alone."""
-        plan, of = force_plan(*links), {t.name: e.plan for e in self.equations for t in e.terms}
+        plan, plan_of_term = force_plan(*links), {t.name: e.plan for e in self.equations for t in e.terms}
         alone = self.on(links)
-        return [m for m in self.moments if of.get(m.unknown, plan if m in alone else "") == plan]
+        return [m for m in self.moments if plan_of_term.get(m.unknown, plan if m in alone else "") == plan]
 
     def on(self, links: tuple[str, ...]) -> list[Moments]:
         """The moment equations of forces on some links, and of no fewer that have a plan."""

@@ -40,8 +40,8 @@ def leaders(sizes: Mapping[str, float], fit_mm: Mapping[str, float] = FIT_MM) ->
     one to another, that of the largest, but for those too small at it, which have that of the largest of them."""
     forces = sorted((p for p in sizes if kind_of(p) == "force"), key=lambda p: -sizes[p])
     small = [p for p in forces if 0.0 < sizes[p] * fitting(p, sizes[forces[0]], fit_mm["force"]) < LEAST_MM]
-    found = {plan: forces[0] if plan in forces else plan for plan in sizes}
-    return found | dict.fromkeys(small, next(iter(small), ""))
+    leader_of = {plan: forces[0] if plan in forces else plan for plan in sizes}
+    return leader_of | dict.fromkeys(small, next(iter(small), ""))
 
 
 def unit_scales(plans: Plans) -> dict[str, float]:

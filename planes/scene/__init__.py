@@ -109,8 +109,8 @@ class Scene(Pictured):
 
     def __repr__(self) -> str:
         what = "vectors" if self.mechanism is None else f"links {', '.join(self.mechanism.links)}"
-        of = f", variant {self.variant}" if self.variant else ""
-        return f"<Scene {self.title.get('en') or self.file!r}: {what}{of}>"
+        variant = f", variant {self.variant}" if self.variant else ""
+        return f"<Scene {self.title.get('en') or self.file!r}: {what}{variant}>"
 
     @classmethod
     def of(cls, mechanism: Mechanism, title: str = "", file: str = "") -> "Scene":

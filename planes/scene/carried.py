@@ -38,7 +38,7 @@ def carried(png: bytes, most: int) -> bytes | None:
 def _opened(held: bytes, most: int) -> bytes | None:
     reader = zlib.decompressobj()
     try:
-        found = reader.decompress(held, most)
+        data = reader.decompress(held, most)
     except zlib.error:
         return None
-    return found if reader.eof else None
+    return data if reader.eof else None

@@ -41,12 +41,12 @@ def read_doubts(
     file: str, table: SourceTable, parameters: Mapping[str, Node], mechanism: Mechanism | None
 ) -> list[Doubt]:
     """Every doubt of a scene in the order of the file."""
-    found = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters), *_backwards(table, parameters)]
+    doubts = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters), *_backwards(table, parameters)]
     if mechanism:
-        found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
+        doubts += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
         if (mechanism.gravity or 0) > HEAVY:
-            found.append((Phrase("doubt_gravity", value=Written(f"{mechanism.gravity:g}")), ("gravity",)))
-        found += [
+            doubts.append((Phrase("doubt_gravity", value=Written(f"{mechanism.gravity:g}")), ("gravity",)))
+        doubts += [
             (Phrase("doubt_friction", guide=guide, value=float(value)), ("friction", guide))
             for guide, value in {
                 **mechanism.friction,
@@ -54,7 +54,7 @@ def read_doubts(
             }.items()
             if value >= STEEP
         ]
-    said = [Doubt(phrase, file, line_of(table, _home(table, parameters, phrase, path))) for phrase, path in found]
+    said = [Doubt(phrase, file, line_of(table, _home(table, parameters, phrase, path))) for phrase, path in doubts]
     return sorted(said, key=lambda doubt: doubt.line)
 
 
@@ -74,9 +74,9 @@ def check_lengths(reader: Reader, mechanism: Mechanism) -> None:
         hinges = [point for point in link.points if shared[point] > 1]
         rod = len(hinges) == 2 and not (link.guides or link.slides or any(z.imag for z in link.points.values()))
         if rod and (length := (link.points[hinges[1]] - link.points[hinges[0]]).real) < 0 == link.points[hinges[0]]:
-            told = {"link": link.name, "one": hinges[0], "two": hinges[1], "length": Written(f"{length:g}")}
+            numbers = {"link": link.name, "one": hinges[0], "two": hinges[1], "length": Written(f"{length:g}")}
             where = mechanism.where.get(("links", link.name, "points", hinges[1]), 1)
-            raise reader.error(Phrase("negative_length", **told), where)
+            raise reader.error(Phrase("negative_length", **numbers), where)
 
 
 def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
@@ -170,8 +170,8 @@ def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Key
         size = _size(link)
         flywheel = link.name == mechanism.drive.link
         if size and link.mass and not flywheel and (link.inertia or 0) > link.mass * (GYRATION * size) ** 2:
-            told = {"radius": math.sqrt((link.inertia or 0) / link.mass), "size": size}
-            yield Phrase("doubt_inertia", link=link.name, **told), (*path, "inertia")
+            numbers = {"radius": math.sqrt((link.inertia or 0) / link.mass), "size": size}
+            yield Phrase("doubt_inertia", link=link.name, **numbers), (*path, "inertia")
         if size and (link.mass or 0) > HEAVIEST * size**3:
             heavy = {"mass": Written(f"{link.mass:g}"), "size": Written(f"{size:g}")}
             yield Phrase("doubt_heavy", link=link.name, **heavy), (*path, "mass")

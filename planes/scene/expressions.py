@@ -75,16 +75,16 @@ def tokens_of(text: str) -> list[tuple[str, str]]:
     text = unicodedata.normalize("NFC", text).strip().replace("−", "-")
     if re.fullmatch(r"[-+]?\.?(nan|inf|infinity)", text, re.IGNORECASE):
         raise _refusal(text, Phrase("not_finite"))
-    found: list[tuple[str, str]] = []
+    tokens: list[tuple[str, str]] = []
     place = 0
     while place < len(text):
         match = _TOKEN.match(text, place)
         if match is None or (match[2] and not is_name(match[2])):
-            raise _refusal(text, _stray(text[place:].lstrip()[0], found))
+            raise _refusal(text, _stray(text[place:].lstrip()[0], tokens))
         kind = ("number", "name", "sign")[(match.lastindex or 1) - 1]
-        found.append((kind, match[match.lastindex or 1]))
+        tokens.append((kind, match[match.lastindex or 1]))
         place = match.end()
-    return found
+    return tokens
 
 
 def _stray(char: str, before: list[tuple[str, str]]) -> Phrase:

@@ -53,12 +53,12 @@ def is_output(target: Path) -> bool:
 def _mode(target: Path) -> int | None:
     """Who may read the file that is there, None where there is none; a name no file can have is refused at once."""
     try:
-        found = target.lstat().st_mode
+        mode = target.lstat().st_mode
     except FileNotFoundError:
         return None
-    if stat.S_ISDIR(found):
+    if stat.S_ISDIR(mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
-    return stat.S_IMODE(found) if stat.S_ISREG(found) else None
+    return stat.S_IMODE(mode) if stat.S_ISREG(mode) else None
 
 
 def save(data: bytes, path: str | Path | None) -> bytes:
@@ -75,10 +75,10 @@ def save(data: bytes, path: str | Path | None) -> bytes:
 def _flows(target: Path) -> bool:
     """Whether it is a terminal or a pipe, which is written to and never replaced."""
     try:
-        found = target.stat().st_mode
+        mode = target.stat().st_mode
     except OSError:
         return False
-    return stat.S_ISCHR(found) or stat.S_ISFIFO(found)
+    return stat.S_ISCHR(mode) or stat.S_ISFIFO(mode)
 
 
 @contextmanager

@@ -50,8 +50,8 @@ class LawParser(ExpressionParser):
         if self.read > before or not halves.is_integer() or abs(halves) > 2 * STEEPEST:
             raise self.fail(Phrase("law_power", most=STEEPEST))
         odd = halves % 2 == 1
-        found = self.ar.power(self._root(base) if odd else base, int(abs(halves)) // (1 if odd else 2))
-        return found if halves >= 0 else self.divided(1.0, found)
+        power = self.ar.power(self._root(base) if odd else base, int(abs(halves)) // (1 if odd else 2))
+        return power if halves >= 0 else self.divided(1.0, power)
 
     def _root(self, x: Real) -> Real:
         return self.ar.sqrt(self.where(x >= 0, x, 0.0))
@@ -87,11 +87,11 @@ class LawParser(ExpressionParser):
 
 def between(table: tuple[tuple[float, float], ...], x: Real, ar: Arithmetic) -> Real:
     """What a table has for x, linear between its pairs; beyond its ends the end's."""
-    found: Real = table[0][1]
+    value: Real = table[0][1]
     for (x0, y0), (x1, y1) in pairwise(table):
         share = ar.maximum(ar.minimum((x - x0) * (1 / (x1 - x0)), 1.0), 0.0)
-        found = found + share * (y1 - y0)
-    return found
+        value = value + share * (y1 - y0)
+    return value
 
 
 def within(table: tuple[tuple[float, float], ...], x: Real, slack: float) -> Truth:

@@ -41,11 +41,11 @@ class Coordinate:
 
 def coordinates(links: Mapping[str, Link], drive: Drive) -> dict[str, list[Coordinate]]:
     """Every name a law may use, with all it could stand for: two of them are one too many."""
-    found: dict[str, list[Coordinate]] = {}
+    meanings: dict[str, list[Coordinate]] = {}
     for name, coordinate in _named(links, drive):
-        if is_name(name) and coordinate not in found.setdefault(name, []):
-            found[name].append(coordinate)
-    return found
+        if is_name(name) and coordinate not in meanings.setdefault(name, []):
+            meanings[name].append(coordinate)
+    return meanings
 
 
 def _named(links: Mapping[str, Link], drive: Drive) -> Iterator[tuple[str, Coordinate]]:
@@ -114,8 +114,8 @@ class LawReader:
         working, idle = both
         sliders = [n for n, x in self.links.items() if x.slides]
         if "slider" in table.entries:
-            of = Phrase("sliding_pairs")
-            slider = r.known(table.entries["slider"], part("slider", what), sliders, of)
+            kind = Phrase("sliding_pairs")
+            slider = r.known(table.entries["slider"], part("slider", what), sliders, kind)
         elif link in sliders or len(sliders) == 1:
             slider = link if link in sliders else sliders[0]
         else:
@@ -213,8 +213,8 @@ class LawReader:
 
     def _drives(self, name: str) -> bool:
         """Whether a parameter is what the drive is given by, and its name that of the same of what it drives."""
-        of = {"drive": {self.drive.link}, "link": {self.drive.turning}, "slider": {self.drive.link}, "point": ()}
-        return name in self.own | self.driven and any(m.of in of[m.sort] for m in self.known[name])
+        owners = {"drive": {self.drive.link}, "link": {self.drive.turning}, "slider": {self.drive.link}, "point": ()}
+        return name in self.own | self.driven and any(m.of in owners[m.sort] for m in self.known[name])
 
     def _means(self, name: str, sort: Sort) -> bool:
         return any(meaning.sort == sort for meaning in self.known.get(name, ()))

@@ -235,8 +235,8 @@ class Mechanism:
 
     def joined(self, link: Link) -> list[str]:
         """The points of a link that are its own: not the centre of the circle it slides on."""
-        found = self.round_guide(link)
-        return [p for p in link.points if not found or p != found[0].centre]
+        guides = self.round_guide(link)
+        return [p for p in link.points if not guides or p != guides[0].centre]
 
     def rubs(self, point: str, *links: str) -> str | None:
         """The key of ``journals`` for the hinge of two links at a point, or for the circle about it one slides on."""

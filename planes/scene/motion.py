@@ -69,8 +69,8 @@ def _balance(reader: Reader, table: SourceTable, kind: str, link: Link) -> tuple
     if kind == "s":
         raise reader.error(Phrase("balance_slides"), table.lines["balance"])
     own = reader.table(node, what, BALANCE_KEYS)
-    of = Phrase("points_of", owner=Phrase("link", name=link.name))
-    point = reader.known(reader.required(own, "point", what), part("point", what), link.points, of)
+    points = Phrase("points_of", owner=Phrase("link", name=link.name))
+    point = reader.known(reader.required(own, "point", what), part("point", what), link.points, points)
     angle = reader.said(own, "angle", what)
     return point, 90.0 if angle is None else angle
 
@@ -116,8 +116,8 @@ def _load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
     if "point" not in table.entries:
         valid = reader.offer("", links[link].points, Phrase("points_all"))
         raise reader.error(Phrase("force_no_point", what=what, valid=valid), table)
-    node, of = reader.required(table, "point", what), Phrase("points_of", owner=Phrase("link", name=link))
-    point = reader.known(node, part("point", what), links[link].points, of)
+    node, points = reader.required(table, "point", what), Phrase("points_of", owner=Phrase("link", name=link))
+    point = reader.known(node, part("point", what), links[link].points, points)
     if not any(key in table.entries for key in _DIRECTIONS):
         raise reader.error(Phrase("force_no_direction", what=what), table)
     form = reader.one_of(table, _DIRECTIONS, what)

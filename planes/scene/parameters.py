@@ -160,12 +160,12 @@ def read_laws(table: SourceTable, parameters: Mapping[str, Node]) -> dict[Keys, 
     own = place.text.strip() if isinstance(place, SourceScalar) else ""  # in a load it is no number, but a law
     others = {name: [one for one in used if one != own] for name, used in uses.items()}
     besides = users_of((moving - fixed or moving) - {own}, others) - {own}
-    found = {}
+    laws = {}
     for path, node in _numbers(table) if with_drive else ():
         names = besides if path[0] == "loads" and "table" not in path else with_drive
         if shared := next((name for name in names_of(node) if name in names), None):
-            found[path] = Law(path, shared, node.line)
-    return found
+            laws[path] = Law(path, shared, node.line)
+    return laws
 
 
 def _numbers(table: SourceTable) -> Iterator[tuple[Keys, SourceScalar]]:
@@ -214,11 +214,11 @@ TOLD = ("parameters", "variants", "title", "note", "text", "missing", "sheet")
 
 def reached(names: Iterable[str], ways: Uses) -> set[str]:
     """These names, and all that ways lead to from them."""
-    found = set(names)
-    todo = list(found)
+    names_met = set(names)
+    todo = list(names_met)
     while todo:
         for name in ways.get(todo.pop(), ()):
-            if name not in found:
-                found.add(name)
+            if name not in names_met:
+                names_met.add(name)
                 todo.append(name)
-    return found
+    return names_met

@@ -104,5 +104,5 @@ def _near(span: Span, text: str, option: str) -> Span:
 
 def _check_count(count: float, most: int, text: str, option: str) -> None:
     if count > most:
-        told = f"{min(count, 1e308):.9g}"
-        raise SceneError(Phrase("range_long", option=option, text=repr(text), count=told, most=most))
+        count_text = f"{min(count, 1e308):.9g}"
+        raise SceneError(Phrase("range_long", option=option, text=repr(text), count=count_text, most=most))

@@ -48,19 +48,19 @@ class Reader:
         if rest and first in names and isinstance(value, SourceScalar) and value.absent:
             raise self.error(Phrase("colon_after", key=shown(first), text=shown(key)), table.lines[key])
 
-    def names(self, node: Node, what: Told, of: Phrase) -> SourceTable:
-        """The node as a table whose keys are names; ``of`` says of what: "a point"."""
+    def names(self, node: Node, what: Told, kind: Phrase) -> SourceTable:
+        """The node as a table whose keys are names; ``kind`` says of what: "a point"."""
         table = self.table(node, what)
         for key, line in table.lines.items():
-            self.check_name(key, of, line)
+            self.check_name(key, kind, line)
         return table
 
-    def check_name(self, name: str, of: Phrase, where: Node | int) -> str:
+    def check_name(self, name: str, kind: Phrase, where: Node | int) -> str:
         """The name itself, if it is made as names are."""
         if len(name) > MAX_NAME:
-            raise self.error(Phrase("long_name", name=shown(name), of=of, most=MAX_NAME), where)
+            raise self.error(Phrase("long_name", name=shown(name), of=kind, most=MAX_NAME), where)
         if not _NAME.fullmatch(name):
-            raise self.error(Phrase("bad_name", name=shown(name), of=of), where)
+            raise self.error(Phrase("bad_name", name=shown(name), of=kind), where)
         return name
 
     def items(self, node: Node, what: Told) -> list[Node]:
@@ -84,17 +84,17 @@ class Reader:
             raise self.error(Phrase("bad_word", what=what, word=shown(text), valid=choices(text, words)), node)
         return text
 
-    def known(self, node: Node, what: Told, names: Iterable[str], of: Phrase) -> str:
-        """The node as a name that is defined; ``of`` says what kind of thing: "point"."""
+    def known(self, node: Node, what: Told, names: Iterable[str], kind: Phrase) -> str:
+        """The node as a name that is defined; ``kind`` says what kind of thing: "point"."""
         text = self.text(node, what)
         if text not in (names if isinstance(names, Mapping) else (names := list(names))):
-            valid = self.offer(text, names, of)
-            raise self.error(Phrase("unknown_name", what=what, of=of, name=shown(text), valid=valid), node)
+            valid = self.offer(text, names, kind)
+            raise self.error(Phrase("unknown_name", what=what, of=kind, name=shown(text), valid=valid), node)
         return text
 
-    def offer(self, given: str, names: Iterable[str], of: Phrase) -> Told:
+    def offer(self, given: str, names: Iterable[str], kind: Phrase) -> Told:
         """Words with the valid names, or that there are none."""
-        return choices(given, names) or Phrase("none_defined", of=of)
+        return choices(given, names) or Phrase("none_defined", of=kind)
 
     def number(self, node: Node, what: Told) -> float:
         """The finite value of a number or an expression."""

@@ -134,11 +134,11 @@ def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
     table = reader.table(node, "sheet", SHEET_KEYS)
     if all(reader.optional(table, key) for key in ("number", "designation")):
         reader.one_of(table, ("number", "designation"), section("sheet"))
-    found = {key: _setting(reader, key, entry) for key, entry in reader.present(table).items()}
-    frame = str(found.get("frame", "gost"))
-    for key in (k for k in found if k in _NO_CELL[frame]):
+    settings = {key: _setting(reader, key, entry) for key, entry in reader.present(table).items()}
+    frame = str(settings.get("frame", "gost"))
+    for key in (k for k in settings if k in _NO_CELL[frame]):
         raise reader.error(Phrase("no_cell", what=part(key, section("sheet")), frame=frame), table.lines[key])
-    return found
+    return settings
 
 
 def _setting(reader: Reader, key: str, node: Node) -> object:

@@ -195,10 +195,10 @@ class _Builder:
             raise self.error(Phrase("deep_file", most=MAX_DEPTH), self.line)
         if isinstance(event, yaml.MappingStartEvent):
             return self._table(event, depth)
-        found = Items([], self.line)
+        items = Items([], self.line)
         while not isinstance(event := self._next(), yaml.SequenceEndEvent):
-            found.items.append(self._node(event, depth + 1))
-        return found
+            items.items.append(self._node(event, depth + 1))
+        return items
 
     def _scalar(self, event: yaml.ScalarEvent) -> SourceScalar:
         text = unicodedata.normalize("NFC", event.value) if len(event.value) <= 1000 else event.value
@@ -207,14 +207,14 @@ class _Builder:
         return SourceScalar(text, self.line, event.style in (None, ""), glued)
 
     def _table(self, event: yaml.MappingStartEvent, depth: int) -> SourceTable:
-        found, last = SourceTable({}, self.line), None
+        table, last = SourceTable({}, self.line), None
         while not isinstance(one := self._next(), yaml.MappingEndEvent):
-            key = self._key(one, found)
+            key = self._key(one, table)
             value = self._node(self._next(), depth + 1)
             if event.flow_style and isinstance(value, SourceScalar) and isinstance(last, SourceScalar):
                 self._decimal_comma(last, key, value)
-            found.entries[key] = last = value
-        return found
+            table.entries[key] = last = value
+        return table
 
     def _key(self, event: yaml.Event, table: SourceTable) -> str:
         if not isinstance(event, yaml.ScalarEvent):

@@ -193,10 +193,10 @@ class _FrameworkReader:
 
     def number(self, node: Node, what: Phrase) -> float | LoadLaw:
         """A number, or a law of the drive."""
-        found = (
+        amount = (
             self.laws.amount(node, what) if self.laws and self.laws.follows(node) else self.reader.number(node, what)
         )
-        return found if isinstance(found, LoadLaw) else float(found)
+        return amount if isinstance(amount, LoadLaw) else float(amount)
 
     def of_body(self, node: Node, what: Told, bodies: Mapping[str, tuple[str, ...]]) -> str:
         """A body by its name."""

@@ -90,8 +90,8 @@ class AmountParser(ExpressionParser):
         if not by.terms or by.number == 0.0:
             raise self.fail(Phrase("division_by_zero"))
         ((factors, c),) = by.terms.items()
-        found = value * _Sum({tuple((n, -p) for n, p in factors): 1.0 / c}, None)
-        return _Sum(found.terms, None if None in (value.number, by.number) else value.number / by.number)
+        quotient = value * _Sum({tuple((n, -p) for n, p in factors): 1.0 / c}, None)
+        return _Sum(quotient.terms, None if None in (value.number, by.number) else value.number / by.number)
 
     def raised(self, base: Real, exponent: Real) -> Real:
         """To a small whole power, or a number to any."""
@@ -100,10 +100,10 @@ class AmountParser(ExpressionParser):
             raise self.fail(Phrase("amount_power"))
         if not (power.is_integer() and 0 < power <= 9):
             return _Sum.of(super().raised(base.number, power))
-        found = base
+        product = base
         for _ in range(int(power) - 1):
-            found = found * base
-        return found
+            product = product * base
+        return product
 
     def called(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
         """A function of numbers."""
@@ -127,10 +127,10 @@ def _without_powers(text: str, named: Iterable[str]) -> str:
 
 def read_amount(text: str, parameters: Mapping[str, float], named: Iterable[str]) -> VectorAmount | float:
     """A number, or what it is reckoned from on the plans; :class:`ExpressionError` in words."""
-    found = _Sum.of(AmountParser(text, parameters, tuple(named)).value())
-    if not all(math.isfinite(c) for c in found.terms.values()):
+    total = _Sum.of(AmountParser(text, parameters, tuple(named)).value())
+    if not all(math.isfinite(c) for c in total.terms.values()):
         raise AmountParser(text, parameters, tuple(named)).fail(Phrase("value_large"))
-    plain = found.number is not None and sum(abs(p) for f in found.terms for _, p in f) < 2
-    if plain and found.number is not None:
-        return found.number
-    return VectorAmount(text, tuple((c, f) for f, c in found.terms.items()))
+    plain = total.number is not None and sum(abs(p) for f in total.terms for _, p in f) < 2
+    if plain and total.number is not None:
+        return total.number
+    return VectorAmount(text, tuple((c, f) for f, c in total.terms.items()))

@@ -61,17 +61,17 @@ def read_equation(text: str, number: Number = _plain, line: int = 0, chained: bo
     if len(parts) < 2:
         raise EquationError(Phrase("one_equals", text=text))
     sides = tuple(tuple(_terms(part, text, number)) for part in parts)
-    found = VectorEquation(text, sides, line)
-    for name in found.names:
-        if found.names.count(name) > 1:
+    equation = VectorEquation(text, sides, line)
+    for name in equation.names:
+        if equation.names.count(name) > 1:
             raise EquationError(Phrase("vector_twice", text=text, name=name))
-    if not found.names:
+    if not equation.names:
         raise EquationError(Phrase("no_vectors", text=text))
     if sides.count(()) > (len(sides) == 2):
         raise EquationError(Phrase("zero_between", text=text))
     if chained:
-        check_chains(found)
-    return found
+        check_chains(equation)
+    return equation
 
 
 def _terms(part: str, text: str, number: Number) -> list[SideTerm]:
@@ -86,15 +86,15 @@ def _terms(part: str, text: str, number: Number) -> list[SideTerm]:
 
 def _parted(part: str) -> list[tuple[str, str]]:
     """The side cut at the signs that stand in no brackets."""
-    found, depth, piece, sign = list[tuple[str, str]](), 0, "", "+"
+    pieces, depth, piece, sign = list[tuple[str, str]](), 0, "", "+"
     for char in part:
         depth += (char == "(") - (char == ")")
         if char in "+-" and depth == 0 and not piece.rstrip().endswith("*"):
-            found += [(sign, piece)] * bool(piece.strip() or found)
+            pieces += [(sign, piece)] * bool(piece.strip() or pieces)
             sign, piece = char, ""
         else:
             piece += char
-    return [*found, (sign, piece)] if piece.strip() or found else []
+    return [*pieces, (sign, piece)] if piece.strip() or pieces else []
 
 
 def _term(sign: str, piece: str, text: str, number: Number) -> SideTerm:
@@ -127,8 +127,8 @@ def ends(name: str) -> tuple[str, str] | None:
 
 def _span(term: SideTerm) -> tuple[str, str] | None:
     """The marks a term leads between; None where its name or its coefficient tells of none."""
-    found = ends(term.name) if abs(term.times) == 1 else None
-    return found[::-1] if found and term.times < 0 else found
+    marks = ends(term.name) if abs(term.times) == 1 else None
+    return marks[::-1] if marks and term.times < 0 else marks
 
 
 def check_chains(equation: VectorEquation) -> None:
@@ -148,5 +148,5 @@ def check_chains(equation: VectorEquation) -> None:
     for other in reached[1:]:
         if other != reached[0]:
             (start, end), (other_start, other_end) = reached[0], other
-            found = {"start": start, "end": end, "other_start": other_start, "other_end": other_end}
-            raise EquationError(Phrase("chain_ends", text=text, **found))
+            words = {"start": start, "end": end, "other_start": other_start, "other_end": other_end}
+            raise EquationError(Phrase("chain_ends", text=text, **words))

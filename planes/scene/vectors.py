@@ -79,15 +79,15 @@ def read_statement(reader: Reader, scene: SourceTable, quantity: str | None, law
 
 def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
     """A person's own equations beside a mechanism, whether they hold or not."""
-    found = []
+    equations = []
     for n, entry in enumerate(reader.items(node, "equations") if isinstance(node, Items) else [node], 1):
         text = reader.text(entry, Phrase("equation", number=n)).strip()
         try:
             own = read_equation(text, lambda times: evaluate(times, reader.parameters), entry.line, chained=False)
         except (EquationError, ExpressionError) as error:
             raise SceneError(Phrase("about", what=shown(text), why=error.phrase), reader.file, entry.line) from None
-        found.append(own)
-    return tuple(found)
+        equations.append(own)
+    return tuple(equations)
 
 
 class _StatementReader:
@@ -111,14 +111,14 @@ class _StatementReader:
 
     def _check_names(self) -> None:
         taken: dict[str, Phrase] = {n: Phrase("a_parameter") for n in self.reader.parameters}
-        for table, key, of in ((self.vectors, "bad_vector", "a_vector"), (self.values, "bad_value_name", "a_value")):
+        for table, key, kind in ((self.vectors, "bad_vector", "a_vector"), (self.values, "bad_value_name", "a_value")):
             for name, line in table.lines.items():
                 fits = _NAME.fullmatch(name) if table is self.vectors else is_name(name)
                 if len(name) > MAX_NAME or not fits:
                     raise self.reader.error(Phrase(key, name=shown(name), most=MAX_NAME), line)
                 if name in taken:
-                    raise self.reader.error(Phrase("name_taken", name=name, one=taken[name], other=Phrase(of)), line)
-                taken[name] = Phrase(of)
+                    raise self.reader.error(Phrase("name_taken", name=name, one=taken[name], other=Phrase(kind)), line)
+                taken[name] = Phrase(kind)
 
     def read(self, quantity: str | None) -> Statement:
         vectors = {name: self.vector(name, node) for name, node in self.vectors.entries.items()}
@@ -143,14 +143,14 @@ class _StatementReader:
         if not isinstance(node, SourceScalar) or node.absent:
             return self.reader.number(node, what)
         try:
-            found = read_amount(node.text, self.reader.parameters, self.names)
+            amount = read_amount(node.text, self.reader.parameters, self.names)
         except ExpressionError as error:
             raise self.reader.error(Phrase("about", what=what, why=error.phrase), node) from None
-        if isinstance(found, VectorAmount):
-            return found
-        if abs(found) > MOST:
-            raise self.reader.error(Phrase("out_of_range", what=what, value=found, most=MOST), node)
-        return found
+        if isinstance(amount, VectorAmount):
+            return amount
+        if abs(amount) > MOST:
+            raise self.reader.error(Phrase("out_of_range", what=what, value=amount, most=MOST), node)
+        return amount
 
     def vector(self, name: str, node: Node) -> VectorGiven:
         what = Phrase("vector", name=name)
@@ -179,14 +179,14 @@ class _StatementReader:
             return AlongVector(name, quarter + 2 * back)
         if node is not None and _NAME.fullmatch(name) and name not in self.reader.parameters and name != "pi":
             self.named(node, name, part(key, what))
-        found = self.reader.said(table, key, what)
-        return None if found is None else found + 90.0 * quarter
+        degrees = self.reader.said(table, key, what)
+        return None if degrees is None else degrees + 90.0 * quarter
 
     def named(self, node: Node, name: str, what: Told) -> str:
         """The name of a vector of the scene."""
         if name not in self.vectors.entries:
-            valid, told = choices(name, self.vectors.entries), name if len(name) <= MAX_NAME else shown(name)
-            raise self.reader.error(Phrase("no_vector", text=what, name=told, valid=valid), node)
+            valid, name_shown = choices(name, self.vectors.entries), name if len(name) <= MAX_NAME else shown(name)
+            raise self.reader.error(Phrase("no_vector", text=what, name=name_shown, valid=valid), node)
         return name
 
     def similarity(self, table: SourceTable, what: Told) -> Similarity:
@@ -195,20 +195,20 @@ class _StatementReader:
             if key in table.entries:
                 raise self.reader.error(Phrase("both_keys", what=what, one="similar", two=key), table.lines[key])
         node = self.reader.required(table, "similar", what)
-        of = self.named(node, self.reader.text(node, part("similar", what)), part("similar", what))
+        pattern = self.named(node, self.reader.text(node, part("similar", what)), part("similar", what))
         if self.reader.one_of(table, ("ratio", "as"), what) == "ratio":
             ratio = self.reader.number(self.reader.required(table, "ratio", what), part("ratio", what))
             turn = self.reader.said(table, "angle", what) or 0.0
-            return Similarity(of, ratio * complex(evaluate(f"cos({turn!r})", {}), evaluate(f"sin({turn!r})", {})))
+            return Similarity(pattern, ratio * complex(evaluate(f"cos({turn!r})", {}), evaluate(f"sin({turn!r})", {})))
         shape = self.reader.required(table, "as", what)
-        told = part("as", what)
+        label = part("as", what)
         if "angle" in table.entries:
             raise self.reader.error(Phrase("both_keys", what=what, one="as", two="angle"), table.lines["angle"])
-        items = self.reader.items(shape, told)
+        items = self.reader.items(shape, label)
         if len(items) != 2:
-            raise self.reader.error(Phrase("similar_pair", what=told, count=len(items)), shape)
-        one, two = (self.named(item, self.reader.text(item, told), told) for item in items)
-        return Similarity(of, shape=(one, two))
+            raise self.reader.error(Phrase("similar_pair", what=label, count=len(items)), shape)
+        one, two = (self.named(item, self.reader.text(item, label), label) for item in items)
+        return Similarity(pattern, shape=(one, two))
 
     def equations(self, node: Node) -> tuple[VectorEquation, ...]:
         """The equations with their lines."""
@@ -230,11 +230,11 @@ class _StatementReader:
             if not _FACTOR.match(text, match.end()) and match[0] not in self.reader.parameters:
                 self.named(node, match[0], text)
         try:
-            found = read_equation(text, lambda times: evaluate(times, self.reader.parameters), node.line)
+            equation = read_equation(text, lambda times: evaluate(times, self.reader.parameters), node.line)
         except (EquationError, ExpressionError) as error:
             phrase = error.phrase
-            told = phrase if isinstance(error, EquationError) else Phrase("about", what=text, why=phrase)
-            raise SceneError(told, self.reader.file, node.line) from None
-        for name in found.names:  # a parameter in the place of one
+            sentence = phrase if isinstance(error, EquationError) else Phrase("about", what=text, why=phrase)
+            raise SceneError(sentence, self.reader.file, node.line) from None
+        for name in equation.names:  # a parameter in the place of one
             self.named(node, name, text)
-        return found
+        return equation

@@ -46,27 +46,27 @@ class Position(Pictured, Tabulated):
     @property
     def r(self) -> Readings[complex]:
         """Positions of points, m: complex by name."""
-        return self.of("points", "r").each(lambda found: found.vector)
+        return self.of("points", "r").each(lambda measured: measured.vector)
 
     @property
     def v(self) -> Readings[complex]:
         """Velocities of points, m/s."""
-        return self.of("points", "v").each(lambda found: found.vector)
+        return self.of("points", "v").each(lambda measured: measured.vector)
 
     @property
     def a(self) -> Readings[complex]:
         """Accelerations of points, m/s²."""
-        return self.of("points", "a").each(lambda found: found.vector)
+        return self.of("points", "a").each(lambda measured: measured.vector)
 
     @property
     def omega(self) -> Readings[float]:
         """Angular velocities of links, rad/s, counter-clockwise positive."""
-        return self.of("links", "omega").each(lambda found: found.number)
+        return self.of("links", "omega").each(lambda measured: measured.number)
 
     @property
     def epsilon(self) -> Readings[float]:
         """Angular accelerations of links, rad/s²."""
-        return self.of("links", "epsilon").each(lambda found: found.number)
+        return self.of("links", "epsilon").each(lambda measured: measured.number)
 
     def of(self, group: str, key: str = "") -> Readings[Measured]:
         """What was found of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction.
@@ -95,21 +95,21 @@ class Position(Pictured, Tabulated):
         rates = {p: {"velocity": m.velocity, "acceleration": m.acceleration} for p, m in self.plans.points.items()}
         points = {label_of(marks[plan]): p for p, marks in rates.items() if plan in marks}
         for s in self.plans.segments_of.get(plan, ()):
-            found = self.results["plans"][plan]["segments"].get(s.start + s.end)
-            if found and found["name"] == s.name:
-                whole = points and s.start == POLE and at(plan, s.end) not in self.drawing.program.corners
+            segment = self.results["plans"][plan]["segments"].get(s.start + s.end)
+            if segment and segment["name"] == s.name:
+                is_total = points and s.start == POLE and at(plan, s.end) not in self.drawing.program.corners
                 letter, false, _ = parts_of(s.end.rstrip("'"))
                 point = points.get(s.end) or letter.upper() + (f"^{false}" if false else "")
-                if not whole or point not in self.plans.standing:
-                    yield (f"{plan[0]}_{point}" if whole else s.name), s, found
+                if not is_total or point not in self.plans.standing:
+                    yield (f"{plan[0]}_{point}" if is_total else s.name), s, segment
 
     def value(self, name: str) -> float | complex:
         """A quantity by its name in ``find:``: a number in SI, complex for a vector; else a :class:`SceneError`."""
         (quantity,) = asked(self.plans, [name])
         same = (f for f in self.found if f.quantity.path == quantity.path)
-        found = next(same, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
-        vector = -found.vector if quantity.reversed else found.vector  # F_12 is opposite to F_21
-        return found.number if len(found.numbers) == 1 else vector
+        measured = next(same, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
+        vector = -measured.vector if quantity.reversed else measured.vector  # F_12 is opposite to F_21
+        return measured.number if len(measured.numbers) == 1 else vector
 
     def __repr__(self) -> str:
         if not self.plans.moves:
@@ -143,13 +143,13 @@ class Solved:
         """The object ``planes solve --json`` prints."""
         doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
         head = {"planes": 1, "scene": Path(self.scene.file).name, "variant": self.scene.variant}
-        told = [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions]
-        for one in () if self.plans.moves else told:
+        listed = [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions]
+        for one in () if self.plans.moves else listed:
             one["vectors"] = {n: polar(complex(*xy)) for n, xy in one.get("vectors", {}).items()}
         if not self.plans.turns:
-            return {**head, **told[0]}
+            return {**head, **listed[0]}
         head |= {"structure": self.plans.structure.json()} if self.plans.moves else {}
-        return {**head, "positions": told, "failed": self.failed}
+        return {**head, "positions": listed, "failed": self.failed}
 
 
 def plans_of(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] | None]:
@@ -223,9 +223,9 @@ def position(
     drawing = run(plans.program, given, instrument)
     proved(plans.program, given, drawing if is_exact(instrument) else None)  # a pencil's errors prove nothing
     reader = DrawingReader(plans, drawing, mus)
-    found = tuple(map(reader.read, told_of(plans, wanted)))
+    measured = tuple(map(reader.read, told_of(plans, wanted)))
     at_drive, groups = {key_of(plans): value} if plans.turns else {}, GROUPS if plans.moves else ()
-    results = {**at_drive, **as_json(plans, found, groups if wanted is None else ())}
+    results = {**at_drive, **as_json(plans, measured, groups if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
     errors = None
     if isinstance(instrument, Pencil):
@@ -238,12 +238,12 @@ def position(
     results["warnings"] = warnings(reader, wanted, given, lang)
     if scene.equations and wanted is None:
         results["equations"] = [e.json() for e in own_equations(plans, drawing, mus, scene.equations, scene.file)]
-    return Position(value, plans, drawing, mus, found, results)
+    return Position(value, plans, drawing, mus, measured, results)
 
 
-def as_json(plans: Plans, found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
+def as_json(plans: Plans, measured: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
     """What was found as the JSON has it: of a slider its guide too."""
-    out = nested(found, groups)
+    out = nested(measured, groups)
     for link, one in out.get("slides", {}).items():
         out["slides"][link] = {"guide": plans.velocity_slides[link].guide, **one}
     return out

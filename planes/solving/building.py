@@ -80,8 +80,8 @@ class Linkage:
         """
         links = self.parts["links"]
         if link is not None and str(link) not in links:
-            told = {"what": Phrase("guide_named", name=name), "of": Phrase("links_all"), "name": shown(str(link))}
-            raise PlanesError(Phrase("unknown_name", **told, valid=choices(str(link), links)))
+            words = {"what": Phrase("guide_named", name=name), "of": Phrase("links_all"), "name": shown(str(link))}
+            raise PlanesError(Phrase("unknown_name", **words, valid=choices(str(link), links)))
         owner = self.parts["frame"] if link is None else links[str(link)]
         line = _given(x=x, y=y, through=through, angle=angle, centre=centre, radius=radius)
         owner.setdefault("guides", {})[name] = _placed(line)

@@ -13,9 +13,9 @@ from planes.words.names import is_scale
 
 def explain(scene: Scene, lang: Lang = "en") -> str:
     """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
-    whole, kept = scene_plans(scene).program, plans_of(scene)[0].program
-    dropped = [s for s in whole.steps if s.makes not in kept.made]
-    lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
+    full, kept = scene_plans(scene).program, plans_of(scene)[0].program
+    dropped = [s for s in full.steps if s.makes not in kept.made]
+    lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(full.steps)), *_listed(kept.steps, lang)]
     if dropped:
         lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(dropped, lang)]
     return "\n".join(lines) + "\n"
@@ -34,10 +34,10 @@ def _series(step: Step) -> set[str]:
 
 
 def _read(step: Step) -> Iterator[str]:
-    told = dict.fromkeys(name for name, _ in step.reads() if not is_scale(name))
-    return (name for name in told if name not in _series(step))
+    names = dict.fromkeys(name for name, _ in step.reads() if not is_scale(name))
+    return (name for name in names if name not in _series(step))
 
 
 def _followed(step: Step, lang: Lang) -> Iterator[str]:
-    if found := _series(step):
-        yield say("explain_followed", lang, count=len(found))
+    if series := _series(step):
+        yield say("explain_followed", lang, count=len(series))

@@ -46,8 +46,8 @@ class GivenTable:
     def listed(self) -> list[GivenRow]:
         """Everything that is given and read, as it is listed."""
         plain = dict.fromkeys(r for r in self.plain if self.read(r) and (r.value or r.place) and not self.known(r))
-        found = [*filter(self.read, self.drive()), *self.named(), *plain]
-        return sorted(found, key=lambda r: (not r.of_drive, RANK.index(r.unit)))
+        rows = [*filter(self.read, self.drive()), *self.named(), *plain]
+        return sorted(rows, key=lambda r: (not r.of_drive, RANK.index(r.unit)))
 
     def read(self, row: GivenRow) -> bool:
         """Whether what is drawn reads it."""
@@ -147,9 +147,9 @@ class GivenTable:
             way = z - link.points[first]
             polar = abs(way), round(math.degrees(cmath.phase(way)), 9)
             name = f"l_{first}{point}"
-            told = self.parameters.get(name, polar[0])  # which may be a coordinate
+            length = self.parameters.get(name, polar[0])  # which may be a coordinate
             plain = name in self.parameters if self.steady else _signs(*polar) <= _signs(way.real, way.imag)
-            if way.imag and not (plain and equal(told, polar[0])):
+            if way.imag and not (plain and equal(length, polar[0])):
                 yield from self.place(first + point, way)
                 continue
             yield GivenRow(f"l_{{{first}{point}}}", polar[0], "m")
@@ -172,8 +172,8 @@ class GivenTable:
         mechanism = plans.mechanism
         for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
             if isinstance(load.direction_deg, float | int):
-                of = f"^{{({self.naming.link(load.direction_link)})}}" if load.direction_link else ""
-                sign = f"∠{self.naming.vector(name)}{of}"
+                axes = f"^{{({self.naming.link(load.direction_link)})}}" if load.direction_link else ""
+                sign = f"∠{self.naming.vector(name)}{axes}"
                 yield GivenRow(sign, load.direction_deg, "°", f"angle_∠{name}", place=True)
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
@@ -207,8 +207,8 @@ class GivenTable:
     def law(self, law: Amount) -> str:
         """A law, as far as there is room for it in a cell."""
         drive = self.position.plans.mechanism.drive
-        told = law_said(law, drive, self.naming.vector, self.naming.lang, pairs=False)
-        return told if len(told) <= LONGEST else "…"
+        text = law_said(law, drive, self.naming.vector, self.naming.lang, pairs=False)
+        return text if len(text) <= LONGEST else "…"
 
 
 def dashed(name: str) -> str:

@@ -49,8 +49,8 @@ class Nearest:
             at = value - 360.0 * turns
             near = min((end for end in ends if low < at < high), key=lambda end: abs(end - at), default=None)
             known = near is not None and abs(near - at) <= min(at - low, high - at)
-            if near is not None and known and works(self.plans, found := _turned(near, turns)):
-                return found
+            if near is not None and known and works(self.plans, nearest := _turned(near, turns)):
+                return nearest
         sides = [_Side(self.plans, value, side) for side in (1.0, -1.0)]
         ends = tuple(x for x in (side.first() for side in sides) if x is not None)
         low, high = value - STEPS * sides[0].step, value + STEPS * sides[0].step
@@ -92,12 +92,12 @@ class _Side:
         import numpy
 
         drawing = drawn_in_si(self.plans, self.value + self.side * offsets)
-        found = numpy.zeros(len(offsets))
+        missing = numpy.zeros(len(offsets))
         for _, _, ok, numbers in drawing.tool.failures:
             miss = numbers.get("miss_mm", math.inf)
             miss = numpy.where(numpy.isfinite(miss), numpy.maximum(miss, LEAST), math.inf)
-            found = numpy.where((found == 0) & ~ok, miss, found)
-        return found
+            missing = numpy.where((missing == 0) & ~ok, miss, missing)
+        return missing
 
     def edge(self, low: Array, high: Array) -> tuple[float, float] | None:
         """The last offset that fails and the first that works, within the first pair of ends that holds both.
@@ -139,7 +139,7 @@ class _Side:
             return round(beside, least)
         exact = self.value + self.side * edge[1]
         for decimals in range(least, 16):
-            found = (math.ceil if self.side > 0 else math.floor)(exact * 10.0**decimals) / 10.0**decimals
-            if works(self.plans, found):
-                return found
+            rounded = (math.ceil if self.side > 0 else math.floor)(exact * 10.0**decimals) / 10.0**decimals
+            if works(self.plans, rounded):
+                return rounded
         return exact

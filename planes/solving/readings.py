@@ -26,8 +26,8 @@ class Readings(dict[str, T]):
     Raises :class:`UnknownName`, a KeyError, that names what there is.
     """
 
-    def __init__(self, found: Mapping[str, T], naming: Naming, letter: str = "") -> None:
-        super().__init__(found)
+    def __init__(self, readings: Mapping[str, T], naming: Naming, letter: str = "") -> None:
+        super().__init__(readings)
         self.naming, self.letter = naming, letter
 
     if TYPE_CHECKING:

@@ -106,22 +106,22 @@ def interpolated(solved: Solved, value: float, why: str) -> Position | None:
     for key, ((one, first), (two, second), ends) in ways.items():
         try:
             a, b = solved.at(one), solved.at(two)
-            found = _blend(a.found, b.found, first, second)
+            measured = _blend(a.found, b.found, first, second)
             beside = [solved.at(v).found for v in ends]
         except PlanFailure:
             continue
-        steady = tuple(f for f in found if f.quantity.group in (*MOTION, "transfers"))
+        steady = tuple(f for f in measured if f.quantity.group in (*MOTION, "transfers"))
         apart = max(_apart(steady, x) for x in beside)
         if apart <= APART:
-            loose = max(_apart(found, x) for x in beside) > APART
-            found, why = (steady, why + say("remedy_no_forces", lang)) if loose else (found, why)
+            loose = max(_apart(measured, x) for x in beside) > APART
+            measured, why = (steady, why + say("remedy_no_forces", lang)) if loose else (measured, why)
             low, high = (told(v, drive.kind, lang) for v in (one, two))
             said = say(key, lang, why=why, low=low, high=high, apart=f"{100 * apart:.2g} %")
             empty = (k for k, v in a.results.items() if v == {} and (k in MOTION or not loose))
-            shaped = as_json(plans, found, empty)
+            shaped = as_json(plans, measured, empty)
             results = {key_of(plans): value, **{k: shaped[k] for k in a.results if k in shaped}}
             results |= {"interpolated": [one, two], "warnings": [said]}
-            return Position(value, plans, b.drawing, b.scales, found, results)
+            return Position(value, plans, b.drawing, b.scales, measured, results)
     return None
 
 

@@ -16,5 +16,5 @@ def scatter_mm(
     import numpy
 
     crowd = run(program, {**given, repeated: numpy.full(PENCILS, given[repeated])}, pencil)
-    found = {name: numpy.nanstd(abs(crowd[end] - crowd[start])) for name, (start, end) in spans.items()}
-    return {name: float(size) for name, size in found.items()}
+    scatter = {name: numpy.nanstd(abs(crowd[end] - crowd[start])) for name, (start, end) in spans.items()}
+    return {name: float(size) for name, size in scatter.items()}

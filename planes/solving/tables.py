@@ -72,13 +72,13 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
 
 def _largest(things: Iterable[Row], key: str) -> float:
     """The largest size of ``key`` among results."""
-    found = [t[key].numbers for t in things if key in t]
-    return max((math.hypot(*(x for x in v if x is not None)) for v in found), default=0.0)
+    sizes = [t[key].numbers for t in things if key in t]
+    return max((math.hypot(*(x for x in v if x is not None)) for v in sizes), default=0.0)
 
 
-def _vector(found: Measured | None, beside: float = 0.0) -> tuple[str, str]:
+def _vector(measured: Measured | None, beside: float = 0.0) -> tuple[str, str]:
     """Size and direction in degrees of a vector."""
-    return ("", "") if found is None else directed(found.vector, beside)
+    return ("", "") if measured is None else directed(measured.vector, beside)
 
 
 def _points(points: dict[str, Row], lang: Lang, e: Json | None) -> list[str]:
@@ -165,9 +165,9 @@ def _derived(p: Position, lang: Lang, naming: Naming, *groups: str) -> list[str]
     lines: list[str] = []
     for group in groups:
         rows, e = [], p.results.get("errors")
-        for of, f in p.of(group).items():
-            c, error = f.quantity.columns[0], error_of(e, group, of)
-            name = spelt(naming.curve(of) if c.per else naming.vector(c.value))
+        for key, f in p.of(group).items():
+            c, error = f.quantity.columns[0], error_of(e, group, key)
+            name = spelt(naming.curve(key) if c.per else naming.vector(c.value))
             beside = max(abs(x.number) for x in p.of(group).values()) if c.per else 0.0
             rows.append([name, number_cell(f.number, beside), *error, "" if c.unit == "1" else say(c.unit, lang)])
         lines += table(say(f"of_{group}", lang), ["", say("value", lang), *pm(e), ""], rows)
@@ -177,31 +177,33 @@ def _derived(p: Position, lang: Lang, naming: Naming, *groups: str) -> list[str]
 def _balance(p: Position, lang: Lang) -> list[str]:
     lines: list[str] = []
     for what, unit in (("moment", "N·m"), ("force", "N")):
-        found, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
+        moment, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
         own, other = (error_of(p.results.get("errors"), f"{by}_{what}") for by in ("balancing", "zhukovsky"))
-        if found is not None:
-            number = " ± ".join([number_cell(found), *own])
-            sense = f" ({say('lesson_ccw' if found > 0 else 'lesson_cw', lang)})" if what == "moment" and found else ""
+        if moment is not None:
+            number = " ± ".join([number_cell(moment), *own])
+            sense = (
+                f" ({say('lesson_ccw' if moment > 0 else 'lesson_cw', lang)})" if what == "moment" and moment else ""
+            )
             lines.append(f"{say(f'balancing_{what}', lang)}: {number} {say(unit, lang)}{sense}")
         if check is not None:
             lines.append(f"{say('by_lever', lang)}: {' ± '.join([number_cell(check), *other])} {say(unit, lang)}")
-        if found is not None and check is not None:
-            lines.append(f"{say('difference', lang)}: {100 * difference(found, check):.2g} %")
+        if moment is not None and check is not None:
+            lines.append(f"{say('difference', lang)}: {100 * difference(moment, check):.2g} %")
     return ["", *lines] if lines else []
 
 
-def difference(found: float, check: float) -> float:
+def difference(value: float, check: float) -> float:
     """How far two values are apart, relative to the larger."""
-    largest = max(abs(found), abs(check))
-    return abs(found - check) / largest if largest else 0.0
+    largest = max(abs(value), abs(check))
+    return abs(value - check) / largest if largest else 0.0
 
 
 def stated_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
     """The vectors of a scene that states them, plan by plan, and the values reckoned from them."""
     lines, e = list[str](), p.results.get("errors")
-    found = p.of("vectors")
+    vectors = p.of("vectors")
     for plan in p.plans.drawn:
-        own = [f for f in found.values() if plan_of(f.quantity.columns[0].start) == plan]
+        own = [f for f in vectors.values() if plan_of(f.quantity.columns[0].start) == plan]
         most, rows = max((abs(f.vector) for f in own), default=0.0), []
         for f in own:
             name, (start, end) = f.quantity.name, (label_of(m) for m in f.quantity.columns[0].needs)

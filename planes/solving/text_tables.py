@@ -56,8 +56,8 @@ def spelt(lettered: str) -> str:
 
 def largest(position: Position) -> float:
     """The largest number found of bodies in equilibrium, N or N·m, beside which rounding is nothing; 0 of all else."""
-    found = [*position.of("values").values(), *position.of("vectors").values()] if position.plans.figure else []
-    return max((abs(x) for f in found for x in f.numbers if x), default=0.0)
+    measured = [*position.of("values").values(), *position.of("vectors").values()] if position.plans.figure else []
+    return max((abs(x) for f in measured for x in f.numbers if x), default=0.0)
 
 
 def number_cell(value: float | None, beside: float = 0.0) -> str:
@@ -78,12 +78,12 @@ def error_of(errors: Json | None, *path: str) -> list[str]:
     """The cell with a result's ± (of a vector: of its end), or no cell when none was asked."""
     if errors is None:
         return []
-    found: object = errors
+    error: object = errors
     for key in path:
-        found = found.get(key, {}) if isinstance(found, dict) else {}
-    numbers = found if isinstance(found, list) else [found]
-    if found == {} or None in numbers:
-        return ["" if found == {} else "—"]
+        error = error.get(key, {}) if isinstance(error, dict) else {}
+    numbers = error if isinstance(error, list) else [error]
+    if error == {} or None in numbers:
+        return ["" if error == {} else "—"]
     size = math.hypot(*numbers)
     return [f"{size:.1e}" if size else "0"]
 

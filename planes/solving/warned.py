@@ -30,13 +30,13 @@ def warnings(
 
 def _blunt(reader: DrawingReader, lang: Lang) -> dict[str, list[str]]:
     """Marks where lines meet bluntly, by the angle."""
-    found: dict[str, list[str]] = {}
+    marks: dict[str, list[str]] = {}
     for plan in reader.stated.drawn:
         for label, sharpness in reader.sharpness(plan).items():
             if sharpness < BLUNT:
                 angle = f"{math.degrees(math.asin(min(1.0, sharpness))):.2g}"
-                found.setdefault(angle, []).append(f"{label} ({say_plan(plan, lang)})")
-    return found
+                marks.setdefault(angle, []).append(f"{label} ({say_plan(plan, lang)})")
+    return marks
 
 
 def _faint(reader: DrawingReader) -> Iterator[str]:
@@ -71,7 +71,9 @@ def _doubts(
     cycle = Cycle(stated, known=given, columns=[c for q in asked for c in q.columns])
     table = np.array([[c.take(drawn.things, drawn.tool.ar)] for c in cycle.columns], float)
     bounds = cycle.claims.bounds([cycle.given[stated.drive_given]])
-    doubtful, faint = (iter(of(table, bounds)[:, 0].tolist()) for of in (cycle.claims.doubtful, cycle.claims.faint))
-    told = [(q, [[next(of) for _ in q.columns] for of in (doubtful, faint)]) for q in asked]
-    none = [q.of for q, (_, nothing) in told if any(nothing)]
-    return [q.name for q, (rough, nothing) in told if any(rough) and not any(nothing)], none
+    doubtful, faint = (
+        iter(decide(table, bounds)[:, 0].tolist()) for decide in (cycle.claims.doubtful, cycle.claims.faint)
+    )
+    answers = [(q, [[next(answer) for _ in q.columns] for answer in (doubtful, faint)]) for q in asked]
+    none = [q.of for q, (_, nothing) in answers if any(nothing)]
+    return [q.name for q, (rough, nothing) in answers if any(rough) and not any(nothing)], none

@@ -51,20 +51,20 @@ def problem(error: PlanesError, text: str, lang: Lang) -> Json:
     """What is wrong: its line and column, the sentence, and what would be right instead, each as a part to be put."""
     line = getattr(error, "line", None) or 1
     said = error.phrase.told(lang) if isinstance(error.phrase, Phrase) else str(error.phrase)
-    found: Json = {"line": line, "column": 1, "said": said, "help": []}
+    report: Json = {"line": line, "column": 1, "said": said, "help": []}
     parts = error.phrase.parts if isinstance(error.phrase, Phrase) else {}
     row = (text.splitlines() or [""])[min(line, text.count("\n") + 1) - 1 : line]
     valid = _valid(parts)
     quoted = [str(part) for part in parts.values() if isinstance(part, str) and part and row and part in row[0]]
     if quoted:
         meant = max(quoted, key=lambda part: max((alike(part, name) for name in valid), default=0.0))
-        found["column"] = row[0].rindex(meant) + 1
-        found["help"] = [{"label": name, "from": meant, "to": name} for name in valid]
+        report["column"] = row[0].rindex(meant) + 1
+        report["help"] = [{"label": name, "from": meant, "to": name} for name in valid]
     if isinstance(error.phrase, Phrase) and error.phrase.key in LACKS and (act := TOOLS.get(str(parts.get("key", "")))):
-        found["help"].append({"label": say(f"studio_add_{act}", lang), "act": act})
+        report["help"].append({"label": say(f"studio_add_{act}", lang), "act": act})
     if isinstance(error, SceneError):
-        found["help"] += [_offer(text, path, value) for path, value in offers_of(error)]
-    return found
+        report["help"] += [_offer(text, path, value) for path, value in offers_of(error)]
+    return report
 
 
 def alike(one: str, other: str) -> float:
@@ -75,9 +75,9 @@ def alike(one: str, other: str) -> float:
 def _valid(parts: dict[str, object]) -> list[str]:
     """The names that would have been valid, the nearest first."""
     valid = parts.get("valid")
-    told = valid.parts if isinstance(valid, Phrase) else {}
-    names = told.get("names", ())
-    near = told.get("near")
+    offered = valid.parts if isinstance(valid, Phrase) else {}
+    names = offered.get("names", ())
+    near = offered.get("near")
     first = [str(near.parts["name"])] if isinstance(near, Phrase) and "name" in near.parts else []
     return [*first, *(n for n in map(str, names if isinstance(names, tuple) else ()) if n not in first)][:6]
 

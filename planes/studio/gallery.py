@@ -35,7 +35,7 @@ def shelf(more: Iterable[str]) -> list[Json]:
 
 def shelved(paths: Iterable[Path]) -> list[Json]:
     """What the gallery shows of every scene that has a mechanism and works; names are those of files, each once."""
-    found: dict[str, Json] = {}
+    rows: dict[str, Json] = {}
     for path in paths:
         try:
             text = read(path)
@@ -45,10 +45,10 @@ def shelved(paths: Iterable[Path]) -> list[Json]:
             formula = structure_of(plans.mechanism, scene.file).formula_as(scene.frame_number)
         except PlanesError:
             continue
-        name = path.stem if path.stem not in found and not path.stem.isdigit() else f"{path.parent.name}-{path.stem}"
+        name = path.stem if path.stem not in rows and not path.stem.isdigit() else f"{path.parent.name}-{path.stem}"
         one = {"name": name, "title": dict(scene.title), "formula": formula.replace("->", "→"), "text": text}
-        found[name] = {**one, "sketch": own}
-    return list(found.values())
+        rows[name] = {**one, "sketch": own}
+    return list(rows.values())
 
 
 def motion_of(scene: Scene) -> Json:
@@ -62,14 +62,14 @@ def motion_of(scene: Scene) -> Json:
     places, works = drawn_at(plans, values)
     home = round((drive["at"] - start) / step) % PLACES if step else 0
     runs = _run_about(home, works, len(values), turns)
-    whole = len(runs) == len(values)
-    if not whole and len(runs) > 1:
+    goes_round = len(runs) == len(values)
+    if not goes_round and len(runs) > 1:
         low, high = (start + step * k for k in (runs[0] - 1, runs[-1] + 1))
         kept = start + step * (home if home in runs else runs[len(runs) // 2])
         places, works = drawn_at(plans, [low + (high - low) * k / PLACES for k in range(PLACES + 1)])
         runs = _run_about(round(PLACES * (kept - low) / (high - low)), works, PLACES + 1, False)
     motion = {p: [z] * len(runs) if isinstance(z, complex) else [z[k] for k in runs] for p, z in places.items()}
-    return {"motion": _written(motion) if len(runs) > 1 else {}, "round": turns and whole}
+    return {"motion": _written(motion) if len(runs) > 1 else {}, "round": turns and goes_round}
 
 
 def drawn_at(plans: Plans, values: list[float]) -> tuple[dict[str, complex | list[complex]], list[int]]:

@@ -64,11 +64,11 @@ def with_numbers(text: str, wanted: Mapping[str, float]) -> Edited:
 
 def _figures(text: str) -> list[NumberInText]:
     """The numbers of the text that a mechanism is made of, in the order of the text."""
-    found = []
+    numbers = []
     for path, node, _ in walk(parse(text, "")):
-        if path and path[0] in PARTS and isinstance(node, SourceScalar) and (told := NUMBER.fullmatch(node.text)):
-            found.append(NumberInText(path, float(told[1]), told[2] or ""))
-    return found
+        if path and path[0] in PARTS and isinstance(node, SourceScalar) and (digits := NUMBER.fullmatch(node.text)):
+            numbers.append(NumberInText(path, float(digits[1]), digits[2] or ""))
+    return numbers
 
 
 Slopes = Mapping[NumberInText, Mapping[str, float]]
@@ -83,9 +83,9 @@ def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
     own = [f for f in figures if f.path[-1] in map(said_of_given, wanted)]
     slopes: dict[NumberInText, Mapping[str, float]] = {f: _moved(edited, f, home) for f in own}
     chosen: dict[str, NumberInText] = {}
-    found = edited
+    solved = edited
     for name, value in wanted.items():
-        now = home_of(found.text) if chosen else home
+        now = home_of(solved.text) if chosen else home
         if _off(now.get(name, math.inf), value) <= WRITTEN:
             continue
         if not (able := _able(name, slopes, chosen)) and len(slopes) < len(figures):
@@ -94,8 +94,8 @@ def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
         if not able:
             raise PlanesError(Phrase("studio_no_number", names=said_of_given(name)))
         chosen[name] = min(able, key=lambda f: _rank(f, slopes[f], wanted))
-        found = _reached(edited, [*chosen.values()], {n: wanted[n] for n in chosen})
-    return found
+        solved = _reached(edited, [*chosen.values()], {n: wanted[n] for n in chosen})
+    return solved
 
 
 def _off(one: float, other: float) -> float:

@@ -170,14 +170,14 @@ def _assembled(edited: Edited, sketch: Json) -> Edited:
 def offers_of(error: SceneError) -> list[tuple[tuple[str, ...], str]]:
     """What would say which assembly is meant, where a scene does not: paths of keys, and their values."""
     parts = error.phrase.parts if isinstance(error.phrase, Phrase) else {}
-    found: list[tuple[tuple[str, ...], str]] = []
+    offers_made: list[tuple[tuple[str, ...], str]] = []
     offers = parts.get("offers", ())
     for offer in offers if isinstance(offers, tuple) else ():
-        told = offer.parts if isinstance(offer, Phrase) else {}
-        if "key" in told and ("word" in told or "x" in told):
-            places = f"{{near: [{told.get('x', 0):.5g}, {told.get('y', 0):.5g}]}}"
-            found.append((("assembly", str(told["key"])), str(told.get("word", places))))
-    return found
+        details = offer.parts if isinstance(offer, Phrase) else {}
+        if "key" in details and ("word" in details or "x" in details):
+            places = f"{{near: [{details.get('x', 0):.5g}, {details.get('y', 0):.5g}]}}"
+            offers_made.append((("assembly", str(details["key"])), str(details.get("word", places))))
+    return offers_made
 
 
 def _apart(edited: Edited, sketch: Json, depth: int = CHOICES) -> float:

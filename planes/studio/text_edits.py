@@ -86,8 +86,8 @@ class Edited:
         return self._with(at, at, f"\n{indent}{key}: {value}", self.text.count("\n", 0, at) + 1)
 
     def _line_end(self, at: int) -> int:
-        found = self.text.find("\n", at)
-        return len(self.text) if found < 0 else found
+        end = self.text.find("\n", at)
+        return len(self.text) if end < 0 else end
 
     def _with(self, start: int, end: int, value: str, line: int) -> "Edited":
         text = self.text[:start] + value + self.text[end:]
@@ -99,8 +99,8 @@ def _tree(text: str) -> yaml.Node:
     """The text as nodes that know where they stand; no text is an empty mapping."""
     if text.strip():
         parse(text, FILE)  # refuses in words what is no plain document
-    found: yaml.Node | None = yaml.compose(text, yaml.SafeLoader)
-    return found or yaml.MappingNode("tag:yaml.org,2002:map", [])
+    node: yaml.Node | None = yaml.compose(text, yaml.SafeLoader)
+    return node or yaml.MappingNode("tag:yaml.org,2002:map", [])
 
 
 def _reached(node: yaml.Node, path: Path) -> tuple[yaml.Node, int]:

@@ -47,10 +47,12 @@ def table(lang: Lang, file: str = "*") -> Sentences:
 
 def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
     """Sentences whose keys begin alike, by the rest of the key."""
-    told: dict[str, str] = {}
+    sentences: dict[str, str] = {}
     for one in reversed(stand_ins(lang)):
-        told |= {key.removeprefix(prefix): text for key, text in table(one, file).items() if key.startswith(prefix)}
-    return told
+        sentences |= {
+            key.removeprefix(prefix): text for key, text in table(one, file).items() if key.startswith(prefix)
+        }
+    return sentences
 
 
 def stand_ins(lang: Lang) -> tuple[Lang, ...]:
@@ -62,15 +64,15 @@ def stand_ins(lang: Lang) -> tuple[Lang, ...]:
 @cache
 def langs(file: str = "language") -> tuple[Lang, ...]:
     """The languages that have a file of words: those that need no other first."""
-    found = [one.parent.name for one in Path(__file__).parent.glob(f"*/{file}.json")]
-    return tuple(sorted(found, key=lambda lang: (len(stand_ins(lang)), lang == "en", lang)))
+    names = [one.parent.name for one in Path(__file__).parent.glob(f"*/{file}.json")]
+    return tuple(sorted(names, key=lambda lang: (len(stand_ins(lang)), lang == "en", lang)))
 
 
 @cache
 def _of_system(lang: Lang) -> dict[str, str]:
     """Each sentence of the system in a language."""
-    told = under("system_", lang, "system")
-    return {os.strerror(getattr(errno, name)): words for name, words in told.items() if hasattr(errno, name)}
+    sentences = under("system_", lang, "system")
+    return {os.strerror(getattr(errno, name)): words for name, words in sentences.items() if hasattr(errno, name)}
 
 
 def home_lang() -> Lang:

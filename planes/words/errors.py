@@ -118,8 +118,8 @@ def _near(given: str, known: list[str]) -> Told:
         return Phrase("near_name", name=same)
     if alike := next((name for name in known if latin(name) == latin(given)), None):
         return Phrase("near_alike", name=alike)
-    found = get_close_matches(given, known, n=1, cutoff=0.5)
-    return Phrase("near_name", name=found[0]) if found else ""
+    matches = get_close_matches(given, known, n=1, cutoff=0.5)
+    return Phrase("near_name", name=matches[0]) if matches else ""
 
 
 def nearest(given: str, names: Iterable[str]) -> str:

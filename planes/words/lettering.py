@@ -59,15 +59,15 @@ def letter_of_scale(lettered: str) -> str:
 def name_in_words(name: str) -> Told:
     """A mark, direction or value as a sentence names it; ``name`` may carry its plan."""
     label = written(label_of(name).rstrip("′"))
-    found = _HELPER.fullmatch(label)
-    if found is None:
+    match = _HELPER.fullmatch(label)
+    if match is None:
         return label.strip("|‖∠→").removesuffix("_given") or label
-    if found["guide"] == "s" and found["point"]:
-        return Phrase("start_of_stroke", point=found["point"])
-    if found["point"]:
-        key = "beside_guide" if found["sign"] == "°" else "foot_on_guide"
-        return Phrase(key, point=found["point"], guide=found["guide"])
-    return label if found["sign"] == "⊥" else Phrase("guide_named", name=found["guide"])
+    if match["guide"] == "s" and match["point"]:
+        return Phrase("start_of_stroke", point=match["point"])
+    if match["point"]:
+        key = "beside_guide" if match["sign"] == "°" else "foot_on_guide"
+        return Phrase(key, point=match["point"], guide=match["guide"])
+    return label if match["sign"] == "⊥" else Phrase("guide_named", name=match["guide"])
 
 
 def line_in_words(along: str, start: str) -> Phrase:

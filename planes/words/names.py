@@ -63,8 +63,8 @@ _SIGNS = {"along": "∥", "across": "⊥", "leaning": "∠ρ ⊥", "with": "+", 
 
 def parts_of(name: str) -> tuple[str, str, str]:
     """The name of a value taken apart: its letter, what it is of, and its part: a, CB and n of a_CB^n."""
-    whole, _, part = name.strip("|‖").partition("^")
-    letter, _, index = whole.partition("_")
+    base, _, part = name.strip("|‖").partition("^")
+    letter, _, index = base.partition("_")
     return letter, index, part
 
 

@@ -55,9 +55,9 @@ class Naming:
 
     def vector(self, name: str) -> str:
         """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 of a unit drive."""
-        times, _, whole = name.partition("·")
-        if whole:
-            return f"{decimal(times, self.lang)}·{self.vector(whole)}"
+        times, _, vector = name.partition("·")
+        if vector:
+            return f"{decimal(times, self.lang)}·{self.vector(vector)}"
         base, _, part = name.partition("^")
         letter, _, index = base.partition("_")
         part = "τ" if self.from_on and part == "t" else part
@@ -89,10 +89,10 @@ class Naming:
         """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2};
         of a reaction R_12 from 1 on 2 H_{12}."""
         about = arm.removeprefix(f"{arm[0]}_{force}").partition("^")[2]
-        of, letter = flat(self.vector(force)), arm[0]
+        index, letter = flat(self.vector(force)), arm[0]
         if self.from_on and force.startswith("F_"):
-            of, letter = of.removeprefix("R"), "H"
-        return f"{letter}_{{{of}}}" + (f"^{{{flat(self.point(about))}}}" if about else "")
+            index, letter = index.removeprefix("R"), "H"
+        return f"{letter}_{{{index}}}" + (f"^{{{flat(self.point(about))}}}" if about else "")
 
     def reaction(self, index: str) -> str:
         """The two links of a reaction in the order of this sheet."""
@@ -120,9 +120,9 @@ class Naming:
         """A curve's name with its index lowered, a letter, then _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
         head, *index = name.split("_")
         last = index.pop() if index[1:] and index[-1] in ("x", "y", "arm", "moment") else ""
-        axis, of = last if last in ("x", "y") else "", "".join(index[1:] if index[:1] == ["slide"] else index)
+        axis, subject = last if last in ("x", "y") else "", "".join(index[1:] if index[:1] == ["slide"] else index)
         if head == "r":
-            return f"{axis or 'r'}_{{{of}}}"
+            return f"{axis or 'r'}_{{{subject}}}"
         if head == "u":
             return f"u_{{{','.join(index)}}}"
         if head in ("M", "MZ", "Fb", "FbZ"):
@@ -131,7 +131,7 @@ class Naming:
             letter = {"arm": "h", "moment": "M"}.get(last, "R" if self.from_on else "F")
             return f"{letter}_{{{self.reaction('_'.join(index))}{axis}}}"
         letter, analogue = ("a^{k}", "") if head == "coriolis" else rate_of(head)
-        return f"{letter}_{{{analogue}{of}{axis}}}"
+        return f"{letter}_{{{analogue}{subject}{axis}}}"
 
     def typed(self, name: str) -> str:
         """A name as it is typed in a table or an option: that of the program but for reactions, F_36 or R_63."""
@@ -200,11 +200,11 @@ class Names:
         return self._by(self._own, str.casefold), self._by(self._own, lambda k: k.casefold().replace("'", ""))
 
     def _by(self, ways: Callable[[str], Iterable[str]], key: Callable[[str], str]) -> Ways:
-        found = dict[str, dict[str, None]]()
+        names_by = dict[str, dict[str, None]]()
         for name in self.known:
             for way in ways(name):
-                found.setdefault(key(tidy(way)), {})[name] = None
-        return {way: [*names] for way, names in found.items()}
+                names_by.setdefault(key(tidy(way)), {})[name] = None
+        return {way: [*names] for way, names in names_by.items()}
 
     def _own(self, name: str) -> Iterator[str]:
         yield from (name, *self.more.get(name, ()), *self.naming.lettered(name))

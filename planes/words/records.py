@@ -21,8 +21,8 @@ class Described:
     """Shown in a notebook. Who tells it stands floors above: the face of the whole package knows."""
 
     def _repr_html_(self) -> str:
-        told: str = sys.modules[__name__.partition(".")[0]].in_notebook(self)
-        return told
+        html: str = sys.modules[__name__.partition(".")[0]].in_notebook(self)
+        return html
 
 
 class Pictured(Described):

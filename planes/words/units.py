@@ -73,9 +73,9 @@ def _read(text: str, plan: str) -> tuple[float, str, Convention]:
     if len(text) > 60 or not (match := _NUMBER.match(text)):
         raise UnitError(Phrase("mu_not_number", mu=brief, units=fitting_units(plan)))
     number, unit = _number(match[1], brief), text[match.end() :]
-    found, size, inverse = _meaning(unit, plan, brief)
+    plan_read, size, inverse = _meaning(unit, plan, brief)
     mu = _checked(1.0, 1.0, number * size, brief) if inverse else _checked(1.0, number, size, brief)
-    return mu, found, "unit_per_mm" if inverse else "mm_per_unit"
+    return mu, plan_read, "unit_per_mm" if inverse else "mm_per_unit"
 
 
 def _number(text: str, brief: str) -> float:

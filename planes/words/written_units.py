@@ -36,8 +36,8 @@ def unit_factor(unit: str) -> float | None:
     known = {_bare_unit(say(key, lang)) for key in _RESULTS for lang in langs()}
     if not text or text in known or text in _PLAIN:
         return 1.0
-    whole, factor = _PREFIXED.get(text[:2], ("", 1.0))
-    return factor if whole and whole + text[2:] in known else None
+    prefix, factor = _PREFIXED.get(text[:2], ("", 1.0))
+    return factor if prefix and prefix + text[2:] in known else None
 
 
 def _bare_unit(unit: str) -> str:

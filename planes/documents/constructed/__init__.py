@@ -74,12 +74,12 @@ class LiveFigure:
     @cached_property
     def poles(self) -> dict[str, complex]:
         """Where the pole of each plan, or the origin of the scheme, lies on the whole picture."""
-        found, right = {}, 0.0
+        poles, right = {}, 0.0
         for k, plan in enumerate(self.plans):
             xs = [self.place(m).real for m in self.marks if plan_of(m) == plan]
-            found[plan] = complex(right + GAP_MM - min(0.0, *xs) if k else 0.0)
-            right = found[plan].real + max(0.0, *xs)
-        return {**found, **{p: 0j for p in map(plan_of, self.program.made) if p not in found}}
+            poles[plan] = complex(right + GAP_MM - min(0.0, *xs) if k else 0.0)
+            right = poles[plan].real + max(0.0, *xs)
+        return {**poles, **{p: 0j for p in map(plan_of, self.program.made) if p not in poles}}
 
     def at(self, mark: str) -> complex:
         """Where a mark stands on the whole picture."""
@@ -95,12 +95,12 @@ class LiveFigure:
     @cached_property
     def shafts(self) -> list[Stretch]:
         """The vectors of the plans, each once."""
-        found: dict[tuple[str, str], str] = {}
+        names: dict[tuple[str, str], str] = {}
         for s in (s for plan in self.plans for s in self.stated.segments_of.get(plan, ())):
             ends = at(s.plan, s.start), at(s.plan, s.end)
             if s.start != s.end and {*ends} <= {*self.marks}:
-                found.setdefault(ends, self.naming.vector(s.name))
-        return [Stretch(*ends, text) for ends, text in found.items()]
+                names.setdefault(ends, self.naming.vector(s.name))
+        return [Stretch(*ends, text) for ends, text in names.items()]
 
     @cached_property
     def bars(self) -> list[Stretch]:

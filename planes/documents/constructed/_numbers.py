@@ -73,12 +73,12 @@ class GivenNumbers:
     @cached_property
     def _read(self) -> set[str]:
         """The free numbers that something is reckoned of, or that are given as they are."""
-        found = {n.removesuffix(end) + end for n in self.given for end in (".x", ".y", "")} & {*self._home}
+        used = {n.removesuffix(end) + end for n in self.given for end in (".x", ".y", "")} & {*self._home}
         tape, _ = self._tape
         for name in self.reckoned:
             places = tape.needed([place_of(tape, x) for x in self._parts(name)])
-            found |= {str(tape.values[p]) for p in places if tape.ops[p][0] == "given"}
-        return found
+            used |= {str(tape.values[p]) for p in places if tape.ops[p][0] == "given"}
+        return used
 
     @cached_property
     def reckoned(self) -> list[str]:
@@ -94,11 +94,11 @@ class GivenNumbers:
         tape = self._tape[0]
         home: Any = self.given[name]
         plain = [home.real, home.imag] if isinstance(home, complex) else [home]
-        told = []
+        formulas = []
         for part, value in zip(self._parts(name), plain, strict=True):
             text = formula(tape, place_of(tape, part), labels)
-            told.append(text if text and len(text) < LONGEST else literal(float(value)))
-        return told
+            formulas.append(text if text and len(text) < LONGEST else literal(float(value)))
+        return formulas
 
 
 def formula(tape: Tape, place: int, labels: Mapping[str, str]) -> str:

@@ -50,7 +50,7 @@ def _said(figure: LiveFigure, translator: Translator) -> Iterator[str]:
 def labels_of(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
     """A label for each name of the program, no two the same."""
     names = [*numbers.free, *_reckoned(numbers), *(s.makes for s in figure.program.steps)]
-    found, taken = Labels(), set[str]()
+    labels, taken = Labels(), set[str]()
     for name in names:
         label = wanted = _label(figure, name)
         count = 1
@@ -58,8 +58,8 @@ def labels_of(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
             count += 1
             label = f"{wanted[:-1]}n{count}}}"
         taken.add(label)
-        found[name] = label
-    return found
+        labels[name] = label
+    return labels
 
 
 def _label(figure: LiveFigure, name: str) -> str:
@@ -119,6 +119,6 @@ def _shafts(figure: LiveFigure, made: GeogebraFile, labels: Labels) -> None:
     for k, bar in enumerate(figure.bars):
         made.command("segment", [f"s_{{{k}}}"], "Segment", [labels[bar.start], labels[bar.end]], Aspect(INK, thick=6))
     for k, shaft in enumerate(figure.shafts):
-        whole = label_of(shaft.start) == POLE
-        look = Aspect(RED if whole else BLUE, shaft.text, 5 if whole else 4)
+        from_pole = label_of(shaft.start) == POLE
+        look = Aspect(RED if from_pole else BLUE, shaft.text, 5 if from_pole else 4)
         made.command("vector", [f"w_{{{k}}}"], "Vector", [labels[shaft.start], labels[shaft.end]], look)

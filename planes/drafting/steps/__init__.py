@@ -46,8 +46,8 @@ class Step:
 
     def reads(self) -> tuple[Read, ...]:
         """Names of what the step needs, each with its kind."""
-        found = [(getattr(self, field) or (), kind) for field, kind in self.needs]
-        return tuple([(n, kind) for names, kind in found for n in ((names,) if isinstance(names, str) else names)])
+        needed = [(getattr(self, field) or (), kind) for field, kind in self.needs]
+        return tuple([(n, kind) for names, kind in needed for n in ((names,) if isinstance(names, str) else names)])
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         """The thing itself, from the things in ``env``."""

@@ -79,10 +79,10 @@ class CrossInChain(ByLeads, Cross):
         return *self.points, *self.pins, *self.lines
 
     def crossings(self, env: Env) -> tuple[Real, ...]:
-        found = [self._met(env, side, last)[1] for last, side in enumerate(self.sides)]
+        products = [self._met(env, side, last)[1] for last, side in enumerate(self.sides)]
         for last, (one, two) in enumerate(self.joined, len(self.sides)):
-            found.append(self._met(env, one, last)[1] * self._met(env, two, last)[1])
-        return *found[self.turn :], *found[: self.turn]
+            products.append(self._met(env, one, last)[1] * self._met(env, two, last)[1])
+        return *products[self.turn :], *products[: self.turn]
 
     def _met(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:
         """The lines that lead to a basic link, but for one, and how sharply they and all beyond them cross."""

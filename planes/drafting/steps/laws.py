@@ -35,25 +35,25 @@ class Follow(Step):
     def draw(self, env: Env, tool: Tool) -> Thing:
         idle: Truth = env[self.stroke] * self.sense <= 0 if self.stroke else False
         parser = LawParser(self.law.text, {name: env[value] for name, value in self.of}, tool.ar)
-        found = parser.value()
+        result = parser.value()
         table, ok = self.law.table, parser.ok
         tool.require(ok | idle, self, "law_no_value")
         if table:
-            found = folded(table, found, tool.ar) if self.law.turning else found
-            inside = within(table, found, SLACK_BY_HAND if tool.doubt_mm else SLACK)
-            self._told(inside | idle, found, tool)
-            found, ok = between(table, found, tool.ar), ok & inside
-        small = abs(found) <= MOST
+            result = folded(table, result, tool.ar) if self.law.turning else result
+            inside = within(table, result, SLACK_BY_HAND if tool.doubt_mm else SLACK)
+            self._told(inside | idle, result, tool)
+            result, ok = between(table, result, tool.ar), ok & inside
+        small = abs(result) <= MOST
         tool.require(small | idle, self, "law_no_value")
-        return tool.ar.where(ok & small, found, 0.0)
+        return tool.ar.where(ok & small, result, 0.0)
 
-    def _told(self, inside: Truth, found: Real, tool: Tool) -> None:
+    def _told(self, inside: Truth, result: Real, tool: Tool) -> None:
         """Fail beyond the table: of one position with its numbers, which have signs."""
         if tool.many or inside:
-            tool.require(inside, self, "law_beyond", value=found)
+            tool.require(inside, self, "law_beyond", value=result)
             return
         raise PlanFailure(
-            "law_beyond", makes=name_in_words(self.makes), line=self.line, value=float(found), **self.ends
+            "law_beyond", makes=name_in_words(self.makes), line=self.line, value=float(result), **self.ends
         )
 
     @property

@@ -44,19 +44,19 @@ class Settle(Step):
     @cached_property
     def _anew(self) -> tuple[Step, ...]:
         """The steps that every plan draws anew."""
-        changed, found = {f.makes for f in self.fed}, []
+        changed, redrawn = {f.makes for f in self.fed}, []
         for step in self.plan:
             if any(name in changed for name, _ in step.reads()):
                 changed.add(step.makes)
-                found.append(step)
-        return tuple(found)
+                redrawn.append(step)
+        return tuple(redrawn)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         tool, things = tool.calm(), {**env, **dict.fromkeys((f.makes for f in self.fed), 0.0)}
-        found = self._sizes(self.plan, things, tool)
+        sizes = self._sizes(self.plan, things, tool)
         if self._anew:
-            found = self._settled(found, things, tool)
-        self._feed(found, things)
+            sizes = self._settled(sizes, things, tool)
+        self._feed(sizes, things)
         return things[self.makes]
 
     def _settled(self, first: list[Real], things: Env, tool: Tool) -> list[Real]:

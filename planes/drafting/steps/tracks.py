@@ -120,8 +120,8 @@ class CutTrack(Step):
         own: tuple[Read, ...] = ((self.local, "place"), (self.mu, "value"), (self.side, "value"))
         own += ((self.hinge, "place"),) if self.hinge else ()
         held = (read for hold in self.holds for read in hold.reads())
-        found: dict[Read, None] = dict.fromkeys((*held, *self.guess.reads(), *own))
-        return tuple(found)
+        reads: dict[Read, None] = dict.fromkeys((*held, *self.guess.reads(), *own))
+        return tuple(reads)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         origin, axis = self.lie(env, tool)

@@ -76,15 +76,15 @@ class Aligned:
 def aligned(plans: Plans, file: str = "") -> Aligned:
     """The self-aligning variant of a mechanism; :class:`StructureError` where a group has none or nothing assembles."""
     cycle = _places(plans, file)
-    found: list[tuple[Pair, Sign]] = [(plans.structure.drive_pair, plans.structure.drive_pair.kind)]
+    pair_signs: list[tuple[Pair, Sign]] = [(plans.structure.drive_pair, plans.structure.drive_pair.kind)]
     for group in (g for g in plans.structure.groups if not plans.structure.is_drive(g)):
         ways = list(_variants(group))
         steady = (w for w in ways if steadily(plans, group, w, cycle))
         signs = next(steady, None) or next((w for w in ways if steadily(plans, group, w, cycle[:1])), None)
         if signs is None:
             raise StructureError(Phrase("no_alignment", links=group.links), file)
-        found += zip(pairs_of(group), signs, strict=True)
-    return Aligned(len(plans.mechanism.links), plans.structure.W, tuple(found))
+        pair_signs += zip(pairs_of(group), signs, strict=True)
+    return Aligned(len(plans.mechanism.links), plans.structure.W, tuple(pair_signs))
 
 
 def pairs_of(group: AnyGroup) -> tuple[Pair, ...]:
@@ -144,14 +144,14 @@ def _places(plans: Plans, file: str) -> list[PairPlaces]:
     program = plans.program.sliced(wanted)
     drive = plans.mechanism.drive
     turn = [drive.position + 360.0 * k / POSITIONS for k in range(1, POSITIONS)] if drive.kind == "phi" else []
-    found = []
+    cycle = []
     for value in (drive.position, *turn):
         with suppress(PlanFailure):
             things = drawn_in_si(plans, value, program).things
-            found.append(PairPlaces({p: _line(plans, p, things) for p in plans.structure.pairs}))
-    if not found:
+            cycle.append(PairPlaces({p: _line(plans, p, things) for p in plans.structure.pairs}))
+    if not cycle:
         raise StructureError(Phrase("no_working"), file)
-    return found
+    return cycle
 
 
 def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
@@ -193,18 +193,18 @@ def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
 
 def determinant(rows: list[list[float]]) -> float:
     """Of a small square matrix, by elimination with the largest pivots."""
-    left, found = [row[:] for row in rows], 1.0
+    left, value = [row[:] for row in rows], 1.0
     for k in range(len(left)):
         best = max(range(k, len(left)), key=lambda i: abs(left[i][k]))
         if left[best][k] == 0.0:
             return 0.0
         if best != k:
-            left[k], left[best], found = left[best], left[k], -found
-        found *= left[k][k]
+            left[k], left[best], value = left[best], left[k], -value
+        value *= left[k][k]
         for i in range(k + 1, len(left)):
             part = left[i][k] / left[k][k]
             left[i] = [x - part * y for x, y in zip(left[i], left[k], strict=True)]
-    return found
+    return value
 
 
 def holds(sign: Sign, kind: str, place: complex, along: complex, size: float) -> list[tuple[float, float, float]]:

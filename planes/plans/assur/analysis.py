@@ -23,14 +23,14 @@ def analyse(mechanism: Mechanism, file: str = "") -> Structure:
     """Find W, q and the groups, and which other drivers make lighter ones; :class:`StructureError` names the links
     where the method cannot go on, and the drivers with which it can."""
     try:
-        found = _found(mechanism, file)
+        structure = _found(mechanism, file)
     except StructureError as error:
         why = error.phrase
         if not isinstance(why, Phrase) or why.key != "higher_class" or not (ways := _lighter(mechanism, len(LEVELS))):
             raise
         others = tuple(Phrase("other_driver", link=w.driver, formula=w.formula) for w in ways)
         raise StructureError(Phrase("higher_class_driven", **why.parts, ways=others), error.file, error.line) from None
-    return replace(found, ways=_lighter(mechanism, found.heaviness))
+    return replace(structure, ways=_lighter(mechanism, structure.heaviness))
 
 
 TRIED = 8  # other drivers: few mechanisms have more links on the frame, and each is taken apart anew
@@ -39,15 +39,15 @@ TRIED = 8  # other drivers: few mechanisms have more links on the frame, and eac
 def _lighter(mechanism: Mechanism, heaviness: int) -> tuple[Structure, ...]:
     """The same driven by another link on the frame, wherever its heaviest group is of a lower class; the lightest
     first."""
-    finder, found = _Finder(mechanism, ""), []
+    finder, structures = _Finder(mechanism, ""), []
     others = [(x, finder.between(x, FRAME)) for x in mechanism.links if heaviness]
     for link, (pair,) in [(x, pairs) for x, pairs in others if len(pairs) == 1][:TRIED]:
         try:
             drive = Drive(link, "phi" if pair.kind == "R" else "s", 0.0)
-            found.append(_found(replace(mechanism, drive=drive), ""))
+            structures.append(_found(replace(mechanism, drive=drive), ""))
         except StructureError:
             continue
-    return tuple(sorted((s for s in found if s.heaviness < heaviness), key=lambda s: s.heaviness))
+    return tuple(sorted((s for s in structures if s.heaviness < heaviness), key=lambda s: s.heaviness))
 
 
 def _found(mechanism: Mechanism, file: str) -> Structure:
@@ -118,15 +118,15 @@ class _Finder:
         slides = self.mechanism.links[drive.link].slides
         if drive.kind == "s" and slides and self.mechanism.owner(slides.guide) != FRAME:
             return next(s for s in self.slides if s.link == drive.link)
-        found = self.between(drive.link, drive.on)
+        pairs = self.between(drive.link, drive.on)
         wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
-        fitting = [p for p in found if p.kind == wanted]
-        if len(found) != 1 or not fitting:
+        fitting = [p for p in pairs if p.kind == wanted]
+        if len(pairs) != 1 or not fitting:
             need = Phrase("need_hinge" if wanted == "R" else "need_guide")
-            have = tuple(Phrase("a_hinge" if p.kind == "R" else "a_slide", name=p.point or p.guide) for p in found)
-            told = {"link": drive.link, "kind": drive.kind, "need": need, "have": have or Phrase("none")}
+            have = tuple(Phrase("a_hinge" if p.kind == "R" else "a_slide", name=p.point or p.guide) for p in pairs)
+            details = {"link": drive.link, "kind": drive.kind, "need": need, "have": have or Phrase("none")}
             key = "driver_pair" if drive.on == FRAME else "motor_pair"
-            raise self.error(Phrase(key, on=drive.on, **told), "drive")
+            raise self.error(Phrase(key, on=drive.on, **details), "drive")
         return fitting[0]
 
     def between(self, link: str, other: str) -> list[Pair]:
@@ -150,20 +150,20 @@ class _Finder:
 
     def groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
         """Dyads in the order they attach, a higher group where none does; refuses what is left when none attaches."""
-        found: list[AnyGroup] = []
+        groups: list[AnyGroup] = []
         solved: tuple[str, ...] = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
             still, driven = driven_from_inside(self, drive)
-            found += [*still, driven]
+            groups += [*still, driven]
             solved = driven.reached(drive)
         while True:
             for link in solved:
                 self.solve(link)
             if not self.left:
-                return tuple(found)
+                return tuple(groups)
             group = next((g for g in map(self.dyad, self.meeting()) if g), None) or self.higher()
-            found.append(group)
+            groups.append(group)
             solved = group.solved
 
     def meeting(self) -> Iterator[tuple[str, str]]:
@@ -202,14 +202,14 @@ class _Finder:
         if free >= 0 and (chain := chain_of(names, self.inside, self.outer)):
             return chain
         if free >= 0 and len(names) == 4:
-            found = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
-            twice = [lead.link for lead in found.leads if lead.name == "PP"] if found else []
-            if found and (len(twice) > 1 or (twice and isinstance(found, Contour))):
+            group = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
+            twice = [lead.link for lead in group.leads if lead.name == "PP"] if group else []
+            if group and (len(twice) > 1 or (twice and isinstance(group, Contour))):
                 key = "leads_slide_twice" if len(twice) > 1 else "lead_slides_twice"
-                why = Phrase(key, link=twice[0], links=tuple(twice), basic=found.basic, level=found.level)
+                why = Phrase(key, link=twice[0], links=tuple(twice), basic=group.basic, level=group.level)
                 raise self.error(why, "links", twice[0])
-            if found:
-                return found
+            if group:
+                return group
         raise self.stuck(names, free)
 
     def inside(self, link: str, other: str) -> list[Pair]:

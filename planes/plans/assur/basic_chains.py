@@ -108,8 +108,8 @@ class BasicChain:
     @property
     def said(self) -> Phrase:
         """Its class, order, basic links and leads in words."""
-        told = {"hinges": tuple(h.point for h in self.hinges), "leads": tuple(lead.link for lead in self.leads)}
-        return Phrase("class_three_chain", order=self.order, basics=self.basics, name=self.name, **told)
+        details = {"hinges": tuple(h.point for h in self.hinges), "leads": tuple(lead.link for lead in self.leads)}
+        return Phrase("class_three_chain", order=self.order, basics=self.basics, name=self.name, **details)
 
     @property
     def brief(self) -> Phrase:

@@ -101,8 +101,8 @@ class Group:
 
     def loaded(self, link: str) -> tuple[str, ...]:
         """The links whose loads one of the two has: its parts, and the cylinder that braces them."""
-        of = (*self.parts(link), *(self.brace.halves if self.brace and link == self.held else ()))
-        return tuple(x for x in self.order if x in of) or of
+        loaded_parts = (*self.parts(link), *(self.brace.halves if self.brace and link == self.held else ()))
+        return tuple(x for x in self.order if x in loaded_parts) or loaded_parts
 
     def holder(self, link: str, pair: Pair) -> str:
         """Which of its parts has a pair."""

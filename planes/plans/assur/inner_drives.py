@@ -40,9 +40,9 @@ def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], AnyGroup]:
     """The group that the drive moves, after the dyads that stand still and that it hangs on; :class:`StructureError` if
     it is none that is drawn."""
     still = list[Group]()
-    while found := next((g for two in f.meeting() if not any(map(drive.joins, two)) and (g := f.dyad(two))), None):
-        still.append(found)
-        for link in found.solved:
+    while dyad := next((g for two in f.meeting() if not any(map(drive.joins, two)) and (g := f.dyad(two))), None):
+        still.append(dyad)
+        for link in dyad.solved:
             f.solve(link)
     ways: tuple[Callable[[Reached, Pair], Iterator[AnyGroup]], ...] = (_direct, _braced, _leading, _contour)
     for group in (g for way in ways for g in way(f, drive)):
@@ -79,13 +79,13 @@ def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
         for basic in (x for x in f.left if not drive.joins(x) and not f.outer[x]):
             inner = [p for p in f.between(moved, basic) if _new(f, p)]
             others = [x for x in f.left if not drive.joins(x) and x != basic and len(f.outer[x]) == 1]
-            found = [(x, [p for p in f.between(x, basic) if p.kind == "P" or _new(f, p)]) for x in others]
-            leads = [Lead(x, pairs[0], f.outer[x][0]) for x, pairs in found if len(pairs) == 1]
+            joints = [(x, [p for p in f.between(x, basic) if p.kind == "P" or _new(f, p)]) for x in others]
+            leads = [Lead(x, pairs[0], f.outer[x][0]) for x, pairs in joints if len(pairs) == 1]
             if len(inner) == 1 and len(leads) == 2 and not any(lead.name == "PP" for lead in leads):
                 driven = Lead(held, inner[0], f.outer[held][0], drive)
                 names = tuple(x for x in f.links if x in (basic, held, *(lead.link for lead in leads)))
-                whole = tuple(x for x in f.links if x in (*names, moved))
-                yield Triad(names, basic, (driven, leads[0], leads[1]), whole)
+                group_links = tuple(x for x in f.links if x in (*names, moved))
+                yield Triad(names, basic, (driven, leads[0], leads[1]), group_links)
 
 
 def _contour(f: Reached, drive: Pair) -> Iterator[Contour]:
@@ -102,11 +102,11 @@ def _contour(f: Reached, drive: Pair) -> Iterator[Contour]:
             pairs = [[p for p in f.between(rod, x) if p.kind == "P" or _new(f, p)] for x in (basic, base)]
             if all(len(p) == 1 for p in pairs) and f.outer[base][0].kind == "R":
                 own, driven = Lead(rod, pairs[0][0], pairs[1][0]), Lead(near, ends[0][0], ends[1][0], drive)
-                whole = tuple(x for x in f.links if x in (base, basic, near, far, rod))
+                group_links = tuple(x for x in f.links if x in (base, basic, near, far, rod))
                 one, two = sorted((own, driven), key=lambda lead: f.links.index(lead.link))
-                names = tuple(x for x in whole if x != far)
+                names = tuple(x for x in group_links if x != far)
                 if own.name != "PP":
-                    yield Contour(names, base, basic, (f.outer[base][0], f.outer[basic][0]), (one, two), whole)
+                    yield Contour(names, base, basic, (f.outer[base][0], f.outer[basic][0]), (one, two), group_links)
 
 
 def _hinges(f: Reached, half: str, drive: Pair) -> list[Pair]:
@@ -130,8 +130,8 @@ def _with_third(
         if len(f.outer[held]) == len(f.outer[link]) == len(inner) == 1 and not f.between(link, held):
             outer = f.outer[link][0]
             one, two = sorted((held, link), key=f.links.index)
-            whole = tuple(x for x in f.links if x in (*taken, link))
+            group_links = tuple(x for x in f.links if x in (*taken, link))
             ends = (held, link, inner[0], hung, outer)
             if hung.kind == "P" and outer.kind == "R":  # a dyad of kind 2 begins with its rod
                 ends = (link, held, inner[0], outer, hung)
-            yield Group((one, two), KINDS_OF_OUTER[hung.kind + outer.kind], *ends, drive, brace, whole)
+            yield Group((one, two), KINDS_OF_OUTER[hung.kind + outer.kind], *ends, drive, brace, group_links)

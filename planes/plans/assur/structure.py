@@ -54,9 +54,9 @@ class Structure:
 
     def json(self) -> Json:
         """W, q, formula and groups as the JSON has them."""
-        found = {"W": self.W, "q": self.q, "formula": self.formula, "groups": [g.json() for g in self.groups]}
+        report = {"W": self.W, "q": self.q, "formula": self.formula, "groups": [g.json() for g in self.groups]}
         ways = [{"link": s.driver, "class": s.heaviness + 2, "formula": s.formula} for s in self.ways]
-        return found | ({"passive": list(self.passive)} if self.passive else {}) | ({"drivers": ways} if ways else {})
+        return report | ({"passive": list(self.passive)} if self.passive else {}) | ({"drivers": ways} if ways else {})
 
     @property
     def formula(self) -> str:

@@ -39,9 +39,9 @@ class BasicLinkForces(LeadForces):
                 forces += [*lead.loads, *lead.known]
                 couples += lead.couples
         products, shown = self.statics.moment_terms(special, forces, couples, -1.0, arm)
-        found = self.draft.total(name, products)
-        self.draft.moments.append(Moments(label_of(special), links, shown, found, arm))
-        return found
+        total = self.draft.total(name, products)
+        self.draft.moments.append(Moments(label_of(special), links, shown, total, arm))
+        return total
 
     def third(self, basic: str, held: Sequence[HeldLead], special: str, links: tuple[str, ...]) -> Force:
         """The reaction of the last of three leads along its line, the others meeting in the special point."""
@@ -67,13 +67,13 @@ class BasicLinkForces(LeadForces):
         starts = {term.end: term.start for term in chain}
         begins = starts[end_of(one.known[0].name)] if one.known else ends[-1]
         beyond = end_of(two.known[-1].name) if two.known else POLE
-        found = self.reactions(one.lead, (begins, x), (x, ends[3])) | self.reactions(
+        ends_of_pairs = self.reactions(one.lead, (begins, x), (x, ends[3])) | self.reactions(
             two.lead, (x, beyond), (ends[1], x)
         )
         for three in others:
             first = [*three.known, known[-1]][0]  # what pushes it along its line
-            found |= self.reactions(three.lead, (starts[end_of(first.name)], ends[2]), (ends[2], ends[1]))
-        return found
+            ends_of_pairs |= self.reactions(three.lead, (starts[end_of(first.name)], ends[2]), (ends[2], ends[1]))
+        return ends_of_pairs
 
     def reactions(self, lead: Lead, outer: Ends, inner: Ends) -> dict[Pair, Ends]:
         """Those on a lead; where the lead is another basic link both are one, that of the hinge."""
@@ -92,11 +92,11 @@ class TriadForces(BasicLinkForces):
         pairs = self.group.pairs
         rubs = settled(self, lambda s: TriadForces(s, self.group), pairs, pairs)
         ends = self.polygon()
-        found = [r for held in self.drawn for r in self.read(held, ends, rubs)]
+        reactions = [r for held in self.drawn for r in self.read(held, ends, rubs)]
         if self.group.slid:
             lead, basic = self.drawn[2].lead, self.group.basic
-            inner = self.seated(found[5], basic, found[:4])
-            outer = self.seated(found[4], lead.link, [inner])
+            inner = self.seated(reactions[5], basic, reactions[:4])
+            outer = self.seated(reactions[4], lead.link, [inner])
             self.handed_on(outer, lead)
 
     def polygon(self) -> dict[Pair, Ends]:
@@ -134,8 +134,8 @@ class ChainForces(BasicLinkForces):
         pairs = self.group.pairs
         rubs = settled(self, lambda s: ChainForces(s, self.group), pairs, pairs)
         ends = self.polygon()
-        for hinge, found in self.found.items():
-            self.statics.react(hinge, found.plan, *ends[hinge], rubs.grips.get(hinge))
+        for hinge, reaction in self.found.items():
+            self.statics.react(hinge, reaction.plan, *ends[hinge], rubs.grips.get(hinge))
         for k, leads in self.drawn.items():
             self.plan = self.plans[k]
             for held in leads:

@@ -32,12 +32,12 @@ class BraceForces:
         rubs = settled(self, lambda s: BraceForces(s, self.hinge, self.brace), pairs)
         ends = self.polygon()
         for pair, plan in zip(pairs, (self.plans[0], *self.plans), strict=True):
-            found = s.react(pair, plan, *ends[pair], rubs.grips.get(pair))
+            reaction = s.react(pair, plan, *ends[pair], rubs.grips.get(pair))
             if pair == self.hinge:
                 continue
-            s.hand_over(found, pair.other)
+            s.hand_over(reaction, pair.other)
             if pair.joins(driver):
-                s.hand_over(found, driver)
+                s.hand_over(reaction, driver)
 
     def rub(self, rubs: Rubs) -> None:
         """Let the cylinder and the far link feel the couples of hinges."""
@@ -52,8 +52,8 @@ class BraceForces:
         pushing = [along, across, *s.acting.forces[far], *s.acting.forces[near]]
         end = self.closed(plan, pushing, force_name(near, self.brace.near.other))
         held = at(plan, POLE), at(plan, end_of(across.name))
-        found = Reaction(force_name(far, self.brace.far.other), plan, *held, self.brace.far)
-        own = [*s.acting.forces[self.hinge.link], s.as_force(found, self.hinge.link)]
+        far_reaction = Reaction(force_name(far, self.brace.far.other), plan, *held, self.brace.far)
+        own = [*s.acting.forces[self.hinge.link], s.as_force(far_reaction, self.hinge.link)]
         last_end = self.closed(last, own, force_name(self.hinge.link, self.hinge.other))
         return {
             self.brace.far: held,

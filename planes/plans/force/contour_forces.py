@@ -45,11 +45,11 @@ class ContourForces(LeadForces):
         pairs = self.group.pairs
         rubs = settled(self, lambda s: ContourForces(s, self.group), pairs, pairs)
         ends = self.polygon()
-        found = [r for held in self.drawn for r in self.read(held, ends, rubs)]
+        reactions = [r for held in self.drawn for r in self.read(held, ends, rubs)]
         base, basic = self.group.outer
         felt = self.couples[self.group.base]  # its leads have handed theirs on
         felt += [c for c in self.statics.acting.couples[self.group.base] if c not in felt]
-        for pair, link, inner in ((base, self.group.base, []), (basic, self.group.basic, found)):
+        for pair, link, inner in ((base, self.group.base, []), (basic, self.group.basic, reactions)):
             self.hang(pair, link, self.statics.react(pair, self.plan, *ends[pair], rubs.grips.get(pair)), inner)
 
     def hang(self, pair: Pair, link: str, reaction: Reaction, inner: list[Reaction]) -> None:
@@ -75,12 +75,12 @@ class ContourForces(LeadForces):
         handed = [Term(name, ends[k], ends[k - 1], drawn=True) for name, k in zip(back, (3, 2), strict=True)]
         d.conclude(Equation(self.plan, ((*handed, *loads, Term(base, last, ends[3])), ())))
         sides = (one, (ends[1], ends[2]), (ends[2], POLE)), (two, (ends[2], ends[3]), (ends[4], ends[2]))
-        found = {g.outer[0]: self.on((g.base,), g.outer[0], (last, ends[3]))}
-        found |= {g.outer[1]: self.on((g.basic,), g.outer[1], (ends[-1], POLE))}
+        pair_ends = {g.outer[0]: self.on((g.base,), g.outer[0], (last, ends[3]))}
+        pair_ends |= {g.outer[1]: self.on((g.basic,), g.outer[1], (ends[-1], POLE))}
         for held, outer, inner in sides:
-            found |= {held.lead.outer: self.on(held.lead.parts, held.lead.outer, outer)}
-            found |= {held.lead.inner: self.on(held.lead.parts, held.lead.inner, inner)}
-        return found
+            pair_ends |= {held.lead.outer: self.on(held.lead.parts, held.lead.outer, outer)}
+            pair_ends |= {held.lead.inner: self.on(held.lead.parts, held.lead.inner, inner)}
+        return pair_ends
 
     def pushed(self, one: HeldLead, two: HeldLead) -> tuple[Force, Force]:
         """The forces along both leads, on them from the base."""
@@ -158,9 +158,9 @@ class ContourForces(LeadForces):
             )
         about = at(SCHEME, side.pair.point)
         products, shown = self.statics.moment_terms(about, forces, side.couples, sign, arm)
-        found = self.draft.total(name, products)
-        self.draft.moments.append(Moments(label_of(about), side.links, shown, found, arm))
-        return found
+        total = self.draft.total(name, products)
+        self.draft.moments.append(Moments(label_of(about), side.links, shown, total, arm))
+        return total
 
     def along_lead(self, held: HeldLead, size: str) -> Force:
         """A force along it, on it from the base."""

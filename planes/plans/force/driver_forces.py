@@ -70,5 +70,5 @@ class DriverForces:
         else:
             self.draft.draw(Equation(self.plan, ((*terms, reaction), (force,))))
         self.statics.balancing = force.name
-        found = self.statics.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
-        self.statics.seat(found, self.link, self.bodies.foot(self.pair), self.forces, self.couples)
+        guide_reaction = self.statics.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
+        self.statics.seat(guide_reaction, self.link, self.bodies.foot(self.pair), self.forces, self.couples)

@@ -53,9 +53,9 @@ class LawValues:
             check_law(amount.text, self.known)
         except ExpressionError as error:
             raise SceneError(error.phrase, self.bodies.file, self._line(load)) from None
-        of = tuple((n, self._found(self.known[n][0])) for n in dict.fromkeys(names_in(amount.text)))
-        line, told = str(self._line(load) or ""), None if stroke else means
-        return self.bodies.draft.step(Follow(name, amount, of, stroke, sense, line, means=told))
+        values = tuple((n, self._found(self.known[n][0])) for n in dict.fromkeys(names_in(amount.text)))
+        line, law_means = str(self._line(load) or ""), None if stroke else means
+        return self.bodies.draft.step(Follow(name, amount, values, stroke, sense, line, means=law_means))
 
     @cached_property
     def known(self) -> dict[str, list[Coordinate]]:

@@ -127,16 +127,16 @@ class LeadForces:
         """Both reactions on a lead by the ends of their segments, the couples of sliders, and what is handed on."""
         lead, s = held.lead, self.statics
         pairs = lead.outer, lead.inner
-        found = [s.react(p, self.plan, *ends[p], rubs.grips.get(p)) for p in pairs]
+        reactions = [s.react(p, self.plan, *ends[p], rubs.grips.get(p)) for p in pairs]
         if lead.name == "PP":  # by what acts on the basic link, too
-            return found
+            return reactions
         for k, pair in enumerate(pairs):
             if pair.kind == "P":
-                found[k] = s.seat(found[k], lead.link, held.point, held.loads, held.couples)
-        self.handed_on(found[0], lead)
+                reactions[k] = s.seat(reactions[k], lead.link, held.point, held.loads, held.couples)
+        self.handed_on(reactions[0], lead)
         if lead.drive:
-            s.hand_over(next(r for r in found if r.pair.joins(lead.drive.link)), lead.drive.link)
-        return found
+            s.hand_over(next(r for r in reactions if r.pair.joins(lead.drive.link)), lead.drive.link)
+        return reactions
 
     def handed_on(self, outer: Reaction, lead: Lead) -> None:
         """Let what a lead hangs on feel its reaction."""

@@ -44,7 +44,7 @@ def draw_lever(s: Statics) -> str:
 def rubbing(s: Statics) -> list[tuple[str, str]]:
     """Names of each friction force along its guide, or couple of its hinge, and of the speed of what rubs; its power is
     a result."""
-    found = []
+    names = []
     for key, reaction in list(s.reactions.items()):
         guide, force, speed = reaction.pair.guide, reaction.friction, s.acting.motion.spin(key)
         if guide in s.bodies.mechanism.friction:
@@ -55,8 +55,8 @@ def rubbing(s: Statics) -> list[tuple[str, str]]:
         if force:
             power = s.bodies.draft.product(f"PT_{key}", **{force: 1, speed: 1})
             s.reactions[key] = replace(reaction, friction=force, power=power)
-            found.append((force, speed))
-    return found
+            names.append((force, speed))
+    return names
 
 
 def _arm(s: Statics, force: Force) -> str:

@@ -48,12 +48,12 @@ class Couple:
 def load_names(mechanism: Mechanism) -> list[str]:
     """What the loads are called, in their order: P_5, a second force on that link P_5_2; couples M_3, on the driver
     MP_1."""
-    found, counts = [], Counter[tuple[str, str]]()
+    names, counts = [], Counter[tuple[str, str]]()
     for load in mechanism.loads:
         counts[key := (load.link, load.kind)] += 1
         letter = "P" if load.kind == "force" else "MP" if load.link == mechanism.drive.link else "M"
-        found.append(f"{letter}_{load.link}" + (f"_{counts[key]}" if counts[key] > 1 else ""))
-    return found
+        names.append(f"{letter}_{load.link}" + (f"_{counts[key]}" if counts[key] > 1 else ""))
+    return names
 
 
 def force_name(on: str, by: str) -> str:
@@ -156,10 +156,8 @@ class Acting:
         turned = bool(load.direction_link) and load.direction_link != FRAME
         axis = self.bodies.known[load.direction_link or FRAME].axis
         if isinstance(angle, LoadLaw):
-            found = self.laws.amount(f"∠{name}_given", load, angle, Meaning("angle", name, link=load.link))
-            return d.step(
-                Turn(f"∠{name}", axis, 0, found, means=means) if turned else Aim(f"∠{name}", found, means=means)
-            )
+            law = self.laws.amount(f"∠{name}_given", load, angle, Meaning("angle", name, link=load.link))
+            return d.step(Turn(f"∠{name}", axis, 0, law, means=means) if turned else Aim(f"∠{name}", law, means=means))
         return d.turn(f"∠{name}", axis, angle, means) if turned else d.aim(f"∠{name}", angle, means)
 
     def _couple(self, load: Load, name: str) -> str:
@@ -176,9 +174,9 @@ class Acting:
         self.couples[link].append(Couple(name, link, d.product(name, sign, **{value: 1, sense: 1})))
         return name
 
-    def turning(self, root: str, told: bool = True) -> str:
-        """Which way a link turns; that it stands still is ``told`` as a warning."""
+    def turning(self, root: str, warns: bool = True) -> str:
+        """Which way a link turns; ``warns`` where it stands still."""
         if root in self.motion.turning:
             ends = (*self.motion.turning[root], tuple(self.motion.driven))
-            return self.bodies.draft.step(Sense(f"turns_{root}" if told else f"way_{root}", *ends, told))
+            return self.bodies.draft.step(Sense(f"turns_{root}" if warns else f"way_{root}", *ends, warns))
         return self.bodies.draft.step(SenseOf(f"turns_{root}", self.motion.spin(root)))

@@ -102,12 +102,12 @@ class Statics:
         """Note the reaction on ``pair.link``, with the ``grip`` of a hinge that rubs; both links feel it from now on.
         Slider's couple comes later."""
         key = force_name(pair.link, pair.other)
-        found = Reaction(key, plan, start, end, pair)
+        reaction = Reaction(key, plan, start, end, pair)
         if grip:
-            found = replace(found, arm=grip.factor, moment=grip.couple, friction=grip.couple)
-        self.reactions[key] = found
+            reaction = replace(reaction, arm=grip.factor, moment=grip.couple, friction=grip.couple)
+        self.reactions[key] = reaction
         self.bodies.draft.show(plan, label_of(start), label_of(end), key)
-        return found
+        return reaction
 
     def as_force(self, r: Reaction, on: str) -> Force:
         """The reaction as a force on one of its links, at the hinge or at the foot of the slider's first point."""
@@ -156,8 +156,8 @@ def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pai
     Returns the leaning terms by name, now with the direction they turned out to have.
     """
     d = acting.bodies.draft
-    of = {name: p for p in pairs for name in (force_name(p.link, p.other), force_name(p.other, p.link))}
-    rubbing = [(t, of[t.name]) for t in lines if t.name in of]
+    pair_of = {name: p for p in pairs for name in (force_name(p.link, p.other), force_name(p.other, p.link))}
+    rubbing = [(t, pair_of[t.name]) for t in lines if t.name in pair_of]
     trials = []
     for signs in product((1, -1), repeat=len(rubbing)):
         tag = "".join("+" if sign > 0 else "-" for sign in signs)

@@ -97,8 +97,8 @@ class _GroupForces:
             self.solve((*first, *last, rays["last"]), rays["first"], x)
         elif kind == 3:
             self.solve((*first, rays["inner"]), rays["first"], x)
-            found = Term(rays["first"].name, x, POLE, drawn=True)
-            self.close((found, *first, *last), rays["last"])
+            first_reaction = Term(rays["first"].name, x, POLE, drawn=True)
+            self.close((first_reaction, *first, *last), rays["last"])
         else:
             on_last = self.name(self.group.last, self.group.inner)
             self.solve((*last, rays["last"]), replace(rays["inner"], name=on_last, sign=-1), x)
@@ -165,9 +165,9 @@ class _GroupForces:
     def read(self, ends: dict[Pair, tuple[str, str]]) -> None:
         """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
         g = self.group
-        found = {p: self.statics.react(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
-        self.seat_all(found)
-        seated = {p: self.statics.reactions[r.key] for p, r in found.items()}
+        reactions = {p: self.statics.react(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
+        self.seat_all(reactions)
+        seated = {p: self.statics.reactions[r.key] for p, r in reactions.items()}
         for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
             if pair.mate(link) != FRAME:
                 self.statics.hand_over(seated[pair], pair.mate(link))
@@ -178,18 +178,18 @@ class _GroupForces:
         """The ends of the reaction on ``link`` from start to end, turned for the pair's own first link."""
         return (start, end) if pair.link in self.group.parts(link) else (end, start)
 
-    def seat_all(self, found: dict[Pair, Reaction]) -> None:
+    def seat_all(self, reactions: dict[Pair, Reaction]) -> None:
         """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
         g, s = self.group, self.statics
         about = at(SCHEME, g.inner.point if g.inner.kind == "R" else g.first_outer.point)
         if g.inner.kind == "P":
-            seated = s.seat(found[g.inner], g.first, about, self.loads[g.first], self.couples[g.first])
+            seated = s.seat(reactions[g.inner], g.first, about, self.loads[g.first], self.couples[g.first])
             pushed = s.as_force(seated, g.last)
             sign = 1 if seated.pair.link == g.last else -1
             if g.last_outer.kind == "P":
                 couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign, True)]
-                s.seat(found[g.last_outer], g.last, about, [*self.loads[g.last], pushed], couples)
+                s.seat(reactions[g.last_outer], g.last, about, [*self.loads[g.last], pushed], couples)
             return
         for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
             if pair.kind == "P":
-                s.seat(found[pair], link, about, self.loads[link], self.couples[link])
+                s.seat(reactions[pair], link, about, self.loads[link], self.couples[link])

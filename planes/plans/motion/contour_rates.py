@@ -110,8 +110,8 @@ class ContourRates:
     def proportion(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
         """How far the true plan lies from I, and II from I, on the line of the second lead's false vectors."""
         d = self.draft
-        found = [self.supposed(first, "I"), self.supposed(second, "II")]
-        (start, end), (from_, to) = found
+        offsets = [self.supposed(first, "I"), self.supposed(second, "II")]
+        (start, end), (from_, to) = offsets
         carried = d.step(Carry(self.mark(self.label(self.other.new, "II,I")), start, from_, to, means=FALSE))
         self.stretched(start, carried, "II,I")
         line = d.through(f"{self.other.new.name}^I{self.other.new.name}^II", end, carried, Meaning("guide"))

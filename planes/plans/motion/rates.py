@@ -48,9 +48,9 @@ class ChainRates:
     def legs(self, k: int, but: Pair | None = None) -> dict[Pair, Leg]:
         """The leads of a basic link, other basic links among them but the one at that hinge."""
         g = self.group
-        found = {lead.inner: self.own[lead] for lead in g.sides[k]}
+        legs = {lead.inner: self.own[lead] for lead in g.sides[k]}
         others = ((h, sum(ends) - k) for h, ends in zip(g.hinges, g.joined, strict=True) if k in ends and h != but)
-        return found | {hinge: self.joint(end, hinge) for hinge, end in others}
+        return legs | {hinge: self.joint(end, hinge) for hinge, end in others}
 
     def joint(self, end: int, hinge: Pair) -> Leg:
         """What a basic link is to the next one: its special point is found, and their hinge goes about that."""

@@ -42,8 +42,8 @@ def _side(b: Bodies, program: Program, choice: AssemblyChoice, key: str, said: A
         return _nearer(b, program, choice, key, said.near)
     if said.order in words:
         return 1.0 if said.order == words[0] else -1.0
-    told = {"name": choice.group.name, "links": choice.group.links, "one": words[0], "two": words[1]}
-    why = Phrase("order_misfit", key=key, order=said.order, **told)
+    details = {"name": choice.group.name, "links": choice.group.links, "one": words[0], "two": words[1]}
+    why = Phrase("order_misfit", key=key, order=said.order, **details)
     raise SceneError(why, b.file, b.mechanism.where.get(("assembly", key)))
 
 
@@ -68,14 +68,14 @@ def _places(b: Bodies, program: Program, choice: AssemblyChoice, point: str) -> 
     """Where the point would be on either side, in m; empty where it cannot be drawn."""
     mark = at("position", point)
     sliced = program.sliced([mark])
-    found = []
+    places = []
     for side in (1.0, -1.0):
         try:
             drawing = run(sliced, {**b.draft.given, choice.side: side, "mu_position": 1.0})
         except PlanFailure:
             continue
-        found.append((side, drawing[mark]))
-    return found
+        places.append((side, drawing[mark]))
+    return places
 
 
 def _nearer(b: Bodies, program: Program, choice: AssemblyChoice, key: str, near: complex) -> float:

@@ -86,10 +86,10 @@ class _Way:
         spots, step = [self.start], self.step
         while (gone := abs(spots[-1].value - self.start.value)) < reach and step > self.step * 2.0**-HALVINGS:
             value = spots[-1].value + way * min(step, reach - gone)
-            found = self.found(value, _ahead(spots, value)) if value != spots[-1].value else None
-            if found:
-                spots.append(found)
-            step = min(self.step, 2 * step) if found else step / 2
+            waypoint = self.found(value, _ahead(spots, value)) if value != spots[-1].value else None
+            if waypoint:
+                spots.append(waypoint)
+            step = min(self.step, 2 * step) if waypoint else step / 2
         return spots
 
     def whole(self) -> list[Waypoint]:

@@ -79,9 +79,9 @@ class Tracks:
         d, old, basics = self.bodies.draft, self.choice.guess, self.choice.group.basics
         d.given[old.middle], d.given[old.half] = (branch.low + branch.high) / 2, (branch.high - branch.low) / 2
         d.given[self.choice.side] = branch.side
-        told = [("track", basics[0], branch.places), *(("turning", *x) for x in zip(basics, branch.turns, strict=True))]
-        places, *turned = (tuple(f"{what}_{basic}_{k}" for k in range(len(terms))) for what, basic, terms in told)
-        for names, (_, _, terms) in zip((places, *turned), told, strict=True):
+        laws = [("track", basics[0], branch.places), *(("turning", *x) for x in zip(basics, branch.turns, strict=True))]
+        places, *turned = (tuple(f"{what}_{basic}_{k}" for k in range(len(terms))) for what, basic, terms in laws)
+        for names, (_, _, terms) in zip((places, *turned), laws, strict=True):
             d.given |= dict(zip(names, terms, strict=True))
         guess = replace(old, places=places, turns=tuple(turned))
         for name, step in d.steps.items():
@@ -157,9 +157,9 @@ def nearest(
     off = [abs(place - near) for place in ordered]
     if len(off) > 1 and off[0] > doubtful * off[1]:
         offers = tuple(track_offer(key, z) for z in places)
-        told = {"key": key, "off": off[0], "next": off[1], "count": len(off), "offers": offers}
+        details = {"key": key, "off": off[0], "next": off[1], "count": len(off), "offers": offers}
         line = b.mechanism.where.get(("assembly", key))
-        raise SceneError(Phrase("near_between", **told, **named(b, choice)), b.file, line)
+        raise SceneError(Phrase("near_between", **details, **named(b, choice)), b.file, line)
     return ordered[0]
 
 
@@ -168,9 +168,9 @@ def one_chosen(b: Bodies, choice: AnyChoice, chosen: Mapping[str, object], offer
     (key, first), *others = chosen.items()
     against = next((other for other, it in others if it != first), None)
     if against is not None:
-        told = {"key": key, "other": against, "offers": tuple(offers[x] for x in offers)}
+        details = {"key": key, "other": against, "offers": tuple(offers[x] for x in offers)}
         line = b.mechanism.where.get(("assembly", against))
-        raise SceneError(Phrase("near_against", **told, **named(b, choice)), b.file, line)
+        raise SceneError(Phrase("near_against", **details, **named(b, choice)), b.file, line)
 
 
 def named(b: Bodies, choice: AnyChoice) -> dict[str, object]:
@@ -192,8 +192,12 @@ def _question(tracks: Tracks, counted: Counted, key: str) -> Phrase:
     """All assemblies, each with the words that choose it."""
     offers = tuple(offer for _, offer in _offers(tracks, counted, key))
     more = bool(tracks.bodies.mechanism.assembly)
-    told = {"count": len(offers), "offers": offers, "proof": Phrase("tracks_proved" if counted.whole else "tracks_met")}
-    return Phrase("tracks_more" if more else "tracks_all", **told, **tracks.named())
+    details = {
+        "count": len(offers),
+        "offers": offers,
+        "proof": Phrase("tracks_proved" if counted.whole else "tracks_met"),
+    }
+    return Phrase("tracks_more" if more else "tracks_all", **details, **tracks.named())
 
 
 def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[tuple[Pose, Phrase]]:

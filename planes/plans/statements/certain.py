@@ -45,10 +45,10 @@ class Closings:
             values = {t.name: self._value(drawing, t.name) for t in terms}
             gap = _gap(drawing, values[free], given) if free else abs(sum(t.times * values[t.name] for t in terms))
             if gap > CLOSED * max(map(abs, values.values())):
-                told = {"text": equation.text, "gap": gap}
+                details = {"text": equation.text, "gap": gap}
                 if free:
-                    told |= {"name": free, "size": abs(values[free]), "angle": Arithmetic().angle_deg(values[free])}
-                yield equation, Phrase("closing_open_by" if free else "closing_open", **told)
+                    details |= {"name": free, "size": abs(values[free]), "angle": Arithmetic().angle_deg(values[free])}
+                yield equation, Phrase("closing_open_by" if free else "closing_open", **details)
 
     def _value(self, drawing: Drawing, name: str) -> complex:
         start, end = self.vectors.span(name)

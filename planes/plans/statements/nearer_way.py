@@ -21,26 +21,26 @@ def chosen_side(scene: Scene, vectors: StatedVectors, side: str, free: list[str]
     is said of it, with both directions."""
     near = {n: angle for n in free if (angle := vectors.given(n).near_deg) is not None}
     asked = list(near) or free[:1]
-    found = [(sign, ways) for sign in (1.0, -1.0) if (ways := _ways(vectors, asked, side, sign))]
-    if not found or (len(found) == 2 and all(_turned(found[0][1][n], found[1][1][n]) <= ONE for n in asked)):
+    sides = [(sign, ways) for sign in (1.0, -1.0) if (ways := _ways(vectors, asked, side, sign))]
+    if not sides or (len(sides) == 2 and all(_turned(sides[0][1][n], sides[1][1][n]) <= ONE for n in asked)):
         return 1.0
-    chosen = {_nearer(scene, name, angle, found) for name, angle in near.items()}
+    chosen = {_nearer(scene, name, angle, sides) for name, angle in near.items()}
     if len(chosen) != 1:
-        raise _refusal(scene, "near_apart" if near else "two_directions", asked[0], found, others=tuple(asked[1:]))
+        raise _refusal(scene, "near_apart" if near else "two_directions", asked[0], sides, others=tuple(asked[1:]))
     return chosen.pop()
 
 
-def _nearer(scene: Scene, name: str, angle: float, found: list[tuple[float, Ways]]) -> float:
+def _nearer(scene: Scene, name: str, angle: float, sides: list[tuple[float, Ways]]) -> float:
     """The side on which a vector points nearer to what is said of it."""
-    (off, sign), *more = sorted((_turned(ways[name], angle), sign) for sign, ways in found)
+    (off, sign), *more = sorted((_turned(ways[name], angle), sign) for sign, ways in sides)
     if more and off > MIDWAY * more[0][0]:
-        raise _refusal(scene, "near_midway", name, found, off=off, next=more[0][0])
+        raise _refusal(scene, "near_midway", name, sides, off=off, next=more[0][0])
     return sign
 
 
-def _refusal(scene: Scene, key: str, name: str, found: list[tuple[float, Ways]], **told: object) -> SceneError:
-    offers = tuple(Phrase("near_angle", angle=f"{ways[name]:.4g}") for _, ways in found)
-    return SceneError(Phrase(key, name=name, offers=offers, **told), scene.file, scene.where.get(("vectors", name)))
+def _refusal(scene: Scene, key: str, name: str, sides: list[tuple[float, Ways]], **details: object) -> SceneError:
+    offers = tuple(Phrase("near_angle", angle=f"{ways[name]:.4g}") for _, ways in sides)
+    return SceneError(Phrase(key, name=name, offers=offers, **details), scene.file, scene.where.get(("vectors", name)))
 
 
 def _ways(vectors: StatedVectors, names: list[str], side: str, sign: float) -> Ways | None:

@@ -72,11 +72,11 @@ class StatedPlansBuilder:
 
     def unknowns(self, terms: Side) -> list[Phrase]:
         """What is not known of the vectors, in words."""
-        found = []
+        unknowns = []
         for term in terms:
             parts = zip(("length", "direction"), self.vectors.parts(term.name), strict=True)
-            found += [unknown(term.name, part) for part, given in parts if given is None]
-        return found
+            unknowns += [unknown(term.name, part) for part, given in parts if given is None]
+        return unknowns
 
     def _one(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
         for row in left:

@@ -61,13 +61,13 @@ class Chains:
             first_chain = self.chain(first, start, self._target(first, second, total))
             other = self.chain(second, start, first_chain[-1].end)
             return (first_chain, other) if first is one else (other, first_chain)
-        whole = tuple(sorted(one or two, key=self.open))
+        terms = tuple(sorted(one or two, key=self.open))
         if total:
-            return self.chain(whole, start, self._target(whole, (), total)), ()
-        if len(whole) < 2 or not self.open(whole[-2]):
-            return self.chain(whole, start, start), ()
-        forth = self.chain(whole[:-1], start, self.fresh(end_of(whole[-2].name)))
-        (back,) = self.chain((SideTerm(whole[-1].name, -whole[-1].times),), start, forth[-1].end)
+            return self.chain(terms, start, self._target(terms, (), total)), ()
+        if len(terms) < 2 or not self.open(terms[-2]):
+            return self.chain(terms, start, start), ()
+        forth = self.chain(terms[:-1], start, self.fresh(end_of(terms[-2].name)))
+        (back,) = self.chain((SideTerm(terms[-1].name, -terms[-1].times),), start, forth[-1].end)
         return forth, (back,)
 
     def open(self, term: SideTerm) -> bool:
@@ -140,14 +140,14 @@ class Chains:
         v, name = self.vectors, stated.name
         v.used |= {like.of, *(like.shape or ())}
         drawn = stated.times == 1 and all(map(v.spanned, (like.of, *(like.shape or ()))))
-        of = v.span(like.of) if drawn else ("", "")
+        ends = v.span(like.of) if drawn else ("", "")
         if drawn and like.shape:
             one, two = map(v.span, like.shape)
             v.leaned |= dict.fromkeys(like.shape, name)
-            self.draft.step(Image(at(self.plan, end), at(self.plan, mark), one, two, of))
+            self.draft.step(Image(at(self.plan, end), at(self.plan, mark), one, two, ends))
             return True
-        if drawn and of[0] == at(self.plan, mark):
-            self._similar(end, *of, like.ratio, f"ratio_{name}")
+        if drawn and ends[0] == at(self.plan, mark):
+            self._similar(end, *ends, like.ratio, f"ratio_{name}")
             return True
         v.transfer(name, like)
         return False

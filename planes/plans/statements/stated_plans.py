@@ -18,17 +18,17 @@ def plans_of_equations(scene: Scene, statement: Statement) -> dict[tuple[int, st
     """The plan of every equation, by its line and text. :class:`SceneError` where its vectors are of two kinds, or μ
     fits none of them."""
     asked = {v: k for k, v in ALIKE.items() if k in _LETTERS}.get(statement.quantity or "", statement.quantity)
-    found = {}
+    plans = {}
     for e in statement.equations:
         kind = _kind(scene, e) or asked or "vectors"
-        found[e.line, e.text] = _named(scene, e, kind) if e.plan else kind
-    kinds = {kind_of(plan) for plan in found.values()}
+        plans[e.line, e.text] = _named(scene, e, kind) if e.plan else kind
+    kinds = {kind_of(plan) for plan in plans.values()}
     if asked and asked not in kinds:
         equation = statement.equations[0]
-        kind = ALIKE.get(kind := kind_of(found[equation.line, equation.text]), kind)
-        told = {"plan": Phrase(f"scale_{kind}"), "units": Phrase(f"units_{kind}")}
-        raise SceneError(Phrase("vectors_mu", name=equation.names[0], **told), scene.file, scene.where.get(("mu",)))
-    return found
+        kind = ALIKE.get(kind := kind_of(plans[equation.line, equation.text]), kind)
+        details = {"plan": Phrase(f"scale_{kind}"), "units": Phrase(f"units_{kind}")}
+        raise SceneError(Phrase("vectors_mu", name=equation.names[0], **details), scene.file, scene.where.get(("mu",)))
+    return plans
 
 
 def _kind(scene: Scene, e: VectorEquation) -> str:
@@ -40,8 +40,10 @@ def _kind(scene: Scene, e: VectorEquation) -> str:
     kinds = [kind for kind in first if kind]
     if len(kinds) > 1:
         one, other = kinds[:2]
-        told = {k: Phrase(f"scale_{ALIKE.get(v, v)}") for k, v in (("one", one), ("other", other))}
-        raise SceneError(Phrase("vectors_mixed", name=first[one], other_name=first[other], **told), scene.file, e.line)
+        details = {k: Phrase(f"scale_{ALIKE.get(v, v)}") for k, v in (("one", one), ("other", other))}
+        raise SceneError(
+            Phrase("vectors_mixed", name=first[one], other_name=first[other], **details), scene.file, e.line
+        )
     return kinds[0] if kinds else ""
 
 

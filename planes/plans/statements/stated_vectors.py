@@ -103,11 +103,11 @@ class StatedVectors:
             return follow(self.draft, self.statement.drive, plain, amount, self.load_of(name) or Meaning("load", name))
         if not isinstance(amount, VectorAmount):
             return self.draft.give(plain, amount, means=self.load_of(name))
-        found = {n: self.number(n) for n in amount.names}
+        numbers = {n: self.number(n) for n in amount.names}
         below = [n for _, factors in amount.terms for n, power in factors if power < 0]
-        self.quotients += [(name, n, found[n]) for n in below]
+        self.quotients += [(name, n, numbers[n]) for n in below]
         self.leaned |= {n: name for n in below if n in self.states and self.given(n).value is None}
-        terms = [Product(c, tuple((found[n], power) for n, power in factors)) for c, factors in amount.terms]
+        terms = [Product(c, tuple((numbers[n], power) for n, power in factors)) for c, factors in amount.terms]
         return self.draft.total(name, terms)
 
     def number(self, name: str) -> str:
@@ -231,8 +231,8 @@ class StatedVectors:
         state = self.states[stated.name]
         label = end_of(stated.name) + "″"
         ratio = self.draft.give(f"ratio_{stated.name}", complex(1 / abs(stated.times)))
-        whole = self.draft.step(Similar(at(equation.plan, label), *ends, ratio))
-        state.span = ends[0], whole
+        full_end = self.draft.step(Similar(at(equation.plan, label), *ends, ratio))
+        state.span = ends[0], full_end
         self.draft.show(equation.plan, term.start if term.sign > 0 else term.end, label, stated.name)
 
 

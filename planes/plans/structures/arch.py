@@ -36,8 +36,8 @@ class Arch:
         d.show(plan, x, start, a.name)
         d.show(plan, end, x, b.name)
         own = tuple(t for t in both.chain if t.name in {f.name for f in two.forces})
-        found = Term(b.name, end, x, drawn=True)
-        d.conclude(Equation(plan, ((*own, found, Term(self.crown.name, x, parted)), ())))
+        crown_reaction = Term(b.name, end, x, drawn=True)
+        d.conclude(Equation(plan, ((*own, crown_reaction, Term(self.crown.name, x, parted)), ())))
         return {a.name: (x, start), b.name: (end, x), self.crown.name: (x, parted)}
 
     def ray(self, s: Support) -> str:

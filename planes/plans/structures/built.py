@@ -68,14 +68,14 @@ class FrameworkBuilder(StatedLoads):
     @cached_property
     def hinges(self) -> dict[str, tuple[str, str]]:
         """The points two bodies share."""
-        bodies, found = self.framework.bodies, dict[str, tuple[str, str]]()
+        bodies, hinges = self.framework.bodies, dict[str, tuple[str, str]]()
         for point in self.framework.points:
             owners = [name for name, points in bodies.items() if point in points]
             if len(owners) > 2:
                 raise self.error(Phrase("hinge_many", point=point, names=tuple(owners)), "bodies")
             if len(owners) == 2:
-                found[point] = (owners[0], owners[1])
-        return found
+                hinges[point] = (owners[0], owners[1])
+        return hinges
 
     def check(self) -> None:
         """Whether reactions are as many as equations."""

@@ -111,16 +111,16 @@ class CremonaPlan:
 
     def close(self) -> None:
         """The polygons of members that no joint was drawn for; each is closed by one of them."""
-        told = {t.name for e in self.draft.equations if e.plan == CREMONA for t in e.terms}
+        drawn = {t.name for e in self.draft.equations if e.plan == CREMONA for t in e.terms}
         for a, b in self.framework.members:
             name = f"S_{a}{b}"
-            if name not in told:
+            if name not in drawn:
                 terms = self.regions.around_joint(a)
                 k = next(k for k, one in enumerate(terms) if one[0] == name)
                 chain = [self.term(*one, open_=False) for one in (*terms[k + 1 :], *terms[:k])]
                 last = self.term(*terms[k], open_=False)
                 self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
-                told |= {t.name for t in chain} | {name}
+                drawn |= {t.name for t in chain} | {name}
 
     def turned(self, one: Side, two: Side) -> float:
         """The sine of the angle between two members."""
@@ -128,13 +128,13 @@ class CremonaPlan:
 
     def measure(self) -> dict[str, str]:
         """Every member's force by its name, tension positive."""
-        found = {}
+        forces = {}
         for a, b in self.framework.members:
             name, (left, right) = f"S_{a}{b}", self.sides((a, b))
             self.draft.show(CREMONA, left, right, name)
             along = self.draft.ray(SCHEME, a, b)
-            found[name] = self.draft.measure(name, at(CREMONA, left), at(CREMONA, right), along)
-        return found
+            forces[name] = self.draft.measure(name, at(CREMONA, left), at(CREMONA, right), along)
+        return forces
 
     # cuts
 

@@ -86,6 +86,6 @@ NOTHING = 1e-9  # of the largest force: none
 
 def strains(figure: StaticsFigure | None, drawing: Drawing) -> dict[str, Strain]:
     """How every member that was drawn is strained, by the name of its force."""
-    told = {n: float(drawing[n]) for n, _, _ in figure.members if n in drawing} if figure else {}
-    most = max(map(abs, told.values()), default=0.0)
-    return {n: "idle" if abs(v) <= NOTHING * most else "tension" if v > 0 else "compression" for n, v in told.items()}
+    forces = {n: float(drawing[n]) for n, _, _ in figure.members if n in drawing} if figure else {}
+    most = max(map(abs, forces.values()), default=0.0)
+    return {n: "idle" if abs(v) <= NOTHING * most else "tension" if v > 0 else "compression" for n, v in forces.items()}

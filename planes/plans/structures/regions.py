@@ -68,15 +68,15 @@ class Regions:
     def faces(self) -> list[list[Side]]:
         """Every region by its sides, itself on their right: inner ones go clockwise, the outer counter-clockwise."""
         left = dict.fromkeys(side for a, b in self.framework.members for side in ((a, b), (b, a)))
-        found = list[list[Side]]()
+        faces = list[list[Side]]()
         while left:
             face, side = list[Side](), next(iter(left))
             while side in left:
                 face.append(side)
                 left.pop(side)
                 side = self.next(side)
-            found.append(face)
-        return found
+            faces.append(face)
+        return faces
 
     def next(self, side: Side) -> Side:
         """The side that goes on with the same region on its right: the first counter-clockwise from the way back."""

@@ -143,9 +143,9 @@ def by_strings(b: FreeBody) -> tuple[StringPolygon, str, str]:
     polygon.draw(b.spot(anchor))
     closing, start, x = polygon.close(line), b.reached, end_of(line.name)
     last = str(len(polygon.rays) - 1)
-    found = Term(f"N_{last}", O, start, drawn=True)
+    last_ray = Term(f"N_{last}", O, start, drawn=True)
     parted = Term(f"N_{CLOSING}", O, x, None, closing, b.action(closing))
-    b.draft.draw(Equation(b.plan, ((found, b.seek(line, start, x)), (parted,))))
+    b.draft.draw(Equation(b.plan, ((last_ray, b.seek(line, start, x)), (parted,))))
     b.figure.stroke(b.plan, "ray", CLOSING, at(b.plan, O), at(b.plan, x))
     b.figure.said[at(b.plan, x)] = "closing_line"
     b.found[line.name] = (start, x)

@@ -19,11 +19,11 @@ def check_truss(f: Framework, error: Refusal) -> None:
     """Whether a truss has as many members and reactions as its joints have equations: 2j = m + r."""
     joints = {p for m in f.members for p in m}
     m, r = len(f.members), sum(s.held for s in f.supports)
-    told = {"joints": len(joints), "members": m, "held": r, "count": abs(2 * len(joints) - m - r)}
+    details = {"joints": len(joints), "members": m, "held": r, "count": abs(2 * len(joints) - m - r)}
     if loose := [p for p in f.points if p not in joints and p not in f.fixed]:
         raise error(Phrase("joint_loose", names=tuple(loose)), "points")
     if 2 * len(joints) != m + r:
-        raise error(Phrase("truss_loose" if m + r < 2 * len(joints) else "truss_redundant", **told), "members")
+        raise error(Phrase("truss_loose" if m + r < 2 * len(joints) else "truss_redundant", **details), "members")
     if two := apart(f.points, f.members):
         raise error(Phrase("members_cross", one=two[0], two=two[1]), "members")
 

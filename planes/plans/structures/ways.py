@@ -38,11 +38,11 @@ class WayFinder:
         self.places |= {f.name: framework.points[label_of(f.point)] for f in body.forces if f.name not in self.places}
         self.size = max((abs(a - b) for a, b in combinations(framework.points.values(), 2)), default=1.0)
 
-    def refusal(self, key: str, **told: object) -> SceneError:
+    def refusal(self, key: str, **details: object) -> SceneError:
         """Why it cannot be drawn so."""
         where = self.scene.where
         line = where.get(("method",), where.get(("supports",), where.get(("points",))))
-        return SceneError(Phrase(key, **told), self.scene.file, line)
+        return SceneError(Phrase(key, **details), self.scene.file, line)
 
     def draw(self) -> None:
         """Find all reactions of the body."""
