@@ -87,8 +87,8 @@ def _pages(file: Path, suffix: str) -> int:
     if suffix == ".pdf":
         import pypdfium2
 
-        with pypdfium2.PdfDocument(file) as whole:
-            return len(whole)
+        with pypdfium2.PdfDocument(file) as document:
+            return len(document)
     from PIL import Image
 
     with Image.open(file, formats=("TIFF",)) as opened:
@@ -101,15 +101,15 @@ def drawings_in(folder: Path) -> list[Path]:
     return [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
 
 
-def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:
+def sheets_in(place: Path, one_page: bool, but: str = "") -> list[HandedSheet]:
     """The sheets of a file, or of all drawings of a folder; one of each file if its page is ``told``.
 
     Tables of corrected marks lie beside their pictures, a course's list of what it wrote (``but``) beside its blanks.
     """
-    whole = place.is_dir()
-    files = [f for f in drawings_in(place) if f.name != but] if whole else [place]
-    sheets = [s for f in files for s in ([HandedSheet(f)] if told else sheets_of(f))]
-    drawn = [s for s in sheets if whole and s.file.suffix.lower() not in (*TABLES, PRACTICE)]
+    is_folder = place.is_dir()
+    files = [f for f in drawings_in(place) if f.name != but] if is_folder else [place]
+    sheets = [s for f in files for s in ([HandedSheet(f)] if one_page else sheets_of(f))]
+    drawn = [s for s in sheets if is_folder and s.file.suffix.lower() not in (*TABLES, PRACTICE)]
     beside = {s.marks for one in drawn for s in (one, *(replace(one, page=k) for k in range(1, MOST_BLANKS + 1)))}
     sheets = [s for s in sheets if s.file not in beside]
     if not sheets:

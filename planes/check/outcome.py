@@ -190,8 +190,8 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     g, bench = out.grading, out.bench
     if g is None or g.said_mu:
         return []
-    found, said = bench.mu_said(float(f"{g.mu:.3g}")), bench.asked.scene.mu.get(kind_of(bench.asked.plan))
-    return [Phrase("check_mu", mu=found, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=found)]
+    mu_text, said = bench.mu_said(float(f"{g.mu:.3g}")), bench.asked.scene.mu.get(kind_of(bench.asked.plan))
+    return [Phrase("check_mu", mu=mu_text, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=mu_text)]
 
 
 def _segments(out: Outcome) -> None:
@@ -203,9 +203,11 @@ def _segments(out: Outcome) -> None:
     tried: list[tuple[int, bool, Account]] = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = free_hand(bench, [], mu, {})
-        found = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
-        wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first is not None and not found.named)
-        tried.append((wrong, k > 0, found))
+        own_account = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
+        wrong = sum(s.verdict == "wrong" for s in own_account.scored) + (
+            own_account.first is not None and not own_account.named
+        )
+        tried.append((wrong, k > 0, own_account))
     _, rescaled, out.segments = min(tried, key=lambda one: one[:2])
     if out.segments.first is None and not out.grading:
         out.unreadable = _shown_by(out.segments, rescaled)
@@ -222,15 +224,15 @@ def _shown_by(lengths: Account, free: bool) -> Phrase | None:
 
 def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[float]:
     """The stated scale and those the lengths themselves show."""
-    found = [bench.said_mu]
+    scales = [bench.said_mu]
     if bench.asked.mu:
-        return found
+        return scales
     free = free_hand(bench, [], bench.said_mu, {})
     for f in figures:
         true = float(abs(f.read(free.things)[0]))
-        if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in found):
-            found.append(bench.said_mu * f.given / true)
-    return found[:6]
+        if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in scales):
+            scales.append(bench.said_mu * f.given / true)
+    return scales[:6]
 
 
 def _results(out: Outcome) -> None:

@@ -18,14 +18,14 @@ _NUMBER = r" (-?[0-9]{1,5}(?:[.][0-9]{1,6})?)"
 
 def saved_as(table: Path) -> str:
     """How a table that a report has saved is to be called; "" of another one."""
-    found = _told(table, rf"[0-9a-f]{{{LETTERS}}} (.+)")
-    return found[1].strip() if found else ""
+    match = _told(table, rf"[0-9a-f]{{{LETTERS}}} (.+)")
+    return match[1].strip() if match else ""
 
 
 def of_another(table: Path, look: str) -> bool:
     """Whether a table was saved for a drawing that showed something else."""
-    found = _told(table, rf"([0-9a-f]{{{LETTERS}}}) .*")
-    return bool(found and look and found[1] != look)
+    match = _told(table, rf"([0-9a-f]{{{LETTERS}}}) .*")
+    return bool(match and look and match[1] != look)
 
 
 def _told(table: Path, form: str) -> re.Match[str] | None:
@@ -51,7 +51,7 @@ def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
 def _box_told(table: Path, read: Box) -> Box:
     """Where the picture lies about the pole, which a person may have moved: as a report page has written it into the
     table of its marks, if that is a picture of this size."""
-    found = re.search(rf"^# box{4 * _NUMBER}$", _head(table), re.MULTILINE)
-    left, low, right, high = map(float, found.groups()) if found else read
+    match = re.search(rf"^# box{4 * _NUMBER}$", _head(table), re.MULTILINE)
+    left, low, right, high = map(float, match.groups()) if match else read
     same = abs(right - left - read[2] + read[0]) < 0.1 and abs(high - low - read[3] + read[1]) < 0.1
     return (left, low, right, high) if same else read

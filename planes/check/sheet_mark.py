@@ -57,10 +57,10 @@ class SheetMark:
         """As it is printed."""
         words = zip((self.scene, self.variant, self.student, self.plan), LONGEST, strict=True)
         numbers = ("" if n is None else f"{n:.7g}".replace("e+", "e") for n in (self.value, self.mu))
-        told = *(short(word, most) for word, most in words), *numbers
+        fields = *(short(word, most) for word, most in words), *numbers
         if self.pole is None:
-            return "|".join((EARLIER, *told))
-        return "|".join((BEGINS, *told, f"{round(self.pole.real, 1):g},{round(self.pole.imag, 1):g}"))
+            return "|".join((EARLIER, *fields))
+        return "|".join((BEGINS, *fields, f"{round(self.pole.real, 1):g},{round(self.pole.imag, 1):g}"))
 
     def fits(self, scene: str, student: str) -> bool:
         """Whether it names that scene and that student, as they are printed; "" is any."""
@@ -82,14 +82,14 @@ def parsed(text: str) -> SheetMark | None:
     """The mark a text is, if it is one."""
     begins, *parts = text[: MOST + 1].split("|")
     place = parts.pop() if begins == BEGINS else ""
-    told = begins == EARLIER or (begins == BEGINS and _PLACE.fullmatch(place))
-    if len(text) > MOST or not told or len(parts) != 6 or not all(map(_NUMBER.fullmatch, parts[4:])):
+    begins_well = begins == EARLIER or (begins == BEGINS and _PLACE.fullmatch(place))
+    if len(text) > MOST or not begins_well or len(parts) != 6 or not all(map(_NUMBER.fullmatch, parts[4:])):
         return None
     scene, variant, student, plan, *numbers = parts
     value, mu = (float(n) if n else None for n in numbers)
     pole = complex(*map(float, place.split(","))) if place else None
-    found = SheetMark(scene, variant, student, plan, value, mu, pole)
-    return found if found.text == text and (mu is None or mu > 0) else None
+    is_mark = SheetMark(scene, variant, student, plan, value, mu, pole)
+    return is_mark if is_mark.text == text and (mu is None or mu > 0) else None
 
 
 def cells(text: str) -> list[list[bool]]:
@@ -127,9 +127,9 @@ def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
     detectors = (cv2.QRCodeDetector(), *([cv2.QRCodeDetectorAruco()] if close else []))
     for look, detector in product(_looks(grey, close), detectors):
         with suppress(cv2.error, UnicodeDecodeError):  # a damaged code may hold anything
-            found = parsed(detector.detectAndDecode(look)[0])
-            if found:
-                return found
+            mark = parsed(detector.detectAndDecode(look)[0])
+            if mark:
+                return mark
     return None
 
 

@@ -39,15 +39,15 @@ HELD = 0.4  # of its line's darkness: ink that surely is a followed line's
 Place = tuple[slice, slice]
 
 
-def inked(dark: Greys, scale: float, whole: int, print_mm: float = 0.0) -> tuple[Greys, Booleans]:
+def inked(dark: Greys, scale: float, middle_dark: int, print_mm: float = 0.0) -> tuple[Greys, Booleans]:
     """The darkness of a picture's pixels by that of the line each is of (``whole``: in the middle of a line), and where
     lines are followed; so much of the sheet's top is printed, and tells of no pencil."""
     cv2, size = cv(), dark.shape[::-1]
     even, against, lines = _evened_along(dark, scale, print_mm)
     against = cv2.resize(against, size, interpolation=cv2.INTER_LINEAR)
-    shares = numpy.minimum(cv2.divide(even, against, scale=whole), whole)
+    shares = numpy.minimum(cv2.divide(even, against, scale=middle_dark), middle_dark)
     near = cv2.resize(lines.view(numpy.uint8), size, interpolation=cv2.INTER_NEAREST).view(bool)
-    return shares, near & (shares > HELD * whole)
+    return shares, near & (shares > HELD * middle_dark)
 
 
 def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Greys, Booleans]:
@@ -139,16 +139,16 @@ class FeltLines:
         foremost, (labels, boxes) = self.foremost(k, response), _parts(response > least)
         for number in numpy.unique(labels[plain]).tolist():
             place = _box(boxes[number])
-            whole = labels[place] == number
-            faint = whole & (response[place] <= FIRM * self.usual)
-            _drop_long(whole, faint, plain[place])
-            yield place, numpy.where(whole, response[place], 0), whole & foremost[place]
+            line = labels[place] == number
+            faint = line & (response[place] <= FIRM * self.usual)
+            _drop_long(line, faint, plain[place])
+            yield place, numpy.where(line, response[place], 0), line & foremost[place]
 
 
-def _drop_long(whole: Booleans, faint: Booleans, plain: Booleans) -> None:
+def _drop_long(line: Booleans, faint: Booleans, plain: Booleans) -> None:
     """Take out of a line what is faint for long and does not lead from stroke to stroke."""
-    strokes, _ = _parts(whole & ~faint)
-    drawn = numpy.setdiff1d(strokes[plain & whole], 0)
+    strokes, _ = _parts(line & ~faint)
+    drawn = numpy.setdiff1d(strokes[plain & line], 0)
     parts, boxes = _parts(faint)
     for k, box in enumerate(boxes):
         if k and max(box[2:]) > TAIL_MM * PX_PER_MM:
@@ -157,7 +157,7 @@ def _drop_long(whole: Booleans, faint: Booleans, plain: Booleans) -> None:
             met = about & numpy.isin(strokes[place], drawn)
             ends = numpy.argwhere(met)
             if len(numpy.unique(strokes[place][met])) < 2 or numpy.ptp(ends, axis=0).max() < ENDS * max(box[2:]):
-                whole[place] &= parts[place] != k
+                line[place] &= parts[place] != k
 
 
 def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> Greys:
@@ -176,8 +176,8 @@ def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale
     numpy.maximum(even[rows, columns], smooth, out=even[rows, columns], where=inside)
     del inside
     middle = cv2.dilate(smooth, numpy.ones((3, 3), numpy.uint8))
-    found: Greys = cv2.resize(middle, of_it.shape[::-1], interpolation=cv2.INTER_NEAREST)
-    return found
+    filled: Greys = cv2.resize(middle, of_it.shape[::-1], interpolation=cv2.INTER_NEAREST)
+    return filled
 
 
 def _usual_on_paper(felt: Array) -> float:
@@ -193,8 +193,8 @@ def _long(places: Booleans, least_mm: float) -> Booleans:
     labels, boxes = _parts(places)
     long = boxes[:, 2:].max(axis=1) >= least_mm * PX_PER_MM
     long[0] = False
-    found: Booleans = long[labels]
-    return found
+    long_places: Booleans = long[labels]
+    return long_places
 
 
 def _parts(places: Booleans) -> tuple[Indices, Indices]:

@@ -73,9 +73,9 @@ class HandWords:
         if (key := (name, a, b)) not in self.known:
             read = [(w.likely.get(name, 0.0), w.off(a, b)) for w in self.words]
             near = sum(p * max(math.exp(-0.5 * max((off - NEAR_MM) / SOFT_MM, 0.0) ** 2), AWAY) for p, off in read)
-            whole = sum(p for p, _ in read)
-            told = near / max(whole, 1.0)
-            self.known[key] = -math.log(max(1 - whole, 0.0) + told), told
+            total = sum(p for p, _ in read)
+            likelihood = near / max(total, 1.0)
+            self.known[key] = -math.log(max(1 - total, 0.0) + likelihood), likelihood
         return self.known[key]
 
 
@@ -107,15 +107,15 @@ def words_beside(ink: Ink, lines: Sequence[Erased], names: Iterable[str]) -> Han
 
 def _words(ink: Ink, lines: Sequence[Erased], known: Sequence[str]) -> list[HandWord]:
     """The words of a sheet, each as it may be any of the names."""
-    flat, found = ink.flat, list[HandWord]()
+    flat, hand_words = ink.flat, list[HandWord]()
     for row in _rows(_pieces(ink, lines), flat.scale):
         shapes = _shapes(ink.dark, row, WIDEST_MM * flat.scale)
         scores = numpy.array([_aligned(len(row), shapes, name) for name in (*known, "")])
         scores[-1] += OTHER
-        told = numpy.exp((scores - scores.max()) / WARMTH)
+        odds = numpy.exp((scores - scores.max()) / WARMTH)
         low, high = flat.mm(row[0].left, max(p.bottom for p in row)), flat.mm(row[-1].right, min(p.top for p in row))
-        found.append(HandWord(low, high, dict(zip(known, (told / told.sum()).tolist(), strict=False))))
-    return found
+        hand_words.append(HandWord(low, high, dict(zip(known, (odds / odds.sum()).tolist(), strict=False))))
+    return hand_words
 
 
 def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:
@@ -124,8 +124,8 @@ def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord
     none = 1 - likely.sum(axis=1, keepdims=True)
     for _ in range(ROUNDS):
         likely = likely / numpy.maximum(likely.sum(axis=0), 1.0)
-        whole = likely.sum(axis=1, keepdims=True) + none
-        likely, none = likely / whole, none / whole
+        totals = likely.sum(axis=1, keepdims=True) + none
+        likely, none = likely / totals, none / totals
     return [
         replace(w, likely=dict(zip(names, row, strict=True))) for w, row in zip(words, likely.tolist(), strict=True)
     ]
@@ -135,12 +135,12 @@ def _pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
     """Pieces of ink off the lines of a sheet, but not far from them."""
     cv2, scale = cv(), ink.flat.scale
     _, labels, stats, _ = cv2.connectedComponentsWithStats(_off_lines(ink, lines), connectivity=8)
-    found: list[LetterPiece] = []
+    pieces: list[LetterPiece] = []
     for k, (x, y, w, h, area) in enumerate(stats.tolist()):
         if k and LEAST_MM * scale < min(max(w, h), area) and max(w, h) < MOST_MM * scale:
             mask = (labels[y : y + h, x : x + w] == k).astype(numpy.uint8)
-            found += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
-    return found if len(found) < MOST else []
+            pieces += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
+    return pieces if len(pieces) < MOST else []
 
 
 def _off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
@@ -158,8 +158,8 @@ def _off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
         for tip, back in line.heads:
             sides = [flat.px(tip + back * off) for off in (0.0, 1 + HALF * 1j, 1 - HALF * 1j)]
             cv2.fillConvexPoly(near, numpy.array(sides).round().astype(numpy.int32), 0)
-    found: Greys = near * (dark > least)
-    return found
+    ink_off_lines: Greys = near * (dark > least)
+    return ink_off_lines
 
 
 def _cut(piece: LetterPiece, wide: float) -> list[LetterPiece]:
@@ -201,8 +201,8 @@ def _joined(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
     for p in pieces:
         page[p.top - top : p.bottom - top, p.left - left : p.right - left] |= p.mask
     x, y, w, h = cv().boundingRect(page)
-    found: Greys = (dark[top:, left:][: len(page), : page.shape[1]] * page)[y : y + h, x : x + w]
-    return found
+    letter: Greys = (dark[top:, left:][: len(page), : page.shape[1]] * page)[y : y + h, x : x + w]
+    return letter
 
 
 def _aligned(count: int, shapes: Mapping[tuple[int, int], Array], name: str) -> float:
@@ -212,9 +212,9 @@ def _aligned(count: int, shapes: Mapping[tuple[int, int], Array], name: str) -> 
     for j in range(1, count + 1):
         stray = max(float(shapes[j - 1, j][[SHAPES.index("_"), -1]].max()), STRAY)
         for k in range(len(ways) + 1):
-            found = [best[j - 1, k] + stray, *([best[j, k - 1] + LOST] if k else [])]
+            scores = [best[j - 1, k] + stray, *([best[j, k - 1] + LOST] if k else [])]
             for i in range(max(0, j - IN_LETTER), j) if k and ways[k - 1] else ():
                 if (i, j) in shapes:
-                    found.append(best[i, k - 1] + float(shapes[i, j][ways[k - 1]].max()) + TORN * (j - i - 1))
-            best[j, k] = max(found)
+                    scores.append(best[i, k - 1] + float(shapes[i, j][ways[k - 1]].max()) + TORN * (j - i - 1))
+            best[j, k] = max(scores)
     return best[count, len(ways)]

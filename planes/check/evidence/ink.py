@@ -56,8 +56,8 @@ class Ink:
         rows = numpy.atleast_2d(local.real), numpy.atleast_2d(picture.shape[0] - local.imag)
         across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
         grey = cv2.remap(picture, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=outside)
-        found: Array = grey.astype(numpy.float32).reshape(numpy.shape(z))
-        return found
+        greys: Array = grey.astype(numpy.float32).reshape(numpy.shape(z))
+        return greys
 
     def darkest(self, z: Complexes) -> Array:
         """How much darker than paper the picture is about places in mm, at the most."""
@@ -125,8 +125,8 @@ def light_of(flat: Flat) -> Greys:
     small = cv2.resize(flat.grey, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
     light = cv2.dilate(small, numpy.ones((7, 7), numpy.uint8))
     light = cv2.GaussianBlur(light, (0, 0), 0.7 * flat.scale)
-    whole: Greys = cv2.resize(light, flat.grey.shape[::-1], interpolation=cv2.INTER_LINEAR)
-    return whole
+    paper: Greys = cv2.resize(light, flat.grey.shape[::-1], interpolation=cv2.INTER_LINEAR)
+    return paper
 
 
 def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:

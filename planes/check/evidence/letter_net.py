@@ -24,8 +24,8 @@ def odds(seen: Array) -> Array:
     """The logarithms of how likely what the net sees is each of the shapes: a row each."""
     w1, b1, w2, b2 = _net()
     z = numpy.maximum(seen @ w1 + b1, 0) @ w2 + b2
-    found: Array = z - numpy.log(numpy.exp(z).sum(axis=1, keepdims=True))
-    return found
+    log_odds: Array = z - numpy.log(numpy.exp(z).sum(axis=1, keepdims=True))
+    return log_odds
 
 
 def features(picture: Greys) -> Array:
@@ -33,11 +33,11 @@ def features(picture: Greys) -> Array:
     cv2, (h, w) = cv(), picture.shape
     scale = (SIDE_PX - 2 * RIM_PX) / max(h, w)
     size, how = (max(round(w * scale), 1), max(round(h * scale), 1)), cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR
-    whole = numpy.zeros((SIDE_PX, SIDE_PX), numpy.float32)
+    letter = numpy.zeros((SIDE_PX, SIDE_PX), numpy.float32)
     top, left = (SIDE_PX - size[1]) // 2, (SIDE_PX - size[0]) // 2
-    whole[top : top + size[1], left : left + size[0]] = cv2.resize(picture, size, interpolation=how)
-    whole = cv2.GaussianBlur(whole / max(float(whole.max()), 1.0), (0, 0), 0.8)
-    gx, gy = cv2.Sobel(whole, cv2.CV_32F, 1, 0), cv2.Sobel(whole, cv2.CV_32F, 0, 1)
+    letter[top : top + size[1], left : left + size[0]] = cv2.resize(picture, size, interpolation=how)
+    letter = cv2.GaussianBlur(letter / max(float(letter.max()), 1.0), (0, 0), 0.8)
+    gx, gy = cv2.Sobel(letter, cv2.CV_32F, 1, 0), cv2.Sobel(letter, cv2.CV_32F, 0, 1)
     ways = (sign * g for g in (gx, gy, (gx + gy) * 0.7, (gx - gy) * 0.7) for sign in (1, -1))
-    planes = [whole, *(numpy.maximum(way, 0) for way in ways)]
+    planes = [letter, *(numpy.maximum(way, 0) for way in ways)]
     return numpy.concatenate([cv2.resize(p, (CELLS, CELLS), interpolation=cv2.INTER_AREA).ravel() for p in planes])

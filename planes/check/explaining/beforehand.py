@@ -66,15 +66,15 @@ def shares_of_print(plan: PlanLines, ink: SheetInk, pole: complex) -> list[tuple
 def orders(plan: PlanLines, ink: SheetInk, pole: complex, words: HandWords | None = None) -> list[Hypothesis]:
     """The right plan, and each mistake of the catalogue, with a force polygon's sides in the order the ink has (and
     the ``words`` beside it, if they were read), the likeliest first."""
-    found: list[tuple[float, Hypothesis]] = []
+    scored: list[tuple[float, Hypothesis]] = []
     for h in (Hypothesis(), *catalogue(plan)) if plan.sides else ():
         drawn = plan.draw(h, {}, 1)
         if drawn is not None and numpy.isfinite(drawn).all():
             score, order = _likeliest_order(plan, ink, pole, drawn, words)
             usual = order == tuple(range(len(order)))
             likely = h if usual else replace(h, order=order, cost=h.cost + w.ORDER)
-            found.append((score - likely.cost, likely))
-    return [h for _, h in sorted(found, key=lambda one: -one[0])]
+            scored.append((score - likely.cost, likely))
+    return [h for _, h in sorted(scored, key=lambda one: -one[0])]
 
 
 def _likeliest_order(

@@ -118,8 +118,8 @@ class Explanation:
         h, pole = self.best.hypothesis, self.pole + self.best.places.get(POLE, 0j)
         if h.mirrored:
             return pole + ((z - pole) / h.turn).conjugate()
-        whole = h.kind == "turned_whole" or (h.kind == "scaled" and self.plan.bench.asked.mu)
-        return pole + (z - pole) / h.turn if whole else z
+        as_one = h.kind == "turned_whole" or (h.kind == "scaled" and self.plan.bench.asked.mu)
+        return pole + (z - pole) / h.turn if as_one else z
 
     def spots(self) -> list[ReadMark]:
         """The marks that are seen, from the pole; of a force polygon its sides' ends, in the order they are laid."""

@@ -55,8 +55,8 @@ def by_chance(hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap
 
 def lengths_by_chance(shares: Iterable[float], free: bool) -> float:
     """The same for lengths, by the share of the longest that each may be wrong by."""
-    found = [min(s, 1.0) for s in shares]
-    return math.prod(found) / (min(found) if free else 1.0)
+    chances = [min(s, 1.0) for s in shares]
+    return math.prod(chances) / (min(chances) if free else 1.0)
 
 
 def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
@@ -64,9 +64,9 @@ def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple
 
     Then what most vectors agree on, taken from the one drawn most surely.
     """
-    found = [(bench.said_mu, 0.0)]
+    scales = [(bench.said_mu, 0.0)]
     if bench.asked.mu:
-        return found
+        return scales
     shown = _ratios(bench, taken)
     groups = [[pair for pair in shown if abs(pair[0] / one - 1) < AGREE + error] for one, error in shown]
     tried: list[float] = [1.0]
@@ -74,8 +74,8 @@ def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple
         ratio, error = min(group, key=lambda pair: pair[1])
         if all(abs(ratio / t - 1) > 0.01 for t in tried):
             tried.append(ratio)
-            found.append((bench.said_mu * ratio, error))
-    return found[:MOST]
+            scales.append((bench.said_mu * ratio, error))
+    return scales[:MOST]
 
 
 def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
@@ -83,7 +83,7 @@ def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[fl
     of others from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
     force, pole = kind_of(bench.asked.plan) == "force", at(bench.asked.plan, POLE)
-    found = []
+    ratios = []
     for mark in bench.marks:
         step = bench.program.makers[mark]
         start = step.start if force and isinstance(step, LayOff) else pole
@@ -93,8 +93,8 @@ def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[fl
         own = abs(taken[mark].place - (0j if start == pole else taken[start].place))
         length = abs(hand.tool.spread(true + 0j))
         if length[0] > LEAST_MM and own > 0:
-            found.append((float(own / length[0]), (hand.spread_of(length) + 2 * taken[mark].error_mm) / own))
-    return found
+            ratios.append((float(own / length[0]), (hand.spread_of(length) + 2 * taken[mark].error_mm) / own))
+    return ratios
 
 
 def breadth(extent_mm: float) -> float:

@@ -23,11 +23,11 @@ Showing = list[tuple[str, ...]]
 
 def roots_of(program: Program) -> dict[str, set[str]]:
     """Every thing drawn with the marks it was drawn from, itself among them."""
-    found: dict[str, set[str]] = {}
+    roots: dict[str, set[str]] = {}
     for step in program.steps:
         marks = (n for n, kind in step.reads() if kind == "mark")
-        found[step.makes] = {step.makes}.union(*(found[n] for n in marks))
-    return found
+        roots[step.makes] = {step.makes}.union(*(roots[n] for n in marks))
+    return roots
 
 
 def showing(truth: Drawing, mark: str, marks: Iterable[str]) -> Showing:

@@ -63,8 +63,8 @@ class Grading:
     def _unseen_mm(self) -> dict[str, float]:
         """How long the short forces are that nobody saw, by their marks."""
         absent = [m for m in self.marks if self.rebuilt and label_of(m) in self.rebuilt.absent]
-        found = {label_of(m): self.laid_mm(m) for m in absent}
-        return {m: mm for m, mm in found.items() if ZERO_MM <= mm <= LONG_MM}
+        lengths = {label_of(m): self.laid_mm(m) for m in absent}
+        return {m: mm for m, mm in lengths.items() if ZERO_MM <= mm <= LONG_MM}
 
     def laid_mm(self, mark: str) -> float:
         """How long a vector is that is laid off; 0 of what is drawn in another way."""
@@ -164,27 +164,29 @@ class Grading:
     @property
     def runner_up(self) -> str | None:
         """The mistake that explains what is drawn wrongly next best."""
-        found = self.judgement
-        return found.runner_up.mistake if found.runner_up and found.first_wrong else None
+        judgement = self.judgement
+        return judgement.runner_up.mistake if judgement.runner_up and judgement.first_wrong else None
 
     @property
     def chance(self) -> float:
         """How likely marks put anywhere on the drawing would be as right."""
-        found, sigma = self.judgement, self.gap_sigma
-        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, found.limit * sigma if sigma else None)
+        judgement, sigma = self.judgement, self.gap_sigma
+        return by_chance(
+            self.hand, judgement.misses, judgement.limit, not self.said_mu, judgement.limit * sigma if sigma else None
+        )
 
     @property
     def sure_by_itself(self) -> bool:
         """Whether marks read with no pole named show by themselves that they were told rightly: there are several, and
         what is wrong is so by far, while nearly all others were seen and are right."""
-        found, apart = self.judgement, [0j]
-        for place in (self.hand.taken[m].place for m in found.misses):
+        judgement, apart = self.judgement, [0j]
+        for place in (self.hand.taken[m].place for m in judgement.misses):
             apart += [place] if all(abs(place - z) > FAR_MM for z in apart) else []
         if len(apart) < 3 or not self.fault:
             return len(apart) > 2
-        off = max((abs(found.misses[m].off) for m in found.wrong), default=0.0)
-        fitting = found.explained.keys() if found.named else found.misses.keys() - found.wrong
-        others = [m for m in self.shown_by if label_of(m) != found.first_wrong]
+        off = max((abs(judgement.misses[m].off) for m in judgement.wrong), default=0.0)
+        fitting = judgement.explained.keys() if judgement.named else judgement.misses.keys() - judgement.wrong
+        others = [m for m in self.shown_by if label_of(m) != judgement.first_wrong]
         return off > FAR_MM and sum(m in fitting for m in others) >= FITTING * len(others)
 
     @property
@@ -201,11 +203,11 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     taken = {at(bench.asked.plan, n): s for n, s in spots.items()} | earlier(bench)
     best, most = None, -math.inf
     for mu, share in own_scales(bench, taken):
-        found = _grade_at(bench, mu, share, taken, rebuilt)
-        score = found.judgement.score + (0.0 if found.said_mu else OWN_SCALE)
+        grading = _grade_at(bench, mu, share, taken, rebuilt)
+        score = grading.judgement.score + (0.0 if grading.said_mu else OWN_SCALE)
         if best is None or score > most + 1e-9:
-            best, most = found, score
-        if found.said_mu and not _rescaled(found):
+            best, most = grading, score
+        if grading.said_mu and not _rescaled(grading):
             break
     named = [name for name in unknown if not name.startswith(NAMELESS)]
     if best and named:
@@ -216,12 +218,12 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     return best
 
 
-def _rescaled(found: Grading) -> bool:
+def _rescaled(grading: Grading) -> bool:
     """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
-    if not found.judgement.wrong or kind_of(plan_of(found.marks[0])) != "force":
-        return bool(found.judgement.wrong)
-    laid = [m for m in found.judgement.misses if found.laid_mm(m) > LONG_MM]
-    return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
+    if not grading.judgement.wrong or kind_of(plan_of(grading.marks[0])) != "force":
+        return bool(grading.judgement.wrong)
+    laid = [m for m in grading.judgement.misses if grading.laid_mm(m) > LONG_MM]
+    return len(laid) < 2 or sum(m in grading.judgement.wrong for m in laid) > 1
 
 
 def _grade_at(

@@ -46,8 +46,8 @@ class Miss:
 
     def reach(self, limit: float) -> float:
         """The tolerance in mm in the direction of the miss (if none: the largest)."""
-        found, off = self.sigmas, abs(self.off)
-        return limit * (off / found if found > 1e-9 and off > 1e-9 else self.worst)
+        sigmas, off = self.sigmas, abs(self.off)
+        return limit * (off / sigmas if sigmas > 1e-9 and off > 1e-9 else self.worst)
 
     def blurred(self, error_mm: float) -> Miss:
         """The same of a mark that was read with an error (each way)."""

@@ -70,24 +70,24 @@ def judge(
 ) -> Judgement:
     """Grade the marks of a hand, in order of drawing, and name the first mistake; ``absent`` are not there at all."""
     weighing = _Weighing(hand, marks, breadth(extent_mm))
-    found = Judgement(weighing.limit, weighing.misses)
-    found.wrong = [m for m, miss in found.misses.items() if not miss.sigmas <= found.limit]
-    found.score = sum(weighing.mixed(m, miss) for m, miss in found.misses.items())
-    drawn = {label_of(m) for m in found.misses} - set(absent)
-    suspects = found.wrong[:1] or [m for m, miss in found.misses.items() if miss.sigmas > NEAR]
-    close = any(found.misses[m].sigmas > WARN for m in suspects)
+    judgement = Judgement(weighing.limit, weighing.misses)
+    judgement.wrong = [m for m, miss in judgement.misses.items() if not miss.sigmas <= judgement.limit]
+    judgement.score = sum(weighing.mixed(m, miss) for m, miss in judgement.misses.items())
+    drawn = {label_of(m) for m in judgement.misses} - set(absent)
+    suspects = judgement.wrong[:1] or [m for m, miss in judgement.misses.items() if miss.sigmas > NEAR]
+    close = any(judgement.misses[m].sigmas > WARN for m in suspects)
     ranked = weighing.ranked(variants, drawn, suspects) if suspects else []
-    if ranked and found.wrong:  # is the likeliest mistake good enough to explain the first wrong mark?
-        _keep(found, ranked, ranked[0].score >= max(0.0, weighing.unknown(found.wrong[0])))
+    if ranked and judgement.wrong:  # is the likeliest mistake good enough to explain the first wrong mark?
+        _keep(judgement, ranked, ranked[0].score >= max(0.0, weighing.unknown(judgement.wrong[0])))
     elif ranked and close and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
-        found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
-        _keep(found, ranked, True)
+        judgement.wrong = [m for m in judgement.misses if label_of(m) == ranked[0].variant.blames]
+        _keep(judgement, ranked, True)
     elif ranked and ranked[0].score >= AS_WELL:
-        found.as_well = ranked[0].variant
-    suspect = next((m for m in found.wrong[:1] if weighing.doubts[m]), None)
+        judgement.as_well = ranked[0].variant
+    suspect = next((m for m in judgement.wrong[:1] if weighing.doubts[m]), None)
     right, otherwise = weighing.right(suspect), weighing.misread(suspect) if suspect else -math.inf
-    found.chance_wrong = chance_wrong(right, otherwise, (one.score for one in ranked))
-    return found
+    judgement.chance_wrong = chance_wrong(right, otherwise, (one.score for one in ranked))
+    return judgement
 
 
 @frozen
@@ -166,15 +166,15 @@ class _Weighing:
         return variant.mistake.endswith(LEFT_OUT) or any(not miss.sigmas <= self.limit for miss in apart)
 
 
-def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:
+def _keep(judgement: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:
     """Name the likeliest mistake if it is good enough and well ahead of the next."""
     best, rest = ranked[0], ranked[1:]
     if not good or (rest and best.score - rest[0].score < MARGIN):
-        found.runner_up = best.variant
+        judgement.runner_up = best.variant
         return
-    found.named, found.runner_up = best.variant, rest[0].variant if rest else None
-    found.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= found.limit}
-    found.score += best.score + math.log(SLIP)
+    judgement.named, judgement.runner_up = best.variant, rest[0].variant if rest else None
+    judgement.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= judgement.limit}
+    judgement.score += best.score + math.log(SLIP)
 
 
 def _likely(variant: Variant, drawn: set[str]) -> float:
@@ -195,18 +195,18 @@ def _by_mistake(scored: Sequence[ScoredHypothesis]) -> list[ScoredHypothesis]:
     return sorted(merged, key=lambda n: -n.score)
 
 
-def verdicts(found: Judgement, order: Sequence[str], strayed: Mapping[str, bool]) -> dict[str, str]:
+def verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[str, bool]) -> dict[str, str]:
     """right, wrong, follows or unread for every mark; ``strayed`` says which are off the true plan."""
     out, upset = {}, False
     for mark in order:
         label = label_of(mark)
-        upset = upset or label == found.first_wrong
-        if mark not in found.misses:
+        upset = upset or label == judgement.first_wrong
+        if mark not in judgement.misses:
             out[mark] = "unread"
-        elif mark in found.wrong and not (mark in found.explained and label != found.first_wrong):
+        elif mark in judgement.wrong and not (mark in judgement.explained and label != judgement.first_wrong):
             out[mark], upset = "wrong", True
         else:
-            out[mark] = "follows" if (upset or mark in found.wrong) and strayed.get(mark) else "right"
+            out[mark] = "follows" if (upset or mark in judgement.wrong) and strayed.get(mark) else "right"
     return out
 
 
@@ -218,16 +218,16 @@ def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float)
     rows = numpy.array([part for m in names for part in (misses[m].change.real, misses[m].change.imag)])
     cov = rows @ rows.T + LEAST_MM**2 * numpy.eye(len(rows))
     off = numpy.array([part for m in names for part in (misses[m].off.real, misses[m].off.imag)])
-    found = {}
+    known_before = {}
     for i, name in enumerate(names):
         x, y = 2 * i, 2 * i + 1
         left = float(cov[x, x]), float(cov[x, y]), float(cov[y, y])
-        found[name] = Miss(complex(off[x], off[y]), left, misses[name].change)
-        if found[name].sigmas <= limit:
+        known_before[name] = Miss(complex(off[x], off[y]), left, misses[name].change)
+        if known_before[name].sigmas <= limit:
             for k in (x, y):
                 gain = cov[k] / cov[k, k]
                 off, cov = off - gain * off[k], cov - numpy.outer(gain, cov[k])
-    return {m: found[m] for m in misses}
+    return {m: known_before[m] for m in misses}
 
 
 def order_of_reckoning(steps: Iterable[Step], marks: Sequence[str]) -> list[str]:

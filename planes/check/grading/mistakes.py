@@ -62,13 +62,15 @@ def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
             others = [d for d in w.perpendiculars() if d not in (step.along, step.across) and w.before(d, step)]
             others += [d for _, d in sides if d != direction and not quick]
             for other in others if not quick else []:
-                found = _with(step, side, other)
-                yield w.variant("wrong_link", step, found, weight=1 / len(others), about={"line": line, "other": other})
+                variant_step = _with(step, side, other)
+                yield w.variant(
+                    "wrong_link", step, variant_step, weight=1 / len(others), about={"line": line, "other": other}
+                )
         elif guide is not None:
             turned = f"⊥{direction}~{step.makes}"
             swap = w.square(direction, turned), _with(step, side, turned)
-            whole = (step.start if side == "along" else step.other) == w.pole
-            about = {"guide": guide, "vector": Phrase(f"absolute_{w.plan}" if whole else f"relative_{w.plan}")}
+            from_pole = (step.start if side == "along" else step.other) == w.pole
+            about = {"guide": guide, "vector": Phrase(f"absolute_{w.plan}" if from_pole else f"relative_{w.plan}")}
             yield w.variant("across_guide", step, *swap, about=about)
     if not quick:
         yield from _displaced(w, step)
@@ -103,8 +105,8 @@ def _similar(w: PlanSteps, step: Similar | Image, quick: bool) -> Iterator[Varia
         for far in (end, start):
             if w.pole not in (start, end):
                 for pair in ((w.pole, far), (far, w.pole)):
-                    found = _on(step, *pair)
-                    yield w.variant("similarity_on_pole_segments", step, found, weight=0.25, about=about)
+                    variant_step = _on(step, *pair)
+                    yield w.variant("similarity_on_pole_segments", step, variant_step, weight=0.25, about=about)
         return
     for one, two in ((start, end), (end, start)):
         for normal in _normals(w, one, two):
@@ -177,8 +179,8 @@ def _normal(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
 def _reckoned(step: LayOff, formula: Calculate, old: Sequence[str], new: str, tag: str) -> tuple[Step, Step]:
     """A length laid off that is reckoned with another value in the place of some factors."""
     factors = tuple((new if n in old else n, power) for n, power in formula.terms[0].factors)
-    found = Calculate(f"{step.makes} {tag}", (replace(formula.terms[0], factors=factors),))
-    return found, replace(step, length=found.makes)
+    formula_with_slip = Calculate(f"{step.makes} {tag}", (replace(formula.terms[0], factors=factors),))
+    return formula_with_slip, replace(step, length=formula_with_slip.makes)
 
 
 def _velocities(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:

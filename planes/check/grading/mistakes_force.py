@@ -51,7 +51,7 @@ def _both(w: PlanSteps, step: LayOff, mistake: str, swap: tuple[Step, ...], fact
 def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
     """The plan's moment equations with the terms of one force multiplied."""
     arms = {n for n, m in w.plans.means.items() if m.quantity == "arm" and step.means and m.of == step.means.of}
-    found: dict[str, tuple[Step, ...]] = {}
+    equations: dict[str, tuple[Step, ...]] = {}
     laid = (s for s in w.own if isinstance(s, LayOff) and s.quantity == "tangential")
     for formula in filter(None, map(w.formula, laid)):
         terms = tuple(
@@ -59,8 +59,8 @@ def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[St
             for t in formula.terms
         )
         if terms != formula.terms:
-            found[formula.makes] = (replace(formula, terms=terms),)
-    return found
+            equations[formula.makes] = (replace(formula, terms=terms),)
+    return equations
 
 
 def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
@@ -108,9 +108,9 @@ def _arm(w: PlanSteps, step: LayOff, term: Product) -> Iterator[Variant]:
     formula, drop = w.formula(step), _drop(w, term)
     if not formula or not drop:
         return
-    whole = Measure(f"{drop.makes}~whole", drop.point, drop.about, None, drop.mu)
+    distance = Measure(f"{drop.makes}~whole", drop.point, drop.about, None, drop.mu)
     leg = Measure(f"{drop.makes}~leg", drop.point, drop.about, drop.along, drop.mu)
-    for made in (whole, leg):
+    for made in (distance, leg):
         for sign in (1.0, -1.0):
             factors = tuple((made.makes if n == drop.makes else n, p) for n, p in term.factors)
             swapped = _replaced(formula, term, replace(term, coefficient=sign * term.coefficient, factors=factors))

@@ -54,10 +54,10 @@ class ReadMark:
         return math.sqrt(max(self.error_mm**2 - sum(abs(z) ** 2 for z in self.shared) / 2, 0.0))
 
 
-def with_told(spots: Iterable[ReadMark], told: Mapping[str, complex]) -> list[ReadMark]:
+def with_told(spots: Iterable[ReadMark], pointed: Mapping[str, complex]) -> list[ReadMark]:
     """Marks that were read, and those that were pointed to instead, which are in no doubt."""
-    read = [s for s in spots if s.name not in told]
-    return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in told.items())]
+    read = [s for s in spots if s.name not in pointed]
+    return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in pointed.items())]
 
 
 @frozen
@@ -192,10 +192,10 @@ def _number(paper: ReadPaper, cell: object, line: int) -> float:
 
 def _length(paper: ReadPaper, cell: object, line: int) -> float:
     """A length on a sheet, mm."""
-    found = _number(paper, cell, line)
-    if abs(found) > LARGEST_MM:
+    length = _number(paper, cell, line)
+    if abs(length) > LARGEST_MM:
         raise paper.refuse("check_no_place", line=line, text=str(cell)[:40])
-    return found
+    return length
 
 
 def _rounding(cell: object) -> float:

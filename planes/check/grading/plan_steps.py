@@ -38,8 +38,8 @@ class PlanSteps:
 
     def formula(self, step: LayOff) -> Calculate | None:
         """How the length a step lays off is reckoned, if it is."""
-        found = self.steps.get(step.length)
-        return found if isinstance(found, Calculate) else None
+        maker = self.steps.get(step.length)
+        return maker if isinstance(maker, Calculate) else None
 
     def link_line(self, direction: str) -> str | None:
         """The direction a perpendicular was raised on, if the direction is one."""
@@ -48,16 +48,16 @@ class PlanSteps:
 
     def perpendiculars(self) -> list[str]:
         """Perpendiculars to links among the program's directions."""
-        return [d for d in self.steps if (of := self.link_line(d)) and guide_of(of) is None]
+        return [d for d in self.steps if (line := self.link_line(d)) and guide_of(line) is None]
 
     def reversed_length(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
         """The same length laid off times a number (backwards, twice, half)."""
         name = f"{step.makes} ×{factor:g}"
         return Calculate(name, (Product(factor, ((step.length, 1),)),)), replace(step, length=name)
 
-    def square(self, of: str, name: str) -> Turn:
+    def square(self, line_name: str, name: str) -> Turn:
         """A perpendicular of another name."""
-        return Turn(name, of, 1, means=replace(self.plans.means[of], quantity="across"))
+        return Turn(name, line_name, 1, means=replace(self.plans.means[line_name], quantity="across"))
 
     def variant(
         self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None

@@ -74,12 +74,12 @@ def between(bench: PreparedPlan) -> list[Side]:
 
 def sides_of(plans: Plans, plan: str) -> list[Side]:
     """All vectors of a force plan as the program draws them, the closing ones last."""
-    found: dict[str, Side] = {}
+    sides: dict[str, Side] = {}
     terms = (t for e in plans.equations if e.plan == plan for t in e.terms)
     for t in (t for t in terms if not {at(plan, t.start), at(plan, t.end)} & plans.helpers):
         name, ends = end_of(t.name), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
-        found.setdefault(name, Side(name, *ends))
-    return list(found.values())
+        sides.setdefault(name, Side(name, *ends))
+    return list(sides.values())
 
 
 def loads_of(plans: Plans, plan: str) -> set[str]:
@@ -87,7 +87,7 @@ def loads_of(plans: Plans, plan: str) -> set[str]:
     return {label_of(s.makes) for s in plans.program.steps if isinstance(s, LayOff) and plan_of(s.makes) == plan}
 
 
-def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, whole: bool = True) -> Rebuilt:
+def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, complete: bool = True) -> Rebuilt:
     """The person's vectors, each from the end of the row before it, laid off in the program's order.
 
     After the last row of a polygon one that is not of it begins another, where that begins.
@@ -112,8 +112,8 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, 
     loads, out.vectors = loads_of(plans, plan), [*vectors.values()]
     out.closers = {name for name, side in sides.items() if side.end not in loads}
     out.polygons += polygons
-    out.left = [] if whole else [side for name, side in sides.items() if name not in vectors]
-    _lay(out, sides, vectors, loads, whole)
+    out.left = [] if complete else [side for name, side in sides.items() if name not in vectors]
+    _lay(out, sides, vectors, loads, complete)
     return out
 
 
@@ -122,7 +122,7 @@ def _whole(polygon: Mapping[str, str], seen: Collection[str]) -> bool:
     return all(name in seen or end == POLE for name, end in polygon.items())
 
 
-def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], whole: bool) -> None:
+def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], complete: bool) -> None:
     """Marks from vectors: a side of which one end is known gives the other; a second way to a mark gives the gap."""
     places: dict[str, complex] = {POLE: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector
@@ -136,14 +136,14 @@ def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str]
         if name not in vectors:
             places[side.end] = places[side.start]
             hidden.add(side.end)
-            if whole:
+            if complete:
                 out.absent.add(side.end)
                 out.spots[side.end] = ReadMark(side.end, places[side.end], 0.0)
             continue
         read = vectors[name]
         if side.start in places and side.end in places:
             gap = places[side.start] + read.place - places[side.end]
-            if (whole or not hidden & {side.start, side.end}) and (out.gap is None or abs(gap) > abs(out.gap.place)):
+            if (complete or not hidden & {side.start, side.end}) and (out.gap is None or abs(gap) > abs(out.gap.place)):
                 out.gap, out.closing = replace(read, place=gap), name
         else:
             ahead = side.start in places
@@ -171,25 +171,25 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
             raise PlanesError(told_to("table", asking("check_nothing_read", names=wanted)))
         return rebuilt.spots, rebuilt, rebuilt.unknown
     fixed = bench.naming.names(bench.plans.mechanism.frame.points)
-    found: dict[str, ReadMark] = {}
+    spots: dict[str, ReadMark] = {}
     unknown = []
     for spot in paper.spots:
         name = names.find(spot.name)
         if name is None and fixed.find(spot.name) is None:  # it may be at the pole
             unknown.append(spot.name)
         elif name and name != POLE:
-            found.setdefault(name, spot)
-    origin = pole.place if pole else _origin(bench, plan, found)
-    return {n: replace(s, name=n, place=s.place - origin) for n, s in found.items()}, None, unknown
+            spots.setdefault(name, spot)
+    origin = pole.place if pole else _origin(bench, plan, spots)
+    return {n: replace(s, name=n, place=s.place - origin) for n, s in spots.items()}, None, unknown
 
 
-def _origin(bench: PreparedPlan, plan: str, found: Mapping[str, ReadMark]) -> complex:
+def _origin(bench: PreparedPlan, plan: str, spots: Mapping[str, ReadMark]) -> complex:
     """Where the pole is when it was not read: from a fixed point of the scheme."""
     if plan != "position":
         raise PlanesError(Phrase("check_no_pole"))
     for name, place in bench.plans.mechanism.frame.points.items():
-        if name in found:
-            return complex(found[name].place - place * bench.given[mu_of(plan)])
+        if name in spots:
+            return complex(spots[name].place - place * bench.given[mu_of(plan)])
     raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))
 
 

@@ -29,9 +29,9 @@ def readable(grading: Grading, named: Collection[str] = ()) -> Phrase | None:
     """None when enough was read to judge, be it but the names of some marks, else a sentence that says what is
     missing."""
     key = key_marks(grading)
-    found = [m for m in key if m in grading.judgement.misses or label_of(m) in named]
-    if len(found) < READABLE * len(key):
-        missing, steps = ", ".join(label_of(m) for m in key if m not in found), grading.plans.program.makers
+    read_marks = [m for m in key if m in grading.judgement.misses or label_of(m) in named]
+    if len(read_marks) < READABLE * len(key):
+        missing, steps = ", ".join(label_of(m) for m in key if m not in read_marks), grading.plans.program.makers
         drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # on a line of marks only one may be key
         read = sum(m in grading.judgement.misses for m in drawn)
         return asking("check_too_little", found=read, count=len(drawn), names=missing)
@@ -49,14 +49,14 @@ def readable(grading: Grading, named: Collection[str] = ()) -> Phrase | None:
 
 def _unsure_marks(grading: Grading) -> list[str]:
     """The marks to ask a person about, where what was read may be misread and is not sure enough to judge by."""
-    found = grading.judgement
+    judgement = grading.judgement
     wrong = grading.chance_wrong if grading.fault else 1 - grading.chance_wrong
-    doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
-    loose = found.named is None and any(grading.hand.taken[m].doubt > ASKED for m in doubted)
+    doubted = [m for m in judgement.misses if grading.hand.taken[m].doubt]
+    loose = judgement.named is None and any(grading.hand.taken[m].doubt > ASKED for m in doubted)
     if (wrong > ASKED and not (loose and grading.fault)) or not doubted:
         return []  # a mark of lines that do not show where they end is not called wrong for a cause of its own
-    odd = sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))
-    return [m for m in odd if m in found.wrong or found.misses[m].sigmas > WARN][:MOST_ASKED] or odd[:1]
+    odd = sorted(doubted, key=lambda m: (m not in judgement.wrong[:1], -judgement.misses[m].sigmas))
+    return [m for m in odd if m in judgement.wrong or judgement.misses[m].sigmas > WARN][:MOST_ASKED] or odd[:1]
 
 
 def doubts_of(grading: Grading) -> Phrase | None:
@@ -66,8 +66,8 @@ def doubts_of(grading: Grading) -> Phrase | None:
         return asking("check_force_unsure") if marks else None
     places = [(label_of(m), grading.hand.taken[m].place) for m in marks]
     first = places[0][0]
-    told = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
-    return asking("check_ask", "mark", marks=Written(told), mark=first)
+    mark_list = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
+    return asking("check_ask", "mark", marks=Written(mark_list), mark=first)
 
 
 def of_another(bench: PreparedPlan, paper: ReadPaper) -> Phrase | None:

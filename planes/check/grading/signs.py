@@ -14,12 +14,12 @@ APART_MM = 3.0  # marks nearer to each other may share their letters
 NEAR = 0.02  # how near a scale told by vectors is to a standard one that is meant
 
 
-def exchanged(bench: PreparedPlan, paper: ReadPaper, found: Grading) -> tuple[Grading, SignFault] | None:
+def exchanged(bench: PreparedPlan, paper: ReadPaper, grading: Grading) -> tuple[Grading, SignFault] | None:
     """The grading of a drawing that is right once two of its letters are exchanged, and which; None where that does not
     mend it, or a mistake of the catalogue explains every mark."""
-    judged = found.judgement
-    told = judged.named is not None and judged.explained.keys() >= judged.misses.keys()
-    if not judged.wrong or told or found.rebuilt or kind_of(bench.asked.plan) == "force":
+    judged = grading.judgement
+    explained = judged.named is not None and judged.explained.keys() >= judged.misses.keys()
+    if not judged.wrong or explained or grading.rebuilt or kind_of(bench.asked.plan) == "force":
         return None
     names = {s.name: n for s in paper.spots if (n := bench.names.find(s.name)) and n != POLE}
     wrong = {label_of(m) for m in judged.wrong}
@@ -30,8 +30,8 @@ def exchanged(bench: PreparedPlan, paper: ReadPaper, found: Grading) -> tuple[Gr
         spots = [replace(s, name=other.get(s.name, s.name)) for s in paper.spots]
         a, b = (next(s.place for s in spots if s.name == name) for name in (one, two))
         mended = grade(bench, replace(paper, spots=spots)) if abs(a - b) > APART_MM else None
-        if mended and not mended.fault and mended.said_mu >= found.said_mu:
-            return mended, SignFault("names_exchanged", names[one], names[two], found.judgement.chance_wrong)
+        if mended and not mended.fault and mended.said_mu >= grading.said_mu:
+            return mended, SignFault("names_exchanged", names[one], names[two], grading.judgement.chance_wrong)
     return None
 
 

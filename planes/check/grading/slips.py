@@ -58,7 +58,7 @@ def _from_total(name: str, free: Hand) -> float:
         part = steps.get(value)
         normal = steps.get(part.start) if power == 1 and isinstance(part, Measure) else None
         if isinstance(part, Measure) and isinstance(normal, LayOff) and part.mu in free.things:
-            whole = abs(free.number(part.end) - free.number(normal.start)) / abs(number_of(free, part.mu))
+            total = abs(free.number(part.end) - free.number(normal.start)) / abs(number_of(free, part.mu))
             tangential = abs(number_of(free, value))
-            return float(abs(number_of(free, name)) * whole / tangential) if tangential else 0.0
+            return float(abs(number_of(free, name)) * total / tangential) if tangential else 0.0
     return 0.0

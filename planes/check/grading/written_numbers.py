@@ -79,16 +79,16 @@ def account(
     figures: Sequence[WrittenNumber], free: Hand, own: Hand | None, variants: Iterable[Variant], ruler_mm: float = 0.0
 ) -> Account:
     """Judge figures against the true plan; name the mistake of the first wrong one."""
-    found = Account([_judged(f, free, own, ruler_mm) for f in figures], ruler_mm > 0)
-    for s in found.scored:
+    own_account = Account([_judged(f, free, own, ruler_mm) for f in figures], ruler_mm > 0)
+    for s in own_account.scored:
         if s.verdict == "wrong":
             s.slip = number_mistake(s.figure, s.true, s.sigma, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
                 s.slip = number_mistake(s.figure, s.mine, s.sigma, own)
-    wrong = sum(s.verdict == "wrong" for s in found.scored)
-    if found.first and found.first.slip is None and (found.lengths or len(found.scored) > 1):
-        _name(found, free, variants, (True,) if found.lengths else (True, False) if wrong > 1 else (False,))
-    return found
+    wrong = sum(s.verdict == "wrong" for s in own_account.scored)
+    if own_account.first and own_account.first.slip is None and (own_account.lengths or len(own_account.scored) > 1):
+        _name(own_account, free, variants, (True,) if own_account.lengths else (True, False) if wrong > 1 else (False,))
+    return own_account
 
 
 def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:
@@ -134,30 +134,30 @@ def _off(f: WrittenNumber, true: float) -> float:
     return abs(f.given - true) if f.signed else abs(abs(f.given) - abs(true))
 
 
-def _name(found: Account, free: Hand, variants: Iterable[Variant], means: Sequence[bool]) -> None:
+def _name(own_account: Account, free: Hand, variants: Iterable[Variant], means: Sequence[bool]) -> None:
     """The mistake in a plan that gives all the numbers as they are written, drawn by hand or reckoned (``means``); what
     it explains beyond the first wrong figure follows from it. Of one wrong result a construction is told only by the
     digits."""
     best: dict[str, tuple[float, Variant, list[float]]] = {}
     for variant in variants:
         things = {**free.things, **variant.givens, **free.under(variant)}
-        values = [first_of(s.figure.read(things)) for s in found.scored]
-        score, fits = max(_explained(found.scored, values, by_hand) for by_hand in means)
+        values = [first_of(s.figure.read(things)) for s in own_account.scored]
+        score, fits = max(_explained(own_account.scored, values, by_hand) for by_hand in means)
         score += math.log(variant.weight)
         if score > best.get(variant.mistake, (-math.inf,))[0]:
             best[variant.mistake] = score, variant, fits
     ranked = sorted(best.values(), key=lambda b: -b[0])
     if not ranked:
         return
-    (score, variant, fits), first = ranked[0], found.first
+    (score, variant, fits), first = ranked[0], own_account.first
     rest = [ranked[1][0]] if len(ranked) > 1 else []
-    rest += [] if found.lengths else [_by_other_cause(found.scored, means)]
+    rest += [] if own_account.lengths else [_by_other_cause(own_account.scored, means)]
     if sum(fits) + math.log(variant.weight) > LIKELY * len(fits) and score - max(rest, default=-math.inf) >= MARGIN:
-        found.named = variant
-        for s, fit in zip(found.scored, fits, strict=True):
+        own_account.named = variant
+        for s, fit in zip(own_account.scored, fits, strict=True):
             if s.verdict == "wrong" and s is not first and fit > LIKELY:
                 s.verdict = "follows"
-    found.runner_up = ranked[1][1].mistake if len(ranked) > 1 and found.named else variant.mistake
+    own_account.runner_up = ranked[1][1].mistake if len(ranked) > 1 and own_account.named else variant.mistake
 
 
 def _by_other_cause(scored: Sequence[Scored], means: Sequence[bool]) -> float:

@@ -121,12 +121,12 @@ def _reached(strokes: Sequence[Stroke], owned: Sequence[int], tips: dict[int, co
 
 def _once(heads: Sequence[Arrowhead]) -> list[Arrowhead]:
     """The heads without those drawn twice."""
-    found: dict[tuple[int, int], list[Arrowhead]] = {}
+    by_place: dict[tuple[int, int], list[Arrowhead]] = {}
     for head in heads:
-        near = found.setdefault((round(head.tip.real), round(head.tip.imag)), [])
+        near = by_place.setdefault((round(head.tip.real), round(head.tip.imag)), [])
         if all(abs(head.tip - h.tip) > AGAIN_MM or abs(head.way - h.way) > AGAIN for h in near):
             near.append(head)
-    return [head for near in found.values() for head in near]
+    return [head for near in by_place.values() for head in near]
 
 
 def _join(sketch: ReadDrawing) -> None:
@@ -157,9 +157,9 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[i
     """
     import numpy
 
-    found, tips = [0] * len(strokes), dict[int, complex]()
+    way_of, tips = [0] * len(strokes), dict[int, complex]()
     if len(strokes) * len(heads) > MOST_PAIRS:
-        return found, tips
+        return way_of, tips
     ends = numpy.array(strokes, complex).reshape(-1, 2)
     reach = [max(NEAR_MM, 2 * head.length) for head in heads]
     near = [numpy.flatnonzero(abs(ends - h.tip).min(axis=1) < far) for h, far in zip(heads, reach, strict=True)]
@@ -168,13 +168,13 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[i
         for head, held in zip(heads, near, strict=True)
     ]
     for candidates in sorted(wanted, key=len):
-        free = [(far, k, way, tip) for far, k, way, tip in candidates if not found[k]]
-        free = free or [one for one in candidates if found[one[1]] == -one[2] and one[0] < BOTH_FAR]
+        free = [(far, k, way, tip) for far, k, way, tip in candidates if not way_of[k]]
+        free = free or [one for one in candidates if way_of[one[1]] == -one[2] and one[0] < BOTH_FAR]
         if free:
             far, k, way, tip = min(free, key=lambda one: one[:3])
-            found[k] = BOTH if found[k] else way
+            way_of[k] = BOTH if way_of[k] else way
             tips |= {k: tip} if far < 0 else {}
-    return found, tips
+    return way_of, tips
 
 
 def _turns(head: Arrowhead) -> Iterator[Arrowhead]:
@@ -188,7 +188,7 @@ def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int])
     """Ends of the strokes ``held`` a head may belong to: how far it is (less than nothing if within it), which stroke,
     which end."""
     tip, way, long, _ = head
-    found = []
+    ends = []
     for k in map(int, held):
         a, b = strokes[k]
         near = min(NEAR_MM, 0.4 * abs(b - a))
@@ -197,8 +197,8 @@ def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int])
             inside = -long - SAME_MM < off.real < -near and abs(off.imag) < SLIM * long  # only its own shaft ends there
             if (inside or abs(off) < near) and turn.real > STRAIGHT * abs(turn):
                 aside = TURNED * abs(turn.imag) / abs(turn)
-                found.append((aside - NEAR_MM if inside else abs(off) + aside, k, sign))
-    return found
+                ends.append((aside - NEAR_MM if inside else abs(off) + aside, k, sign))
+    return ends
 
 
 def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrowhead, tuple[Stroke, Stroke]]]:
@@ -206,14 +206,14 @@ def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrow
     short = [s for s in free if abs(s[1] - s[0]) <= LARGEST_MM]
     pairs = [(one, two) for i, one in enumerate(short) for two in short[:i]] if len(short) <= 400 else []
     spread = [(head, wings, far) for wings in pairs for head, far in _spread(*wings)]
-    found = []
+    heads = []
     for head, wings, far in spread if len(strokes) * len(spread) <= MOST_PAIRS else ():
         others = [s for s in strokes if s not in wings]
         ends = _candidates(others, head, range(len(others)))
         lengths = ((off, abs(others[k][1] - others[k][0]) / far) for off, k, _ in ends)
         if any(long > LONGER or (long > SHORTER and off < EXACT) for off, long in lengths):
-            found.append((head, wings))
-    return found
+            heads.append((head, wings))
+    return heads
 
 
 def _spread(one: Stroke, two: Stroke) -> Iterator[tuple[Arrowhead, float]]:

@@ -54,13 +54,13 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     for pole in (*poles, *most) if tips else ():
         hidden = unshown(sketch, bench, pole)
         shown = {n: z for n, z in truth.items() if n not in hidden}
-        found = {n: _nearest(pole + z, [pole, *tips]) for n, z in shown.items()}
-        ends = [pole, *found.values()]
-        there = all(abs(found[n] - pole - z) <= REACH_MM for n, z in shown.items())
+        places = {n: _nearest(pole + z, [pole, *tips]) for n, z in shown.items()}
+        ends = [pole, *places.values()]
+        there = all(abs(places[n] - pole - z) <= REACH_MM for n, z in shown.items())
         if there and all(abs(_nearest(z, ends) - z) <= REACH_MM for arrow in arrows for z in arrow):
-            spots = [ReadMark(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
+            spots = [ReadMark(n, z, sketch.error_mm) for n, z in {POLE: pole, **places}.items()]
             paper = ReadPaper(sketch.file, spots, whole=False)
-            if named(found, near.keys() & found, far_from) and is_right(bench, paper):
+            if named(places, near.keys() & places, far_from) and is_right(bench, paper):
                 return paper
     return ReadPaper(sketch.file, whole=False)
 
@@ -165,16 +165,16 @@ Place = TypeVar("Place", complex, Stroke)
 
 
 def named(
-    found: Mapping[str, Place],
+    places: Mapping[str, Place],
     words: Iterable[str],
     word: Callable[[str, Place], float],
     nearer: Callable[[str, str], float] = lambda _, __: EXCHANGED_MM,
 ) -> bool:
     """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is, and
     ``nearer`` by how much two words must be nearer to each other's places for that."""
-    own = {n: word(n, found[n]) for n in words}
+    own = {n: word(n, places[n]) for n in words}
     return all(map(math.isfinite, own.values())) and not any(
-        word(one, found[two]) + word(two, found[one]) + nearer(one, two) < own[one] + own[two]
+        word(one, places[two]) + word(two, places[one]) + nearer(one, two) < own[one] + own[two]
         for one, two in combinations(own, 2)
     )
 
@@ -189,8 +189,8 @@ def _graded(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
 
 def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
     """Whether a paper is right."""
-    found = _graded(bench, paper)
-    return found is not None and not found.fault and readable(found) is None
+    grading = _graded(bench, paper)
+    return grading is not None and not grading.fault and readable(grading) is None
 
 
 def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
@@ -230,8 +230,10 @@ def vague(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> bool:
     if is_right(bench, paper):
         return False
     names = bench.naming.names(true_vectors(bench))
-    told = any((names.find(w.text) or POLE) != POLE for w in sketch.words)
-    return not told or apart(sketch) or (not any(sketch.ways) and worth(bench, _turned(paper)) >= worth(bench, paper))
+    has_names = any((names.find(w.text) or POLE) != POLE for w in sketch.words)
+    return (
+        not has_names or apart(sketch) or (not any(sketch.ways) and worth(bench, _turned(paper)) >= worth(bench, paper))
+    )
 
 
 def _turned(paper: ReadPaper) -> ReadPaper:
@@ -244,8 +246,8 @@ def _turned(paper: ReadPaper) -> ReadPaper:
 def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
     """How many marks of a paper are where their steps lead, less those that are not."""
     bench = bench.at(paper.mu, told=True) if paper.mu else bench
-    found = _graded(bench, paper) if paper.spots else None
-    if found is None:
+    grading = _graded(bench, paper) if paper.spots else None
+    if grading is None:
         return -len(bench.marks)
-    judged = found.judgement
-    return len(judged.misses) - 2.0 * len(judged.wrong) - OPEN * bool(found.gap_wrong) + NAMED * bool(judged.named)
+    judged = grading.judgement
+    return len(judged.misses) - 2.0 * len(judged.wrong) - OPEN * bool(grading.gap_wrong) + NAMED * bool(judged.named)

@@ -60,9 +60,9 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
         words = beside(sketch.words, nodes, edges, bench.naming.names(truth))
         for start, trail in _trails(edges, pole):
             rows = _rows(start, trail, nodes, words, truth, sketch)
-            whole = trail[-1][1] == start and len(trail) == len(edges)
-            if rows and (best is None or rows[0] + WHOLE * whole > best[0]):
-                best = rows[0] + WHOLE * whole, rows[1], whole, len(trail) == len(edges)
+            closed = trail[-1][1] == start and len(trail) == len(edges)
+            if rows and (best is None or rows[0] + WHOLE * closed > best[0]):
+                best = rows[0] + WHOLE * closed, rows[1], closed, len(trail) == len(edges)
         if best and (best[2] or best[0] > ENOUGH * len(truth)) and not nodes.passed:
             break
     if best and not any(sketch.ways) and not (best[3] and all(row.name in truth for row in best[1][1:])):
@@ -80,7 +80,7 @@ def true_vectors(bench: PreparedPlan) -> dict[str, complex]:
 
 def _edges(sketch: ReadDrawing, nodes: Nodes, split: bool) -> list[Edge]:
     """Nodes joined by strokes; if ``split``, a stroke through a node is two."""
-    found: list[Edge] = []
+    edges: list[Edge] = []
     for k in vectors_of(sketch, True) or range(len(sketch.strokes)):
         a, b = sketch.strokes[k]
         i, j = nodes.ends[k, 0], nodes.ends[k, 1]
@@ -93,8 +93,8 @@ def _edges(sketch: ReadDrawing, nodes: Nodes, split: bool) -> list[Edge]:
             if n not in (i, j) and abs(local.imag) < 0.5 and 1 < local.real < abs(b - a) - 1:
                 inside.append((local.real, n))
         path = [(i, a), *((n, nodes.places[n]) for _, n in sorted(inside)), (j, b)]
-        found += [Edge(one, two, (z, w), way != 0) for (one, z), (two, w) in pairwise(path) if one != two]
-    return found
+        edges += [Edge(one, two, (z, w), way != 0) for (one, z), (two, w) in pairwise(path) if one != two]
+    return edges
 
 
 def _reached(edges: list[Edge], pole: int | None) -> list[Edge]:
@@ -109,7 +109,7 @@ def _reached(edges: list[Edge], pole: int | None) -> list[Edge]:
 
 def beside(words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], known: Names) -> Beside:
     """How far every vector's name stands from the middle part of every line near it, passed to either end."""
-    found: Beside = {}
+    costs_of: Beside = {}
     for word in words:
         name = known.find(word.text)
         if name is None or name == POLE:
@@ -120,9 +120,9 @@ def beside(words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], known: N
                     middle = abs((a + b) / 2 - word.place) / max(abs(b - a), 5.0)
                     upon = any(_there_and_back(nodes, edge, e) for e in edges)
                     cost = far + 2 * min(middle, 1.0) - upon * TIP * ahead_of(word, (a, b))
-                    costs = found.setdefault(name, {})
+                    costs = costs_of.setdefault(name, {})
                     costs[edge, end] = min(cost, costs.get((edge, end), cost))
-    return found
+    return costs_of
 
 
 def ahead_of(word: Words, stroke: Stroke) -> float:
@@ -216,10 +216,10 @@ def _by_words(
 
 def named_best(costs: Sequence[Mapping[str, float]]) -> list[str | None]:
     """Each vector's name, the cheapest first, then exchanged wherever that is cheaper in all."""
-    found: list[str | None] = [None] * len(costs)
+    names: list[str | None] = [None] * len(costs)
     for cost, i, n in sorted((cost, i, n) for i, row in enumerate(costs) for n, cost in row.items()):
-        if found[i] is None and n not in found and cost < TOO_FAR:
-            found[i] = n
+        if names[i] is None and n not in names and cost < TOO_FAR:
+            names[i] = n
 
     def price(i: int, name: str | None) -> float:
         return costs[i].get(name, 2 * TOO_FAR) if name else TOO_FAR
@@ -227,7 +227,7 @@ def named_best(costs: Sequence[Mapping[str, float]]) -> list[str | None]:
     better = True
     while better:
         better = False
-        for i, j in combinations(range(len(found)), 2):
-            if price(i, found[j]) + price(j, found[i]) < price(i, found[i]) + price(j, found[j]) - 1e-9:
-                found[i], found[j], better = found[j], found[i], True
-    return [n if n and costs[i].get(n, TOO_FAR) < TOO_FAR else None for i, n in enumerate(found)]
+        for i, j in combinations(range(len(names)), 2):
+            if price(i, names[j]) + price(j, names[i]) < price(i, names[i]) + price(j, names[j]) - 1e-9:
+                names[i], names[j], better = names[j], names[i], True
+    return [n if n and costs[i].get(n, TOO_FAR) < TOO_FAR else None for i, n in enumerate(names)]

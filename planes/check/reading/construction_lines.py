@@ -73,8 +73,8 @@ def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
     """The strokes that are vectors: those with heads, else those that are no construction line of another; none where
     nothing tells. Of a ``closed`` figure a vector begins and ends where others do."""
     strokes = sketch.strokes
-    if found := headed(sketch):
-        return found
+    if with_heads := headed(sketch):
+        return with_heads
     if len(strokes) > CROSSINGS:
         return []
     named = [] if closed else _named(sketch)
@@ -89,12 +89,12 @@ def vectors_alone(sketch: ReadDrawing, vectors: Sequence[int]) -> ReadDrawing:
 
 def _named(sketch: ReadDrawing) -> list[complex]:
     """Ends of strokes that alone stand beside a word."""
-    found, ends = list[complex](), [z for stroke in sketch.strokes for z in stroke]
+    ends_named, ends = list[complex](), [z for stroke in sketch.strokes for z in stroke]
     for word in sketch.words:
         near = [z for z in ends if word.distance(z) < NAMED_MM]
         if near and all(abs(z - near[0]) < SNAPPED_MM for z in near):
-            found.append(near[0])
-    return found
+            ends_named.append(near[0])
+    return ends_named
 
 
 def _is_line(strokes: Sequence[Stroke], k: int, closed: bool, named: Sequence[complex]) -> bool:

@@ -40,16 +40,16 @@ def vectors_drawn(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedPlan) ->
         return any(abs(z - w) < near for w in marks.values())
 
     joined = [(line, headed) for line, headed in lines if all(map(at_mark, line))]
-    found = {v: one for v, way in vectors.items() if (one := _from_end_to_end(joined, way, near))}
+    drawn_as = {v: one for v, way in vectors.items() if (one := _from_end_to_end(joined, way, near))}
     for arrow in arrows:
         free = [z for z in arrow if not at_mark(z)]
-        aims = [v for v in vectors if len(free) == 1 or v not in found]
+        aims = [v for v in vectors if len(free) == 1 or v not in drawn_as]
         aim = min(aims, key=lambda v: _off(arrow, vectors[v]), default=None) if free else None
         if aim and (off := _off(arrow, vectors[aim])) <= HALF * abs(vectors[aim][1] - vectors[aim][0]):
             others = [w for other in arrows if other != arrow for w in other]
             misread = any(abs(z - w) <= near for z in free for w in others)  # a mark, where others end too
-            found[aim] = DrawnVector("missing") if misread else DrawnVector("astray", off)
-    return {v: found.get(v, DrawnVector("missing")) for v in vectors}
+            drawn_as[aim] = DrawnVector("missing") if misread else DrawnVector("astray", off)
+    return {v: drawn_as.get(v, DrawnVector("missing")) for v in vectors}
 
 
 def _from_end_to_end(joined: Sequence[Line], way: Stroke, near: float) -> DrawnVector | None:

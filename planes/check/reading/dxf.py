@@ -34,23 +34,23 @@ def read_dxf(path: str | Path) -> ReadDrawing:
         document, _ = recover.read(io.BytesIO(data))
         scale = _MM.get(int(document.header.get("$INSUNITS", 0)), 1.0)
         for space in (document.modelspace(), *(s for s in document.layouts if s.name != "Model")):
-            found = _sketch(document, space, scale, str(path))
-            if found.strokes:
+            drawing = _sketch(document, space, scale, str(path))
+            if drawing.strokes:
                 break
-    return found
+    return drawing
 
 
 def _sketch(document: Any, space: Any, scale: float, file: str) -> ReadDrawing:
-    found = ReadDrawing(file)
+    drawing = ReadDrawing(file)
     for entity in _seen(document, space, file):
         try:
-            _entity(found, entity, scale)
+            _entity(drawing, entity, scale)
         except (ValueError, AttributeError, TypeError, IndexError, ZeroDivisionError):
             continue
-    found.words = joined(found.words)
-    without_letters(found)
-    settle(found)
-    return found
+    drawing.words = joined(drawing.words)
+    without_letters(drawing)
+    settle(drawing)
+    return drawing
 
 
 def _seen(document: Any, space: Any, file: str) -> Iterator[Any]:
@@ -85,33 +85,33 @@ def _outlined(block: Any) -> bool:
     return sum(kind in FILLINGS for kind in kinds) == 1
 
 
-def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
+def _entity(drawing: ReadDrawing, entity: Any, scale: float) -> None:
     """One entity, if it is straight, a head or a text."""
     match entity.dxftype():
         case "LINE":
-            found.add([_z(entity.dxf.start, scale), _z(entity.dxf.end, scale)])
+            drawing.add([_z(entity.dxf.start, scale), _z(entity.dxf.end, scale)])
         case "CIRCLE" if entity.dxf.radius * scale <= ROUND_MM:
-            found.rounds.append((_z(entity.ocs().to_wcs(entity.dxf.center), scale), entity.dxf.radius * scale))
+            drawing.rounds.append((_z(entity.ocs().to_wcs(entity.dxf.center), scale), entity.dxf.radius * scale))
         case "LWPOLYLINE" | "POLYLINE":
-            _polyline(found, entity, scale)
+            _polyline(drawing, entity, scale)
         case "LEADER":
             tip, *before = places = [_z(v, scale) for v in entity.vertices]
-            found.add(places)
+            drawing.add(places)
             if entity.dxf.get("has_arrowhead", 1) and before and tip != before[0]:
-                found.heads.append(Arrowhead(tip, (tip - before[0]) / abs(tip - before[0])))
+                drawing.heads.append(Arrowhead(tip, (tip - before[0]) / abs(tip - before[0])))
         case "SOLID" | "TRACE":
-            found.heads += filter(None, [head_of([_z(p, scale) for p in entity.wcs_vertices()])])
+            drawing.heads += filter(None, [head_of([_z(p, scale) for p in entity.wcs_vertices()])])
         case "HATCH":
-            found.heads += filter(None, [head_of(_boundary(entity, path, scale)) for path in entity.paths])
+            drawing.heads += filter(None, [head_of(_boundary(entity, path, scale)) for path in entity.paths])
         case "TEXT" | "ATTRIB":
-            _text(found, entity, scale)
+            _text(drawing, entity, scale)
         case "MTEXT":
             along = cmath.rect(1, math.radians(entity.get_rotation()))
             below, across = divmod(entity.dxf.get("attachment_point", 1) - 1, 3)
             height, text = entity.dxf.char_height * scale, _told(entity.text)
             width = entity.dxf.get("rect_width", 0.0) * scale or height * breadth(text)
             corner = complex(width * across, height * (2 - below)) / 2
-            found.write(Words(text, _z(entity.dxf.insert, scale) - along * corner, height, width, along))
+            drawing.write(Words(text, _z(entity.dxf.insert, scale) - along * corner, height, width, along))
 
 
 def _told(text: str) -> str:
@@ -132,7 +132,7 @@ def _told(text: str) -> str:
     return "".join(said(t) for t in MTextParser(text))
 
 
-def _polyline(found: ReadDrawing, entity: Any, scale: float) -> None:
+def _polyline(drawing: ReadDrawing, entity: Any, scale: float) -> None:
     """A polyline: a vector or several, perhaps with heads of its own, or a hollow head."""
     if entity.dxftype() == "LWPOLYLINE":
         points, closed = [_z(p, scale) for p in entity.vertices_in_wcs()], bool(entity.closed)
@@ -141,18 +141,18 @@ def _polyline(found: ReadDrawing, entity: Any, scale: float) -> None:
         points, closed = [_z(p, scale) for p in entity.points_in_wcs()], bool(entity.is_closed)
         rows = [tuple(v.dxf.get(k, 0.0) for k in ("start_width", "end_width", "bulge")) for v in entity.vertices]
     if head := head_of(points) if closed or (len(points) > 3 and abs(points[0] - points[-1]) < 1e-6) else None:
-        found.heads.append(head)
+        drawing.heads.append(head)
         return
     if any(row[2] for row in rows):  # arcs are no vectors
         ring = [*points, points[0]] if closed else points
         for a, b, row in zip(ring, ring[1:], rows, strict=False):
             if not row[2]:
-                found.add([a, b])
+                drawing.add([a, b])
         return
     if not closed and len(points) > 1:
         points, heads = tapered(points, [(w[0], w[1]) for w in rows])
-        found.heads += heads
-    found.add(points, closed)
+        drawing.heads += heads
+    drawing.add(points, closed)
 
 
 def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
@@ -164,7 +164,7 @@ def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
     return [_z(entity.ocs().to_wcs((x, y, 0)), scale) for x, y, *_ in corners]
 
 
-def _text(found: ReadDrawing, entity: Any, scale: float) -> None:
+def _text(drawing: ReadDrawing, entity: Any, scale: float) -> None:
     """A line of text: where its lower left corner is depends on how it is aligned."""
     along = cmath.rect(1, math.radians(entity.dxf.get("rotation", 0.0)))
     across, up = entity.dxf.get("halign", 0), entity.dxf.get("valign", 0)
@@ -178,7 +178,7 @@ def _text(found: ReadDrawing, entity: Any, scale: float) -> None:
         width, along = abs(span) or width, span / abs(span) if span else along
     back = {1: 0.5, 2: 1.0, 4: 0.5}.get(across, 0.0) if placed is not None else 0.0
     down = {2: 0.5, 3: 1.0}.get(up, 0.5 if across == 4 else 0.0) if placed is not None else 0.0
-    found.write(Words(text, _z(at, scale) - along * complex(width * back, height * down), height, width, along))
+    drawing.write(Words(text, _z(at, scale) - along * complex(width * back, height * down), height, width, along))
 
 
 def _z(p: Any, scale: float) -> complex:

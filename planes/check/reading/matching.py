@@ -58,8 +58,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         sides, beside = true_vectors(bench), others(bench)
         known = bench.naming.names({**beside, **sides})
         sketch.words = led_to_vectors(sketch, dots, known) if headed(sketch) else sketch.words
-        found = vectors_named(vectors_alone(sketch, vectors), bench, sides, beside.values())
-        return found if is_right(bench, found) else _polygon(sketch, nodes, bench, paper)
+        named_paper = vectors_named(vectors_alone(sketch, vectors), bench, sides, beside.values())
+        return named_paper if is_right(bench, named_paper) else _polygon(sketch, nodes, bench, paper)
     sketch = _joined(sketch, nodes)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.reason = Phrase("check_crowd", count=len(nodes.places))
@@ -76,11 +76,11 @@ def _plan_of_marks(
     if origin is None:
         return paper
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
-    told = kind_of(bench.asked.plan) == "position" or POLE in near or bool(headed(sketch))
-    found = marks_as_planned(drawn, bench, near, poles)
-    if found.spots:
-        return replace(found, pole_told=told)
-    paper.pole_told = told
+    pole_told = kind_of(bench.asked.plan) == "position" or POLE in near or bool(headed(sketch))
+    planned = marks_as_planned(drawn, bench, near, poles)
+    if planned.spots:
+        return replace(planned, pole_told=pole_told)
+    paper.pole_told = pole_told
     places, hidden = _marks(bench, sketch, nodes, origin, near), unshown(sketch, bench, origin)
     paper.spots = [ReadMark(POLE, origin, sketch.error_mm)]
     paper.spots += [ReadMark(n, places[n], sketch.error_mm) for n in labels if n in places and n not in hidden]

@@ -39,20 +39,20 @@ def joined(words: Sequence[Words]) -> list[Words]:
         if before is None:
             out.append((word, word))
         else:
-            first, whole = out[before]
+            first, all_of_it = out[before]
             end = ((word.place - first.place) * first.along.conjugate()).real + word.width
-            text = whole.text + word.text
-            out[before] = first, Words(text, first.place, first.height, max(end, whole.width), first.along)
-    return [whole for _, whole in out]
+            text = all_of_it.text + word.text
+            out[before] = first, Words(text, first.place, first.height, max(end, all_of_it.width), first.along)
+    return [all_of_it for _, all_of_it in out]
 
 
-def _goes_on(first: Words, whole: Words, word: Words) -> bool:
+def _goes_on(first: Words, so_far: Words, word: Words) -> bool:
     """Whether a piece of text is an index of the word before it, or its second index, or what follows that."""
     local = (word.place - first.place) * first.along.conjugate()
     small = word.height < INDEX * first.height or word.text[:1] in "'′’,"
     level = RISE[0] * first.height < local.imag < RISE[1] * first.height
     along = abs(word.along - first.along) < 0.02 and any(
-        GAP[0] * first.height < local.real - end < GAP[1] * first.height for end in (first.width, whole.width)
+        GAP[0] * first.height < local.real - end < GAP[1] * first.height for end in (first.width, so_far.width)
     )
     return small and level and along
 
@@ -82,10 +82,10 @@ def without_letters(sketch: ReadDrawing) -> None:
 def _touched(ends: Complexes, inside: Booleans, heads: Sequence[Stroke]) -> Booleans:
     """Which strokes meet one that is no letter, or end within an arrowhead."""
     others = numpy.concatenate([_dots(ends[~inside].ravel()), _lines(heads)])
-    found = numpy.zeros(len(ends), bool)
+    touched = numpy.zeros(len(ends), bool)
     near = STRtree(others).query(_dots(ends[inside].ravel()), predicate="dwithin", distance=TOUCH_MM)[0]
-    found[numpy.flatnonzero(inside)[near // 2]] = True
-    return found
+    touched[numpy.flatnonzero(inside)[near // 2]] = True
+    return touched
 
 
 def _dots(places: Complexes) -> Any:  # shapely has no types of its own for many points
@@ -108,8 +108,8 @@ def parts(sketch: ReadDrawing, least_mm: float = LEAST_MM) -> list[ReadDrawing]:
             break
         group = lower
     groups = [numpy.flatnonzero(group[: len(sketch.strokes)] == k) for k in numpy.unique(group)]
-    found = [_part(sketch, held.tolist(), least_mm) for held in groups if len(held) > 1]
-    return sorted((p for p in found if p is not None), key=lambda p: -len(p.strokes))
+    pieces = [_part(sketch, held.tolist(), least_mm) for held in groups if len(held) > 1]
+    return sorted((p for p in pieces if p is not None), key=lambda p: -len(p.strokes))
 
 
 def _lines(strokes: Sequence[Stroke]) -> Any:  # shapely has no types of its own for many lines

@@ -29,10 +29,10 @@ def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
         return None
     try:
         root = _tree(document[page]) if 0 <= page < len(document) else None
-        found = None if root is None else sketch_of(root, str(path))
-        if found:
-            found.words = joined(found.words)
-        return found
+        drawing = None if root is None else sketch_of(root, str(path))
+        if drawing:
+            drawing.words = joined(drawing.words)
+        return drawing
     finally:
         document.close()
 

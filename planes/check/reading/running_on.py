@@ -44,14 +44,14 @@ def cut_off(sketch: ReadDrawing, bench: PreparedPlan) -> ReadDrawing | None:
         known = [*true_vectors(bench).values(), *others(bench).values()]
         return replace(sketch, strokes=[_like(_ways(sketch, k), known) for k in range(len(sketch.strokes))], endless=[])
     pairs = _placed(bench, _pole(sketch, bench))
-    told, endless = list[Stroke](), list[Stroke]()
+    strokes, endless = list[Stroke](), list[Stroke]()
     for k, stroke in enumerate(sketch.strokes):
         held, ways = [pair for pair in pairs if _holds(stroke, pair)], _ways(sketch, k)
         fits = [min((_off(way, pair), i) for i, way in enumerate(ways)) for pair in held]
         off, best = min(fits, default=(0.0, 0))
-        told += [ways[best]] if off < REACH_MM else []
+        strokes += [ways[best]] if off < REACH_MM else []
         endless += [stroke] if any(off > REACH_MM for off, _ in fits) else []
-    return replace(sketch, strokes=told, endless=endless)
+    return replace(sketch, strokes=strokes, endless=endless)
 
 
 def _placed(bench: PreparedPlan, pole: complex) -> list[Stroke]:
@@ -103,8 +103,8 @@ def _like(ways: Sequence[Stroke], known: Sequence[complex]) -> Stroke:
 def _ways(sketch: ReadDrawing, k: int) -> list[Stroke]:
     """What of a stroke may be the vector, the longest first."""
     (one, two), (a, b) = (_ends(sketch, k, j) for j in (0, 1)), sketch.strokes[k]
-    found = [(c, d) for c, d in product(one, two) if ((d - c) / (b - a)).real * abs(b - a) > SNAPPED_MM]
-    return sorted(found, key=lambda s: -abs(s[1] - s[0])) or [(a, b)]
+    ways = [(c, d) for c, d in product(one, two) if ((d - c) / (b - a)).real * abs(b - a) > SNAPPED_MM]
+    return sorted(ways, key=lambda s: -abs(s[1] - s[0])) or [(a, b)]
 
 
 def _ends(sketch: ReadDrawing, k: int, j: int) -> list[complex]:

@@ -55,7 +55,7 @@ class Words:
         F = −R the second goes the other way."""
         if len(self.text) > LONGEST_LIST:
             return [self]
-        ends = (found[1], found[2]) if (found := _ENDS.search(self.text)) else None
+        ends = (match[1], match[2]) if (match := _ENDS.search(self.text)) else None
         names = [t.strip() for t in re.split("[,=]", _ENDS.sub("", self.text)) if t.strip()]
         ways = ((t.lstrip("−"), ends and (ends[::-1] if t[0] == "−" else ends)) for t in names)
         return [replace(self, text=t, ends=way) for t, way in ways] or [self]
@@ -214,17 +214,17 @@ class Nodes:
         return bool(self.within(z, self.near)) or any(abs(z - w) <= self.near for w in others)
 
     def _add(self, z: complex, but: int = -1, fixed: bool = False) -> int:
-        found = next((i for i in self.within(z, self.near) if i != but), None)
-        if found is None:
+        node = next((i for i in self.within(z, self.near) if i != but), None)
+        if node is None:
             self.places.append(z)
             self.weights.append(1)
             self.cells[self._cell(z)].append(len(self.places) - 1)
             return len(self.places) - 1
-        weight = self.weights[found]
+        weight = self.weights[node]
         if not fixed:
-            self.places[found] = (self.places[found] * weight + z) / (weight + 1)
-        self.weights[found] += 1
-        return found
+            self.places[node] = (self.places[node] * weight + z) / (weight + 1)
+        self.weights[node] += 1
+        return node
 
     def _cell(self, z: complex) -> tuple[int, int]:
         return math.floor(z.real / 4), math.floor(z.imag / 4)
@@ -236,8 +236,8 @@ class Nodes:
         cx, cy = self._cell(z)
         steps = math.ceil(reach / 4) + 1
         cells = product(range(cx - steps, cx + steps + 1), range(cy - steps, cy + steps + 1))
-        found = [i for cell in cells for i in self.cells.get(cell, ()) if abs(self.places[i] - z) <= reach]
-        return sorted(found, key=lambda i: abs(self.places[i] - z))
+        near_nodes = [i for cell in cells for i in self.cells.get(cell, ()) if abs(self.places[i] - z) <= reach]
+        return sorted(near_nodes, key=lambda i: abs(self.places[i] - z))
 
     def nearest(self, z: complex, reach: float) -> int | None:
         """The nearest node, if any is that near."""

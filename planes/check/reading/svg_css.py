@@ -58,37 +58,37 @@ def length(text: str | None) -> float:
 @lru_cache(4096)
 def transform_of(text: str) -> Transform:
     """What a list of transforms does, the last one first."""
-    found = Transform()
+    transform = Transform()
     for part in parse_component_value_list(text.replace(" (", "(")):
         if part.type == "function":
-            found = _turned(found, part.lower_name, list(_numbers(part.arguments)))
-    return found
+            transform = _turned(transform, part.lower_name, list(_numbers(part.arguments)))
+    return transform
 
 
-def _turned(found: Transform, name: str, said: list[float]) -> Transform:
+def _turned(transform: Transform, name: str, said: list[float]) -> Transform:
     match name, said:
         case "matrix", [_, _, _, _, _, _]:
-            return found.transform(said)
+            return transform.transform(said)
         case "translate", [_, *_]:
-            return found.translate(*said[:2])
+            return transform.translate(*said[:2])
         case "scale", [_, *_]:
-            return found.scale(*said[:2])
+            return transform.scale(*said[:2])
         case "rotate", [turn, *about]:
             x, y = about[:2] if len(about) > 1 else (0.0, 0.0)
-            return found.translate(x, y).rotate(math.radians(turn)).translate(-x, -y)
+            return transform.translate(x, y).rotate(math.radians(turn)).translate(-x, -y)
         case "skewx", [turn, *_]:
-            return found.skew(math.radians(turn))
+            return transform.skew(math.radians(turn))
         case "skewy", [turn, *_]:
-            return found.skew(0.0, math.radians(turn))
-    return found
+            return transform.skew(0.0, math.radians(turn))
+    return transform
 
 
 def _declared(said: str | list[Any]) -> Looks:
     """What declarations say of looks."""
     every = (one for one in parse_blocks_contents(said) if one.type == "declaration")
-    found = {one.lower_name: one.value for one in every if one.lower_name in (*LOOKS, OWN)}
+    values = {one.lower_name: one.value for one in every if one.lower_name in (*LOOKS, OWN)}
     with suppress(RecursionError):  # brackets within brackets that no looks have
-        return {name: serialize(value).strip() for name, value in found.items()}
+        return {name: serialize(value).strip() for name, value in values.items()}
     return {}
 
 
@@ -106,11 +106,11 @@ def ruled(root: Element, file: str) -> dict[Element, Looks]:
             said.append(looks)
     if asked * sum(1 for _ in root.iter()) > MOST_ASKED:
         raise too_many(file, "rules", MOST_ASKED)
-    found: dict[Element, Looks] = {}
+    looks_by_element: dict[Element, Looks] = {}
     for e in ElementWrapper.from_xml_root(root).iter_subtree() if said else ():
         for *_, which in matcher.match(e):
-            found[e.etree_element] = {**found.get(e.etree_element, {}), **said[which]}
-    return found
+            looks_by_element[e.etree_element] = {**looks_by_element.get(e.etree_element, {}), **said[which]}
+    return looks_by_element
 
 
 def _rules(root: Element) -> Iterator[Any]:
@@ -125,12 +125,12 @@ def _selectors(prelude: list[Any]) -> list[Any]:
     if any(one == sign for one in prelude for sign in ":~+"):
         return []
     with suppress(SelectorError, RecursionError):  # it is none, or one of thousands of elements around one another
-        found = list(selectors(prelude))
-        return [s for s in found if not isinstance(getattr(s.parsed_tree, "left", None), CombinedSelector)]
+        known = list(selectors(prelude))
+        return [s for s in known if not isinstance(getattr(s.parsed_tree, "left", None), CombinedSelector)]
     return []
 
 
 def looks_of(e: Element, rules: Mapping[Element, Looks]) -> dict[str, str]:
     """How an element is to look, as far as it says itself."""
-    found = {k: v for k in (*LOOKS, OWN) if (v := e.get(k))}
-    return {**found, **rules.get(e, {}), **_of_itself(e.get("style") or "")}
+    looks = {k: v for k in (*LOOKS, OWN) if (v := e.get(k))}
+    return {**looks, **rules.get(e, {}), **_of_itself(e.get("style") or "")}

@@ -36,16 +36,16 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     def named(part: ReadDrawing) -> int:
         return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
 
-    def own(found: list[ReadDrawing]) -> list[ReadDrawing]:
+    def own(pieces: list[ReadDrawing]) -> list[ReadDrawing]:
         """Those under the plan's title that name something of it, as a diagram of the same quantity does not."""
-        return [p for p in found if named(p) and mu_over(sketch.words, p, bench.asked.plan, plans)[1]]
+        return [p for p in pieces if named(p) and mu_over(sketch.words, p, bench.asked.plan, plans)[1]]
 
     plans = known_plans(bench.plans)
     if elsewhere(sketch.words, bench.asked.plan, plans):
         return ReadPaper(sketch.file, whole=False)
-    found = parts(sketch)
-    titled, plain = own(found), [p for p in own(found) if enlarged(sketch.words, p) == 1.0]
-    likely = plain or titled or own(parts(sketch, 0.0)) or found
+    pieces = parts(sketch)
+    titled, plain = own(pieces), [p for p in own(pieces) if enlarged(sketch.words, p) == 1.0]
+    likely = plain or titled or own(parts(sketch, 0.0)) or pieces
     likely = sorted(likely, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
     papers = [(_paper_of(replace(part), bench, sketch.words), named(part)) for part in likely or [sketch]]
@@ -75,14 +75,14 @@ def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequenc
     if not part.strokes:
         return None, False
     low, high = corners(z for stroke in part.strokes for z in stroke)
-    found = []
+    titles = []
     for title in _titles(words):
         aside = max(low.real - title.place.real - title.width, title.place.real - high.real, 0.0)
         up = title.place.imag - high.imag
         if title.middle.imag > (low + high).imag / 2 and max(aside, up) < FAR_MM:
-            found.append((abs(complex(BESIDE * aside, max(up, 0.0))), _read(title.text, plan, plans) or 0.0))
-    own = min((one for one in found if one[1]), default=None)
-    return (own[1], own == min(found)) if own else (None, False)
+            titles.append((abs(complex(BESIDE * aside, max(up, 0.0))), _read(title.text, plan, plans) or 0.0))
+    own = min((one for one in titles if one[1]), default=None)
+    return (own[1], own == min(titles)) if own else (None, False)
 
 
 def _titles(words: Sequence[Words]) -> Iterator[Words]:

@@ -31,7 +31,7 @@ Candidates = dict[str, dict[int, float]]
 
 def by_words(words: Iterable[Words], nodes: Nodes, names: Names) -> Candidates:
     """Nodes near the word of every mark, with the distance from the word."""
-    found = Candidates()
+    candidates = Candidates()
     for word in words:
         name = names.exactly(word.text)
         if name is None:
@@ -39,9 +39,9 @@ def by_words(words: Iterable[Words], nodes: Nodes, names: Names) -> Candidates:
         for node in nodes.within(word.middle, NEAR_WORD_MM + word.width):
             distance = word.distance(nodes.places[node]) + (2.0 if node >= nodes.corners else 0.0)
             if distance <= NEAR_WORD_MM:
-                near = found.setdefault(name, {})
+                near = candidates.setdefault(name, {})
                 near[node] = min(distance, near.get(node, distance))
-    return found
+    return candidates
 
 
 def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
@@ -80,7 +80,7 @@ def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex], known: Names) -
     nothing else where the line ends in a dot."""
     if len(sketch.strokes) > CROSSINGS:
         return sketch.words
-    found, gone, words = list[Words](), list[Words](), [w for w in sketch.words if known.find(w.text)]
+    led_words, gone, words = list[Words](), list[Words](), [w for w in sketch.words if known.find(w.text)]
     vectors = [s for k, s in enumerate(sketch.strokes) if sketch.way(k)]
     ends = [z for s in vectors for z in s]
     plain = headless(sketch)
@@ -91,9 +91,9 @@ def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex], known: Names) -
         if clear and any(_on(b, *s, -ON_MM) for s in vectors) and not any(upon(s, (a, b)) for s in vectors):
             dotted = b in own and any(abs(b - z) < ON_MM for z in dots)
             named = begun(words, a)
-            found += [replace(w, led=dotted) for w in put(named, b)]
+            led_words += [replace(w, led=dotted) for w in put(named, b)]
             gone += named if dotted else ()
-    return [*(w for w in sketch.words if w not in gone), *found]
+    return [*(w for w in sketch.words if w not in gone), *led_words]
 
 
 def _on(z: complex, a: complex, b: complex, within: float) -> bool:
@@ -162,25 +162,25 @@ def _of_marks(bench: PreparedPlan, nodes: Nodes, near: Candidates) -> list[float
     truth = bench.true_marks | {POLE: 0j}
     place = {n: nodes.places[min(held, key=lambda i: held[i])] for n, held in near.items() if n in truth}
     pairs = [(POLE, n) for n in place if n != POLE] if POLE in place else list(combinations(place, 2))
-    found = []
+    ratios = []
     for one, two in pairs if POLE in place or bench.asked.plan == "position" else ():
         true, drawn = abs(truth[one] - truth[two]), abs(place[one] - place[two])
-        found += [math.log(drawn / true)] if min(true, drawn) > LEAST_MM else []
-    return found
+        ratios += [math.log(drawn / true)] if min(true, drawn) > LEAST_MM else []
+    return ratios
 
 
 def _of_vectors(bench: PreparedPlan, sketch: ReadDrawing) -> list[float]:
     """Logarithms of drawn to stated lengths of the vectors nearest to their words."""
     truth = true_vectors(bench)
-    known, found = bench.naming.names(truth), []
+    known, ratios = bench.naming.names(truth), []
     for word in sketch.words:
         name = known.find(word.text)
         if name is None or name == POLE or abs(truth[name]) < LEAST_MM:
             continue
         middles = ((word.distance((a + b) / 2), abs(b - a)) for a, b in sketch.strokes)
         far, length = min(middles, default=(math.inf, 0.0))
-        found += [math.log(length / abs(truth[name]))] if far < NEAR_MM and length > LEAST_MM else []
-    return found
+        ratios += [math.log(length / abs(truth[name]))] if far < NEAR_MM and length > LEAST_MM else []
+    return ratios
 
 
 def _agreed(ratios: list[float]) -> float:

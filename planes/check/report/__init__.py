@@ -40,10 +40,10 @@ def mark_rows(out: Outcome) -> list[Json]:
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if own and miss and not (absent and verdict == "right"):
             free, limit = g.free[mark], g.judgement.limit
-            found = own.error_mm, abs(free.off), free.reach(limit), abs(miss.off), miss.reach(limit)
+            sizes = own.error_mm, abs(free.off), free.reach(limit), abs(miss.off), miss.reach(limit)
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
             keys = (*SIZES[1:], "own_deviation_mm", "own_tolerance_mm")
-            row |= {k: round(mm, 3) if math.isfinite(mm) else None for k, mm in zip(keys, found, strict=True)}
+            row |= {k: round(mm, 3) if math.isfinite(mm) else None for k, mm in zip(keys, sizes, strict=True)}
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
         elif absent:
             row["verdict"] = "unread"
@@ -140,32 +140,32 @@ class Checked:
         return {**head, "verdict": self.verdict, "sentence": {one: self.said(one) for one in langs("check")}}
 
 
-def told_all(found: Outcome, reader: Reader) -> list[Phrase]:
+def told_all(outcome: Outcome, reader: Reader) -> list[Phrase]:
     """The sentence and the notes for a reader of a report, where marks can be moved if it has a drawing."""
-    every, drawn = (found.sentence, *found.notes), bool(found.grading or found.paper.picture)
+    every, drawn = (outcome.sentence, *outcome.notes), bool(outcome.grading or outcome.paper.picture)
     return [told_to(reader, one) if drawn else one for one in every]
 
 
-def chance_told(found: Outcome, lang: Lang) -> str:
+def chance_told(outcome: Outcome, lang: Lang) -> str:
     """How sure the verdict is, in words; nothing of what has none, or is of but a part."""
-    if found.chance is None or found.verdict == "right_as_seen":
+    if outcome.chance is None or outcome.verdict == "right_as_seen":
         return ""
-    key = "check_sure" if found.chance >= SURE else "check_likely" if found.chance >= LIKELY else "check_doubtful"
-    return say(key, lang, percent=f"{100 * found.chance:.0f}" if found.chance >= 0.005 else "< 1")
+    key = "check_sure" if outcome.chance >= SURE else "check_likely" if outcome.chance >= LIKELY else "check_doubtful"
+    return say(key, lang, percent=f"{100 * outcome.chance:.0f}" if outcome.chance >= 0.005 else "< 1")
 
 
-def redo_told(found: Outcome, lang: Lang) -> str:
+def redo_told(outcome: Outcome, lang: Lang) -> str:
     """What to do about a wrong mark whose construction is shown; nothing of others."""
-    shown = shown_plans(found)
-    at = shown.marks.get(found.first_wrong or "")
-    led = found.verdict == "wrong" and any(start == at for start, _ in shown.next)
+    shown = shown_plans(outcome)
+    at = shown.marks.get(outcome.first_wrong or "")
+    led = outcome.verdict == "wrong" and any(start == at for start, _ in shown.next)
     return say("check_redo", lang) if led else ""
 
 
-def title(found: Outcome, lang: Lang) -> str:
+def title(outcome: Outcome, lang: Lang) -> str:
     """The plan (or that these are results) and the scene."""
-    scene = found.bench.asked.scene
-    head = say("check_numbers", lang) if found.alone else title_of(found.bench.asked.plan, lang)
+    scene = outcome.bench.asked.scene
+    head = say("check_numbers", lang) if outcome.alone else title_of(outcome.bench.asked.plan, lang)
     return f"{head}: {scene.title.get(lang, '') or scene.file}"
 
 
@@ -174,11 +174,11 @@ def mm(value: float | None, lang: Lang) -> str:
     return "—" if value is None else decimal(f"{value:.1f}", lang)
 
 
-def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
+def rows_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
     """Rows of the step table: verdict, mark, off its own construction, tolerance, off the right plan, in words; of a
     right mark that does not follow from a wrong one beside it, that it is in its true place."""
     rows = []
-    for r in mark_rows(found):
+    for r in mark_rows(outcome):
         free = r["deviation_mm"], r["tolerance_mm"]
         sizes: tuple[Real, Real] = r.get("own_deviation_mm", free[0]), r.get("own_tolerance_mm", free[1])
         close = f" ({say('check_close', lang)})" if "warning" in r else ""
@@ -189,14 +189,14 @@ def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
     return rows
 
 
-def numbers_of(found: Outcome, lang: Lang) -> list[list[str]]:
+def numbers_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
     """Rows of the table of results: verdict, name, written, true, verdict in words with the slip if it is known."""
     rows = []
-    for r in result_rows(found):
-        told, slip = say(f"verdict_{r['verdict']}", lang), r.get("mistake")
+    for r in result_rows(outcome):
+        verdict, slip = say(f"verdict_{r['verdict']}", lang), r.get("mistake")
         if slip:
-            told += ": " + Phrase(f"mistake_{slip}", mark="").told(lang).removeprefix(": ")
-        rows.append([r["verdict"], r["name"], *(decimal(f"{r[k]:.4g}", lang) for k in ("given", "true")), told])
+            verdict += ": " + Phrase(f"mistake_{slip}", mark="").told(lang).removeprefix(": ")
+        rows.append([r["verdict"], r["name"], *(decimal(f"{r[k]:.4g}", lang) for k in ("given", "true")), verdict])
     return rows
 
 
@@ -207,42 +207,42 @@ def heads(lang: Lang) -> tuple[list[str], list[str]]:
     return [say(k, lang) for k in marks], [say(k, lang) for k in numbers]
 
 
-def page_data(found: Outcome, lang: Lang, places: Sequence[Json] | None = None) -> Json:
+def page_data(outcome: Outcome, lang: Lang, places: Sequence[Json] | None = None) -> Json:
     """All a page shows and judges by; ``places`` may be made already. Without marks to move there is no tape."""
     marks, numbers = heads(lang)
-    grading = found.grading or (empty(found.bench) if found.paper.picture else None)
-    sentence, *notes = told_all(found, "here")
+    grading = outcome.grading or (empty(outcome.bench) if outcome.paper.picture else None)
+    sentence, *notes = told_all(outcome, "here")
     return {
-        "verdict": found.verdict,
-        "title": title(found, lang),
+        "verdict": outcome.verdict,
+        "title": title(outcome, lang),
         "sentence": sentence.told(lang),
-        "printed": told_all(found, "sheet")[0].told(lang),
-        "chance": f"{chance_told(found, lang)} {redo_told(found, lang)}".strip(),
+        "printed": told_all(outcome, "sheet")[0].told(lang),
+        "chance": f"{chance_told(outcome, lang)} {redo_told(outcome, lang)}".strip(),
         "notes": [n.told(lang) for n in notes],
         "head": marks,
-        "rows": rows_of(found, lang),
+        "rows": rows_of(outcome, lang),
         "number_head": numbers,
-        "numbers": numbers_of(found, lang),
-        "command": command(found),
-        "saved": saved_as(found),
-        "look": found.paper.look,
-        "kind": kind_of(found.bench.asked.plan),
-        "lettering": lettering(found.bench.asked.scene, found.bench.plans),
-        "places": wrong_places(found) if places is None else places,
+        "numbers": numbers_of(outcome, lang),
+        "command": command(outcome),
+        "saved": saved_as(outcome),
+        "look": outcome.paper.look,
+        "kind": kind_of(outcome.bench.asked.plan),
+        "lettering": lettering(outcome.bench.asked.scene, outcome.bench.plans),
+        "places": wrong_places(outcome) if places is None else places,
         "asked": sentence.key == "check_ask",
-        **({"page": moved_marks(found, grading, lang)} if grading else {}),
+        **({"page": moved_marks(outcome, grading, lang)} if grading else {}),
     }
 
 
-def saved_as(found: Outcome) -> str:
+def saved_as(outcome: Outcome) -> str:
     """The table a page saves: of the drawing's own name, so that it lies beside it and the next run takes it up."""
-    return f"{PurePath(found.paper.file).stem or 'marks'}.csv"
+    return f"{PurePath(outcome.paper.file).stem or 'marks'}.csv"
 
 
-def command(found: Outcome) -> str:
+def command(outcome: Outcome) -> str:
     """The command that checks the table a page saves."""
-    asked = found.bench.asked
-    words = asked.line(saved_as(found))
+    asked = outcome.bench.asked
+    words = asked.line(saved_as(outcome))
     words += ["--mu", mu_text(asked.mu, kind_of(asked.plan))] if asked.mu else []
     words += ["--work", "cad"] if asked.skill != HAND else []
     for plan, paper in asked.others.items():

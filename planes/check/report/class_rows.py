@@ -45,10 +45,10 @@ class ClassRow:
     @classmethod
     def of(cls, one: Checked, lang: Lang) -> ClassRow:
         """The row of what was found."""
-        found, said = one.found, one.said(lang)
+        outcome, said = one.found, one.said(lang)
         bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a column of its own
         said = said if bare == said else capital(bare)
-        mistake = found.sentence.told(lang).removeprefix(f"{one.first}: ") if found and found.mistake else ""
+        mistake = outcome.sentence.told(lang).removeprefix(f"{one.first}: ") if outcome and outcome.mistake else ""
         return cls(
             file=one.file,
             verdict=one.verdict,
@@ -56,13 +56,13 @@ class ClassRow:
             first=one.first,
             said=said,
             whose=one.whose,
-            plan=_plan_said(found, lang) if found else "",
+            plan=_plan_said(outcome, lang) if outcome else "",
             link=one.report,
             mistake=mistake,
-            picture=address(thumb(found, one.picture)),
-            places=wrong_places(found) if found else [],
+            picture=address(thumb(outcome, one.picture)),
+            places=wrong_places(outcome) if outcome else [],
             object=one.as_json(lang),
-            lettering=lettering(found.bench.asked.scene, found.bench.plans) if found else {},
+            lettering=lettering(outcome.bench.asked.scene, outcome.bench.plans) if outcome else {},
         )
 
     @property
@@ -94,8 +94,8 @@ class ClassRow:
         return cls(**data)
 
 
-def _plan_said(found: Outcome, lang: Lang) -> str:
-    return say("check_numbers", lang) if found.alone else say_plan(found.bench.asked.plan, lang)
+def _plan_said(outcome: Outcome, lang: Lang) -> str:
+    return say("check_numbers", lang) if outcome.alone else say_plan(outcome.bench.asked.plan, lang)
 
 
 def rank(one: Checked) -> int:
@@ -122,7 +122,7 @@ def cells(row: ClassRow, keys: Sequence[str], lang: Lang) -> list[str]:
     return [shown.get(key) or str(getattr(row, key)) for key in keys]
 
 
-def typed(row: ClassRow, told: Sequence[str], lang: Lang) -> list[str]:
+def typed(row: ClassRow, cells: Sequence[str], lang: Lang) -> list[str]:
     """The cells of a row with names as people type them."""
     naming = Naming(lang, **row.lettering)
-    return [naming.retold(cell, row.names) for cell in told]
+    return [naming.retold(cell, row.names) for cell in cells]

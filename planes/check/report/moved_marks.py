@@ -29,9 +29,9 @@ VERDICTS = ("right", "wrong", "follows", "unread")
 MARGIN_MM = 12.0  # about a drawing on a page
 
 
-def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
+def moved_marks(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     """What a page needs to judge marks that are moved."""
-    bench, plan, taken = found.bench, found.bench.asked.plan, grading.hand.taken
+    bench, plan, taken = outcome.bench, outcome.bench.asked.plan, grading.hand.taken
     variants = variants_of(bench, taken, grading.mu)
     tape, (misses, *supposed) = retrace(grading, variants)
     truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
@@ -45,18 +45,18 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
         "rows": [astuple(s) for s in sides_of(bench.plans, plan)] if force else [(n, POLE, n) for n in truth],
         "chained": force,
         "earlier": {f"{m}.{axis}": z[k] for m, z in earlier.items() for k, axis in enumerate("xy")},
-        "order": [astuple(s) for s in own_order(found)],
+        "order": [astuple(s) for s in own_order(outcome)],
         "tape": tape,
         "variants": [_variant(v, under, lang) for v, under in zip(variants, supposed, strict=True) if under],
         "rule": _rule(grading),
-        "said": _said(found, lang),
+        "said": _said(outcome, lang),
         "otherwise": _otherwise(grading, lang),
         "words": {
             **{k: say(f"verdict_{k}", lang) for k in VERDICTS},
             **{k: say(f"check_{k}", lang) for k in ("close", "true_place")},
         },
-        "strokes": [[*pair(a), *pair(b)] for a, b in found.paper.strokes],
-        **_shown(found, truth),
+        "strokes": [[*pair(a), *pair(b)] for a, b in outcome.paper.strokes],
+        **_shown(outcome, truth),
     }
 
 
@@ -121,11 +121,11 @@ def _rule(grading: Grading) -> Json:
     }
 
 
-def _said(found: Outcome, lang: Lang) -> dict[str, str]:
+def _said(outcome: Outcome, lang: Lang) -> dict[str, str]:
     """Sentences a page may come to, with places for names and numbers."""
     phrases = {
-        "right": found.right(()),
-        "as_seen": found.right((Phrase("check_not_judged", names="⟦names⟧"),)),
+        "right": outcome.right(()),
+        "as_seen": outcome.right((Phrase("check_not_judged", names="⟦names⟧"),)),
         "nothing_drawn": asking("check_nothing_drawn", size="⟦size⟧"),
         "by_chance": Phrase("check_by_chance", size="⟦size⟧", count="⟦count⟧"),
         "nothing": asking("check_nothing_read", names="⟦names⟧"),
@@ -143,22 +143,22 @@ def _otherwise(grading: Grading, lang: Lang) -> Json | None:
     return {"first": said.parts["mark"], "mark": grading.left_out, "said": said.told(lang)} if said else None
 
 
-def _shown(found: Outcome, truth: Mapping[str, complex]) -> Json:
+def _shown(outcome: Outcome, truth: Mapping[str, complex]) -> Json:
     """The picture where there is one, and the part of the paper to show."""
-    paper = found.paper
+    paper = outcome.paper
     if paper.picture:
-        (w, h), pole = SHEET_MM, blank_pole(found.bench)
+        (w, h), pole = SHEET_MM, blank_pole(outcome.bench)
         box = paper.box or (-pole.real, -pole.imag, w - pole.real, h - pole.imag)
         href = "data:image/jpeg;base64," + base64.b64encode(paper.picture).decode()
-        unread = found.grading is None or any(m not in found.grading.hand.taken for m in found.grading.marks)
-        return {"picture": {"href": href, "box": box}, "box": box if unread else _about(found, truth)}
-    return {"picture": None, "box": _about(found, truth)}
+        unread = outcome.grading is None or any(m not in outcome.grading.hand.taken for m in outcome.grading.marks)
+        return {"picture": {"href": href, "box": box}, "box": box if unread else _about(outcome, truth)}
+    return {"picture": None, "box": _about(outcome, truth)}
 
 
-def _about(found: Outcome, truth: Mapping[str, complex]) -> list[float]:
+def _about(outcome: Outcome, truth: Mapping[str, complex]) -> list[float]:
     """A box about both plans: left, bottom, right, top."""
-    shown, margin = shown_plans(found), complex(MARGIN_MM, MARGIN_MM)
-    vectors_shown = [*shown.own, *shown.true, *found.paper.strokes]
-    places = [0j, *truth.values(), *own_marks(found).values(), *(z for v in vectors_shown for z in v)]
+    shown, margin = shown_plans(outcome), complex(MARGIN_MM, MARGIN_MM)
+    vectors_shown = [*shown.own, *shown.true, *outcome.paper.strokes]
+    places = [0j, *truth.values(), *own_marks(outcome).values(), *(z for v in vectors_shown for z in v)]
     low, high = corners(z for z in places if abs(z) < 2000)  # nor what is no place at all
     return [*pair(low - margin), *pair(high + margin)]

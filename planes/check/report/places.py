@@ -18,20 +18,22 @@ WINDOW_MM = (18.0, 90.0)  # about a wrong place: at least and at most that to ea
 THUMB_PX, PLACE_PX, QUALITY, RIM_MM = 170, 320, 62, 12.0
 
 
-def wrong_places(found: Outcome) -> list[Json]:
+def wrong_places(outcome: Outcome) -> list[Json]:
     """Windows about the places where a drawing goes wrong, the first of them first."""
-    if found.grading is None or found.verdict != "wrong":
+    if outcome.grading is None or outcome.verdict != "wrong":
         return []
-    return list(islice(_windows(found, found.grading), MOST_PLACES))
+    return list(islice(_windows(outcome, outcome.grading), MOST_PLACES))
 
 
-def _windows(found: Outcome, grading: Grading) -> Iterable[Json]:
-    shown, paper = shown_plans(found), found.paper
-    free = kind_of(found.bench.asked.plan) == "force"  # there its order is free, and a step leads to where it should be
-    truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z} if free else true_marks(found)
+def _windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
+    shown, paper = shown_plans(outcome), outcome.paper
+    free = (
+        kind_of(outcome.bench.asked.plan) == "force"
+    )  # there its order is free, and a step leads to where it should be
+    truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z} if free else true_marks(outcome)
     verdicts = grading.verdicts
     wrong = [label_of(m) for m, verdict in verdicts.items() if verdict == "wrong"]
-    for name in dict.fromkeys([found.first_wrong or "", *wrong]):
+    for name in dict.fromkeys([outcome.first_wrong or "", *wrong]):
         places = [z for z in (shown.marks.get(name), truth.get(name)) if z is not None]
         if name == POLE or not places:
             continue
@@ -47,7 +49,7 @@ def _windows(found: Outcome, grading: Grading) -> Iterable[Json]:
             "own": _vectors(shown.own),
             "true": _vectors(shown.true),
             "next": _vectors(shown.next),
-            "lines": kind_of(found.bench.asked.plan) == "position",
+            "lines": kind_of(outcome.bench.asked.plan) == "position",
         }
 
 
@@ -71,12 +73,12 @@ def address(data: bytes) -> str:
     return f"data:image/jpeg;base64,{base64.b64encode(data).decode()}" if data else ""
 
 
-def thumb(found: Outcome | None, small: bytes) -> bytes:
+def thumb(outcome: Outcome | None, small: bytes) -> bytes:
     """A small picture (JPEG) of a drawing, of the part with its plan if that was read, else ``small``; b"" of one
     without a picture."""
-    if not found or not found.paper.picture:
+    if not outcome or not outcome.paper.picture:
         return _jpeg(small, None, THUMB_PX) if small else b""
-    paper, ends = found.paper, [z for v in shown_plans(found).own for z in v]
+    paper, ends = outcome.paper, [z for v in shown_plans(outcome).own for z in v]
     if len(ends) < 2:
         return _jpeg(paper.picture, None, THUMB_PX)
     low, high = corners(ends)

@@ -82,8 +82,8 @@ def retrace(grading: Grading, variants: Iterable[Variant]) -> tuple[Json, list[P
     """The grading as a tape (plain data), every mistake as another way to the marks it touches; and places on it: of
     the plan as it is, then under each mistake. What nothing depends on goes, and places are counted anew."""
     desk = _Desk(grading)
-    found = [desk.misses(grading.marks, way) for way in (None, *variants)]
-    wanted = [place for one in found for pair in one.values() for place in pair]
-    told, new = exported(desk.tape, wanted, desk.tool.sources)
-    places = [{m: (new[x], new[y]) for m, (x, y) in one.items()} for one in found]
-    return told, places
+    misses_by_way = [desk.misses(grading.marks, way) for way in (None, *variants)]
+    wanted = [place for one in misses_by_way for pair in one.values() for place in pair]
+    exported_tape, new = exported(desk.tape, wanted, desk.tool.sources)
+    places = [{m: (new[x], new[y]) for m, (x, y) in one.items()} for one in misses_by_way]
+    return exported_tape, places

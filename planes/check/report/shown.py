@@ -39,27 +39,27 @@ def vectors(bench: PreparedPlan) -> list[tuple[str, str]]:
 def _bars(bench: PreparedPlan, drawn: Collection[str]) -> list[tuple[str, str]]:
     """Lines of a scheme: from point to point of a link, and along a link's guide to the slider on it."""
     mechanism = bench.plans.mechanism
-    found = [p for link in mechanism.links.values() for p in pairwise(n for n in link.points if n in drawn)]
+    bars = [p for link in mechanism.links.values() for p in pairwise(n for n in link.points if n in drawn)]
     for link in mechanism.links.values():
         if link.slides and link.slides.guide not in mechanism.frame.guides:
             through = mechanism.guide(link.slides.guide).through_point
-            found += [(through, next(iter(link.points)))] if through else []
-    return [pair for pair in dict.fromkeys(found) if set(pair) <= set(drawn)]
+            bars += [(through, next(iter(link.points)))] if through else []
+    return [pair for pair in dict.fromkeys(bars) if set(pair) <= set(drawn)]
 
 
-def own_marks(found: Outcome) -> dict[str, complex]:
+def own_marks(outcome: Outcome) -> dict[str, complex]:
     """The person's own marks, mm from the pole."""
-    if found.grading is None:
+    if outcome.grading is None:
         return {}
-    plan = found.bench.asked.plan
-    return {label_of(m): t.place for m, t in found.grading.hand.taken.items() if plan_of(m) == plan}
+    plan = outcome.bench.asked.plan
+    return {label_of(m): t.place for m, t in outcome.grading.hand.taken.items() if plan_of(m) == plan}
 
 
-def true_marks(found: Outcome) -> dict[str, complex]:
+def true_marks(outcome: Outcome) -> dict[str, complex]:
     """The right plan's marks at the drawing's scale, mm from the pole."""
-    if found.grading is None:
-        return found.bench.true_marks
-    return {label_of(m): complex(found.grading.truth[m]) for m in found.grading.marks}
+    if outcome.grading is None:
+        return outcome.bench.true_marks
+    return {label_of(m): complex(outcome.grading.truth[m]) for m in outcome.grading.marks}
 
 
 @frozen
@@ -73,36 +73,36 @@ class Shown:
     next: list[Vector]  # to where the construction leads from each mark that is off
 
 
-def shown_plans(found: Outcome) -> Shown:
+def shown_plans(outcome: Outcome) -> Shown:
     """The person's plan where it lies, and the right one; force polygons both in the person's order."""
-    bench, own = found.bench, own_marks(found)
-    at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **true_marks(found)}
+    bench, own = outcome.bench, own_marks(outcome)
+    at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **true_marks(outcome)}
     if kind_of(bench.asked.plan) != "force":
         pairs = vectors(bench)
         drawn = [(at_own[a], at_own[b]) for a, b in pairs if a in at_own and b in at_own]
-        return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {}, _leads(found, own))
-    sides, order = sides_of(bench.plans, bench.asked.plan), own_order(found)
-    laid = own_sides(sides, found.paper.spots, bench.naming) if order else between(sides, at_own)
+        return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {}, _leads(outcome, own))
+    sides, order = sides_of(bench.plans, bench.asked.plan), own_order(outcome)
+    laid = own_sides(sides, outcome.paper.spots, bench.naming) if order else between(sides, at_own)
     right = chained(order, at_true) if order else between(sides, at_true)
     ends = {s.end: end for s, (_, end) in reversed(laid)}  # each at the end of the first side that leads to it
     marks = {s.end: ends[s.end] for s, _ in laid if s.end in own}
     along = {s.name: v for s, v in laid}
-    return Shown([v for _, v in laid], [v for _, v in right], marks, along, _leads(found, marks))
+    return Shown([v for _, v in laid], [v for _, v in right], marks, along, _leads(outcome, marks))
 
 
-def _leads(found: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
+def _leads(outcome: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
     """From each mark that is off, where it is shown, to where the construction from the person's own marks leads."""
-    if found.grading is None:
+    if outcome.grading is None:
         return []
-    verdicts, limit = found.grading.verdicts, found.grading.judgement.limit
-    off = {m: miss for m, miss in found.grading.judgement.misses.items() if miss.sigmas > WARN}
+    verdicts, limit = outcome.grading.verdicts, outcome.grading.judgement.limit
+    off = {m: miss for m, miss in outcome.grading.judgement.misses.items() if miss.sigmas > WARN}
     rows = [(label_of(m), miss.off) for m, miss in off.items() if verdicts[m] != "right" or miss.sigmas <= limit]
     return [(shown[n], shown[n] - by) for n, by in rows if n in shown]
 
 
-def own_order(found: Outcome) -> list[Side]:
+def own_order(outcome: Outcome) -> list[Side]:
     """A force polygon's sides as the person laid them, what is missing last; none where the pen was lifted."""
-    bench, spots, grading = found.bench, found.paper.spots, found.grading
+    bench, spots, grading = outcome.bench, outcome.paper.spots, outcome.grading
     if kind_of(bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
         return []
     sides = {s.name: s for s in sides_of(bench.plans, bench.asked.plan)}

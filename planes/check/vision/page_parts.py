@@ -38,14 +38,14 @@ class PageParts:
         plan = [0j, *bench.true_marks.values()]
         xs, ys = [z.real for z in plan], [z.imag for z in plan]
         size = max(xs) - min(xs), max(ys) - min(ys)
-        found = []
+        parts = []
         for k, seen in enumerate((w / PX_PER_MM, h / PX_PER_MM) for _, _, w, h in self.boxes):
             fits = k and max(seen) > LEAST_MM and math.prod(seen) <= A2_MM2
             for mu in _scales(bench, max(size), max(seen)) if fits else ():
                 pairs = zip(seen, size, strict=True)
                 unlike = (abs(math.log((a + SOFT_MM) / (b * mu / bench.said_mu + SOFT_MM))) for a, b in pairs)
-                found.append((sum(unlike), k, mu))
-        return [(k, mu if mu != bench.said_mu else None) for _, k, mu in sorted(found)[:MOST]]
+                parts.append((sum(unlike), k, mu))
+        return [(k, mu if mu != bench.said_mu else None) for _, k, mu in sorted(parts)[:MOST]]
 
     def cut(self, k: int) -> Flat:
         """A part cut out with paper around it, the others' ink painted over."""

@@ -42,8 +42,8 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.flat.by in ("scale", "part") and best.seen:
             break
     best = best and _from_aside(bench, picture, known, best)
-    told = best and (best.flat.by not in ("scale", "part") or pole is not None)
-    if best is None or not (told or best.seen):
+    has_scale = best and (best.flat.by not in ("scale", "part") or pole is not None)
+    if best is None or not (has_scale or best.seen):
         raise _nothing_to_measure_by(picture.grey)
     paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box, paper.mu = shown(best.flat), best.box(bench), best.mu or bench.asked.mu

@@ -180,14 +180,14 @@ def _lens(bend: Bend, sides: list[Complexes]) -> tuple[float, float]:
 
     def crooked(k: Array) -> Array:
         bend.lens = float(k[0]), float(k[1])
-        found = []
+        bows = []
         for side in sides:
             z = bend.straight(side)
             z = z - z.mean()
             u = numpy.exp(0.5j * numpy.angle((z * z).sum()))
             u = u if ((z[-1] - z[0]) * u.conjugate()).real > 0 else -u
-            found.append((z * u.conjugate()).imag)
-        left, right, upper, lower = found
+            bows.append((z * u.conjugate()).imag)
+        left, right, upper, lower = bows
         return numpy.concatenate([left - right, upper - lower, 2.0 * k / MOST_BENT])
 
     k = numpy.zeros(2)

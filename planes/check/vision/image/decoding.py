@@ -66,26 +66,26 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
     paged = data.startswith((PDF, *TIFF))
     with guarded("check_picture", path), hushed():
         decode, number = _page if data[:5] == PDF else _decoded, page if page and paged else 0
-        found = decode(data, str(path), number)
-    if found is None:
+        picture = decode(data, str(path), number)
+    if picture is None:
         raise PlanesError(Phrase("check_picture", file=str(path)))
-    height, width = found.grey.shape
+    height, width = picture.grey.shape
     if min(height, width) < LEAST_PX:
         raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{width} × {height}"))
-    if not shows_paper(found.grey):
+    if not shows_paper(picture.grey):
         raise PlanesError(Phrase("check_no_paper", file=str(path)))
-    if shows_text_only(found.grey):
+    if shows_text_only(picture.grey):
         raise PlanesError(Phrase("check_text_only", file=str(path)))
-    return found if page is None or paged else _blank_of(found, page, str(path))
+    return picture if page is None or paged else _blank_of(picture, page, str(path))
 
 
-def _blank_of(found: DecodedPicture, number: int, file: str) -> DecodedPicture:
+def _blank_of(picture: DecodedPicture, number: int, file: str) -> DecodedPicture:
     """One of several blanks on a picture; of one blank, or none, the picture."""
-    seen = blanks_on(found.grey)
+    seen = blanks_on(picture.grey)
     _has(number, max(seen.parts, 1), file)
     if seen.in_part and number == len(seen.sheets):
         raise PlanesError(Phrase("check_blank_in_part", count=seen.in_part))
-    return replace(found, grey=sheet_alone(found.grey, seen.sheets[number])) if seen.parts > 1 else found
+    return replace(picture, grey=sheet_alone(picture.grey, seen.sheets[number])) if seen.parts > 1 else picture
 
 
 def _alone(head: Image.Image) -> bytes:
@@ -102,14 +102,14 @@ def _decoded(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
     cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG and PNG_END not in data[-64:]:
         return None  # it was cut short
-    told = cv2.utils.logging.getLogLevel()
+    log_level = cv2.utils.logging.getLogLevel()
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
-        whole: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
-        solid = whole is None or whole.ndim < 3 or whole.shape[2] != 4
-        grey = in_one_shade(cv2, bits) if whole is None or solid else _on_paper(cv2, whole)
+        pixels: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
+        solid = pixels is None or pixels.ndim < 3 or pixels.shape[2] != 4
+        grey = in_one_shade(cv2, bits) if pixels is None or solid else _on_paper(cv2, pixels)
     finally:
-        cv2.utils.logging.setLogLevel(told)
+        cv2.utils.logging.setLogLevel(log_level)
     return None if grey is None else DecodedPicture(grey, _scale_of(head), _focal_of(head))
 
 
@@ -147,21 +147,21 @@ def _scale_of(head: Image.Image) -> float | None:
 def _focal_of(head: Image.Image) -> float | None:
     """How long the lens was, in the picture's longer sides, of a camera that tells it for a film's 36 × 24 mm, the
     diagonals being alike; not of a picture cut out of a larger one."""
-    told, (long, short) = head.getexif().get_ifd(EXIF), sorted(head.size, reverse=True)
+    exif, (long, short) = head.getexif().get_ifd(EXIF), sorted(head.size, reverse=True)
     try:
-        film, whole = float(told.get(FILM, 0)), [int(told.get(tag, long)) for tag in SIZES]
+        film, size_told = float(exif.get(FILM, 0)), [int(exif.get(tag, long)) for tag in SIZES]
     except (TypeError, ValueError, ArithmeticError):  # it tells something else there
         return None
-    if not LENSES[0] <= film <= LENSES[1] or abs(max(whole) / max(min(whole), 1) * short / long - 1) > CUT:
+    if not LENSES[0] <= film <= LENSES[1] or abs(max(size_told) / max(min(size_told), 1) * short / long - 1) > CUT:
         return None
     return film / math.hypot(36, 24) * math.hypot(long, short) / long
 
 
-def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
+def _on_paper(cv2: ModuleType, pixels: Greys) -> Greys:
     """A transparent picture on white paper in grey, some rows at a time."""
-    most, out = numpy.iinfo(whole.dtype).max, numpy.empty(whole.shape[:2], numpy.uint8)
-    for top in range(0, len(whole), ROWS):
-        rows = whole[top : top + ROWS]
+    most, out = numpy.iinfo(pixels.dtype).max, numpy.empty(pixels.shape[:2], numpy.uint8)
+    for top in range(0, len(pixels), ROWS):
+        rows = pixels[top : top + ROWS]
         cover = rows[..., 3].astype(numpy.float32) / most
         grey = cv2.cvtColor(rows[..., :3], cv2.COLOR_BGR2GRAY).astype(numpy.float32) * (255 / most)
         out[top : top + ROWS] = (255 - cover * (255 - grey)).round()

@@ -76,5 +76,5 @@ def shows_text_only(grey: Greys) -> bool:
 def _parts(dark: Greys, least: float) -> Indices:
     """What hangs together that is so dark: how wide and high it is, and of how many pixels."""
     _, _, parts, _ = cv().connectedComponentsWithStats((dark > least).astype(numpy.uint8), connectivity=8)
-    found: Indices = parts[1:, 2:5]
-    return found
+    sizes: Indices = parts[1:, 2:5]
+    return sizes

@@ -110,17 +110,17 @@ def blanks_on(grey: Greys) -> SheetsSeen:
 def find_sheets(grey: Greys) -> SheetsSeen:
     """Each blank by the corners of its marks in pixels. Smaller marks, of a blank farther off, are looked for only
     where those that are seen leave room for it: so small is a grid's cell, too."""
-    found = list[Found]()
+    marks = list[Found]()
     for longest in LOOKS_PX:
-        if not found or len(found) % 4:
-            _look(grey, longest, MARK_SHARE, found)
+        if not marks or len(marks) % 4:
+            _look(grey, longest, MARK_SHARE, marks)
     for longest in LOOKS_PX:
-        if found and leaves_more(sheets_apart(found), grey.shape[0] * grey.shape[1]):
-            _look(grey, longest, FAR_SHARE, found)
-    return sheets_apart(found)
+        if marks and leaves_more(sheets_apart(marks), grey.shape[0] * grey.shape[1]):
+            _look(grey, longest, FAR_SHARE, marks)
+    return sheets_apart(marks)
 
 
-def _look(grey: Greys, longest: int, least: float, found: list[Found]) -> None:
+def _look(grey: Greys, longest: int, least: float, marks: list[Found]) -> None:
     """The marks of a picture made so small, their outlines that share of its longer side at least, put to those
     that are found."""
     aruco = cv().aruco
@@ -131,8 +131,8 @@ def _look(grey: Greys, longest: int, least: float, found: list[Found]) -> None:
     corners, numbers, _ = aruco.ArucoDetector(dictionary(), parameters).detectMarkers(small)
     for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
         one = _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5)
-        if all(n != number or abs(other - one).max() > numpy.ptp(one) / 2 for n, other in found):
-            found.append((int(number), one))
+        if all(n != number or abs(other - one).max() > numpy.ptp(one) / 2 for n, other in marks):
+            marks.append((int(number), one))
 
 
 def sheet_alone(grey: Greys, marks: Mapping[int, Array]) -> Greys:
@@ -189,8 +189,8 @@ def flatten(grey: Greys) -> Flat | None:
         return Flat(unbent, PX_PER_MM, 0j, "marks", None, notes, replace(bend, shrink=factor))
     width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
     flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
-    whole = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
-    return Flat(flat, PX_PER_MM, 0j, "marks", whole, notes)
+    to_flat = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
+    return Flat(flat, PX_PER_MM, 0j, "marks", to_flat, notes)
 
 
 def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, float]]) -> Greys:
@@ -208,8 +208,8 @@ def remapped(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
     cell = 16  # a map that is so smooth need not be told for every pixel
     across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in size)
     source = bend.source(across[None, :] + 1j * down[:, None])
-    whole = len(across) * cell, len(down) * cell
-    maps = (cv2.resize(m.astype(numpy.float32), whole)[:height, :width] for m in (source.real, source.imag))
+    map_size = len(across) * cell, len(down) * cell
+    maps = (cv2.resize(m.astype(numpy.float32), map_size)[:height, :width] for m in (source.real, source.imag))
     flat: Greys = cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
     return flat
 

@@ -52,7 +52,7 @@ def waves_of(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
     places = (middles + (0.5 + 0.5j)) / factor - (0.5 + 0.5j)
     mirrored = middles.imag + 1j * middles.real
     counts = (_counts(cuts, middles), _counts(cuts.transpose(0, 2, 1), mirrored))
-    across, down = (Wave(places, *found) if found else None for found in counts)
+    across, down = (Wave(places, *count) if count else None for count in counts)
     return across, down
 
 

@@ -37,13 +37,13 @@ def sheets_apart(marks: Sequence[Found]) -> SheetsSeen:
     """Marks by their sheets."""
     if len({number for number, _ in marks}) == len(marks):
         return SheetsSeen([dict(marks)] if marks else [])
-    left, found = list(marks), list[dict[int, Array]]()
+    left, sheets = list(marks), list[dict[int, Array]]()
     while left:
         beside = _beside(left[0], left[1:])
-        found += [dict(beside)] if len(beside) >= FEWEST else []
+        sheets += [dict(beside)] if len(beside) >= FEWEST else []
         taken = beside if len(beside) >= FEWEST else left[:1]
         left = [one for one in left if not any(one is other for other in taken)]
-    return SheetsSeen(sorted(found, key=_in_order), len(marks) - sum(map(len, found)))
+    return SheetsSeen(sorted(sheets, key=_in_order), len(marks) - sum(map(len, sheets)))
 
 
 def leaves_more(seen: SheetsSeen, picture: float) -> bool:
@@ -64,12 +64,12 @@ def _area(sheet: dict[int, Array]) -> float:
 
 def _beside(seed: Found, marks: Sequence[Found]) -> list[Found]:
     """A mark, and those that stand where it tells that they should."""
-    found = [seed]
+    marks_of_sheet = [seed]
     for number in range(len(centres(SHEET_MM))):
         near = [(_off(seed, one), k) for k, one in enumerate(marks) if one[0] == number != seed[0]]
         off, k = min(near, default=(NEAR_MM, 0))
-        found += [marks[k]] if off < NEAR_MM else []
-    return found
+        marks_of_sheet += [marks[k]] if off < NEAR_MM else []
+    return marks_of_sheet
 
 
 def _off(seed: Found, other: Found) -> float:

@@ -23,19 +23,19 @@ def edges_of(grey: Greys) -> tuple[Array, float] | None:
     upper left), and the bend; None where not all of the sheet is seen."""
     quad = _outline(grey)
     sides = [_edge(grey, a, b) for a, b in zip(quad, numpy.roll(quad, -1), strict=True)] if quad is not None else []
-    found = [side for side in sides if side is not None]
-    if len(found) < 4:
+    edges = [side for side in sides if side is not None]
+    if len(edges) < 4:
         return None
     unbent = Bend.about(grey.shape)
     unit = max(grey.shape) / LOOK_PX
 
     def crooked(k: float) -> float:
         unbent.lens = (k, 0.0)
-        off = [float(abs(_line(unbent.straight(z))[1]).clip(0, STRAIGHT_PX * unit).mean()) for z in found]
+        off = [float(abs(_line(unbent.straight(z))[1]).clip(0, STRAIGHT_PX * unit).mean()) for z in edges]
         return float(sum(off) / unit + (k / FAIRLY) ** 2 / 4)
 
     unbent.lens = (min(LENSES.tolist(), key=crooked), 0.0)
-    lines = [_line(unbent.straight(side))[0] for side in found]
+    lines = [_line(unbent.straight(side))[0] for side in edges]
     pairs = zip([lines[-1], *lines[:-1]], lines, strict=True)
     corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
     return numpy.array([(z.real, z.imag) for z in corners]), unbent.lens[0]

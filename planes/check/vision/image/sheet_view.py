@@ -43,11 +43,11 @@ def sheet_view(grey: Greys, px_per_mm: float, scanned: bool, focal: float = FOCA
     """How a sheet is seen, by the surest of what tells it; pixels to a millimetre are known but roughly, the lens is
     ``focal`` of the picture's longer sides long."""
     across, down = waves_of(grey, px_per_mm * SQUARE_MM)
-    if across and down and (found := _by_squares(grey, across, down)):
-        return found
+    if across and down and (view := _by_squares(grey, across, down)):
+        return view
     _, down = waves_of(grey, px_per_mm * LINES_MM)
-    if down and (found := _by_lines(grey, down, focal)):
-        return found
+    if down and (view := _by_lines(grey, down, focal)):
+        return view
     return None if scanned else _by_edges(grey) or _by_text(grey, focal)
 
 
@@ -109,10 +109,10 @@ def _horizon(places: Complexes, counts: Array) -> tuple[complex, Array]:
 
 def _by_edges(grey: Greys) -> SheetView | None:
     """By a sheet of A4 all of which is seen."""
-    found = edges_of(grey)
-    if found is None:
+    corners_and_lens = edges_of(grey)
+    if corners_and_lens is None:
         return None
-    corners, lens = found
+    corners, lens = corners_and_lens
     ratio = shape_of(corners, grey.shape)[0]
     if abs(abs(math.log(ratio)) - math.log(A_SHAPE)) > NEAR_SHAPE:
         return None

@@ -80,13 +80,13 @@ def text_on(grey: Greys) -> LetterRows | None:
     kept = numpy.unique(numpy.concatenate([row.letters for row in rows]))
     new = numpy.full(len(boxes), -1)
     new[kept] = numpy.arange(len(kept))
-    of, angles, weights = _edges(small, labels, new, way)
+    letter_of_edge, angles, weights = _edges(small, labels, new, way)
     middles = ((left + right) / 2 + 1j * (low + high) / 2) * numpy.exp(1j * way)
     there = (middles[kept] + 0.5 + 0.5j) / factor - 0.5 - 0.5j
-    found = [
+    text_rows = [
         TextRow((r.place + 0.5 + 0.5j) / factor - 0.5 - 0.5j, r.angle, r.off, r.error, new[r.letters]) for r in rows
     ]
-    return LetterRows(there, (high - low + 1)[kept], of, angles, weights, found, way)
+    return LetterRows(there, (high - low + 1)[kept], letter_of_edge, angles, weights, text_rows, way)
 
 
 def _letters(small: Greys) -> tuple[Indices, Indices]:
@@ -190,8 +190,8 @@ def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Ind
     dx, dy = (cv2.Scharr(soft, cv2.CV_32F, *d) for d in ((1, 0), (0, 1)))
     wide = cv2.dilate(labels.astype(numpy.float32), numpy.ones((3, 3), numpy.uint8))
     there = numpy.flatnonzero(wide)
-    of = new[wide.ravel()[there].astype(int) - 1]
+    letter_of_edge = new[wide.ravel()[there].astype(int) - 1]
     gradient = dx.ravel()[there] + 1j * dy.ravel()[there]
     upright = (numpy.angle(gradient * numpy.exp(-1j * way)) + math.pi / 2) % math.pi - math.pi / 2
-    good: Booleans = (of >= 0) & (abs(upright) < STEEP)
-    return of[good], upright[good] + way + math.pi / 2, abs(gradient[good]) ** 2
+    good: Booleans = (letter_of_edge >= 0) & (abs(upright) < STEEP)
+    return letter_of_edge[good], upright[good] + way + math.pi / 2, abs(gradient[good]) ** 2

@@ -30,7 +30,7 @@ def by_points(
     mark: complex,
     vector: complex,
     name: str = "",
-    told: float | None = None,
+    file_scale: float | None = None,
     held: CameraTilt | None = None,
     focal: float | None = None,
 ) -> Flat:
@@ -41,34 +41,34 @@ def by_points(
     tilt of may be taken for one of a camera tilted by so much (``held``). The lens may be told (``focal``, in the
     picture's longer sides). The pole becomes the origin."""
     short = abs(vector) < SHORT_MM
-    if not (short and told) and (abs(mark - pole) < 10 or not vector):
+    if not (short and file_scale) and (abs(mark - pole) < 10 or not vector):
         raise PlanesError(Phrase("check_points"))
     focal = focal or FOCAL
     view = by_tilt(grey, held.mirrored(), focal) if held else None
     if not held and not short:
-        view = sheet_view(grey, told or abs(mark - pole) / abs(vector), told is not None, focal)
+        view = sheet_view(grey, file_scale or abs(mark - pole) / abs(vector), file_scale is not None, focal)
     drawn = view.bend.flat(mark) - view.bend.flat(pole) if view else mark - pole
     paper = view.by if view and view.by in BY_PAPER else None
-    scale, by_file = _scale(abs(drawn), abs(vector), 1.0 if paper else told, ANOTHER if paper else 1.0)
+    scale, by_file = _scale(abs(drawn), abs(vector), 1.0 if paper else file_scale, ANOTHER if paper else 1.0)
     askew = 0.0 if short else _askew(drawn, vector, paper)
     flat = _straight(grey, view, pole, scale, askew) if view else by_scale(grey, scale, pole, askew)
     flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if askew else []
     flat.told, flat.by_file, flat.by_paper = (name, abs(vector)), by_file, paper is not None and not askew
     flat.aslant = BY_PAPER[paper] if paper else 0.0
-    if not paper and told is None and not short:
+    if not paper and file_scale is None and not short:
         height, width = grey.shape
         far, known = focal * max(width, height) / scale, view.held.mirrored() if view else UNTOLD
         flat.lens = Lens(flat.place(complex(width, height) / 2), far, flat.place(mark), bool(askew), known)
     return flat
 
 
-def _scale(drawn: float, true_mm: float, told: float | None, most: float) -> tuple[float, bool]:
+def _scale(drawn: float, true_mm: float, file_scale: float | None, most: float) -> tuple[float, bool]:
     """Pixels to a mm, and whether they are those that are ``told``: if a vector drawn so long differs by no more than
     a hand's error, and by that share at ``most``."""
-    if told is None or true_mm < SHORT_MM:
-        return told or drawn / true_mm, told is not None
-    by_file = abs(drawn / true_mm / told - 1) < min(DRAWN_MM / true_mm, most)
-    return told if by_file else drawn / true_mm, by_file
+    if file_scale is None or true_mm < SHORT_MM:
+        return file_scale or drawn / true_mm, file_scale is not None
+    by_file = abs(drawn / true_mm / file_scale - 1) < min(DRAWN_MM / true_mm, most)
+    return file_scale if by_file else drawn / true_mm, by_file
 
 
 def _askew(drawn: complex, vector: complex, paper: str | None) -> float:
