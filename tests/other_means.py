@@ -183,7 +183,7 @@ class Sheet:
     """A blank that is drawn upon by Pillow."""
 
     def __init__(self, bench: PreparedPlan, rng: random.Random, fonts: Sequence[Path]) -> None:
-        marks, title = blank_marks(bench.asked if bench.asked.mu else bench.at(bench.said_mu, told=True).asked, "en")
+        marks, title = blank_marks(bench.asked if bench.asked.mu else bench.at(bench.said_mu, fixed=True).asked, "en")
         data = np.frombuffer(pdf.write_png(marks, SHEET_MM, title, dpi=PX * 25.4), np.uint8)
         grey = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
         size = round(SHEET_MM[0] * PX), round(SHEET_MM[1] * PX)

@@ -18,9 +18,9 @@ def roomy(bench: PreparedPlan) -> PreparedPlan:
     if kind_of(plan) not in ("position", "force"):
         aside = abs(blank_pole(bench) - pole_place([])) > ASIDE_MM
         reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
-        return bench.at(fitting(plan, reach, SHEET_MM[1] / 2 - OTHER_MM), told=True) if aside else bench
+        return bench.at(fitting(plan, reach, SHEET_MM[1] / 2 - OTHER_MM), fixed=True) if aside else bench
     while not has_room([*bench.true_marks.values()]):
-        bench = bench.at(fitting(plan, 1.0, SMALLER * bench.said_mu), told=True)
+        bench = bench.at(fitting(plan, 1.0, SMALLER * bench.said_mu), fixed=True)
     return bench
 
 

@@ -132,7 +132,7 @@ class Outcome(Described):
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
     """Check one paper. :class:`PlanesError` where the scene or the question is wrong."""
     bench = prepare(asked)
-    bench = bench.at(paper.mu, told=True) if paper.mu and not asked.mu else bench
+    bench = bench.at(paper.mu, fixed=True) if paper.mu and not asked.mu else bench
     out = Outcome(bench, paper, notes=list(paper.notes))
     try:
         _look(out)
@@ -149,7 +149,7 @@ def _at_its_scale(asked: Asked, out: Outcome) -> Outcome | None:
     if free is None or abs(free.mu / out.bench.said_mu - 1) <= NEAR or free.fault or readable(free):
         return None
     paper = replace(out.paper, signs=[plan_scaled(out.bench, free.mu)])
-    scaled = Outcome(out.bench.at(free.mu, told=True), paper, notes=list(paper.notes))
+    scaled = Outcome(out.bench.at(free.mu, fixed=True), paper, notes=list(paper.notes))
     _look(scaled)
     return None if scaled.unreadable or (scaled.grading and scaled.grading.fault) else scaled
 

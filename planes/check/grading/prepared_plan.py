@@ -147,7 +147,7 @@ class PreparedPlan:
         return {} if force else {n: place(z) for k, z in marks.items() if (n := self.names.find(k))}
 
     def at(self, mu: float, fixed: bool = False) -> PreparedPlan:
-        """The same at another scale; ``told``, if no other is to be thought of."""
+        """The same at another scale; ``fixed``, if no other is to be thought of."""
         asked = replace(self.asked, mu=mu) if fixed else self.asked
         return replace(self, asked=asked, given={**self.given, mu_of(asked.plan): mu}, said_mu=mu)
 

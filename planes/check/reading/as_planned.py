@@ -245,7 +245,7 @@ def _turned(paper: ReadPaper) -> ReadPaper:
 
 def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
     """How many marks of a paper are where their steps lead, less those that are not."""
-    bench = bench.at(paper.mu, told=True) if paper.mu else bench
+    bench = bench.at(paper.mu, fixed=True) if paper.mu else bench
     grading = _graded(bench, paper) if paper.spots else None
     if grading is None:
         return -len(bench.marks)

@@ -56,7 +56,7 @@ def _paper_of(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) ->
     """The marks of a plan on a part of a page, at the scale its title says."""
     said = None if bench.asked.mu else mu_over(words, part, bench.asked.plan, known_plans(bench.plans))[0]
     mu = said and said * enlarged(words, part)
-    paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
+    paper = paper_of(part, bench.at(mu, fixed=True) if mu else bench)
     paper.mu = mu
     return paper
 

@@ -66,7 +66,7 @@ def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple
         return look if look.seen or pole is not None or flat.by == "marks" else looked(bench, flat, None, held)
     page, looks = parts_of(flat), [Look(flat, 0j)]
     for k, mu in page.likely(bench):
-        look = looked(bench.at(mu, told=True) if mu else bench, page.cut(k), None)
+        look = looked(bench.at(mu, fixed=True) if mu else bench, page.cut(k), None)
         look.mu = mu
         looks.append(look)
         if look.cover * look.explained > LEAST_COVER:

@@ -92,7 +92,7 @@ def _as_printed(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> Prep
     if code is None or code.plan != bench.asked.plan:
         return bench
     flat.pole = code.pole
-    return bench if bench.asked.mu else bench.at(code.mu or bench.said_mu, told=True)
+    return bench if bench.asked.mu else bench.at(code.mu or bench.said_mu, fixed=True)
 
 
 def _nothing_to_measure_by(grey: Greys) -> PlanesError:
