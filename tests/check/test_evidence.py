@@ -14,8 +14,9 @@ from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans,
 from planes.check.handed_in import read_paper
 from planes.check.outcome import check
 from planes.check.reading.matching import paper_of
-from planes.check.reading.strokes import ReadDrawing, Words
+from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import read_svg
+from planes.check.reading.written import Words
 from planes.check.report import as_json
 from planes.cli import main
 from planes.documents.check import write_blank

@@ -19,8 +19,9 @@ from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.matching import paper_of
 from planes.check.reading.pdf import read_pdf
-from planes.check.reading.strokes import ReadDrawing, Words
+from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import read_svg
+from planes.check.reading.written import Words
 from tests import confusion
 from tests.check import test_check
 from tests.confusion import easels, possible

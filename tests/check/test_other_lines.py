@@ -8,13 +8,14 @@ from itertools import pairwise
 import pytest
 
 from planes.check.reading.arrowheads import settle
-from planes.check.reading.as_planned import is_right
 from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.hatching import FEWEST, without_hatching
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import without_letters
 from planes.check.reading.running_on import cut_off
-from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke, Words, headed
+from planes.check.reading.strokes import Arrowhead, ReadDrawing, headed
+from planes.check.reading.weighed import is_right
+from planes.check.reading.written import Stroke, Words
 from tests import confusion
 from tests.helpers.drawings import NONE, Hand, Mistake
 

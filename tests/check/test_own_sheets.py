@@ -21,9 +21,10 @@ from planes.check.reading.arrowheads import settle
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.parts import joined, parts, without_letters
 from planes.check.reading.pdf import read_pdf
-from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing, Words
+from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing
 from planes.check.reading.svg import read_carried, read_svg
 from planes.check.reading.whole_page import enlarged, paper_on
+from planes.check.reading.written import Words
 from planes.cli import main
 from planes.documents.drawn import _mechanism_views
 from planes.documents.sheets import DrawnPosition

@@ -11,9 +11,10 @@ import pytest
 
 from planes.check.grading.prepared_plan import known_plans
 from planes.check.reading.parts import joined
-from planes.check.reading.strokes import Nodes, ReadDrawing, Words
+from planes.check.reading.strokes import Nodes, ReadDrawing
 from planes.check.reading.whole_page import elsewhere, mu_over
 from planes.check.reading.words_near import led, led_to_vectors
+from planes.check.reading.written import Words
 from planes.documents.sheets import DrawnPosition, sheet_of
 from planes.scene import Scene
 from planes.solving import Position

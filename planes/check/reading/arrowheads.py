@@ -9,7 +9,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 
-from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke, goes_on
+from planes.check.reading.strokes import Arrowhead, ReadDrawing, goes_on
+from planes.check.reading.written import Stroke
 
 LARGEST_MM = 8.0  # a closed figure no larger may be a head
 LARGEST_FILLED_MM, SLENDER = 24.0, 0.7  # nor a filled one, which is no polygon, if it is so narrow between equal sides

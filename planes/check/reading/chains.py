@@ -9,7 +9,8 @@ from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.remedies import asking
 from planes.check.reading.construction_lines import vectors_of
-from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
+from planes.check.reading.strokes import Nodes, ReadDrawing
+from planes.check.reading.written import Stroke, Words
 from planes.words.frozen import frozen
 from planes.words.names import POLE
 from planes.words.naming import Names, Naming

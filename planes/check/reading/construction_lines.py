@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, Stroke, headed
+from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, headed
+from planes.check.reading.written import Stroke
 
 UPON_MM = 0.1  # a vector is drawn upon its line
 ASKEW = 0.02  # radians, by which lines along each other may part

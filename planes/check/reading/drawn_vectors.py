@@ -10,7 +10,8 @@ from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.sign_faults import DrawnVector, Vector
 from planes.check.reading.construction_lines import covered
-from planes.check.reading.strokes import ReadDrawing, Stroke, reach_of
+from planes.check.reading.strokes import ReadDrawing, reach_of
+from planes.check.reading.written import Stroke
 from planes.drafting.skill import SIGMAS
 from planes.words.names import kind_of
 

@@ -11,7 +11,8 @@ from typing import Any
 from planes.check.reading.arrowheads import head_of, settle, tapered
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, joined, without_letters
-from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
+from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing
+from planes.check.reading.written import Words
 from planes.words.errors import guarded
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy
 from shapely import STRtree, points
 
-from planes.check.reading.strokes import ReadDrawing, Stroke
+from planes.check.reading.strokes import ReadDrawing
+from planes.check.reading.written import Stroke
 
 FEWEST = 4  # rows of strokes that make hatching
 WIDEST_MM, EVEN_MM = 6.0, 0.15  # how far apart the rows may be, and how much less or more than the rest

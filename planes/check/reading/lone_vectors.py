@@ -10,7 +10,8 @@ from collections.abc import Mapping, Sequence
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import FAR_WORD, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
-from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke, headed
+from planes.check.reading.strokes import SHORT_MM, ReadDrawing, headed
+from planes.check.reading.written import Stroke
 from planes.drafting.drawing import run
 from planes.words.names import POLE, at, end_of
 

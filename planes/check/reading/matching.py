@@ -13,13 +13,15 @@ from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.grading.remedies import asking
-from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, unshown, vague, vectors_named, worth
+from planes.check.reading.as_planned import marks_as_planned, unshown, vectors_named
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.construction_lines import covered, vectors_alone, vectors_of
 from planes.check.reading.lone_vectors import HEADLESS_MM, lone_vectors, others
 from planes.check.reading.running_on import cut_off
-from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, headed, hinged
+from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, headed, hinged
+from planes.check.reading.weighed import is_right, told_apart, vague, worth
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
+from planes.check.reading.written import Words
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
 

@@ -8,7 +8,8 @@ import numpy
 from shapely import STRtree, distance, linestrings, multilinestrings, points
 
 from planes.check.reading.hatching import without_hatching
-from planes.check.reading.strokes import ReadDrawing, Stroke, Words
+from planes.check.reading.strokes import ReadDrawing
+from planes.check.reading.written import Stroke, Words
 from planes.geometry.arrays import Booleans, Complexes
 from planes.geometry.plane import corners
 

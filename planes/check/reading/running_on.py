@@ -21,7 +21,8 @@ from planes.check.reading.construction_lines import (
     vectors_of,
 )
 from planes.check.reading.lone_vectors import others
-from planes.check.reading.strokes import CROSSINGS, SNAPPED_MM, ReadDrawing, Stroke, crossings
+from planes.check.reading.strokes import CROSSINGS, SNAPPED_MM, ReadDrawing, crossings
+from planes.check.reading.written import Stroke
 from planes.words.names import POLE, kind_of
 
 JOINED = 0.6  # of the ends of vectors drawn upon construction lines more than so many meet others

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 import math
-import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -12,12 +11,11 @@ from itertools import pairwise, product
 from typing import NamedTuple
 
 from planes.check.reading.opened import too_many
+from planes.check.reading.written import Stroke, Words
 from planes.geometry.plane import corners
-from planes.words.frozen import frozen
 
-Stroke = tuple[complex, complex]
 Round = tuple[complex, float]  # the middle of a small circle, a hinge or a point, and its radius
-LONGEST_LIST, LONGEST = 40, 200  # letters of names in a row, and of any text
+LONGEST = 200  # letters of a text
 ROUND_MM = 3.0  # a larger circle is no sign of a point
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
 SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
@@ -25,7 +23,6 @@ CROSSINGS = 400  # of more strokes than this crossings are not looked for
 MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
 HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for that to tell the vectors from the rest
 STRAIGHT = 0.005  # radians, by which a polyline that goes straight on may turn at a vertex
-_ENDS = re.compile(r"\((\d+)–(\d+)\)")
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
@@ -36,54 +33,6 @@ class Arrowhead(NamedTuple):
     way: complex
     length: float = 0.0
     even: bool = False
-
-
-@frozen
-class Words:
-    """A piece of text: where its lower left corner is, its direction, height and width, mm."""
-
-    text: str
-    place: complex
-    height: float = 3.5
-    width: float = 0.0
-    along: complex = 1 + 0j
-    led: bool = False  # whether a line with a dot leads from it there
-    ends: tuple[str, str] | None = None  # the numbers between which the vectors of its names run
-
-    def listed(self) -> list[Words]:
-        """One for each name where several are written in a row: p, a, d, or F = R; with numbers of ends, G (1–2); of
-        F = −R the second goes the other way."""
-        if len(self.text) > LONGEST_LIST:
-            return [self]
-        ends = (match[1], match[2]) if (match := _ENDS.search(self.text)) else None
-        names = [t.strip() for t in re.split("[,=]", _ENDS.sub("", self.text)) if t.strip()]
-        ways = ((t.lstrip("−"), ends and (ends[::-1] if t[0] == "−" else ends)) for t in names)
-        return [replace(self, text=t, ends=way) for t, way in ways] or [self]
-
-    def runs(self, stroke: Stroke, words: Iterable[Words]) -> bool:
-        """Whether a vector may run as the numbers at its ends say, those that are there."""
-        at = {w.text: w for w in sorted(words, key=lambda w: -w.beside(stroke)) if w.text in (self.ends or ())}
-
-        def off(way: Stroke) -> float:
-            return sum(at[n].distance(z) for n, z in zip(self.ends or (), way, strict=False) if n in at)
-
-        return off(stroke) <= off(stroke[::-1])
-
-    @property
-    def middle(self) -> complex:
-        """The middle of the text's box."""
-        return self.place + self.along * complex(self.width or self.height, self.height) / 2
-
-    def distance(self, z: complex, below: float = 0.0) -> float:
-        """From a place to the text's box, if need be with what is ``below`` it, so deep."""
-        local = (z - self.place) * self.along.conjugate()
-        width = self.width or 0.7 * self.height * max(len(self.text), 1)
-        aside, above = max(-local.real, 0.0, local.real - width), local.imag - self.height
-        return math.hypot(aside, max(-local.imag - below, 0.0, above))
-
-    def beside(self, stroke: Stroke) -> float:
-        """How far it is from the middle part of a vector."""
-        return min(self.distance(stroke[0] + (stroke[1] - stroke[0]) * t / 8) for t in range(1, 8))
 
 
 @dataclass

@@ -11,9 +11,10 @@ from planes.check.reading.arrowheads import figure_of, settle
 from planes.check.reading.opened import LARGEST as LARGEST_PICTURE
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, without_letters
-from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
+from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing
 from planes.check.reading.svg_css import MM, OWN, Looks, length, looks_of, number, numbers, ruled, transform_of
 from planes.check.reading.svg_shapes import MOST, outlines, tree
+from planes.check.reading.written import Words
 from planes.scene.carried import carried
 from planes.words import Phrase
 from planes.words.errors import PlanesError

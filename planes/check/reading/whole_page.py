@@ -9,11 +9,12 @@ from dataclasses import replace
 
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, known_plans
-from planes.check.reading.as_planned import worth
 from planes.check.reading.chains import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
-from planes.check.reading.strokes import ReadDrawing, Words
+from planes.check.reading.strokes import ReadDrawing
+from planes.check.reading.weighed import worth
+from planes.check.reading.written import Words
 from planes.geometry.plane import corners
 from planes.words.names import kind_of
 from planes.words.units import UnitError, read_mu

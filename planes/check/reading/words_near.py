@@ -11,7 +11,8 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import NEAR_MM, true_vectors
 from planes.check.reading.construction_lines import upon
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Stroke, Words, headed
+from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, headed
+from planes.check.reading.written import Stroke, Words
 from planes.words.names import POLE, kind_of
 from planes.words.naming import Names
 

@@ -1,0 +1,61 @@
+"""Texts of a drawing with their boxes, as they name marks and vectors: several in a row, with numbers of ends."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+
+from planes.words.frozen import frozen, replace
+
+Stroke = tuple[complex, complex]
+LONGEST_LIST = 40  # letters of names in a row
+_ENDS = re.compile(r"\((\d+)–(\d+)\)")
+
+
+@frozen
+class Words:
+    """A piece of text: where its lower left corner is, its direction, height and width, mm."""
+
+    text: str
+    place: complex
+    height: float = 3.5
+    width: float = 0.0
+    along: complex = 1 + 0j
+    led: bool = False  # whether a line with a dot leads from it there
+    ends: tuple[str, str] | None = None  # the numbers between which the vectors of its names run
+
+    def listed(self) -> list[Words]:
+        """One for each name where several are written in a row: p, a, d, or F = R; with numbers of ends, G (1–2); of
+        F = −R the second goes the other way."""
+        if len(self.text) > LONGEST_LIST:
+            return [self]
+        ends = (match[1], match[2]) if (match := _ENDS.search(self.text)) else None
+        names = [t.strip() for t in re.split("[,=]", _ENDS.sub("", self.text)) if t.strip()]
+        ways = ((t.lstrip("−"), ends and (ends[::-1] if t[0] == "−" else ends)) for t in names)
+        return [replace(self, text=t, ends=way) for t, way in ways] or [self]
+
+    def runs(self, stroke: Stroke, words: Iterable[Words]) -> bool:
+        """Whether a vector may run as the numbers at its ends say, those that are there."""
+        at = {w.text: w for w in sorted(words, key=lambda w: -w.beside(stroke)) if w.text in (self.ends or ())}
+
+        def off(way: Stroke) -> float:
+            return sum(at[n].distance(z) for n, z in zip(self.ends or (), way, strict=False) if n in at)
+
+        return off(stroke) <= off(stroke[::-1])
+
+    @property
+    def middle(self) -> complex:
+        """The middle of the text's box."""
+        return self.place + self.along * complex(self.width or self.height, self.height) / 2
+
+    def distance(self, z: complex, below: float = 0.0) -> float:
+        """From a place to the text's box, if need be with what is ``below`` it, so deep."""
+        local = (z - self.place) * self.along.conjugate()
+        width = self.width or 0.7 * self.height * max(len(self.text), 1)
+        aside, above = max(-local.real, 0.0, local.real - width), local.imag - self.height
+        return math.hypot(aside, max(-local.imag - below, 0.0, above))
+
+    def beside(self, stroke: Stroke) -> float:
+        """How far it is from the middle part of a vector."""
+        return min(self.distance(stroke[0] + (stroke[1] - stroke[0]) * t / 8) for t in range(1, 8))
