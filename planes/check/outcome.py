@@ -203,11 +203,9 @@ def _segments(out: Outcome) -> None:
     tried: list[tuple[int, bool, Account]] = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = free_hand(bench, [], mu, {})
-        own_account = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
-        wrong = sum(s.verdict == "wrong" for s in own_account.scored) + (
-            own_account.first is not None and not own_account.named
-        )
-        tried.append((wrong, k > 0, own_account))
+        reckoned = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
+        wrong = sum(s.verdict == "wrong" for s in reckoned.scored) + (reckoned.first is not None and not reckoned.named)
+        tried.append((wrong, k > 0, reckoned))
     _, rescaled, out.segments = min(tried, key=lambda one: one[:2])
     if out.segments.first is None and not out.grading:
         out.unreadable = _shown_by(out.segments, rescaled)

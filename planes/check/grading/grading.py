@@ -170,10 +170,8 @@ class Grading:
     @property
     def chance(self) -> float:
         """How likely marks put anywhere on the drawing would be as right."""
-        judgement, sigma = self.judgement, self.gap_sigma
-        return by_chance(
-            self.hand, judgement.misses, judgement.limit, not self.said_mu, judgement.limit * sigma if sigma else None
-        )
+        j, sigma = self.judgement, self.gap_sigma
+        return by_chance(self.hand, j.misses, j.limit, not self.said_mu, j.limit * sigma if sigma else None)
 
     @property
     def sure_by_itself(self) -> bool:

@@ -42,8 +42,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     kind, vectors, dots = kind_of(bench.asked.plan), list[int](), [z for z, r in sketch.rounds if r < DOT_MM]
     if kind == "position":
         sketch = hinged(sketch)
-        middles = [z for z, _ in sketch.rounds]
-        nodes = Nodes(sketch.strokes, LOOSE_MM if middles else 0.0, points=middles)
+        nodes = Nodes(sketch.strokes, LOOSE_MM if sketch.rounds else 0.0, points=[z for z, _ in sketch.rounds])
     else:
         sketch.rounds = []
         vectors = vectors_of(sketch, kind == "force")
