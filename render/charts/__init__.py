@@ -78,9 +78,9 @@ def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
         plot.set_xlim(low, high)
     if axes.ticks:
         plot.xaxis.set_major_locator(MultipleLocator(axes.ticks))
-    told = FuncFormatter(lambda v, _: decimal(f"{v:.6g}", lang))
-    plot.xaxis.set_major_formatter(told)
-    plot.yaxis.set_major_formatter(told)
+    formatter = FuncFormatter(lambda v, _: decimal(f"{v:.6g}", lang))
+    plot.xaxis.set_major_formatter(formatter)
+    plot.yaxis.set_major_formatter(formatter)
     if any(c.label for c in axes.curves):
         plot.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=3.2)
 

@@ -145,11 +145,11 @@ def conclusion_of_speed(methods: Sequence[Method], lang: Lang) -> str:
     ours = min((m for m in methods if m.key in OURS), key=lambda m: m.seconds)
     others = [m for m in methods if m.key not in (*OURS, "method_digits") and m.error < ALIKE * ours.error]
     name = ours.name(lang)
-    told = {"ns": f"{ours.seconds * 1e9:.2g}", "error": power_of_ten(ours.error), "ours": name[:1].upper() + name[1:]}
+    facts = {"ns": f"{ours.seconds * 1e9:.2g}", "error": power_of_ten(ours.error), "ours": name[:1].upper() + name[1:]}
     if not others:
-        return say("chart_says_alone", lang, **told)
+        return say("chart_says_alone", lang, **facts)
     near = min(others, key=lambda m: m.seconds)
-    return say("chart_says_speed", lang, other=near.name(lang), times=few_digits(near.seconds / ours.seconds), **told)
+    return say("chart_says_speed", lang, other=near.name(lang), times=few_digits(near.seconds / ours.seconds), **facts)
 
 
 def conclusion_of_stability(way: Approach, lang: Lang) -> str:
@@ -183,26 +183,26 @@ def draw_approach(plot: Axes, way: Approach, axis: str, names: Mapping[str, str]
     plot.figure.legend(*plot.get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8.5)
 
 
-def draw_turning(plot: Axes, found: Turning, axis: str, lang: Lang) -> None:
+def draw_turning(plot: Axes, turn: Turning, axis: str, lang: Lang) -> None:
     """Regions in grey with their number of assemblies, the curves between them, and where the scene stands."""
-    low, high = found.values[0], found.values[-1]
-    plot.set(xlim=(low, high), ylim=(found.lengths[0], found.lengths[-1]), yscale="log", xlabel=axis)
-    plot.set_ylabel(say("chart_turning_length", lang, name=found.name))
-    plot.set_title(say("chart_turning" if found.whole else "chart_turning_part", lang, name=found.name), fontsize=9.5)
+    low, high = turn.values[0], turn.values[-1]
+    plot.set(xlim=(low, high), ylim=(turn.lengths[0], turn.lengths[-1]), yscale="log", xlabel=axis)
+    plot.set_ylabel(say("chart_turning_length", lang, name=turn.name))
+    plot.set_title(say("chart_turning" if turn.whole else "chart_turning_part", lang, name=turn.name), fontsize=9.5)
     plot.grid(visible=False)
-    shade = 1 - DARK * found.count / 2
-    plot.pcolormesh(found.values, found.lengths, shade, cmap="gray", vmin=0.0, vmax=1.0, zorder=0, rasterized=True)
-    for k, curve in enumerate(found.curves):
+    shade = 1 - DARK * turn.count / 2
+    plot.pcolormesh(turn.values, turn.lengths, shade, cmap="gray", vmin=0.0, vmax=1.0, zorder=0, rasterized=True)
+    for k, curve in enumerate(turn.curves):
         colour, _ = LOOKS[(k + 1) % len(LOOKS)]
         plot.plot(*_broken(curve.values, curve.lengths, low, high), color=colour, linewidth=1.6)
-    for i, j in _regions(found.count):
-        plot.text(found.values[i], found.lengths[j], f"{found.count[j, i]}", ha="center", va="center", fontsize=8.5)
-    value, length = found.here
+    for i, j in _regions(turn.count):
+        plot.text(turn.values[i], turn.lengths[j], f"{turn.count[j, i]}", ha="center", va="center", fontsize=8.5)
+    value, length = turn.here
     plot.plot([(value - low) % (high - low) + low], [length], "o", color="#000000", markersize=4)
     plot.minorticks_off()
     if high - low == 360:
         plot.xaxis.set_major_locator(MultipleLocator(60))
-    ticks = np.round(np.geomspace(found.lengths[0], found.lengths[-1], 7), 3)
+    ticks = np.round(np.geomspace(turn.lengths[0], turn.lengths[-1], 7), 3)
     plot.set_yticks(ticks, [f"{t:.3g}" for t in ticks])
 
 
@@ -216,7 +216,7 @@ def _broken(values: Array, lengths: Array, low: float, high: float) -> tuple[Arr
 
 def _regions(count: Indices) -> list[tuple[int, int]]:
     """The deepest cell of every region of the grid where the number of assemblies is the same."""
-    found = []
+    deepest_cells = []
     for number in np.unique(count):
         left = count == number
         while left.sum() > LEAST * count.size:
@@ -227,9 +227,9 @@ def _regions(count: Indices) -> list[tuple[int, int]]:
             region = np.zeros_like(left)
             region[j, i] = True
             if _filled(region, left).sum() > LEAST * count.size:
-                found.append((int(i), int(j)))
+                deepest_cells.append((int(i), int(j)))
             left = left & ~_filled(region, left)
-    return found
+    return deepest_cells
 
 
 def _shrunk(region: Booleans) -> Booleans:

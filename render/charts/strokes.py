@@ -85,7 +85,7 @@ def pieces_of(
     path: Path, transform: Transform | None = None, clip: tuple[float, float, float, float] | None = None
 ) -> tuple[Piece, ...]:
     """A matplotlib path as moves, lines and cubic curves."""
-    found: list[Piece] = []
+    pieces: list[Piece] = []
     x = y = 0.0
     for points, code in path.iter_segments(transform or Affine2D(), simplify=False, clip=clip, curves=True):
         at = tuple(points.tolist())
@@ -93,11 +93,11 @@ def pieces_of(
             (cx, cy), (ex, ey) = at[:2], at[2:]
             at = (x + 2 / 3 * (cx - x), y + 2 / 3 * (cy - y), ex + 2 / 3 * (cx - ex), ey + 2 / 3 * (cy - ey), ex, ey)
         if code == Path.CLOSEPOLY:
-            found.append(("Z", ()))
+            pieces.append(("Z", ()))
             continue
-        found.append(({Path.MOVETO: "M", Path.LINETO: "L"}.get(code, "C"), at))
+        pieces.append(({Path.MOVETO: "M", Path.LINETO: "L"}.get(code, "C"), at))
         x, y = at[-2:]
-    return tuple(found)
+    return tuple(pieces)
 
 
 class StrokeRenderer(RendererBase):

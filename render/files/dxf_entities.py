@@ -79,15 +79,15 @@ class Entities(Writer):
         ``dashes`` is the pattern fitted to the mark's length; a mark too short for it is solid.
         """
         used, own = pen(style), self.layers.get(layer)
-        found: dict[str, object] = {"layer": layer.upper()}
+        looks: dict[str, object] = {"layer": layer.upper()}
         solid = not dashes
         if own is None or solid != (not pen(own).pattern) or (not solid and own != style):
-            found["linetype"] = "Continuous" if solid else LINE_TYPES[style]
+            looks["linetype"] = "Continuous" if solid else LINE_TYPES[style]
         if not solid:
-            found["ltscale"] = round(dashes[0] / used.pattern[0], 6)
+            looks["ltscale"] = round(dashes[0] / used.pattern[0], 6)
         if own is None or weight(pen(own).width) != weight(used.width):
-            found["lineweight"] = weight(used.width)
-        return found
+            looks["lineweight"] = weight(used.width)
+        return looks
 
     def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
         """Straight lines or polylines."""

@@ -100,9 +100,9 @@ def _support(hinge: Arc, lines: Iterable[Line]) -> Sign | None:
             continue
         angle = math.degrees(cmath.phase(1j * down))
         wanted = [m for m in symbols.fixed_hinge(hinge.centre, angle) if isinstance(m, Line)]
-        found = [next((m for m in near if _alike(m, w)), None) for w in wanted]
-        if None not in found:
-            strokes: tuple[Mark, ...] = tuple(m for m in found if m)
+        present = [next((m for m in near if _alike(m, w)), None) for w in wanted]
+        if None not in present:
+            strokes: tuple[Mark, ...] = tuple(m for m in present if m)
             return Sign(SUPPORT, hinge.centre, angle, (1.0, 1.0), hinge.layer, (hinge, *strokes))
     return None
 
@@ -165,6 +165,6 @@ def _dimension(
     middle = next((m.place + 0.5j * m.height * symbols.unit(m.turn_deg) for m in said), arrows[0].start)
     places = {"defpoint": tips[1], "defpoint2": one, "defpoint3": other, "text_midpoint": middle}
     looks = {"layer": "DIMENSION", "dimstyle": GOST, "dimtype": _LINEAR, "geometry": picture.name}
-    told = {"text": "".join(formatted(m.text) for m in said) or " ", "actual_measurement": abs(tips[0] - tips[1])}
+    texts = {"text": "".join(formatted(m.text) for m in said) or " ", "actual_measurement": abs(tips[0] - tips[1])}
     looks["angle"] = math.degrees(cmath.phase(tips[1] - tips[0]))
-    document.modelspace().new_entity("DIMENSION", {**looks, **told, **{key: xy(z) for key, z in places.items()}})
+    document.modelspace().new_entity("DIMENSION", {**looks, **texts, **{key: xy(z) for key, z in places.items()}})

@@ -111,8 +111,8 @@ class Board:
         clashes, near = self.clashes[:, rows], self.near[:, rows]
         if but is not None:
             clashes, near = np.delete(clashes, but, axis=0), np.delete(near, but, axis=0)
-        found: Array = self.static[rows] + HARD * clashes.sum(axis=0) + CLOSE * near.any(axis=0)
-        return found
+        costs: Array = self.static[rows] + HARD * clashes.sum(axis=0) + CLOSE * near.any(axis=0)
+        return costs
 
     def _take(self, k: int, option: int) -> None:
         """Let label k stand at a place."""
@@ -171,8 +171,8 @@ class Board:
         rows = np.flatnonzero(self.cost(self.rows[j], k) < HARD) + self.rows[j].start
         near = np.delete(self.near[:, rows], k, axis=0).any(axis=0)
         clashes, close = met(places, self.everywhere.every.some(rows))
-        found: Booleans = ((clashes == 0) & (self.static[rows] + CLOSE * (close | near) < HARD)).any(axis=1)
-        return found
+        leaves: Booleans = ((clashes == 0) & (self.static[rows] + CLOSE * (close | near) < HARD)).any(axis=1)
+        return leaves
 
     def _moves(self, k: int) -> bool:
         """Move label k to its cheapest place; whether it overlaps nothing there."""
@@ -194,10 +194,10 @@ class Board:
             best = np.argsort(cost, kind="stable")[FAR_PLACES[n - 1] if n else 0 : FAR_PLACES[n]]
             free.append(best[cost[best] < HARD])
             self.wide[k] = n + 1
-        found = [option.some(rows) for option, rows in zip(far, free, strict=True)]
-        crossing = self.around.crossing(np.concatenate([some.leaders for some in found]))
+        farther = [option.some(rows) for option, rows in zip(far, free, strict=True)]
+        crossing = self.around.crossing(np.concatenate([some.leaders for some in farther]))
         crossings = np.split(crossing, np.cumsum(list(map(len, free)))[:-1])
-        for k, some, cost, rows, more in zip(late, found, costs, free, crossings, strict=True):
+        for k, some, cost, rows, more in zip(late, farther, costs, free, crossings, strict=True):
             self.options[k] = union([self.options[k], some])
             self.costs[k] = np.concatenate([self.costs[k], cost[rows] + more])
         self.moves = 0

@@ -50,8 +50,8 @@ class InkedShapes:
         most = clear + float(self.halves.max(initial=0.0))
         pairs = self.tree.query(shapely.box(x0 - most, y0 - most, x1 + most, y1 + most))
         apart = shapely.distance(areas[pairs[0]], self.shapes[pairs[1]]) - self.halves[pairs[1]]
-        found: Indices = pairs[:, apart <= clear]
-        return found
+        close_pairs: Indices = pairs[:, apart <= clear]
+        return close_pairs
 
 
 def ink(marks: Iterable[Mark]) -> InkedShapes:

@@ -60,14 +60,14 @@ class Edges:
         owners = self.owners[edges]
         many = self._many[owners]
         pairs = np.unique(boxes[many] * len(self.shapes) + owners[many]) // len(self.shapes)
-        found: Indices = np.bincount(boxes[~many], minlength=count) + np.bincount(pairs, minlength=count)
-        return found
+        counts: Indices = np.bincount(boxes[~many], minlength=count) + np.bincount(pairs, minlength=count)
+        return counts
 
     @cached_property
     def _many(self) -> Booleans:
         """Which shapes have more edges than one."""
-        found: Booleans = np.bincount(self.owners, minlength=len(self.shapes)) > 1
-        return found
+        many: Booleans = np.bincount(self.owners, minlength=len(self.shapes)) > 1
+        return many
 
     def _reach(self, clear: float) -> list[Array]:
         """The boxes around all that is so near to each edge."""
@@ -86,8 +86,8 @@ class Edges:
         ax, ay, bx, by = self.ends
         long = np.hypot(bx - ax, by - ay)
         safe = np.where(long == 0, 1.0, long)
-        found: Array = np.array([(bx - ax) / safe, (by - ay) / safe, long])
-        return found
+        directions: Array = np.array([(bx - ax) / safe, (by - ay) / safe, long])
+        return directions
 
     def _apart(self, boxes: Sequence[Array], edges: Indices) -> Array:
         """How far boxes are from edges, as many of both."""
@@ -102,12 +102,12 @@ class Edges:
         corner = to_x * along + to_y * up
         level = (np.minimum(ax, bx) <= wide) & (np.maximum(ax, bx) >= -wide)
         level &= (np.minimum(ay, by) <= high) & (np.maximum(ay, by) >= -high)
-        found = np.where((past > 0) & (corner > 0) & (corner < long), past, ends)
-        found[(past <= 0) & level] = 0.0
+        distances = np.where((past > 0) & (corner > 0) & (corner < long), past, ends)
+        distances[(past <= 0) & level] = 0.0
         (areas,) = np.nonzero(self.inside[edges])
         held = shapely.contains_xy(self.shapes[self.owners[edges[areas]]], x[areas], y[areas])
-        found[areas] = np.where(held, 0.0, np.inf)
-        apart: Array = found - self.halves[edges]
+        distances[areas] = np.where(held, 0.0, np.inf)
+        apart: Array = distances - self.halves[edges]
         return apart
 
 
@@ -137,11 +137,13 @@ def _around(runs: Sequence[Array]) -> list[Array]:
 
 def over(some: Sequence[Array] | Array, others: Sequence[Array] | Array) -> Booleans:
     """Which boxes overlap which, by broadcasting."""
-    found: Booleans = (some[0] <= others[2]) & (others[0] <= some[2]) & (some[1] <= others[3]) & (others[1] <= some[3])
-    return found
+    overlaps: Booleans = (
+        (some[0] <= others[2]) & (others[0] <= some[2]) & (some[1] <= others[3]) & (others[1] <= some[3])
+    )
+    return overlaps
 
 
 def _outside(x: Array, wide: Array, y: Array, high: Array) -> Array:
     """How far points are from boxes about 0 of half those sides."""
-    found: Array = np.hypot(np.maximum(np.abs(x) - wide, 0.0), np.maximum(np.abs(y) - high, 0.0))
-    return found
+    distances: Array = np.hypot(np.maximum(np.abs(x) - wide, 0.0), np.maximum(np.abs(y) - high, 0.0))
+    return distances

@@ -50,8 +50,8 @@ class Surroundings:
         ways = list(zip(costs, options, rests, counts, strict=True))
         while ways := [(c, o, r, n) for c, o, r, n in ways if len(r) and (c < o.wish[r[0]]).sum() < n]:
             judged = self.judged([o.some(r[:TOGETHER]) for _, o, r, _ in ways])
-            for (cost, _, rest, _), found in zip(ways, judged, strict=True):
-                cost[rest[:TOGETHER]] = found
+            for (cost, _, rest, _), judged_costs in zip(ways, judged, strict=True):
+                cost[rest[:TOGETHER]] = judged_costs
             ways = [(c, o, r[TOGETHER:], n) for c, o, r, n in ways]
         return costs
 

@@ -24,21 +24,21 @@ def report_page(data: Json, lang: Lang) -> str:
     drawn, e, naming = "page" in data, html.escape, Naming(lang, **data["lettering"])
     names = _names(data)
 
-    def told(text: str) -> str:
+    def lettered(text: str) -> str:
         return sentence(text, names, naming, data["kind"])
 
     parts = {
         "title": e(data["title"]),
         "file": f'<p class="file">{e(data["of_class"])}</p>' if "of_class" in data else "",
-        "sentence": told(data["sentence"]),
-        "printed": f'<p class="printed">{told(data["printed"])}</p>' if data["printed"] != data["sentence"] else "",
+        "sentence": lettered(data["sentence"]),
+        "printed": f'<p class="printed">{lettered(data["printed"])}</p>' if data["printed"] != data["sentence"] else "",
         "chance": e(data["chance"]),
         "asked": f'<p id="as-read"><button type="button">{e(words["as_read"])}</button></p>' if data["asked"] else "",
         "places": _places(data["places"], "", naming, data["kind"], words["places"]),
         "drawing": _drawing(data, words) if drawn else "",
-        "tables": _table("marks", words["steps"], data["head"], data["rows"], told)
-        + _table("numbers", words["numbers"], data["number_head"], data["numbers"], told),
-        "notes": "".join(f"<p>{told(n)}</p>" for n in data["notes"]),
+        "tables": _table("marks", words["steps"], data["head"], data["rows"], lettered)
+        + _table("numbers", words["numbers"], data["number_head"], data["numbers"], lettered),
+        "notes": "".join(f"<p>{lettered(n)}</p>" for n in data["notes"]),
         "noscript": f"<noscript><p>{e(words['noscript'])}</p></noscript>" if drawn else "",
     }
     body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
@@ -57,8 +57,10 @@ def _names(data: Json) -> list[str]:
 
 def _letters(data: Json, names: Sequence[str]) -> Mapping[str, object]:
     """The names as a sheet has them, with those in sentences a page may come to."""
-    told = " ".join((*(v["said"] for v in data["page"]["variants"]), (data["page"]["otherwise"] or {}).get("said", "")))
-    return written((*names, *filter(None, (m[2] for m in re.finditer(sought(names), told)))), data["lettering"])
+    texts = " ".join(
+        (*(v["said"] for v in data["page"]["variants"]), (data["page"]["otherwise"] or {}).get("said", ""))
+    )
+    return written((*names, *filter(None, (m[2] for m in re.finditer(sought(names), texts)))), data["lettering"])
 
 
 def _drawing(data: Json, words: Mapping[str, str]) -> str:
@@ -90,8 +92,8 @@ def _table(
     e, body = html.escape, ""
     cells = "".join(f'<th scope="col">{e(h)}</th>' for h in head)
     for verdict, name, *row in rows:
-        told = "".join(f"<td>{e(c)}</td>" for c in row)
-        body += f'<tr class="{e(verdict)}" data-mark="{e(name)}"><th scope="row">{letter(name)}</th>{told}</tr>\n'
+        columns = "".join(f"<td>{e(c)}</td>" for c in row)
+        body += f'<tr class="{e(verdict)}" data-mark="{e(name)}"><th scope="row">{letter(name)}</th>{columns}</tr>\n'
     parts = f"<caption>{e(caption)}</caption><thead><tr>{cells}</tr></thead><tbody>{body}</tbody>"
     return f'<table id="{key}">{parts}</table>'
 
@@ -123,7 +125,7 @@ def class_page(
         "common": f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else "",
         "head": cells,
         "sort": _sort(head, lang),
-        "rows": "".join(_row(number, row, told, lang, links) for number, (row, told) in enumerate(rows)),
+        "rows": "".join(_row(number, row, texts, lang, links) for number, (row, texts) in enumerate(rows)),
     }
     body, style = web_page.filled(web_page.part("class.html"), parts), web_page.part("check.css", "class.css")
     return web_page.page(title, lang, style, body, code=packer.packed("class"))
@@ -132,8 +134,8 @@ def class_page(
 def _sort(head: Sequence[str], lang: Lang) -> str:
     """A choice of the column to sort by, for a screen so narrow that rows have no head."""
     columns = "".join(f'<option value="{k}">{html.escape(h)}</option>' for k, h in enumerate(head))
-    told = html.escape(say("check_sort", lang))
-    return f'<p class="sort"><label>{told}: <select><option value="">—</option>{columns}</select></label></p>'
+    caption = html.escape(say("check_sort", lang))
+    return f'<p class="sort"><label>{caption}: <select><option value="">—</option>{columns}</select></label></p>'
 
 
 def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Mapping[str, str]) -> str:
@@ -143,10 +145,10 @@ def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Ma
     rest = [tagged(f"⟨{c}⟩", naming, row.kind) if c and c == row.first else html.escape(c) for c in rest]
     name, rest = html.escape(name), [*rest, sentence(said, row.names, naming, row.kind, links)]
     rest[-1] += _places(row.places, f"{number}-", naming, row.kind)
-    told = "".join(f"<td>{c}</td>" for c in rest)
+    columns = "".join(f"<td>{c}</td>" for c in rest)
     small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
     kind = f"{row.verdict} unsure" if row.rank == UNSURE else row.verdict
-    return f'<tr class="{kind}"><th scope="row">{_linked(name + small, row.link)}</th>{told}</tr>\n'
+    return f'<tr class="{kind}"><th scope="row">{_linked(name + small, row.link)}</th>{columns}</tr>\n'
 
 
 def _linked(name: str, link: str) -> str:
@@ -180,10 +182,10 @@ def place_picture(place: Json, name: str, caption: str = "") -> str:
     right = again if place["picture"] else under
     plans = _plan(place, "own") + _plan(place, "true") + _lines(place, "next", "next")
     box = f'y="0" width="{w:.2f}" height="{h:.2f}" viewBox="0 0 {w:.2f} {h:.2f}"'
-    whole, beside = w * (2 + GAP), w * (1 + GAP)
+    total, beside = w * (2 + GAP), w * (1 + GAP)
     return (
         f'<span class="place">{caption}'
-        f'<svg viewBox="0 0 {whole:.2f} {h:.2f}" role="img" aria-label="{e(place["name"])}">'
+        f'<svg viewBox="0 0 {total:.2f} {h:.2f}" role="img" aria-label="{e(place["name"])}">'
         f'<svg x="0" {box}>{drawn}{ring}</svg><svg x="{beside:.2f}" {box}>{right}{plans}{ring}</svg></svg></span>'
     )
 

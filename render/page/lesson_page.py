@@ -48,13 +48,15 @@ def essay_page(data: Json, lang: str) -> str:
 def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], parts: dict[str, str]) -> str:
     """A page with the template of its name, its data and its modules."""
     modules += ("centres",) * bool((data or {}).get("centres"))
-    told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
+    page_words = in_both(
+        lambda tongue: under("page_", tongue, "pages") | {key: table(tongue)[name] for key, name in SHARED.items()}
+    )
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
     title = data["title"].get(lang, "") if data else ""
     parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
     body = web_page.filled(web_page.part(f"{name}.html"), parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
-    held = {"packed": pressed([told, data]), "letters": data and pressed(letters_of(data))}
+    held = {"packed": pressed([page_words, data]), "letters": data and pressed(letters_of(data))}
     return web_page.page(
         title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held, small=True
     )

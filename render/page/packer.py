@@ -54,11 +54,11 @@ def _text(module: str) -> str:
 @cache
 def _names(module: str) -> dict[str, str]:
     """What a module declares, and whether it exports it."""
-    found = {}
-    for export, named, told, _ in _DECLARED.findall(_text(module)):
-        shorter = _INNER.sub("", told)
-        while shorter != told:
-            told, shorter = shorter, _INNER.sub("", shorter)
-        for name in _NAME.findall(named + re.split(r"[({\[]", told)[0] + " "):
-            found[name] = export
-    return found
+    exports = {}
+    for export, named, declared, _ in _DECLARED.findall(_text(module)):
+        shorter = _INNER.sub("", declared)
+        while shorter != declared:
+            declared, shorter = shorter, _INNER.sub("", shorter)
+        for name in _NAME.findall(named + re.split(r"[({\[]", declared)[0] + " "):
+            exports[name] = export
+    return exports

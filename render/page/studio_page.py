@@ -34,8 +34,8 @@ FILES = {
 
 def answered(message: Json) -> Json:
     """The answer to one message, a lesson with the letters of its names."""
-    found = answer(message)
-    return {**found, "letters": letters_of(found["data"])} if "data" in found else found
+    reply = answer(message)
+    return {**reply, "letters": letters_of(reply["data"])} if "data" in reply else reply
 
 
 def written(message: Json) -> str:
@@ -51,7 +51,10 @@ def carried(text: str) -> str:
 def studio_page(lang: str, way: Json, first: str = "") -> str:
     """The page; ``way`` says who answers: ``{"kind": "server" | "worker" | "none", "address": …, "native": …}``,
     ``first`` is the text of the scene it opens with."""
-    words = {of: {**under("studio_", of, "studio"), "language": table(of)["language_name"]} for of in langs("studio")}
+    words = {
+        tongue: {**under("studio_", tongue, "studio"), "language": table(tongue)["language_name"]}
+        for tongue in langs("studio")
+    }
     lang = next(one for one in stand_ins(lang) if one in words)
     body = web_page.filled(web_page.part("studio.html"), {"noscript": NOSCRIPT})
     data = {"words": words, "way": way, "first": first, "takeaway": FILES}

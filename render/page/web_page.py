@@ -59,8 +59,8 @@ def page(
 def policy(more: str = "", *scripts: str) -> str:
     """What a browser may do with a page: styles and pictures in it, a picture a person opens, these scripts."""
     hashes = (base64.b64encode(hashlib.sha256(one.encode()).digest()).decode() for one in scripts if one)
-    told = "".join(f" 'sha256-{one}'" for one in hashes)
-    script = f"script-src{told}; " if told else ""
+    listed = "".join(f" 'sha256-{one}'" for one in hashes)
+    script = f"script-src{listed}; " if listed else ""
     allowed = "default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; "
     return f"{allowed}{script}{more}base-uri 'none'; form-action 'none'"
 
@@ -78,7 +78,7 @@ def filled(template: str, parts: Mapping[str, str]) -> str:
 def embedded(thing: object) -> str:
     """JSON with no letter in it that means something to HTML or ends a line of a script."""
     text = json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return _ACTIVE.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
+    return _ACTIVE.sub(lambda match: f"\\u{ord(match[0]):04x}", text)
 
 
 def part(*names: str) -> str:

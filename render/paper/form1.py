@@ -66,8 +66,8 @@ WORD_WIDE, VALUE_WIDE = 5.0, 7.0  # the two columns of graphs 19–25
 
 def prompt(key: str, lang: Lang) -> str:
     """What a cell is called when a person is asked to fill it, with the number of its graph."""
-    told = table(lang, "form1")
-    return told.get(f"cell_{key}") or ", ".join(told.get(f"cell_{word}", word) for word in key.split("_"))
+    words = table(lang, "form1")
+    return words.get(f"cell_{key}") or ", ".join(words.get(f"cell_{word}", word) for word in key.split("_"))
 
 
 def lines(size: Size) -> Iterator[Segment]:
@@ -111,30 +111,30 @@ def _strip(bottom: float, heights: list[float]) -> Iterator[Segment]:
 
 def words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
     """The words the form has of itself, each with its cell."""
-    told, beside = table(lang, "form1"), _beside(size, LEFT - WORD_WIDE - VALUE_WIDE, WORD_WIDE)
+    texts, beside = table(lang, "form1"), _beside(size, LEFT - WORD_WIDE - VALUE_WIDE, WORD_WIDE)
     for key, cell in (
         *cells_of(_FORM["words"], _corner(size)),
         *beside,
         *cells_of(_FORM["words_beneath"], _corner(size)),
     ):
-        yield told[f"form_{key}"], cell
+        yield texts[f"form_{key}"], cell
 
 
 def cells(size: Size) -> dict[str, Cell]:
     """The cells a person fills, by name, on a sheet of that width × height."""
-    found = dict(cells_of(_FORM["cells"], _corner(size)))
+    named_cells = dict(cells_of(_FORM["cells"], _corner(size)))
     for key, cell in _beside(size, LEFT - VALUE_WIDE, VALUE_WIDE):
-        found[key] = replace(cell, letter=3.5)
+        named_cells[key] = replace(cell, letter=3.5)
     top = size[1] - EDGE - TOP_CELL[1]
-    found["designation_turned"] = Cell(LEFT, top, *TOP_CELL, 7.0, "middle", 180.0)
-    return found | dict(cells_of(_FORM["cells_beneath"], _corner(size)))
+    named_cells["designation_turned"] = Cell(LEFT, top, *TOP_CELL, 7.0, "middle", 180.0)
+    return named_cells | dict(cells_of(_FORM["cells_beneath"], _corner(size)))
 
 
 def cells_of(rows: list[Any], corner: Size) -> Iterator[tuple[str, Cell]]:
     """Cells about a title block whose lower left corner is there."""
     for key, x, y, wide, high, *how in rows:
-        told = dict(zip(("letter", "anchor", "turn_deg"), how, strict=False))
-        yield key, Cell(x + corner[0], y + corner[1], wide, high, **told)
+        how_set = dict(zip(("letter", "anchor", "turn_deg"), how, strict=False))
+        yield key, Cell(x + corner[0], y + corner[1], wide, high, **how_set)
 
 
 def _beside(size: Size, x: float, wide: float) -> Iterator[tuple[str, Cell]]:

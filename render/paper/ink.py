@@ -52,7 +52,7 @@ def by_layer(marks: Iterable[Mark]) -> list[tuple[Layer, list[Mark]]]:
     """The marks layer by layer, from the lowest up; within a layer in the order given."""
     order: dict[Layer, int] = {layer: k for k, layer in enumerate(LAYERS)}
     held = sorted(marks, key=lambda mark: order[mark.layer])
-    return [(layer, list(of)) for layer, of in groupby(held, key=lambda mark: mark.layer)]
+    return [(layer, list(own)) for layer, own in groupby(held, key=lambda mark: mark.layer)]
 
 
 def length_mm(points: Sequence[complex], closed: bool = False) -> float:
@@ -207,12 +207,12 @@ def _joined(pieces: list[Polyline], closed: bool) -> list[Polyline]:
 
 def _arc_pieces(arc: Arc, region: shapely.Geometry) -> list[Mark]:
     pieces = _joined(_left(flattened(arc), region), is_circle(arc))
-    found: list[Mark] = []
+    arcs: list[Mark] = []
     for piece in pieces:
         start, end = (math.degrees(cmath.phase(z - arc.centre)) for z in (piece[0], piece[-1]))
         start = arc.start_deg + (start - arc.start_deg + 1e-6) % 360 - 1e-6
-        found.append(replace(arc, start_deg=start, end_deg=start + ((end - start) % 360 or 360.0), fill="none"))
-    return found
+        arcs.append(replace(arc, start_deg=start, end_deg=start + ((end - start) % 360 or 360.0), fill="none"))
+    return arcs
 
 
 def _arrow_pieces(arrow: Arrow, region: shapely.Geometry) -> list[Mark]:

@@ -74,9 +74,9 @@ def _bounds(side: float, low: float, high: float) -> list[float]:
 
 def words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
     """Names of the fields of the title block and of the grid, each with its cell."""
-    told = table(lang, "form1")
+    texts = table(lang, "form1")
     for key, cell in cells_of(_FORM["words"], _corner(size)):
-        yield told[f"iso_{key}"], cell
+        yield texts[f"iso_{key}"], cell
     for upright, at, out in _sides(size):
         bounds = _bounds(size[upright], *_ends(size, upright))
         names = LETTERS[len(bounds) - 2 :: -1] if upright else map(str, range(1, len(bounds)))

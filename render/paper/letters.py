@@ -35,12 +35,12 @@ def pieces(text: str, naming: Naming, plan: str = "") -> Iterator[Piece]:
 
 def tagged(text: str, naming: Naming, plan: str = "") -> str:
     """The sentence in tags, as HTML and reportlab know them: names in italics, indices lowered and raised."""
-    found = ""
+    lettered = ""
     for piece in pieces(text, naming, plan):
         inner = escape(piece.text)
         inner = f"<{piece.shift}>{inner}</{piece.shift}>" if piece.shift else inner
-        found += f"<i>{inner}</i>" if piece.name else inner
-    return found
+        lettered += f"<i>{inner}</i>" if piece.name else inner
+    return lettered
 
 
 def sought(names: Iterable[str]) -> str:
@@ -56,18 +56,18 @@ def sentence(
 ) -> str:
     """The HTML of a sentence that was told plainly: its names lettered, its commands unbroken, the names of files (of
     ``links``) leading to their addresses."""
-    found, end, links = "", 0, links or {}
+    lettered, end, links = "", 0, links or {}
     for match in re.finditer(sought([*names, *links]), text):
-        whole, command = match[0], match[1]
-        found += escape(text[end : match.start()])
+        name, command = match[0], match[1]
+        lettered += escape(text[end : match.start()])
         if command:
-            found += f'<span class="command">{escape(whole)}</span>'
-        elif whole in links:
-            found += f'<a href="{escape(links[whole])}">{escape(whole)}</a>' if links[whole] else escape(whole)
+            lettered += f'<span class="command">{escape(name)}</span>'
+        elif name in links:
+            lettered += f'<a href="{escape(links[name])}">{escape(name)}</a>' if links[name] else escape(name)
         else:
-            found += tagged(f"⟨{whole}⟩", naming, plan)
+            lettered += tagged(f"⟨{name}⟩", naming, plan)
         end = match.end()
-    return found + escape(text[end:])
+    return lettered + escape(text[end:])
 
 
 def written(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[tuple[str, str]]]]:

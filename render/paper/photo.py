@@ -49,14 +49,14 @@ def faded(photo: Photo, field: Box) -> Photo | None:
     from PIL import Image
 
     x0, y0, x1, y1 = photo.box
-    whole = Image.open(io.BytesIO(photo.data)).convert("L")
-    kx, ky = whole.width / (x1 - x0), whole.height / (y1 - y0)
+    image = Image.open(io.BytesIO(photo.data)).convert("L")
+    kx, ky = image.width / (x1 - x0), image.height / (y1 - y0)
     left, right = math.ceil(max(field[0] - x0, 0) * kx), math.floor(min(field[2] - x0, x1 - x0) * kx)
     above, below = math.ceil(max(y1 - field[3], 0) * ky), math.floor(min(y1 - field[1], y1 - y0) * ky)
     if right - left < LEAST_PX or below - above < LEAST_PX:
         return None
     box = (x0 + left / kx, y1 - below / ky, x0 + right / kx, y1 - above / ky)
-    cut = whole.crop((left, above, right, below))
+    cut = image.crop((left, above, right, below))
     most = round(SHARPEST * max(box[2] - box[0], box[3] - box[1]))
     cut.thumbnail((most, most))
     out = io.BytesIO()

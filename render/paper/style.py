@@ -94,10 +94,10 @@ def lettered_for(large: bool) -> AbstractContextManager[None]:
 def pen(style: str) -> Pen:
     """The pen of a style, "vector" or coloured "vector #0072B2"; an unknown name is an error that lists the known."""
     name, _, colour = style.partition(" ")
-    found = PENS.get(name) or REPORT_PENS.get(name)
-    if found is None:
+    known = PENS.get(name) or REPORT_PENS.get(name)
+    if known is None:
         raise ValueError(f"there is no line style {style!r}; use one of {', '.join(PENS)}")
-    return replace(found, colour=colour) if colour else found
+    return replace(known, colour=colour) if colour else known
 
 
 _WEIGHTS = (5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211)

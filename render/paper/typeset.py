@@ -146,11 +146,11 @@ def indexed(text: str) -> list[Indexed]:
         if side == "base" or not parts or parts[-1].get(side):
             parts.append({"base": ""})
         parts[-1][side] = piece.text
-    found = [Indexed(**part) for part in parts]
-    for part in found:
+    bases = [Indexed(**part) for part in parts]
+    for part in bases:
         if _OPENED.search(part.base):
             raise ValueError(f"in the text {text!r} an index opened with '_{{' or '^{{' is not closed")
-    return found
+    return bases
 
 
 def _blanks(text: str, face: Face) -> tuple[float, float]:

@@ -14,9 +14,9 @@ SUFFIXES = {".html": "html", ".htm": "html", ".pdf": "pdf", ".docx": "word"}
 def rendered(blocks: Sequence[Block], suffix: str, naming: Naming) -> bytes:
     """The contents of the file; the same blocks give the same bytes of a page and of a PDF."""
     try:
-        found: bytes = import_module(f"render.report.{SUFFIXES[suffix]}").write(blocks, naming)
+        contents: bytes = import_module(f"render.report.{SUFFIXES[suffix]}").write(blocks, naming)
     except ModuleNotFoundError as error:
         if error.name != "docx":
             raise
         raise PlanesError(Phrase("no_docx")) from None
-    return found
+    return contents

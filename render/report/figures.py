@@ -107,11 +107,11 @@ class Studio:
 
 
 def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
-    kind, _, of = name.partition(" ")
+    kind, _, asked_for = name.partition(" ")
     if kind == "asked":
-        return composer.formulas(plotted, (of,), LETTER_MM[alone], "", True)
+        return composer.formulas(plotted, (asked_for,), LETTER_MM[alone], "", True)
     if kind == "equations":
-        return composer.formulas(plotted, (of,), LETTER_MM[alone], "")
+        return composer.formulas(plotted, (asked_for,), LETTER_MM[alone], "")
     if name == CREMONA:
         return view(name, "", Cremona(plotted, composer.naming).drawn())
     if kind == "beam" or (kind in ("scheme", "structure") and block.position.plans.figure):
@@ -123,18 +123,20 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
         return view(name, "", Scheme(block.position, composer.naming).drawn(True, *special))
     if kind == "loaded":
         forces = ForceSheet(composer)
-        return forces.alone(block.position, of) if of else replace(forces.loaded(block.position), title="")
-    if kind == "group" and (group := ForceSheet(composer).group(block.position, of, links_of(of))):
+        return (
+            forces.alone(block.position, asked_for) if asked_for else replace(forces.loaded(block.position), title="")
+        )
+    if kind == "group" and (group := ForceSheet(composer).group(block.position, asked_for, links_of(asked_for))):
         return replace(group, title="")
     if kind == "studio":
         return code_view(block.scene, composer.lang, ON_TASK_MM)
     if kind == "lever":
         return view(name, "", Lever(block.position, composer.naming).drawn())
     if kind == "centre":
-        return instant_centre(block.position, of, composer.naming)
+        return instant_centre(block.position, asked_for, composer.naming)
     if kind == "self-aligning":
-        found = aligned(block.position.plans, block.scene.file)
-        return alignment_view(block.position, found, composer.naming, "", LETTER_MM[alone])
+        alignment = aligned(block.position.plans, block.scene.file)
+        return alignment_view(block.position, alignment, composer.naming, "", LETTER_MM[alone])
     if plotted.still(name):
         return None
     return view(name, "", Polygon(plotted, name, composer.naming, counted=composer.details).drawn())
@@ -148,12 +150,12 @@ def _scaled(name: str, composer: Composer, plotted: Plotted) -> str:
 
 def rows(views: list[View]) -> list[Shown]:
     """Views set in rows of the page's width."""
-    found: list[list[View]] = []
+    rows_of_views: list[list[View]] = []
     for v in views:
-        if not found or sum(x.width + GAP_MM for x in found[-1]) + v.width > WIDTH_MM:
-            found.append([])
-        found[-1].append(v)
-    return [_row(row) for row in found]
+        if not rows_of_views or sum(x.width + GAP_MM for x in rows_of_views[-1]) + v.width > WIDTH_MM:
+            rows_of_views.append([])
+        rows_of_views[-1].append(v)
+    return [_row(row) for row in rows_of_views]
 
 
 def _row(views: list[View]) -> MarkedFigure:

@@ -51,25 +51,25 @@ class Filled:
 
 def glued(blocks: Iterable[PagePiece]) -> list[PagePiece]:
     """Pieces that are kept with what follows them, together with it; a figure right after its heading stays there."""
-    found: list[PagePiece] = []
+    groups: list[PagePiece] = []
     held: list[Flowable] = []
     for piece in blocks:
         if piece.parts and piece.parts[-1].getKeepWithNext():
             held += piece.parts
         elif piece.parts:
-            found.append(PagePiece([*held, *piece.parts], piece.floats and not held))
+            groups.append(PagePiece([*held, *piece.parts], piece.floats and not held))
             held = []
-    return [*found, PagePiece(held)] if held else found
+    return [*groups, PagePiece(held)] if held else groups
 
 
 def floated(pieces: Iterable[PagePiece], page: Filled) -> list[Flowable]:
     """All that is set, in the order in which pages are full; figures keep their order."""
-    found, waiting = list[PagePiece](), list[PagePiece]()
+    set_pieces, waiting = list[PagePiece](), list[PagePiece]()
 
     def put(*those: PagePiece) -> None:
         for one in those:
             page.put(one)
-            found.append(one)
+            set_pieces.append(one)
 
     for piece in pieces:
         full = not page.holds(piece)
@@ -80,4 +80,4 @@ def floated(pieces: Iterable[PagePiece], page: Filled) -> list[Flowable]:
             put(*waiting)
             waiting.clear()
         put(piece)
-    return [part for piece in (*found, *waiting) for part in piece.parts]
+    return [part for piece in (*set_pieces, *waiting) for part in piece.parts]

@@ -46,8 +46,8 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     data = io.BytesIO()
     title = next((b.text for b in blocks if isinstance(b, Heading)), "")
     margins = {"leftMargin": LEFT, "rightMargin": RIGHT, "topMargin": EDGE, "bottomMargin": EDGE}
-    told = {"title": title, "author": "", "creator": "planes", "lang": naming.lang}
-    paper = _Paper(data, pagesize=PAGE, invariant=1, initialFontName="Note", **margins, **told)
+    metadata = {"title": title, "author": "", "creator": "planes", "lang": naming.lang}
+    paper = _Paper(data, pagesize=PAGE, invariant=1, initialFontName="Note", **margins, **metadata)
     setter = _Setter(naming)
     pieces = glued(PagePiece(setter.flow(b), isinstance(b, Figure) and bool(b.caption)) for b in blocks)
     story = floated(pieces, Filled(WIDTH - PADDING, PAGE[1] - 2 * EDGE - PADDING))

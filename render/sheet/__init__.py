@@ -44,10 +44,10 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     chosen = str(scene.sheet.get("format", "auto"))
     *usual, largest = FORMATS
     papers = ([chosen],) if chosen != "auto" else (usual, [LONG], [largest], [LONGEST])
-    for factor, formats, whole in product(contents.factors, papers, (True, False)):
-        if one := filled(contents, formats, factor, whole):
+    for factor, formats, everything in product(contents.factors, papers, (True, False)):
+        if one := filled(contents, formats, factor, everything):
             wanted, spare = one.contents.lettered(*one.how)
-            missing = [*one.waiting, *(() if whole else spare)]
+            missing = [*one.waiting, *(() if everything else spare)]
             left_out = (without(missing, wanted, one.paper, number, lang),) if missing else ()
             smaller = (say("smaller_mu", lang, format=one.paper.name),) if factor < 1 else ()
             return finished(scene, one.paper, one.places, lang, number, left_out + smaller)
@@ -70,12 +70,12 @@ class FilledPaper:
         return [*reversed(shapes.values())]
 
 
-def filled(contents: Contents, formats: Sequence[str], factor: float, whole: bool) -> FilledPaper | None:
+def filled(contents: Contents, formats: Sequence[str], factor: float, everything: bool) -> FilledPaper | None:
     """The first of some formats that holds the views."""
     for name in formats:
-        ways = attempts(contents, name, factor, whole)
+        ways = attempts(contents, name, factor, everything)
         laid_out = (
-            FilledPaper(Paper(name), tried, how, laid(tried, how, order, whole, Paper(name)))
+            FilledPaper(Paper(name), tried, how, laid(tried, how, order, everything, Paper(name)))
             for tried, how, order in ways
         )
         one = next((one for one in laid_out if one.places), None)
@@ -87,9 +87,9 @@ def filled(contents: Contents, formats: Sequence[str], factor: float, whole: boo
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:
     """What was left out, and which format would hold it."""
     fitting = next((n for n in larger_than(paper) if packed([*views, *spare], Paper(n))), "")
-    told = "; ".join(f"«{plain(v.title or v.key)}» ({v.width:.0f} × {v.height:.0f} {say('mm', lang)})" for v in spare)
+    listed = "; ".join(f"«{plain(v.title or v.key)}» ({v.width:.0f} × {v.height:.0f} {say('mm', lang)})" for v in spare)
     key = "left_out_larger" if fitting else "left_out_sheet" if number is None else "left_out"
-    return say(key, lang, format=paper.name, views=told, larger=fitting)
+    return say(key, lang, format=paper.name, views=listed, larger=fitting)
 
 
 def finished(
@@ -109,8 +109,8 @@ def finished(
 
 def unseen(one: View, lang: Lang) -> list[str]:
     """Sentences about what cannot be seen or read in a view."""
-    told = {"view": plain(one.title or one.key), "names": ", ".join(one.crowded)}
-    return [*one.unseen, *([say("overprinted", lang, **told)] if one.crowded else [])]
+    facts = {"view": plain(one.title or one.key), "names": ", ".join(one.crowded)}
+    return [*one.unseen, *([say("overprinted", lang, **facts)] if one.crowded else [])]
 
 
 def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:

@@ -122,20 +122,20 @@ class Columns:
     @cached_property
     def _columns(self) -> list[Column]:
         """The columns, over all units."""
-        (last, end), found = (len(self.items), int(self._ended.argmin())), list[Column]()
+        (last, end), columns = (len(self.items), int(self._ended.argmin())), list[Column]()
         while last:
             ways = numpy.stack([way[end] for way in self._ways(last)])
             back, span = map(int, numpy.unravel_index(ways.argmin(), ways.shape))
-            found.insert(0, (self.piece[last - 1 - back : last], end - span, end))
+            columns.insert(0, (self.piece[last - 1 - back : last], end - span, end))
             last, end = last - 1 - back, end - span
-        return found
+        return columns
 
     @cached_property
     def _ended(self) -> Array:
         """What all columns cost, by the unit where they end: those after it are white."""
         units = self.stacking.module.units
-        found: Array = self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
-        return found
+        costs: Array = self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
+        return costs
 
     def _spaced(self, flush: bool) -> list[Column]:
         """The columns no wider than they need to be, with the units they do not need between them; the last one is to

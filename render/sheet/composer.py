@@ -93,11 +93,11 @@ class Composer:
     def views(self, position: Position, letter: float, together: Together) -> list[View]:
         """Every view of one position, in the order they are read."""
         plotted = of_position(position)
-        found = [self.scheme(position) if position.plans.moves else self.space(position)]
-        found += self.plans(plotted, drawn_plans(plotted, position), letter, together.equations)
-        found.append(self.beam(position))
-        found += [*self.tables(position, letter).all(together.rates), *self.notes(letter)]
-        return [v for v in found if v]
+        every_view = [self.scheme(position) if position.plans.moves else self.space(position)]
+        every_view += self.plans(plotted, drawn_plans(plotted, position), letter, together.equations)
+        every_view.append(self.beam(position))
+        every_view += [*self.tables(position, letter).all(together.rates), *self.notes(letter)]
+        return [v for v in every_view if v]
 
     def notes(self, letter: float) -> list[View]:
         """What the scene adds in words, where there is room for it: as wide as the title block, or in another shape."""
@@ -136,11 +136,11 @@ class Composer:
 
     def scheme(self, position: Position) -> View | None:
         """The scheme in the calculated position."""
-        title, found = self.titled(position, "scheme"), Scheme(position, self.naming)
+        title, drawer = self.titled(position, "scheme"), Scheme(position, self.naming)
         key = ("scheme", position.scales[mu_of("position")])
 
         def make() -> View:
-            drawn = found.drawn(True, *special_points(position, self.naming))
+            drawn = drawer.drawn(True, *special_points(position, self.naming))
             return view("scheme", title, drawn, True)
 
         return self.once(key, make)
@@ -149,16 +149,16 @@ class Composer:
         """The space diagram of bodies in equilibrium, or what of it is ``asked``; of vectors alone there is none."""
         if not position.plans.figure:
             return None
-        title, found = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming, asked)
+        title, drawer = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming, asked)
         key = ("space", asked, position.scales[mu_of("position")])
-        return self.once(key, lambda: view("space", title, found.drawn(), True))
+        return self.once(key, lambda: view("space", title, drawer.drawn(), True))
 
     def beam(self, position: Position) -> View | None:
         """Shear force and bending moment of a straight beam; of anything else there is none."""
-        if not (found := beam_outlines(position)):
+        if not (outlines := beam_outlines(position)):
             return None
         mu = position.scales[mu_of("position")]
-        drawn = BeamDiagrams(found, self.naming, mu)
+        drawn = BeamDiagrams(outlines, self.naming, mu)
         return self.once(("beam", mu), lambda: view("beam", say("beam_diagrams", self.lang), drawn.drawn(), True))
 
     def titled(self, position: Position, key: str, **names: str) -> str:
@@ -169,8 +169,8 @@ class Composer:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
         if plan == CREMONA:
-            found = Cremona(plotted, self.naming)
-            return self.once(("plan", plan, plotted.mu(plan)), lambda: view(plan, title, found.drawn(), True))
+            drawer = Cremona(plotted, self.naming)
+            return self.once(("plan", plan, plotted.mu(plan)), lambda: view(plan, title, drawer.drawn(), True))
         polygon = Polygon(plotted, plan, self.naming, counted=self.details, valued=bool(self.scene.sheet.get("values")))
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
         return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title)))

@@ -105,14 +105,14 @@ Way = tuple[Sizes, Letters, Together, Upright]
 
 
 def ways(
-    contents: Contents, sizes: Sizes, name: str, whole: bool, best: Way | None = None, upright: bool = False
+    contents: Contents, sizes: Sizes, name: str, everything: bool, best: Way | None = None, upright: bool = False
 ) -> Way | None:
     """The best looking way to fill a format, but none better than ``best``, nor with fewer blocks ``upright``; large
     letters only where small ones fit."""
 
     @cache
     def fit(how: Way) -> bool:
-        return bool(whole or contents.lettered(*how)[1]) and packed(shown(contents, how, whole), Paper(name))
+        return bool(everything or contents.lettered(*how)[1]) and packed(shown(contents, how, everything), Paper(name))
 
     least = len(contents.together)
     levels = [[(sizes, *h, u) for h in product(LETTERS[name[:2]], contents.together)] for u in UPRIGHT]
@@ -125,30 +125,30 @@ def ways(
 
 
 def attempts(
-    contents: Contents, name: str, factor: float, whole: bool
+    contents: Contents, name: str, factor: float, everything: bool
 ) -> Iterator[tuple[Contents, Way, tuple[int, ...]]]:
     """What is to be tried on a format, with the order of its views: plans as large as there seems to be room for. How
     large a view is, is known where it was tried; labels of the others are put but roughly."""
     tried = set[tuple[tuple[str, ...], Way]]()
     while True:
         with roughly():
-            how = fitted(contents, name, factor, whole)
+            how = fitted(contents, name, factor, everything)
             if not how:
                 return
-            more, how = with_extras(contents, how, name, whole)
-            how, order = enlarged(more, how, whole, Paper(name))
+            more, how = with_extras(contents, how, name, everything)
+            how, order = enlarged(more, how, everything, Paper(name))
         if (more.extras, how) in tried:
             return
         tried.add((more.extras, how))
         yield more, how, order
 
 
-def fitted(contents: Contents, name: str, factor: float, whole: bool) -> Way | None:
+def fitted(contents: Contents, name: str, factor: float, everything: bool) -> Way | None:
     """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
-    return ways(contents, Sizes(factor), name, whole)
+    return ways(contents, Sizes(factor), name, everything)
 
 
-def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[Contents, Way]:
+def with_extras(contents: Contents, how: Way, name: str, everything: bool) -> tuple[Contents, Way]:
     """The same with as many of the views that wait for room as there is some for, with plans no smaller; for a note
     blocks are torn only where it has no place else."""
     waiting = contents.extra(*how)
@@ -160,50 +160,50 @@ def with_extras(contents: Contents, how: Way, name: str, whole: bool) -> tuple[C
     for one, upright in tried:
         if shaped(one.key) not in map(shaped, contents.extras):  # in no other shape yet
             more = replace(contents, extras=(*contents.extras, one.key))
-            other = ways(more, how[0], name, whole, how, upright)
+            other = ways(more, how[0], name, everything, how, upright)
             contents, how = (more, other) if other else (contents, how)
     return contents, how
 
 
-def shown(contents: Contents, how: Way, whole: bool) -> list[View]:
+def shown(contents: Contents, how: Way, everything: bool) -> list[View]:
     """The views of a sheet: all of them, or those only that it must hold."""
     wanted, spare = contents.lettered(*how)
-    return [*wanted, *spare] if whole else wanted
+    return [*wanted, *spare] if everything else wanted
 
 
-def enlarged(contents: Contents, how: Way, whole: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:
+def enlarged(contents: Contents, how: Way, everything: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:
     """The same with plans as large as there is room for on the paper, and the order of the views."""
     x0, y0, x1, y1 = paper.field
-    views = shown(contents, how, whole)
+    views = shown(contents, how, everything)
     stacking = stacking_of(views, paper)
     order = columns_of(views, stacking).arranged(enough=OVER)[0]
 
     def fits(sizes: Sizes) -> bool:
         nonlocal order
-        columns = columns_of(shown(contents, (sizes, *how[1:]), whole), stacking)
+        columns = columns_of(shown(contents, (sizes, *how[1:]), everything), stacking)
         if columns.ordered(order).cost < OVER:
             return True
-        other, found = columns.arranged(order, OVER)
-        order = other if found.cost < OVER else order
-        return found.cost < OVER
+        other, arrangement = columns.arranged(order, OVER)
+        order = other if arrangement.cost < OVER else order
+        return arrangement.cost < OVER
 
     sizes = grown(how[0], contents.extents, LARGEST * min(x1 - x0, y1 - y0), fits)
     return (sizes, *how[1:]), tuple(order)
 
 
 def laid(
-    contents: Contents, how: Way, order: Sequence[int], whole: bool, paper: Paper
+    contents: Contents, how: Way, order: Sequence[int], everything: bool, paper: Paper
 ) -> list[tuple[View, float, float]]:
     """Places of the views on the paper; none, if there is no room, or where rather is left out what may be than all
     drawn too small for its letters."""
-    views = shown(contents, how, whole)
+    views = shown(contents, how, everything)
     stacking = stacking_of(views, paper)
     begun = (order, ()) if order else ((),)  # the order that was found roughly may lead nowhere
     tried = map(columns_of(views, stacking).arranged, begun)
     order, best = next((one for one in tried if one[1].cost < OVER), ((), columns_of(views, stacking)))
-    knotted = whole and how[0].factor < 1 and contents.lettered(*how)[1] and any(v.crowded for v in views)
-    found, every = list[tuple[View, float, float]](), blocks(views)
+    knotted = everything and how[0].factor < 1 and contents.lettered(*how)[1] and any(v.crowded for v in views)
+    placed, every = list[tuple[View, float, float]](), blocks(views)
     for k, spot in zip(order, best.spots, strict=True) if best.cost < OVER and not knotted else ():
         tops = accumulate((-v.height - GAP_MM for v in every[k]), initial=spot.top)
-        found += [(v, spot.x, top) for v, top in zip(every[k], tops, strict=False)]
-    return found
+        placed += [(v, spot.x, top) for v, top in zip(every[k], tops, strict=False)]
+    return placed

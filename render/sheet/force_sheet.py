@@ -28,7 +28,7 @@ class ForceSheet:
         """The scheme with loads, which may be larger; every group with its forces and its plan, the driver, the lever,
         tables, all at one choice of μ, at which its arms are told everywhere."""
         c, (plotted, links_apart) = self.composer, with_links_apart(position)
-        found: list[View | None] = [self.loaded(scheme)]
+        every_view: list[View | None] = [self.loaded(scheme)]
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)
             moments = c.moments(position, letter, links)
@@ -40,10 +40,10 @@ class ForceSheet:
                 else None,
                 *self.closed(plotted, links_apart[plan], letter, True),
             ]
-            found += [replace(v, step=plan) for v in step if v]
-        found.append(self.lever(position, letter))
+            every_view += [replace(v, step=plan) for v in step if v]
+        every_view.append(self.lever(position, letter))
         tables = c.tables(position, letter)
-        return [v for v in (*found, tables.given(), tables.reactions(), tables.check(), *c.notes(letter)) if v]
+        return [v for v in (*every_view, tables.given(), tables.reactions(), tables.check(), *c.notes(letter)) if v]
 
     def loaded(self, position: Position) -> View:
         """The scheme with all outer loads."""
@@ -110,11 +110,11 @@ class ForceSheet:
 
     def lever(self, position: Position, letter: float) -> View | None:
         """Zhukovsky's lever with its moment equation."""
-        c, found = self.composer, Lever(position, self.composer.naming)
+        c, drawer = self.composer, Lever(position, self.composer.naming)
         if at("lever", POLE) not in position.drawing:
             return None
         kind = "motion" if position.plans.at_rest else "velocity"
         title = f"{say('lever', c.lang)}, {c.mu(of_position(position), kind)}"
         key = ("lever", position.scales[mu_of(kind)])
-        drawn = c.once(key, lambda: view("lever", title, found.drawn(), True))
+        drawn = c.once(key, lambda: view("lever", title, drawer.drawn(), True))
         return c.stack("lever", drawn, c.moments(position, letter, ("lever",)))

@@ -188,28 +188,28 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     """Texts of the cells of form 1 by name; ``number`` is that of a sheet of a project of two."""
     given = scene.sheet
     said = {key: _said_text(value, lang) for key, value in given.items()}
-    found = {key: said[key] for key in _SAME if key in said}
-    found["student_date"] = said.get("date", "")
-    found["title"] = said.get("title") or scene.title.get(lang, "")
+    texts = {key: said[key] for key in _SAME if key in said}
+    texts["student_date"] = said.get("date", "")
+    texts["title"] = said.get("title") or scene.title.get(lang, "")
     if number and "title" not in said:
-        found["title"] = APART.join(filter(None, (found["title"], say(f"sheet_{number}", lang))))
-    found["designation"] = said.get("designation") or said.get("number", "")
+        texts["title"] = APART.join(filter(None, (texts["title"], say(f"sheet_{number}", lang))))
+    texts["designation"] = said.get("designation") or said.get("number", "")
     company = [said.get(key, "") for key in ("company", "university", "department", "group")]
-    found["company"] = " ".join(text for text in company if text)
-    found["scale"] = said.get("scale_note", "")
-    found["sheet"] = said.get("sheet", str(number or ""))
-    found["sheets"] = said.get("sheets", "2" if number else "1")
-    found |= {key: said.get(key, "") for key in ("department", "document_type")}
-    found["owner"] = " ".join(said[key] for key in ("company", "university", "group") if said.get(key))
-    found["sheet_of"] = "/".join(found[key] for key in ("sheet", "sheets") if found[key])
+    texts["company"] = " ".join(text for text in company if text)
+    texts["scale"] = said.get("scale_note", "")
+    texts["sheet"] = said.get("sheet", str(number or ""))
+    texts["sheets"] = said.get("sheets", "2" if number else "1")
+    texts |= {key: said.get(key, "") for key in ("department", "document_type")}
+    texts["owner"] = " ".join(said[key] for key in ("company", "university", "group") if said.get(key))
+    texts["sheet_of"] = "/".join(texts[key] for key in ("sheet", "sheets") if texts[key])
     letters, revisions = given.get("letter", say("study_letter", lang)), given.get("revisions")
     for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):
-        found[f"letter_{k}"] = _said_text(letter, lang)  # graph 4, filled from its left cell on
-        found["status"] = f"{found.get('status', '')} {found[f'letter_{k}']}".strip() if "letter" in given else ""
+        texts[f"letter_{k}"] = _said_text(letter, lang)  # graph 4, filled from its left cell on
+        texts["status"] = f"{texts.get('status', '')} {texts[f'letter_{k}']}".strip() if "letter" in given else ""
     for k, row in enumerate(revisions if isinstance(revisions, list) else (), 1):  # graphs 14–18, the lowest first
-        found |= {f"revision_{k}_{column}": _said_text(text, lang) for column, text in row.items()}
-        found["revision_last"] = found.get(f"revision_{k}_change", "")
-    return found
+        texts |= {f"revision_{k}_{column}": _said_text(text, lang) for column, text in row.items()}
+        texts["revision_last"] = texts.get(f"revision_{k}_change", "")
+    return texts
 
 
 def _said_text(value: object, lang: Lang) -> str:

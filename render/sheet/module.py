@@ -85,8 +85,8 @@ class Module:
     @cached_property
     def starts(self) -> Indices:
         """Where a column begins, by its end and by how many units it spans; 0 where it cannot."""
-        found: Indices = numpy.maximum(numpy.subtract.outer(numpy.arange(self.units + 1), self.spans), 0)
-        return found
+        begins: Indices = numpy.maximum(numpy.subtract.outer(numpy.arange(self.units + 1), self.spans), 0)
+        return begins
 
     @cached_property
     def begun(self) -> Array:
@@ -107,9 +107,9 @@ class Module:
     def heights(self) -> Array:
         """How high a column is, by its end and by how many units it spans, as a share of the field's height; less than
         nothing where it would begin outside."""
-        found = numpy.full(self.starts.shape, -numpy.inf)
+        shares = numpy.full(self.starts.shape, -numpy.inf)
         for end in range(self.units + 1):
             for span in range(1, min(end, self.widest) + 1):
                 top, low = self.free(end - span, end)
-                found[end, span] = (top - low) / self.height
-        return found
+                shares[end, span] = (top - low) / self.height
+        return shares

@@ -13,13 +13,13 @@ from render.views import View, plumbed
 
 def blocks(views: Sequence[View]) -> list[list[View]]:
     """Views that stand beneath each other, whatever is about them: those of one block."""
-    found: list[list[View]] = []
+    stacks: list[list[View]] = []
     for v in views:
-        if v.block and found and found[-1][-1].block == v.block:
-            found[-1].append(v)
+        if v.block and stacks and stacks[-1][-1].block == v.block:
+            stacks[-1].append(v)
         else:
-            found.append([v])
-    return [plumbed(block) for block in found]
+            stacks.append([v])
+    return [plumbed(block) for block in stacks]
 
 
 def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:

@@ -109,11 +109,11 @@ class Project:
         c = self.composer
 
         def make() -> View:
-            found = self.structure(position, letter)
+            figure = self.structure(position, letter)
             for k, mm in enumerate(REDUCED_MM):
-                if self.reduced and (not k or found.width > MODULE_MM - GAP_MM):
-                    found = min(found, self.structure(self.reduced(mm), letter), key=lambda v: v.width * v.height)
-            return found
+                if self.reduced and (not k or figure.width > MODULE_MM - GAP_MM):
+                    figure = min(figure, self.structure(self.reduced(mm), letter), key=lambda v: v.width * v.height)
+            return figure
 
         return c.once(("groups", position.scales[mu_of("position")], letter), make)
 
@@ -130,8 +130,8 @@ class Project:
         lines += [say("passive_link", c.lang, links=passive)] if passive else []
         high = LARGER[letter]
         marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
-        whole = stacked("structure", [beside(parts), view("formula", "", marks)], 5.0)
-        return view("structure", say("structure", c.lang), whole.marks, figure=True)
+        stack = stacked("structure", [beside(parts), view("formula", "", marks)], 5.0)
+        return view("structure", say("structure", c.lang), stack.marks, figure=True)
 
     def self_aligning(self, position: Position, letter: float) -> View | None:
         """The variant without redundant constraints: its count, and the signs of its pairs. Only where a scene names a
@@ -140,19 +140,19 @@ class Project:
 
         def make() -> View | None:
             try:
-                found = aligned(position.plans, c.scene.file)
+                variant = aligned(position.plans, c.scene.file)
             except PlanesError:
                 return None
-            told = alignment_told(found, c.naming, say("self_aligning", c.lang), letter)
-            return replace(told, extra=c.scene.sheet.get("format", "auto") != "auto")
+            picture = alignment_told(variant, c.naming, say("self_aligning", c.lang), letter)
+            return replace(picture, extra=c.scene.sheet.get("format", "auto") != "auto")
 
         return c.written(("self-aligning", letter), make)
 
     def part(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""
         c, mu = self.composer, position.scales[mu_of("position")]
-        found = Scheme(position, c.naming, links, framed)
-        drawn = c.once(("part", links, mu), lambda: view("part", "", found.drawn(False)))
+        drawer = Scheme(position, c.naming, links, framed)
+        drawn = c.once(("part", links, mu), lambda: view("part", "", drawer.drawn(False)))
         return stacked("part", [drawn, view("part", "", [Text(text, 0j, letter, "middle")])], 3.0, True)
 
     def diagrams(self, position: Position, size: float = 1.0) -> View | None:
@@ -160,8 +160,8 @@ class Project:
         if sum(r is not None for r in self.turn) < 3:
             return None
         c, section = self.composer, section_mm(size)
-        found = Diagrams(position.plans, self.values, [[c] for c in self.curves], c.naming, section, self.whole)
-        return c.once(("diagrams", section), lambda: view("diagrams", found.title, found.drawn()))
+        drawer = Diagrams(position.plans, self.values, [[c] for c in self.curves], c.naming, section, self.whole)
+        return c.once(("diagrams", section), lambda: view("diagrams", drawer.title, drawer.drawn()))
 
     def hodographs(self) -> View | None:
         """The hodographs the scene asks for."""

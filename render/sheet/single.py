@@ -59,7 +59,7 @@ def of_mechanism(
     bare, loaded, tables = Project(composer), ForceSheet(composer), composer.tables(position, LETTER_MM)
     shown = drawn_plans(plotted, position)
     rates, forces = (tuple(p for p in shown if (kind_of(p) == "force") is of_forces) for of_forces in (False, True))
-    found: dict[str, Callable[[], View | None]] = {
+    makers: dict[str, Callable[[], View | None]] = {
         "position": lambda: composer.scheme(position),
         "positions": lambda: project().many(position),
         "structure": lambda: bare.groups(position, LETTER_MM),
@@ -72,15 +72,15 @@ def of_mechanism(
     for plan in forces:
         own = links_of(plan)
         links = "-".join(own)
-        found[f"group-{links}"] = partial(loaded.group, position, plan, own)
+        makers[f"group-{links}"] = partial(loaded.group, position, plan, own)
         if len(own) > 1:
-            found[f"links-{links}"] = partial(loaded.apart, position, own)
-        found[f"force-{links}"] = partial(composer.plan, plotted, plan)
+            makers[f"links-{links}"] = partial(loaded.apart, position, own)
+        makers[f"force-{links}"] = partial(composer.plan, plotted, plan)
         for one in links_apart[plan]:
             if one.polygon and plotted.has(one.plan, POLE):
-                found[f"force-{one.link}"] = partial(composer.plan, plotted, one.plan)
+                makers[f"force-{one.link}"] = partial(composer.plan, plotted, one.plan)
     balance = say("balance_equations", composer.lang)
-    return found | {
+    return makers | {
         "force-equations": lambda: composer.formulas(plotted, forces, LETTER_MM, balance),
         "moments": lambda: composer.moments(position, LETTER_MM),
         "lever": lambda: loaded.lever(position, LETTER_MM),
@@ -123,22 +123,22 @@ def name_of_view(plan: str) -> str:
 def traced(drawing: Drawing, lang: Lang = "ru") -> Page | None:
     """The plans of one drawing, one beneath the other, in mm; None where there is no plan, or many drawings at once."""
     plans = dict.fromkeys(plan_of(s.makes) for s in drawing.program.steps if s.kind == "mark" and s.makes in drawing)
-    found = [v for plan in plans if (v := _plan(drawing, plan, lang))]
-    if not found:
+    figures = [v for plan in plans if (v := _plan(drawing, plan, lang))]
+    if not figures:
         return None
-    return cut_to(stacked("traces", found, 8.0), say("vectors", lang), lang)
+    return cut_to(stacked("traces", figures, 8.0), say("vectors", lang), lang)
 
 
 def _plan(drawing: Drawing, plan: str, lang: Lang) -> View | None:
     """One plan: a dot and a letter at every mark, a line from the marks it was drawn from."""
     places = dict(_places(drawing, plan))
-    found = [s for s in drawing.program.steps if s.makes in places]
-    ways = ((name, s.makes) for s in found for name, _ in s.reads() if name in places and name != s.makes)
+    steps = [s for s in drawing.program.steps if s.makes in places]
+    ways = ((name, s.makes) for s in steps for name, _ in s.reads() if name in places and name != s.makes)
     lines = [Line((places[a], places[b]), "thin", "plan") for a, b in ways]
     if not lines:
         return None
     dots: list[Mark] = [d for z in dict.fromkeys(places.values()) for d in symbols.dot(z, 0.7, "plan")]
-    labels = [Label(Naming(lang).mark(label_of(s.makes), plan), places[s.makes], 3.5) for s in found if not s.helper]
+    labels = [Label(Naming(lang).mark(label_of(s.makes), plan), places[s.makes], 3.5) for s in steps if not s.helper]
     marks = (*lines, *dots)
     return view(f"traces {plan}", say_plan(plan, lang), (*marks, *place(labels, marks).marks))
 

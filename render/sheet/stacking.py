@@ -57,8 +57,8 @@ class Stacking:
     def high(self, piece: Piece) -> Array:
         """How high views are at the least, by the units they may span: two parts beneath or beside each other."""
         number = self._number(piece)
-        found: Array = self.highs[number]
-        return found
+        heights: Array = self.highs[number]
+        return heights
 
     def _number(self, piece: Piece) -> int:
         """The row of ``highs`` of a piece, once its heights are known."""
@@ -88,8 +88,8 @@ class Stacking:
 
     def white(self, piece: Piece) -> Array:
         """What a column of some views leaves white, by its end and its span, as a share of the field's height."""
-        found: Array = self.module.heights - self.high(piece) / self.module.height
-        return found
+        whites: Array = self.module.heights - self.high(piece) / self.module.height
+        return whites
 
     def last(self, piece: Piece) -> int:
         """The least unit before which views have room in columns, with units to spare between them as may be; one more
@@ -104,9 +104,9 @@ class Stacking:
         """The least unit where a column of some views may end, by the one before which it may not begin."""
         if piece not in self.nexts:
             ends, spans = numpy.nonzero(self.white(piece) >= -TOO_MUCH)
-            found = numpy.full(self.module.units + 2, self.module.units + 1)
-            numpy.minimum.at(found, ends - spans, ends)
-            self.nexts[piece] = numpy.minimum.accumulate(found[::-1])[::-1].tolist()
+            least = numpy.full(self.module.units + 2, self.module.units + 1)
+            numpy.minimum.at(least, ends - spans, ends)
+            self.nexts[piece] = numpy.minimum.accumulate(least[::-1])[::-1].tolist()
         return self.nexts[piece]
 
     def rows(self, piece: Piece, span: int) -> list[Piece]:
@@ -137,6 +137,6 @@ class Stacking:
 @lru_cache
 def _shares(count: int) -> tuple[Indices, Indices, Indices]:
     """The two shares into which each number of units from 2 can be parted, all in a row; where each number begins."""
-    every = [(share, whole - share) for whole in range(2, count) for share in range(1, whole)]
+    every = [(share, total - share) for total in range(2, count) for share in range(1, total)]
     left, right = numpy.array(every, dtype=numpy.intp).reshape(-1, 2).T
     return left, right, numpy.cumsum([0, *range(1, count - 2)])

@@ -17,14 +17,14 @@ SMALL_FORMATS = ("A4", "A3")
 
 def code_view(scene: Scene, lang: Lang, room_mm: float | None = None, best_mm: float = BEST_MM) -> View | None:
     """The code with its white rim, None where the scene names no studio. :class:`SceneError` where it has no room."""
-    found = cells(scene)
-    if not found:
+    squares = cells(scene)
+    if not squares:
         return None
     small = scene.sheet.get("format") in SMALL_FORMATS
     room = room_mm or (SMALL_ROOM_MM if small else ROOM_MM)
-    module = module_mm(scene, len(found), room, best_mm)
-    side = module * (len(found) + 2 * RIM)
-    marks = printed_square(complex(side, side) / 2, found, module * len(found))
+    module = module_mm(scene, len(squares), room, best_mm)
+    side = module * (len(squares) + 2 * RIM)
+    marks = printed_square(complex(side, side) / 2, squares, module * len(squares))
     made = view("studio", say("studio_code", lang), marks)
     return replace(made, inked=(0.0, 0.0, side, side), heading=CAPTION_MM)
 

@@ -82,9 +82,9 @@ class BeamDiagrams:
                 )
                 if next(near, None) is None:
                     shown[x, v] = None
-        found = []
+        value_labels = []
         for x, v in shown:
             z = self.place(x, v, y, most)
             text = measured(abs(v), self.naming.lang)
-            found.append(labels.Label(text, z, NAME_MM, 1j if v > 0 else -1j, 0.6, name=f"value {text}"))
-        return found
+            value_labels.append(labels.Label(text, z, NAME_MM, 1j if v > 0 else -1j, 0.6, name=f"value {text}"))
+        return value_labels

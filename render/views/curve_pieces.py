@@ -21,7 +21,7 @@ def round_between(low: float, high: float, step: float) -> list[float]:
 
 def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple[list[complex], bool]]:
     """Runs of a path, with the jumps over its single gaps, those that go no farther across."""
-    found: list[tuple[list[complex], bool]] = []
+    pieces: list[tuple[list[complex], bool]] = []
     run: list[complex] = []
     gap = 0
     for z in path:
@@ -29,12 +29,12 @@ def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple
             gap += 1
             continue
         if gap and run:
-            found.append((run, False))
+            pieces.append((run, False))
         if gap == 1 and run and abs(z.real - run[-1].real) <= across:
-            found.append(([run[-1], z], True))
+            pieces.append(([run[-1], z], True))
         run = [z] if gap else [*run, z]
         gap = 0
-    return [(piece, jump) for piece, jump in [*found, (run, False)] if len(piece) > 1]
+    return [(piece, jump) for piece, jump in [*pieces, (run, False)] if len(piece) > 1]
 
 
 def cut_off(values: Sequence[float | None]) -> tuple[float | None, ...]:

@@ -130,13 +130,13 @@ def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
 
 def groups_of(vectors: Iterable[Ends], alone: bool = True) -> list[list[Ends]]:
     """Short vectors by details: neighbours together, and once more, by themselves, those that are hardly seen there."""
-    found = list[list[Ends]]()
+    details = list[list[Ends]]()
     for group in _neighbours(ends for ends in vectors if abs(ends[1] - ends[0]) < SHORT_MM):
         times = _seat(group)[2]
         lost = [(a, b) for a, b in group if abs(b - a) * times < SEEN_MM]
         parted = len(lost) < len(group)
-        found += [group, *groups_of(lost)] if parted else [[ends] for ends in group]
-    return [group for group in found if alone or len(group) > 1 or _seat(group)[2] < ALONE_TIMES]
+        details += [group, *groups_of(lost)] if parted else [[ends] for ends in group]
+    return [group for group in details if alone or len(group) > 1 or _seat(group)[2] < ALONE_TIMES]
 
 
 def _neighbours(short: Iterable[Ends]) -> list[list[Ends]]:
@@ -164,9 +164,9 @@ def beside(marks: tuple[Mark, ...], drawn: Sequence[tuple[Mark, ...]]) -> tuple[
     wide, high = [b[2] - b[0] + BESIDE_MM for b in boxes], [b[3] - b[1] + BESIDE_MM for b in boxes]
     row = max(x1 - x0, sum(wide) - BESIDE_MM) * (y1 - y0 + max(high))
     column = (x1 - x0 + max(wide)) * max(y1 - y0, sum(high) - BESIDE_MM)
-    found = list(marks)
+    placed = list(marks)
     x, y = ((x0 + x1 - sum(wide) + BESIDE_MM) / 2, y0 - BESIDE_MM) if row < column else (x1 + BESIDE_MM, y1)
     for one, box, w, h in zip(drawn, boxes, wide, high, strict=True):
-        found += [moved(m, complex(x - box[0], y - box[3])) for m in one]
+        placed += [moved(m, complex(x - box[0], y - box[3])) for m in one]
         x, y = (x + w, y) if row < column else (x, y - h)
-    return tuple(found)
+    return tuple(placed)

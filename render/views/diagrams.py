@@ -174,14 +174,14 @@ class Diagrams:
         angles, values = curve.places or self.angles, curve.values
         count = len(angles) - 1
         known = [(v, k) for k, v in enumerate(values[:count] if self.whole else values) if v is not None]
-        found = []
+        ends = []
         for side, (value, k) in zip((-1j, 1j), (min(known), max(known)), strict=True) if known else ():
             beside = [(k - 1) % count, (k + 1) % count] if self.whole else [max(k - 1, 0), min(k + 1, count)]
             if k not in beside and all(values[j] is not None for j in beside):  # it goes no farther unseen
                 k = k or count  # of a whole turn: its end has more room than its beginning
                 inwards = (SECTIONS * k < count) - (SECTIONS * (count - k) < count)
-                found.append((side + 2 * inwards, (angles[k], value)))
-        return found
+                ends.append((side + 2 * inwards, (angles[k], value)))
+        return ends
 
     def heading(self, panel: Sequence[DiagramCurve], mu: float, place: complex) -> list[Mark]:
         """The names of the curves, each with a piece of its line where there are several, and their scale."""
@@ -232,17 +232,17 @@ class Diagrams:
     def numbers(self, level: float) -> list[Mark]:
         """Numbers of the positions beneath, the driver's place in the first, or in each, and the scale of the axis."""
         places = [complex(self.section * k, level) for k in range(SECTIONS + 1)]
-        found: list[Mark] = [Text(str(k), z, self.letter, "middle") for k, z in enumerate(places)]
+        texts: list[Mark] = [Text(str(k), z, self.letter, "middle") for k, z in enumerate(places)]
         (letter, key), lang = self.driver, self.naming.lang
         turning = key == "°"
         drive = flat(self.naming.vector(self.plans.mechanism.drive.letters[0]))
         text = f"μ_{{{drive}}} = {scale(self.wide / (self.angles[-1] - self.angles[0]), key, self.naming)}"
         if self.to_read:
-            told = [round(a, 1 if turning else 3) for a in self.angles]
-            told = [a % FULL for a in told] if turning and self.whole else told
-            found += (Text(number(a, lang), z - 5.5j, 2.5, "middle") for a, z in zip(told, places, strict=True))
+            places_told = [round(a, 1 if turning else 3) for a in self.angles]
+            places_told = [a % FULL for a in places_told] if turning and self.whole else places_told
+            texts += (Text(number(a, lang), z - 5.5j, 2.5, "middle") for a, z in zip(places_told, places, strict=True))
             level -= 5.5
         else:
             first = round(self.angles[0], 6) % FULL if turning else self.angles[0]
             text = f"{letter}_{{0}} = {of_unit(number(first, lang), key, lang)},  {text}"
-        return [*found, Text(text, complex(self.wide / 2, level - 2 * self.letter), self.letter, "middle")]
+        return [*texts, Text(text, complex(self.wide / 2, level - 2 * self.letter), self.letter, "middle")]

@@ -98,11 +98,11 @@ def stroke(one: complex, other: complex, off: complex, text: str) -> Size:
 def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Size]:
     """How far the frame's hinges, level and upright guides are from the driver's pair, in mm as they are: level sizes
     beneath everything drawn, upright ones at its left."""
-    found, pair = list[Size](), places.position.plans.structure.drive_pair.point
+    sizes, pair = list[Size](), places.position.plans.structure.drive_pair.point
     if places.mechanism.drive.on != FRAME:  # the driver is nowhere on the frame: from its first hinge
         pair = next((p for p in places.mechanism.frame.points if p in places.shared), "")
     if not places.has(pair):
-        return found
+        return sizes
     for way, aside, edge in ((1 + 0j, -1j, -about[1]), (1j, -1 + 0j, -about[0])):
         base = places.at(pair)
         ways = {round(((z - base) / way).real, 2): z for z in _held(places, way)}
@@ -110,8 +110,8 @@ def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Si
         feet = (Size((a, b), ((a / way).real * way, (b / way).real * way), aside, text) for a, b, text in plain)
         for k, one in enumerate(x for x in feet if x.fits):
             off = (edge + BESIDE_MM + k * 2 * tall(LETTER_MM)) * aside
-            found.append(replace(one, ends=(one.ends[0] + off, one.ends[1] + off)))
-    return found
+            sizes.append(replace(one, ends=(one.ends[0] + off, one.ends[1] + off)))
+    return sizes
 
 
 def in_mm(metres: float, lang: Lang) -> str:

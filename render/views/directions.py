@@ -47,8 +47,8 @@ class Directions:
         """All figures in rows; none where nothing turns."""
         cells = [view("direction", "", cell) for cell in (*self.turned(), *self.coriolis())]
         rows = [beside(cells[k : k + A_ROW], 6.0) for k in range(0, len(cells), A_ROW)]
-        found = view("directions", title, stacked("directions", rows).marks) if rows else None
-        return found and replace(found, extra=True)
+        figure = view("directions", title, stacked("directions", rows).marks) if rows else None
+        return figure and replace(figure, extra=True)
 
     def turned(self) -> Iterator[Sequence[Mark]]:
         """A rod with the vector of its far end, and the sense of ω or ε that this gives."""

@@ -57,19 +57,19 @@ class Setter:
 
     def lines(self, words: list[Word]) -> list[list[Word]]:
         """The words in lines that are not too wide, each but the first beginning with a sign."""
-        found: list[list[Word]] = [[]]
+        lines: list[list[Word]] = [[]]
         wide, gap = 0.0, GAP * self.letter
         for k, word in enumerate(words):
             sign = bool(_SIGN.match(word.text)) and not word.vector
             end = k + 1 + sign
             with_last = end == len(words) - 1 and words[-1].text[:1] == "="  # "= 0" never stands alone
             step = sum(self.wide(w) + gap for w in words[k : end + with_last])
-            if sign and found[-1] and wide + step > WIDEST * self.letter:
-                found.append([])
+            if sign and lines[-1] and wide + step > WIDEST * self.letter:
+                lines.append([])
                 wide = 0.0
-            found[-1].append(word)
+            lines[-1].append(word)
             wide += self.wide(word) + gap
-        return found
+        return lines
 
     def wide(self, word: Word) -> float:
         """Width of a word with what stands beneath it."""
@@ -143,25 +143,25 @@ class Formulas:
                 first = Word(self.naming.vector(total), 1, self.action(terms[0]), first.value)
             elif chain:
                 sides.append(terms or list(chain))
-        found = [first]
+        words = [first]
         for terms in sides:
             for k, term in enumerate(terms):
                 sign = "−" if term.sign < 0 else "+" if k else ""
-                found += [Word("=", vector=False)] * (not k)
-                found += [Word(sign, vector=False)] * bool(sign)
-                found.append(self.word(term, equation.plan))
-        return found
+                words += [Word("=", vector=False)] * (not k)
+                words += [Word(sign, vector=False)] * bool(sign)
+                words.append(self.word(term, equation.plan))
+        return words
 
     def closed_words(self, equation: Equation) -> list[Word]:
         """The unit; both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
         unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
-        found, sides = [Word("", vector=False, value="" if self.asked else unit)], equation.written
+        words, sides = [Word("", vector=False, value="" if self.asked else unit)], equation.written
         for n, side in enumerate(sides):
-            found += [Word("=", vector=False)] * bool(n)
+            words += [Word("=", vector=False)] * bool(n)
             for k, (sign, term) in enumerate(side):
-                found += [Word("−" if sign < 0 else "+", vector=False)] * bool(k or sign < 0)
-                found.append(self.word(term, equation.plan))
-        return [*found, Word("= 0", vector=False)] if equation.closed else found
+                words += [Word("−" if sign < 0 else "+", vector=False)] * bool(k or sign < 0)
+                words.append(self.word(term, equation.plan))
+        return [*words, Word("= 0", vector=False)] if equation.closed else words
 
     def word(self, term: Term, plan: str) -> Word:
         """A vector with its underlines, its line of action and, where it is known, its number."""

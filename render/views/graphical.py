@@ -160,19 +160,19 @@ class Graphical:
         """Numbers of the positions and the driver's angle at the first."""
         m, wide = self.construction.motion, self.place(self.construction.stages[0].plan, "t").real
         every = 1 if m.sections <= 24 else 2
-        found: list[Mark] = [
+        texts: list[Mark] = [
             Text(str(k), complex(wide * k / m.sections, level), 3.5, "middle") for k in range(0, m.sections + 1, every)
         ]
         start = f"φ_{{0}} = {number(round(m.angles[0] % 360.0, 4), self.naming.lang)}°"
-        return [*found, Text(start, complex(wide + 6, level), 3.5)]
+        return [*texts, Text(start, complex(wide + 6, level), 3.5)]
 
     def legend(self, level: float) -> list[Mark]:
         """Which line is which."""
-        found: list[Mark] = []
+        marks: list[Mark] = []
         for x, style, key in ((0, "thick", "graphical_drawn"), (62, "dash", "graphical_exact")):
-            found.append(Line((complex(x, level), complex(x + 14, level)), style, "plan"))
-            found.append(Text(say(key, self.naming.lang), complex(x + 16, level - 1.3), 3.5))
-        return found
+            marks.append(Line((complex(x, level), complex(x + 14, level)), style, "plan"))
+            marks.append(Text(say(key, self.naming.lang), complex(x + 16, level - 1.3), 3.5))
+        return marks
 
 
 def smooth(points: Sequence[complex]) -> list[complex]:
@@ -180,22 +180,22 @@ def smooth(points: Sequence[complex]) -> list[complex]:
     if len(points) < 3:
         return list(points)
     ends = [2 * points[0] - points[1], *points, 2 * points[-1] - points[-2]]
-    found = []
+    curve = []
     for a, b, c, d in zip(ends, ends[1:], ends[2:], ends[3:], strict=False):
         m, n = (c - a) / 2, (d - b) / 2
         for k in range(SMOOTH):
             t = k / SMOOTH
-            found.append(b + t * (m + t * (3 * (c - b) - 2 * m - n + t * (m + n - 2 * (c - b)))))
-    return [*found, points[-1]]
+            curve.append(b + t * (m + t * (3 * (c - b) - 2 * m - n + t * (m + n - 2 * (c - b)))))
+    return [*curve, points[-1]]
 
 
 def cropped(path: Sequence[complex], wide: float) -> list[complex]:
     """The part of a curve over the axis, cut exactly at both ends."""
-    found: list[complex] = []
+    kept: list[complex] = []
     for a, b in pairwise(path):
         for x in (0.0, wide):
             if (a.real - x) * (b.real - x) < 0:
-                found.append(a + (b - a) * (x - a.real) / (b.real - a.real))
+                kept.append(a + (b - a) * (x - a.real) / (b.real - a.real))
         if 0.0 <= b.real <= wide:
-            found.append(b)
-    return [z for z in [path[0], *found] if -1e-9 <= z.real <= wide + 1e-9] if found else list(path)
+            kept.append(b)
+    return [z for z in [path[0], *kept] if -1e-9 <= z.real <= wide + 1e-9] if kept else list(path)

@@ -23,13 +23,13 @@ def hatched(triangles: Iterable[tuple[complex, complex, complex]]) -> list[Line]
             area.intersection(one).area < 0.1 * area.area for one in kept
         ):
             kept.append(area)
-    found = []
+    strokes = []
     for area in kept:
         points = tuple(complex(x, y) for x, y in area.exterior.coords[:-1])
         inner = tuple(complex(x, y) for x, y in area.buffer(-HATCH_MM, join_style="mitre").exterior.coords[:-1])
         if inner:
-            found += [Line(z, "thin", "hatch") for z in hatch_strokes(Hatch(inner, _across(points), HATCH_GAP_MM))]
-    return [one for one in found if abs(one.points[1] - one.points[0]) > HATCH_GAP_MM]
+            strokes += [Line(z, "thin", "hatch") for z in hatch_strokes(Hatch(inner, _across(points), HATCH_GAP_MM))]
+    return [one for one in strokes if abs(one.points[1] - one.points[0]) > HATCH_GAP_MM]
 
 
 def _across(corners: Sequence[complex]) -> float:

@@ -36,12 +36,12 @@ def instant_centre(position: Position, link: str, naming: Naming) -> View | None
 
 def _centre(moving: list[tuple[complex, complex]]) -> complex | None:
     """Where lines through places square to their velocities meet; of those, the two least along each other."""
-    best, found = PARALLEL, None
+    best, centre = PARALLEL, None
     for (a, v), (b, w) in combinations(moving, 2):
         if not v or not w:
             continue
         across = (v.conjugate() * w).imag
         if abs(across) > best * abs(v) * abs(w):
             best = abs(across) / (abs(v) * abs(w))
-            found = a + 1j * v * ((b - a) * w.conjugate()).real / across
-    return found
+            centre = a + 1j * v * ((b - a) * w.conjugate()).real / across
+    return centre

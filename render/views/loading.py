@@ -99,8 +99,8 @@ class Loading:
     def whole_reactions(self) -> None:
         """Every reaction on these links from outside of them, whole, where its line of action passes."""
         results = self.position.of("reactions")
-        for key, found in self.position.plans.reactions.items():
-            pair, result = found.pair, results.get(key)
+        for key, reaction in self.position.plans.reactions.items():
+            pair, result = reaction.pair, results.get(key)
             inside = [x for x in (pair.link, pair.other) if x in self.links]
             if result is None or len(inside) != 1:
                 continue
@@ -178,23 +178,23 @@ class Loading:
 
     def inner(self) -> set[str]:
         """Names of the reactions between these links, and of their couples."""
-        found = set[str]()
+        names = set[str]()
         for key, r in self.position.plans.reactions.items():
             if {r.pair.link, r.pair.other} <= set(self.links):
-                found |= {key, force_name(r.pair.other, r.pair.link), r.moment}
-        return found
+                names |= {key, force_name(r.pair.other, r.pair.link), r.moment}
+        return names
 
     def outer(self) -> dict[str, str]:
         """Names of the reactions from outside on these links, whole and in parts, that no plan before found; with the
         reaction each is, or is the opposite of."""
         known = {f.name for link in self.links for f in self.position.plans.acting.forces[link]}
-        found: dict[str, str] = {}
+        reactions: dict[str, str] = {}
         for key, reaction in self.position.plans.reactions.items():
             link, other = reaction.pair.link, reaction.pair.other
             for name, on, by in ((key, link, other), (force_name(other, link), other, link)):
                 if on in self.links and by not in self.links and name not in known:
-                    found |= {name + part: key for part in ("", "^t", "^n")}
-        return found
+                    reactions |= {name + part: key for part in ("", "^t", "^n")}
+        return reactions
 
     def big(self, size: float) -> bool:
         """Whether a force is more than rounding noise."""

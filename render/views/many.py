@@ -91,12 +91,12 @@ class ManyPositions:
     @cached_property
     def marks(self) -> list[Mark]:
         """Bars of all links in all positions, the extreme ones blacker, and the paths."""
-        found: list[Mark] = []
+        bars: list[Mark] = []
         for one, result in self.shown():
             style = "thin" if one.extreme else "construction"
             shapes = (x for link in self.plans.mechanism.links.values() for x in self.axes(link, result))
-            found += (Line(tuple(shape), style, "construction", name=POSITION) for shape in shapes)
-        return [*found, *self.paths()]
+            bars += (Line(tuple(shape), style, "construction", name=POSITION) for shape in shapes)
+        return [*bars, *self.paths()]
 
     def shown(self) -> Iterator[tuple[Numbered, PlacedMechanism]]:
         """The numbered positions that are drawn, with their places."""
@@ -141,7 +141,7 @@ class ManyPositions:
 
     def paths(self) -> list[Mark]:
         """Paths of the moving points, in dashes; a point on a frame's guide has none of interest."""
-        found: list[Mark] = []
+        dashed: list[Mark] = []
         m = self.plans.mechanism
         straight = {p for x in m.links.values() if x.slides and m.owner(x.slides.guide) == FRAME for p in x.points}
         fixed = set(m.frame.points) | straight
@@ -149,8 +149,8 @@ class ManyPositions:
             for there, places in groupby(self.seen, key=lambda one: one[1]):
                 run = [self.place(result, point) for result, _ in places if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:
-                    found.append(Line(tuple(run[self.way_there(point, run)]), "dash", "construction"))
-        return found
+                    dashed.append(Line(tuple(run[self.way_there(point, run)]), "dash", "construction"))
+        return dashed
 
     def way_there(self, point: str, run: Sequence[complex]) -> slice:
         """The places from one end of a rocker's swing to the other: dashes of its way back would fill the gaps."""
@@ -166,22 +166,22 @@ class ManyPositions:
         """What there is to say about the numbered positions that are not drawn."""
         failed = [x.number for x in self.numbered if not x.result]
         far = [x.number for x in self.numbered if x.result and not self.near(x.result)]
-        told = (("positions_failed", failed), ("positions_far", far))
-        return [say(key, lang, numbers=", ".join(numbers)) for key, numbers in told if numbers]
+        groups = (("positions_failed", failed), ("positions_far", far))
+        return [say(key, lang, numbers=", ".join(numbers)) for key, numbers in groups if numbers]
 
     def labels(self) -> list[Label]:
         """Numbers of the positions at the end of the crank, or beneath a sliding driver; of extreme ones where sliders
         of the frame stand, or rockers end where there is none."""
         drive, pair = self.plans.mechanism.drive, self.plans.structure.drive_pair
-        link, found = self.plans.mechanism.links[drive.link], list[Label]()
+        link, numbers = self.plans.mechanism.links[drive.link], list[Label]()
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
         for one, result in self.shown():
             z = self.place(result, ends[0]) if ends else self.tip(link, self.place(result, pair.point), result)
             side = -1j if drive.kind == "s" else z - self.place(result, pair.point)
-            found.append(Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
+            numbers.append(Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
         held = [*self.followers()]
         sliding = [one for one in held if one[0].slides] or held
-        return [*found, *(label for link, point in sliding for label in self.stations(link, point))]
+        return [*numbers, *(label for link, point in sliding for label in self.stations(link, point))]
 
     def tip(self, link: Link, pivot: complex, result: PlacedMechanism) -> complex:
         """Where what is drawn of a link ends that has no point but its pivot."""
@@ -234,9 +234,9 @@ class ManyPositions:
     def strokes(self, lang: Lang) -> list[Size]:
         """How far sliders go on the frame's guides, in mm as they are, beyond everything that is drawn beside; nothing
         where the ends of the range are not drawn."""
-        found, shown = list[Size](), [r for r in self.turn if r]
+        sizes, shown = list[Size](), [r for r in self.turn if r]
         if not all(map(self.near, shown)):
-            return found
+            return sizes
         for link, slides in ((link, link.slides) for link, _ in self.followers() if shown):
             if not slides:
                 continue
@@ -246,5 +246,5 @@ class ManyPositions:
             beside = [0.0, *(w.imag for w in ways if min(at) < w.real < max(at))]
             off = min(min(beside) - BELOW_MM, max(beside) + BELOW_MM, key=abs)
             ends = (through + min(at) * along, through + max(at) * along)
-            found.append(stroke(*ends, 1j * off * along, in_mm((max(at) - min(at)) / self.mu, lang)))
-        return [one for one in found if one.fits]
+            sizes.append(stroke(*ends, 1j * off * along, in_mm((max(at) - min(at)) / self.mu, lang)))
+        return [one for one in sizes if one.fits]

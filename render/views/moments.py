@@ -43,8 +43,8 @@ class MomentLines:
         """All equations (those of some links) that say anything, from the top down."""
         setter, y = Setter(self.letter), 0.0
         plans = self.position.plans
-        whole = (m for m in plans.moments if m.links != ("lever",))
-        for equation in whole if links is None else plans.moments_of(links):
+        equations = (m for m in plans.moments if m.links != ("lever",))
+        for equation in equations if links is None else plans.moments_of(links):
             if words := self.words(equation):
                 y = setter.row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
@@ -54,8 +54,10 @@ class MomentLines:
         made = next((s for s in self.position.drawing.program.steps if s.makes == equation.unknown), None)
         if not isinstance(made, Calculate) or not made.terms:
             return []
-        found = float(self.position.drawing[equation.unknown])
-        acting = -1.0 if equation.arm and found < 0 else 1.0  # a force is positive as it is drawn, a couple to the left
+        unknown_value = float(self.position.drawing[equation.unknown])
+        acting = (
+            -1.0 if equation.arm and unknown_value < 0 else 1.0
+        )  # a force is positive as it is drawn, a couple to the left
         values = [acting * self.value(term) for term in made.terms]
         biggest = max(map(abs, values))
         shown = [(n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > NOISE * biggest]
@@ -67,7 +69,7 @@ class MomentLines:
         factor = next((name for name, power in made.terms[0].factors if power < 0), "")
         by = float(self.position.drawing[factor]) if factor else 1.0
         by = abs(by) if factor == equation.arm else by  # an arm has no sign, a rate has
-        found *= acting
+        unknown_value *= acting
         over = self.naming.arm(equation.unknown, factor) if factor in self.arms else self.naming.vector(factor)
         head = self.unknown(equation) + (over if factor else "")
         lang = self.naming.lang
@@ -80,7 +82,7 @@ class MomentLines:
         arms = f"{height}, {say('mm', lang)}" if mm else ""
         text = f"ΣM_{{{about}}}" + (f"^{{({links})}}:" if links else ":")
         words = [Word(text, 0, arms, unit, False)]
-        words.append(Word(head, 0, mm.get(factor, ""), measured(found * by, lang), False))
+        words.append(Word(head, 0, mm.get(factor, ""), measured(unknown_value * by, lang), False))
         for k, (name, lever, value) in enumerate(shown):
             product, below = self.product(name, lever), value * by < 0
             words.append(Word("=" if k == 0 else "−" if below else "+", vector=False))
@@ -89,7 +91,10 @@ class MomentLines:
             words.append(Word(product + ends, 0, mm.get(lever, ""), measured(abs(value * by), lang), False))
         if not equation.arm:
             return words
-        return [*words, Word(f"{self.unknown(equation)} = {measured(found, lang)} {say('N', lang)}", vector=False)]
+        return [
+            *words,
+            Word(f"{self.unknown(equation)} = {measured(unknown_value, lang)} {say('N', lang)}", vector=False),
+        ]
 
     def length(self, arm: str) -> float:
         """How long an arm is where it was measured, mm."""

@@ -73,8 +73,13 @@ def of_position(p: Position) -> Plotted:
 
 def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
     """The same with the plans of links alone; and these links by the plan of their group."""
-    found, plans = of_position(p), {plan: [*links_apart(p.plans, plan)] for plan in p.plans.drawn}
-    things, scales, segments, equations = dict(p.drawing.things), dict(p.scales), [*found.segments], [*found.equations]
+    plotted, plans = of_position(p), {plan: [*links_apart(p.plans, plan)] for plan in p.plans.drawn}
+    things, scales, segments, equations = (
+        dict(p.drawing.things),
+        dict(p.scales),
+        [*plotted.segments],
+        [*plotted.equations],
+    )
     for one in (x for links in plans.values() for x in links):
         if marks := one.marks(p.plans, p.drawing):
             things |= {at(one.plan, label): z for label, z in marks.items()}
@@ -82,7 +87,7 @@ def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
             segments += [Segment(one.plan, t.start, t.end, t.name) for t in one.equation.terms]
             equations.append(one.equation)
     drawing = replace(p.drawing, things=things)
-    return replace(found, drawing=drawing, segments=tuple(segments), equations=tuple(equations), scales=scales), plans
+    return replace(plotted, drawing=drawing, segments=tuple(segments), equations=tuple(equations), scales=scales), plans
 
 
 NEAR_MM = 0.4  # places closer than this are one

@@ -121,8 +121,8 @@ class Polygon:
         drawn = self.plotted.drawn_segments(self.plan)
         sizes = {s.name: abs(self.mark(s.end) - self.mark(s.start)) for s in drawn}
         names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOTHING_MM < size <= ZERO_MM]
-        told = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
-        return [say("too_short", self.naming.lang, **told)] if names else []
+        facts = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
+        return [say("too_short", self.naming.lang, **facts)] if names else []
 
     def terms(self) -> Iterable[Term]:
         """The terms of this plan's equations whose ends are drawn."""
@@ -178,7 +178,7 @@ class Polygon:
         numbers = {corner: k for k, (_, corners) in enumerate(places, 1) for corner in corners}
         pole = [(self.naming.mark(POLE, self.plan), self.mark(POLE))] if self.plotted.has(self.plan, POLE) else []
         ends = gathered([*pole, *((str(k), z) for k, (z, _) in enumerate(places, 1))], SAME_MM / times)
-        found = [labels.Label(", ".join(n), z, END_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
+        named_labels = [labels.Label(", ".join(n), z, END_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
         for k, ((start, end), names) in enumerate(self.arrows.items()):
             back = self.arrows.get((end, start), [])
             if back and (end, start) in [*self.arrows][:k]:
@@ -186,8 +186,8 @@ class Polygon:
             text = " = ".join(map(self.naming.vector, names))
             text += f" ({numbers[start]}–{numbers[end]})" if {start, end} <= numbers.keys() else ""
             text += "".join(f" = −{self.naming.vector(name)}" for name in back)
-            found.append(labels.Label(text, self.places[start, end], FORCE_MM, name=names[0]))
-        return found
+            named_labels.append(labels.Label(text, self.places[start, end], FORCE_MM, name=names[0]))
+        return named_labels
 
     def numbered(self, details: Sequence[detail.Detail]) -> list[tuple[complex, list[str]]]:
         """The ends of the vectors that lie upon each other here or in a detail, along the polygon."""
@@ -225,13 +225,13 @@ class Polygon:
         """Letters of the marks; those that coincide share one label."""
         clusters = gathered([(label, self.mark(label)) for label in self.plotted.labels(self.plan)], same)
         centre = sum(z for z, _ in clusters) / len(clusters)
-        found, prime = [], "'" if self.plan == "acceleration" else ""
+        letters, prime = [], "'" if self.plan == "acceleration" else ""
         for z, names in clusters:
             fixed = [n + prime for n in self.plotted.fixed] if POLE in names else []
             text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))
             away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
-            found.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
-        return found
+            letters.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
+        return letters
 
 
 def tick(start: complex, end: complex) -> Ends:

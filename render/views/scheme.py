@@ -76,8 +76,8 @@ class Scheme:
 
     def link(self, link: Link) -> None:
         """A link's bar or plate, its own guides, and its slider if it slides."""
-        if found := self.mechanism.round_guide(link):
-            self.blocks += round_slider(self.places, link, *found)
+        if round_guide := self.mechanism.round_guide(link):
+            self.blocks += round_slider(self.places, link, *round_guide)
         own = self.mechanism.joined(link)
         joints = [self.places.at(p) for p in own if p in self.shared or p != link.centre]
         if link.slides:
@@ -241,10 +241,10 @@ class Scheme:
     def images(self, point: str) -> list[str]:
         """Letters of the places on guides that coincide with a slider's point, as the plans call them: L, B3."""
         plans, drawn = self.position.plans, {x.name for x in self.links}
-        known, found = {POLE, *(label_of(x.velocity) for x in plans.points.values())}, list[str]()
+        known, images = {POLE, *(label_of(x.velocity) for x in plans.points.values())}, list[str]()
         for link in (x for x in self.links if x.slides and x.first_point == point and x.name in plans.velocity_slides):
             reading = plans.velocity_slides[link.name]
             if self.mechanism.owner(reading.guide) in drawn:
                 ends = (reading.under,) if reading.under else reading.ends
-                found += (x.upper() for x in map(label_of, ends) if x not in known)
-        return found
+                images += (x.upper() for x in map(label_of, ends) if x not in known)
+        return images

@@ -24,18 +24,18 @@ CLEAR_MM = 0.6  # between a letter and the thin line that is broken for it
 def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> tuple[list[Mark], list[labels.Label]]:
     """Curved arrows of the driver's ω and ε about its pivot, where they cross nothing, and their names."""
     drive, pair = places.mechanism.drive, places.position.plans.structure.drive_pair
-    found: list[Mark] = []
+    arcs: list[Mark] = []
     named: list[labels.Label] = []
     if drive.kind == "s" or not places.has(pair.point):
-        return found, named
+        return arcs, named
     for rate, letter, radius in ((drive.velocity, "ω", 9.0), (drive.acceleration, "ε", 12.5)):
         if rate:
-            arrow, middle = _free_arc(places, radius, math.copysign(1, rate), [*ground, *found])
-            found += arrow
+            arrow, middle = _free_arc(places, radius, math.copysign(1, rate), [*ground, *arcs])
+            arcs += arrow
             on = "" if drive.on == FRAME else f",{naming.link(drive.on)}"
             text = f"{letter}_{{{naming.link(drive.link)}{on}}}"
             named.append(labels.Label(text, middle, LETTER_MM, clear=0.5, name=text))
-    return found, named
+    return arcs, named
 
 
 def _free_arc(places: Places, radius: float, sense: float, ground: Sequence[Mark]) -> tuple[symbols.Marks, complex]:
@@ -58,15 +58,15 @@ def freest(
     """Of curved arrows, each with the middle of its arc, the first that comes near least of what is drawn."""
     if labels.rough():
         return next(iter(arrows))
-    inked, least, found = ink(ground), math.inf, None
+    inked, least, freest_arrow = ink(ground), math.inf, None
     for arrow in arrows:
         near = len(inked.within(ink(arrow[0]).shapes, clear)[0])
         if near < least:
-            least, found = near, arrow
+            least, freest_arrow = near, arrow
         if not near:
             break
-    assert found
-    return found
+    assert freest_arrow
+    return freest_arrow
 
 
 def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:

@@ -56,11 +56,11 @@ class TableGrid:
         """Where the cells of a column begin: numbers of one unit with their decimal signs in one line, others in the
         middle."""
         wide = list(map(self.wide, column))
-        whole = [ink_width(m[1], self.letter) if alike and (m := _NUMBER.match(cell)) else 0.0 for cell in column]
-        most = max(whole)
-        block = max((most - x + w for x, w in zip(whole, wide, strict=True) if x), default=0.0)
+        whole_parts = [ink_width(m[1], self.letter) if alike and (m := _NUMBER.match(cell)) else 0.0 for cell in column]
+        most = max(whole_parts)
+        block = max((most - x + w for x, w in zip(whole_parts, wide, strict=True) if x), default=0.0)
         room = max(block, *wide)
-        return [(room - block) / 2 + most - x if x else (room - w) / 2 for x, w in zip(whole, wide, strict=True)]
+        return [(room - block) / 2 + most - x if x else (room - w) / 2 for x, w in zip(whole_parts, wide, strict=True)]
 
     def rows(self, lines: Sequence[Row]) -> tuple[float, float]:
         """Height of the rows: two letters, more where indices would come near a line; the base line beneath their

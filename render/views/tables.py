@@ -53,12 +53,12 @@ class Tables:
 
     def values(self) -> View | None:
         """What is reckoned from the vectors."""
-        found = [
+        values = [
             (f, f.quantity.columns[0].unit) for n, f in self.position.of("values").items() if n not in self.strains
         ]
         most = largest(self.position)
         rows = []
-        for f, unit in found:
+        for f, unit in values:
             tell = self.turning if unit in RATES[False] else self.number
             value = f.number if abs(f.number) > NOISE * most else 0.0
             rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
@@ -112,7 +112,7 @@ class Tables:
         """Every table that has something to say; what was measured on both plans of rates ``joined`` in one."""
         if not self.position.plans.moves:
             return [t for t in (self.given(), self.vectors(), self.members(), self.values()) if t]
-        found = (
+        tables = (
             self.given(),
             *self.rates(joined),
             self.links(),
@@ -121,14 +121,14 @@ class Tables:
             self.check(),
             self.equations(),
         )
-        return [t for t in found if t]
+        return [t for t in tables if t]
 
     def equations(self) -> View | None:
         """A person's own equations: what each gives, or whether it closes and what would close it."""
         p = self.position
         own = self.own if "equations" in p.results else ((), "")
-        told = own_rows(p.plans, p.drawing, p.scales, own, self.naming.lang)
-        rows = [[VECTOR_NAMED.sub(lambda m: self.naming.vector(m[0]), text) for text in row] for row in told]
+        told_rows = own_rows(p.plans, p.drawing, p.scales, own, self.naming.lang)
+        rows = [[VECTOR_NAMED.sub(lambda m: self.naming.vector(m[0]), text) for text in row] for row in told_rows]
         return self.table("own-equations", self.say("own_equations"), ["", ""], rows)
 
     def given(self) -> View | None:
@@ -149,11 +149,11 @@ class Tables:
         plans = [plan for plan in ("velocity", "acceleration") if any(self.measured_rows(plan))]
         if not joined or len(plans) < 2:
             return [self.plan(plan) for plan in plans]
-        found: dict[str, tuple[list[Row], ...]] = {}
+        by_owner: dict[str, tuple[list[Row], ...]] = {}
         for k, plan in reversed([*enumerate(plans)]):  # in the order of the accelerations
-            for of, row in self.measured_rows(plan):
-                found.setdefault(of, ([], []))[k].append(row)
-        sides = (tuple(rows or [[" "] * 4] for rows in both) for both in found.values())
+            for owner, row in self.measured_rows(plan):
+                by_owner.setdefault(owner, ([], []))[k].append(row)
+        sides = (tuple(rows or [[" "] * 4] for rows in both) for both in by_owner.values())
         pairs = (two for both in sides for two in zip_longest(*both, fillvalue=[""] * 4))
         head = [cell for plan in plans for cell in self.measured_head(plan)]
         rows = [[*one, *other] for one, other in pairs]
@@ -168,16 +168,16 @@ class Tables:
         known = self.position.results.get("plans", {}).get(plan, {"segments": {}})["segments"]
         if max((s["mm"] for s in known.values()), default=0.0) <= NOISE_MM:
             return
-        for vector, segment, found in self.position.measured_on(plan):
+        for vector, segment, measures in self.position.measured_on(plan):
             ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
-            value = self.number(found["value"] if found["mm"] > NOISE_MM else 0.0)
-            yield parts_of(vector)[1], [self.naming.vector(vector), ends, self.tenths(found["mm"]), value]
+            value = self.number(measures["value"] if measures["mm"] > NOISE_MM else 0.0)
+            yield parts_of(vector)[1], [self.naming.vector(vector), ends, self.tenths(measures["mm"]), value]
 
     def links(self) -> View | None:
         """ω and ε of every link with their senses; nothing where the driver stands."""
-        rows, found = [], self.position.rows("links")
-        for name in (x for x in self.position.plans.mechanism.links if x in found and not self.position.plans.at_rest):
-            cells = [self.turning(found[name][k].number) if k in found[name] else "" for k in ("omega", "epsilon")]
+        rows, links = [], self.position.rows("links")
+        for name in (x for x in self.position.plans.mechanism.links if x in links and not self.position.plans.at_rest):
+            cells = [self.turning(links[name][k].number) if k in links[name] else "" for k in ("omega", "epsilon")]
             if any(cells):
                 rows.append([self.naming.link(name), *cells])
         head = [self.say("column_link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
@@ -223,26 +223,26 @@ class Tables:
 
     def lengths(self) -> dict[str, float]:
         """How long each reaction is on the force plan that shows it, or its opposite, mm."""
-        plotted, found = of_position(self.position), dict[str, float]()
+        plotted, lengths = of_position(self.position), dict[str, float]()
         for s in (s for s in plotted.segments if kind_of(s.plan) == "force" and plotted.has(s.plan, s.start, s.end)):
             mm = abs(plotted.mark(s.plan, s.end) - plotted.mark(s.plan, s.start))
             for key, reaction in self.position.plans.reactions.items():
                 if s.name in (key, force_name(reaction.pair.other, reaction.pair.link)):
-                    found.setdefault(key, mm)
-        return found
+                    lengths.setdefault(key, mm)
+        return lengths
 
     def check(self) -> View | None:
         """The balancing moment (or force), Zhukovsky's, and the difference in per cent, if anything acts."""
         p, rows = self.position, []
         for what, unit in () if self.idle else (("moment", "N·m"), ("force", "N")):
-            found, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
+            balancing, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
             name = self.naming.balancing(what == "moment")
-            if found is not None:
-                rows.append([self.say("by_force_plan"), f"{name}, {self.say(unit)}", self.number(found)])
+            if balancing is not None:
+                rows.append([self.say("by_force_plan"), f"{name}, {self.say(unit)}", self.number(balancing)])
             if check is not None:
                 rows.append([self.say("zhukovsky"), f"{name}, {self.say(unit)}", self.number(check)])
-            if found is not None and check is not None:
-                apart = 100 * difference(found, check)
+            if balancing is not None and check is not None:
+                apart = 100 * difference(balancing, check)
                 rows.append(
                     [self.say("difference_percent"), "", number(apart if apart > 1e-6 else 0.0, self.naming.lang, 2)]
                 )
