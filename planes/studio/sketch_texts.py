@@ -174,9 +174,9 @@ def offers_of(error: SceneError) -> list[tuple[tuple[str, ...], str]]:
     offers = parts.get("offers", ())
     for offer in offers if isinstance(offers, tuple) else ():
         details = offer.parts if isinstance(offer, Phrase) else {}
-        if "key" in details and ("word" in details or "x" in details):
-            places = f"{{near: [{details.get('x', 0):.5g}, {details.get('y', 0):.5g}]}}"
-            offers_made.append((("assembly", str(details["key"])), str(details.get("word", places))))
+        if "key" in details and ("word" in details or "place" in details):
+            near = f"{{near: {details.get('place')}}}"
+            offers_made.append((("assembly", str(details["key"])), str(details.get("word", near))))
     return offers_made
 
 
