@@ -36,8 +36,9 @@ class Paper:
         """The number under any of the names, however it is braced and lettered."""
         for name in names:
             plain = " ?".join(map(re.escape, re.sub(r"[\s_^{}]", "", name.translate(_SIGNS))))
-            if found := re.search(rf"(?<![\w∠]){plain}{_VALUE}", self.text):
-                return float(found[1].replace(" ", ""))
+            if found := re.search(rf"(= ?-)?(?<![\w∠]){plain}{_VALUE}", self.text):
+                size = float(found[2].replace(" ", ""))
+                return -size if found[1] else size  # e = −y
         return None
 
     def number(self, *names: str) -> float:
