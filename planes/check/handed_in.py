@@ -102,7 +102,7 @@ def drawings_in(folder: Path) -> list[Path]:
 
 
 def sheets_in(place: Path, one_page: bool, but: str = "") -> list[HandedSheet]:
-    """The sheets of a file, or of all drawings of a folder; one of each file if its page is ``told``.
+    """The sheets of a file, or of all drawings of a folder; one of each file if ``one_page``.
 
     Tables of corrected marks lie beside their pictures, a course's list of what it wrote (``but``) beside its blanks.
     """

@@ -144,7 +144,8 @@ def attempts(
 
 
 def fitted(contents: Contents, name: str, factor: float, everything: bool) -> Way | None:
-    """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
+    """The best looking way in which all views fit on a format; unless ``everything`` must, without those that may be
+    left out."""
     return ways(contents, Sizes(factor), name, everything)
 
 

@@ -52,6 +52,7 @@ def test_functions_are_no_denser() -> None:
     assert every / lines <= TO_A_LINE
 
 
+FUNCTIONS = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 SILENT = {"found", "told", "whole", "of"}
 """Names that say nothing of what they hold."""
 
@@ -60,7 +61,7 @@ def test_no_local_is_called_by_a_name_that_says_nothing() -> None:
     silent = set()
     for path in sorted(p for room in ("planes", "render") for p in Path(ROOT / room).rglob("*.py")):
         tree = ast.parse(path.read_text("utf-8"))
-        for inner in (n for f in ast.walk(tree) if isinstance(f, ast.FunctionDef | ast.Lambda) for n in ast.walk(f)):
+        for inner in (n for f in ast.walk(tree) if isinstance(f, FUNCTIONS) for n in ast.walk(f)):
             stored = isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store) and inner.id in SILENT
             if stored or (isinstance(inner, ast.arg) and inner.arg in SILENT):
                 silent.add(f"{path.relative_to(ROOT)}:{inner.lineno}")

@@ -40,8 +40,8 @@ Place = tuple[slice, slice]
 
 
 def inked(dark: Greys, scale: float, middle_dark: int, print_mm: float = 0.0) -> tuple[Greys, Booleans]:
-    """The darkness of a picture's pixels by that of the line each is of (``whole``: in the middle of a line), and where
-    lines are followed; so much of the sheet's top is printed, and tells of no pencil."""
+    """The darkness of a picture's pixels by that of the line each is of (``middle_dark``: in the middle of a line), and
+    where lines are followed; so much of the sheet's top is printed, and tells of no pencil."""
     cv2, size = cv(), dark.shape[::-1]
     even, against, lines = _evened_along(dark, scale, print_mm)
     against = cv2.resize(against, size, interpolation=cv2.INTER_LINEAR)

@@ -91,7 +91,7 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, 
     """The person's vectors, each from the end of the row before it, laid off in the program's order.
 
     After the last row of a polygon one that is not of it begins another, where that begins.
-    Of a ``whole`` polygon what is not listed is not there; else it may have been overlooked.
+    Of a ``complete`` polygon what is not listed is not there; else it may have been overlooked.
     """
     sides = {s.name: s for s in sides_of(plans, plan)}
     names, out = naming.names(sides), Rebuilt()

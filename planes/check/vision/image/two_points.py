@@ -36,9 +36,9 @@ def by_points(
 ) -> Flat:
     """The picture by the two ends of a true vector, of the pole and a named mark, in pixels (x right, y down). Straight
     and to scale by its paper, where that has squares, lines or edges, or straight by text on it, else turned straight
-    if it is as little askew as a sheet lies. To the scale its paper or file (``told``) has, if a hand's error is all
-    they differ by, or the vector is too short to tell any; else to the vector's. A photograph that nothing tells the
-    tilt of may be taken for one of a camera tilted by so much (``held``). The lens may be told (``focal``, in the
+    if it is as little askew as a sheet lies. To the scale its paper or file (``file_scale``) has, if a hand's error is
+    all they differ by, or the vector is too short to tell any; else to the vector's. A photograph that nothing tells
+    the tilt of may be taken for one of a camera tilted by so much (``held``). The lens may be told (``focal``, in the
     picture's longer sides). The pole becomes the origin."""
     short = abs(vector) < SHORT_MM
     if not (short and file_scale) and (abs(mark - pole) < 10 or not vector):
@@ -63,7 +63,7 @@ def by_points(
 
 
 def _scale(drawn: float, true_mm: float, file_scale: float | None, most: float) -> tuple[float, bool]:
-    """Pixels to a mm, and whether they are those that are ``told``: if a vector drawn so long differs by no more than
+    """Pixels to a mm, and whether they are ``file_scale``: if a vector drawn so long differs by no more than
     a hand's error, and by that share at ``most``."""
     if file_scale is None or true_mm < SHORT_MM:
         return file_scale or drawn / true_mm, file_scale is not None
