@@ -140,8 +140,10 @@ def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
 def answers_of(scene: Scene, value: float | None = None, plan: str = "") -> tuple[str, ...]:
     """The names of the main answers at a value of the drive, the scene's own by default, or of those that one plan
     gives; none where the position fails, and none that a scene itself asks for others."""
+    if scene.find:
+        return ()
     solved = solve(scene, None if value is None else [value])
-    names = [name for name, _ in main_answers(scene, solved.json())] if solved.positions and not scene.find else []
+    names = [name for name, _ in main_answers(scene, solved.json())] if solved.positions else []
     known = catalogue(solved.plans) if plan else {}
     return tuple(n for n in names if not plan or (n in known and figure(n, known[n], 0.0).plan == plan))
 

@@ -79,18 +79,17 @@ def extremes(g: Grid) -> list[list[Extreme]]:
 
 def _inside(g: Grid, brackets: list[_Bracket]) -> list[tuple[_Bracket, float, float]]:
     """The extremes in brackets of the grid: those of smooth curves, then the others, and those without digits there."""
-    places = np.full(len(brackets), np.nan)
+    places, values = np.full((2, len(brackets)), np.nan)
     owner = np.array([b.curve for b in brackets])
     index, sense = np.array([b.index for b in brackets]), np.array([b.sense for b in brackets])
     for k in np.unique(owner):
         mine = owner == k
         places[mine] = flat_places(g, g.turn.curves[k], index[mine], sense[mine])
-    plain = [(b, float(x)) for b, x in zip(brackets, places, strict=True) if np.isfinite(x)]
-    rough = [b for b, x in zip(brackets, places, strict=True) if not np.isfinite(x)]
-    values = _values(g.turn, [b for b, _ in plain], np.array([x for _, x in plain])) if plain else ()
-    extremes_inside = [(b, x, float(y)) for (b, x), y in zip(plain, values, strict=True) if np.isfinite(y)]
-    rough += [b for (b, _), y in zip(plain, values, strict=True) if not np.isfinite(y)]
-    if not rough:
+    if len(smooth := np.flatnonzero(np.isfinite(places))):
+        values[smooth] = _values(g.turn, [brackets[i] for i in smooth], places[smooth])
+    there = np.isfinite(values)
+    extremes_inside = [(brackets[i], float(places[i]), float(values[i])) for i in np.flatnonzero(there)]
+    if not (rough := [brackets[i] for i in np.flatnonzero(~there)]):
         return extremes_inside
     batches = [rough[start : start + BATCH] for start in range(0, len(rough), BATCH)]
     return extremes_inside + _joined(g, rough, np.concatenate([_refined(g.turn, batch) for batch in batches]))

@@ -8,6 +8,7 @@ the derivative lays them through that.
 from functools import cache
 
 import numpy as np
+from numpy.polynomial import polynomial
 
 from planes.diagrams.curves import FULL, Curve
 from planes.diagrams.turn import Grid
@@ -51,31 +52,30 @@ def _around(g: Grid, curve: Curve, index: Indices) -> Array:
 
 @cache
 def _lagrange(half: int) -> Array:
-    """What each of 2·half + 1 values gives to each coefficient of their polynomial, the highest power first."""
+    """What each of 2·half + 1 values gives to each coefficient of their polynomial, the lowest power first."""
     nodes = np.arange(-half, half + 1.0)
     others = [np.delete(nodes, k) for k in range(len(nodes))]
-    return np.array([np.poly(rest) / np.prod(node - rest) for node, rest in zip(nodes, others, strict=True)])
+    return np.array(
+        [polynomial.polyfromroots(rest) / np.prod(node - rest) for node, rest in zip(nodes, others, strict=True)]
+    )
 
 
 def _polynomials(rows: Array, half: int, slopes: bool) -> Array:
-    """The coefficients of the slope, the highest power first, a row for each row of values around."""
+    """The coefficients of the slope, the lowest power first, a column for each row of values around."""
     middle = rows.shape[1] // 2
-    made: Array = rows[:, middle - half : middle + half + 1] @ _lagrange(half)
-    return made if slopes else made[:, :-1] * np.arange(2 * half, 0, -1.0)
+    laid: Array = (rows[:, middle - half : middle + half + 1] @ _lagrange(half)).T
+    return laid if slopes else np.asarray(polynomial.polyder(laid))
 
 
 def _root(slope: Array) -> tuple[Array, Array]:
     """Where each polynomial crosses zero near the middle, and how steeply."""
-    bend = slope[:, :-1] * np.arange(slope.shape[1] - 1, 0, -1.0)
-    place = np.zeros(len(slope))
+    place = np.zeros(slope.shape[1])
+    bend: Array = np.asarray(polynomial.polyder(slope), float)
+
+    def at_place(coefficients: Array) -> Array:
+        return np.asarray(polynomial.polyval(place, coefficients, tensor=False))
+
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
-            place = np.clip(place - _at(slope, place) / _at(bend, place), -1.5, 1.5)
-        return place, _at(bend, place)
-
-
-def _at(polynomial: Array, place: Array) -> Array:
-    value = np.zeros(len(place))
-    for column in polynomial.T:
-        value = value * place + column
-    return value
+            place = np.clip(place - at_place(slope) / at_place(bend), -1.5, 1.5)
+        return place, at_place(bend)

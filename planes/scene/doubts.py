@@ -10,8 +10,8 @@ from itertools import combinations
 
 from planes.scene.mechanism import FRAME, RATES, Link, Mechanism
 from planes.scene.parameters import names_of, reached
-from planes.scene.reader import Keys, Reader, entries_of, line_of, texts
-from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.reader import Keys, Reader, down, line_of, texts
+from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase, Written
 from planes.words.errors import Doubt
 
@@ -62,16 +62,9 @@ def _home(table: SourceTable, parameters: Mapping[str, Node], phrase: Phrase, pa
     """Where a number that seems to be in other units is written: at the one parameter it is made of, if it is."""
     if phrase.key not in OF_UNITS:
         return path
-    part: Node = table
-    for key in path:
-        if isinstance(part, Items):
-            part = part.items[int(key)]
-        elif key in entries_of(part):
-            part = entries_of(part)[key]
-        else:
-            return path
-    written = [node for _, node in texts(part)]
-    names = {node.text for node in written if node.text in parameters}
+    met = [node for node, _ in down(table, path)]
+    written = texts(met[-1]) if len(met) == len(path) else ()
+    names = {node.text for _, node in written if node.text in parameters}
     return ("parameters", *names) if len(names) == 1 and "parameters" in table.entries else path
 
 

@@ -208,12 +208,15 @@ def texts(node: Node) -> Iterator[tuple[Keys, SourceScalar]]:
 
 def line_of(table: SourceTable, path: Keys) -> int:
     """The line of the deepest key of a path that is there."""
-    line = table.line
-    node: Node = table
+    return [table.line, *(line for _, line in down(table, path))][-1]
+
+
+def down(node: Node, path: Keys) -> Iterator[tuple[Node, int]]:
+    """What is met on the way down a path, each with its line, that of its key; a key that is not there is left out."""
     for key in path:
-        if isinstance(node, SourceTable) and key in node.entries:
-            line, node = node.lines[key], node.entries[key]
-        elif isinstance(node, Items):
+        if isinstance(node, Items):
             node = node.items[int(key)]
-            line = node.line
-    return line
+            yield node, node.line
+        elif isinstance(node, SourceTable) and key in node.entries:
+            line, node = node.lines[key], node.entries[key]
+            yield node, line

@@ -1,6 +1,6 @@
 """Mark listings: every mark of a sheet as one line of text in hundredths of a mm, to compare and to keep.
 
-``GOLDEN=write python -m pytest tests/test_golden.py`` writes the kept listings anew.
+``GOLDEN=write python -m pytest tests/render/test_golden.py`` writes the kept listings anew.
 """
 
 from __future__ import annotations

@@ -10,16 +10,15 @@ import io
 import statistics
 import tokenize
 from functools import cache
-from pathlib import Path
 
-from tests.helpers import ROOT
+from tests.house.test_rooms import MODULES, tree
 
 MOST, MEDIAN, NINE_IN_TEN, TO_A_LINE = 700_000, 92, 272, 12.9
 _BLANK = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER}
 
 
-def nodes(tree: ast.AST) -> int:
-    return sum(1 for _ in ast.walk(tree))
+def nodes(part: ast.AST) -> int:
+    return sum(1 for _ in ast.walk(part))
 
 
 def code_lines(text: str) -> int:
@@ -33,11 +32,9 @@ def counted() -> tuple[int, int, list[int]]:
     """Nodes and lines of all files, and the nodes of each function."""
     every = lines = 0
     functions: list[int] = []
-    for path in sorted(p for room in ("planes", "render") for p in Path(ROOT / room).rglob("*.py")):
-        text = path.read_text("utf-8")
-        tree = ast.parse(text)
-        every, lines = every + nodes(tree), lines + code_lines(text)
-        functions += [nodes(n) for n in ast.walk(tree) if isinstance(n, ast.FunctionDef | ast.AsyncFunctionDef)]
+    for path in MODULES.values():
+        every, lines = every + nodes(tree(path)), lines + code_lines(path.read_text("utf-8"))
+        functions += [nodes(n) for n in ast.walk(tree(path)) if isinstance(n, ast.FunctionDef | ast.AsyncFunctionDef)]
     return every, lines, functions
 
 
@@ -59,10 +56,9 @@ SILENT = {"found", "told", "whole", "of"}
 
 def test_no_local_is_called_by_a_name_that_says_nothing() -> None:
     silent = set()
-    for path in sorted(p for room in ("planes", "render") for p in Path(ROOT / room).rglob("*.py")):
-        tree = ast.parse(path.read_text("utf-8"))
-        for inner in (n for f in ast.walk(tree) if isinstance(f, FUNCTIONS) for n in ast.walk(f)):
+    for module, path in MODULES.items():
+        for inner in (n for f in ast.walk(tree(path)) if isinstance(f, FUNCTIONS) for n in ast.walk(f)):
             stored = isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store) and inner.id in SILENT
             if stored or (isinstance(inner, ast.arg) and inner.arg in SILENT):
-                silent.add(f"{path.relative_to(ROOT)}:{inner.lineno}")
+                silent.add(f"{module}:{inner.lineno}")
     assert not silent

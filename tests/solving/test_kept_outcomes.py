@@ -1,7 +1,8 @@
 """What becomes of many scenes against what was kept: sums of their results, or the sentence they are refused by.
 
 The scenes are the samples with faults of a hurried hand, scenes with an exact coincidence, random ones of every shape,
-and bodies in equilibrium. What a change meant to alter is written anew: GOLDEN=write python -m FILE's module.
+and bodies in equilibrium. What a change meant to alter is written anew:
+GOLDEN=write python -m tests.solving.test_kept_outcomes.
 """
 
 from __future__ import annotations
@@ -13,11 +14,13 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 from functools import cache
+from pathlib import Path
 from typing import Any
 from zlib import crc32
 
 import pytest
 
+import planes
 from planes.scene import loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
@@ -35,8 +38,9 @@ TOGETHER = 15  # scenes in one test
 
 def scenes() -> Iterator[tuple[str, str]]:
     """Each scene's name and text."""
-    files = sorted([*(ROOT / "samples").glob("**/*.yaml"), *(ROOT / "planes" / "templates").glob("*.yaml")])
-    files = [f for f in files if "course" not in str(f)]
+    templates = sorted((Path(planes.__file__).parent / "templates").glob("*.yaml"))  # of an installed package, too
+    files = [*templates, *sorted((ROOT / "samples").glob("**/*.yaml"))]
+    files = [f for f in files if "course" not in (f.stem, f.parent.name)]
     for k in range(SPOILED):
         rng = random.Random(f"outcome {k}")
         yield f"spoiled {k}", spoiled(files[k % len(files)].read_text("utf-8"), rng)

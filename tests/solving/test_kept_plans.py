@@ -1,6 +1,7 @@
 """Every plan of every sample and assignment against what was kept: its marks in millimetres, its frames, its structure.
 
-A mark may move by rounding alone; what a change meant to alter is written anew: GOLDEN=write python -m pytest FILE.
+A mark may move by rounding alone; what a change meant to alter is written anew:
+GOLDEN=write python -m tests.solving.test_kept_plans.
 """
 
 from __future__ import annotations
