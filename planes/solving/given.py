@@ -10,6 +10,7 @@ from planes.plans.force.loads import load_names
 from planes.plans.law_words import law_said
 from planes.scene.expressions import evaluate
 from planes.scene.mechanism import Amount, Guide, Link, StrokeLoad
+from planes.scene.structures import StaticLoad
 from planes.scene.unit_words import FACTORS
 from planes.solving import Position
 from planes.solving.given_rows import GivenRow, alike, beside, equal
@@ -20,10 +21,10 @@ from planes.words.names import kind_of, letter_of
 from planes.words.naming import Naming
 from planes.words.units import UNIT, number, unit_of_parameter
 
-RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m", "units")
+RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N/m", "N", "N·m", "units")
 """Units in the order their rows stand in."""
 LONGEST = 60  # signs of a law in a cell
-LOADING = ("kg", "kgm2", "N", "N·m")  # units of what only forces are drawn by
+LOADING = ("kg", "kgm2", "N/m", "N", "N·m")  # units of what only forces are drawn by
 DIGITS = 6  # a given number is written as it was given
 
 
@@ -74,7 +75,7 @@ class GivenTable:
             same = [r for r in self.plain if alike(r, row)]
             read = any(map(self.read, same)) if same else self.position.plans.forces or row.unit not in LOADING
             if row.name not in shown and not moved and read and not _unit(name, value):
-                other = [beside(r, value) for r in same if r.place or r.unit in ("", "N", "N·m")]
+                other = [beside(r, value) for r in same if r.place or r.unit in ("", "N/m", "N", "N·m")]
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
     def known(self, row: GivenRow) -> bool:
@@ -93,7 +94,12 @@ class GivenTable:
         yield from self.vectors()
         for point, z in (self.position.plans.figure or m.frame).points.items():
             yield from self.place(self.naming.point(point).replace("_{", "").replace("}", ""), z)
-        if self.position.plans.figure:
+        if figure := self.position.plans.figure:
+            for load in figure.spread:
+                yield from self.intensities(load)
+            if figure.pole:
+                yield GivenRow("x_{O}", figure.pole.real, "N", place=True)
+                yield GivenRow("y_{O}", figure.pole.imag, "N", place=True)
             yield from self.loads()
             return
         for guide in m.frame.guides.values():
@@ -162,11 +168,24 @@ class GivenTable:
             yield GivenRow(f"e_{{{self.naming.link(link.name)}}}", link.slides.offset or 0.0, "m")
             yield GivenRow(f"∠{self.naming.link(link.name)}", link.slides.angle_deg or 0.0, "°")
 
+    def intensities(self, load: StaticLoad) -> Iterator[GivenRow]:
+        """A distributed load: one number, or one at each of its ends."""
+        first, last = load.intensity
+        index = "".join(map(self.naming.point, load.spread or ()))
+        if first == last:
+            yield GivenRow(f"q_{{{index}}}", first, "N/m")
+            return
+        for point, value in zip(load.spread or (), load.intensity, strict=True):
+            yield GivenRow(f"q_{{{index}}}^{{{self.naming.point(point)}}}", value, "N/m", place=True)
+
     def loads(self) -> Iterator[GivenRow]:
-        """Forces and couples as they are called on the sheet."""
+        """Forces and couples as they are called on the sheet. In statics a distributed load is given by its intensity,
+        not by its resultant, and the ray of a pole acts on no body."""
         plans = self.position.plans
+        resultants = {load.name for load in plans.figure.spread} if plans.figure else set()
         for name, m in plans.means.items():
-            if name in plans.given and m.quantity in ("load", "couple"):
+            stated = m.of not in resultants and bool(m.link or not plans.figure)
+            if stated and name in plans.given and m.quantity in ("load", "couple"):
                 unit = "N" if m.quantity == "load" else "N·m"
                 yield GivenRow(self.naming.vector(m.of), float(plans.given[name]), unit, name)
         mechanism = plans.mechanism

@@ -216,7 +216,7 @@ def number(value: float | None, lang: Lang, digits: int = 4) -> str:
 
 _OF_LETTERS = {"m": "kg", "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}
 _OF_LETTERS |= dict.fromkeys(("angle", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta"), "°")
-_OF_LETTERS |= dict.fromkeys("JI", "kgm2") | dict.fromkeys("FPQG", "N") | dict.fromkeys("MT", "N·m")
+_OF_LETTERS |= dict.fromkeys("JI", "kgm2") | dict.fromkeys("FPQG", "N") | dict.fromkeys("MT", "N·m") | {"q": "N/m"}
 _OF_LETTERS |= dict.fromkeys("lxyrRabcdehHsLDzS", "m")
 
 

@@ -35,6 +35,7 @@ from tests.helpers.from_paper import rebuilt
 TEMPLATES = [f for f in sorted((ROOT / "planes" / "templates").glob("*.yaml")) if f.stem not in ("course", "vectors")]
 SAMPLES = [f for f in sorted((ROOT / "samples").rglob("*.yaml")) if "links:" in f.read_text("utf-8")]
 VECTORS = [ROOT / "planes/templates/vectors.yaml", *sorted((ROOT / "samples" / "vectors").glob("*.yaml"))]
+STATICS = sorted((ROOT / "samples" / "statics").glob("*.yaml"))
 FAST = [f for f in SAMPLES if f.stem in ("03", "12", "40", "carriage") or f.parts[-2:] == ("class-three", "guide.yaml")]
 LAWFUL = [f for f in [*SAMPLES, *TEMPLATES] if re.search("working:|table:", f.read_text("utf-8"))]
 PRINTED, DRAWN = 1e-4, 1e-5  # of a value: what a key prints of it; of the largest of its unit: nothing on a plan
@@ -88,6 +89,13 @@ def test_a_task_is_solved_from_its_paper(path: Path) -> None:
 def test_stated_vectors_are_found_from_their_task(path: Path) -> None:
     one = desk(path.read_text("utf-8"), "ru")
     same(one.scene, words(one.task()), "ru")
+
+
+@pytest.mark.parametrize("path", STATICS, ids=lambda f: f.stem)
+def test_bodies_are_held_as_their_task_says(path: Path) -> None:
+    lang = langs("course")[STATICS.index(path) % 4]
+    one = desk(path.read_text("utf-8"), lang)
+    same(one.scene, words(one.task()), lang)
 
 
 @pytest.mark.slow

@@ -25,11 +25,11 @@ from tests.helpers.counting import PATIENCE_S
 
 BEAT_S = 0.02  # between two looks at what is waited for
 UNPACKED = """new Promise(done => {
-  const look = left => document.getElementById("code") && !globalThis.planes && left
-    ? setTimeout(look, 10, left - 1) : done();
+  const packed = () => document.readyState !== "complete" || document.getElementById("code") && !globalThis.planes;
+  const look = left => packed() && left ? setTimeout(look, 10, left - 1) : done();
   look(1000);
 })"""
-"""Until a page's script has come out of its wrapping."""
+"""Until a page is loaded and its script has come out of its wrapping."""
 FUNCTION = re.compile(r"\s*(async\s*)?(\([\w\s,{}\[\].]*\)|\w+)\s*=>|\s*(async\s+)?function\b")
 MODIFIERS = {"Alt": 1, "Control": 2, "Meta": 4, "Shift": 8}
 KEYS = {
@@ -135,7 +135,7 @@ class Asked:
 
     def _of(self, selector: str, body: str, by: Any = None) -> Any:
         given = f"const all = pick({json.dumps(self.steps_to(selector))}), by = {json.dumps(by)};"
-        return self.page.evaluate(f"(async () => {{ {PICK} {SEEN} {given} {body} }})()")
+        return self.page.evaluate(f"(async () => {{ await {UNPACKED}; {PICK} {SEEN} {given} {body} }})()")
 
     def _wait(self, selector: str, body: str, by: Any = None) -> Any:
         end = time.monotonic() + PATIENCE_S

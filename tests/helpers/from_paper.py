@@ -17,6 +17,7 @@ from functools import cached_property
 from planes.plans.force.loads import load_names
 from planes.scene import Scene
 from planes.scene.mechanism import Amount, Drive, Guide, Journal, Link, Load, LoadLaw, Mechanism, RoundGuide, StrokeLoad
+from planes.scene.structures import StaticLoad
 from planes.scene.vectors import Statement
 from planes.words.lettering import greek
 from planes.words.naming import Naming
@@ -215,9 +216,44 @@ def restated(scene: Scene, paper: Paper) -> Statement:
     return replace(stated, vectors=vectors, parameters={**stated.parameters, **parameters})
 
 
+def refounded(scene: Scene, paper: Paper) -> Statement:
+    """Bodies in equilibrium by a paper: places, sizes and directions of loads, the pole of a string polygon."""
+    stated = scene.statement
+    assert stated and stated.statics
+    shape = stated.statics
+    points = {name: paper.place(name) for name in shape.points}
+    loads = tuple(static_load(x, points, paper) for x in shape.loads)
+    supports = tuple(
+        replace(s, normal_deg=paper.number(f"∠{paper.naming.vector(s.name)}")) if s.kind == "roller" else s
+        for s in shape.supports
+    )
+    pole = None if shape.pole is None else paper.place("O")
+    framework = replace(shape, points=points, loads=loads, supports=supports, pole=pole)
+    return Statement.of_statics(framework, {}, stated.drive)
+
+
+def static_load(load: StaticLoad, points: Mapping[str, complex], paper: Paper) -> StaticLoad:
+    """A load of a body; what is spread acts where its triangle and its rectangle do together."""
+    sign = paper.naming.vector(load.name)
+    way = load.direction_deg if load.direction_deg is None else paper.number(f"∠{sign}")
+    if load.spread is None:
+        return replace(load, size=paper.number(sign), direction_deg=way, place=points.get(load.point, 0j))
+    start, end = (points[p] for p in load.spread)
+    index = "".join(load.spread)
+    even = paper.of(f"q{index}")
+    first, last = (even, even) if even is not None else (paper.number(f"q{index}{p}") for p in load.spread)
+    rectangle, triangle = abs(end - start) * first, abs(end - start) * (last - first) / 2
+    moment = rectangle * (start + end) / 2 + triangle * (start + 2 * end) / 3
+    size = rectangle + triangle
+    place = moment / size if size else start
+    return replace(load, size=size, direction_deg=way, place=place, intensity=(first, last))
+
+
 def rebuilt(scene: Scene, text: str, naming: Naming) -> tuple[Scene, list[str]]:
     """The scene of a paper, and the names of the numbers that are not told there."""
     paper = Paper(text, naming)
+    if scene.statement and scene.statement.statics:
+        return replace(scene, statement=refounded(scene, paper)), paper.missed
     if scene.statement:
         return replace(scene, statement=restated(scene, paper)), paper.missed
     of = Rebuilt(scene, paper)

@@ -198,6 +198,7 @@ class FrameworkBuilder(StatedLoads):
             counted=tuple(self.counted()),
             knots=tuple(self.figure.knots),
             said=self.figure.said,
+            pole=f.pole,
             poles=tuple(self.figure.poles),
             members=tuple((f"S_{a}{b}", a, b) for a, b in f.members),
             letters=dict(self.cremona.regions.places) if self.cremona else {},

@@ -41,6 +41,7 @@ class StaticsFigure:
     knots: tuple[str, ...] = ()  # lettered points where lines of action meet
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
     said: Mapping[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
+    pole: complex | None = None  # where a scene puts the pole of its string polygon, N
     poles: tuple[str, ...] = ()  # marks from which rays are drawn, which are no vectors of a plan
     counted: tuple[Phrase, ...] = ()  # why it is statically determinate
     letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by their places on the scheme, m
