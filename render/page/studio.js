@@ -113,9 +113,14 @@ function back(from, to) {
   $("scene").value = bench.text;
   void renewal("undo");
 }
+const metres = () => +$("width").value.replace(",", "."); // as it is typed; NaN of what is no number
+function labelled() { // what the number beside the picture beneath is: of a length drawn along it, or of all of it
+  document.querySelector("[data-word=underlay_width]").textContent =
+    say(canvas.ruled ? "underlay_length" : "underlay_width");
+}
 canvas.changed = async (what, more) => {
   if (what === "measure") { // the field asks for the length that was drawn along
-    document.querySelector("[data-word=underlay_width]").textContent = say("underlay_length");
+    labelled();
     $("width").value = "";
     $("width").focus();
     return;
@@ -146,6 +151,7 @@ function tool(name) {
 function spoken() {
   document.documentElement.lang = bench.lang;
   worded(say);
+  labelled();
   $("tools").innerHTML = TOOLS.map(t =>
     `<button type="button" data-tool="${t}">${say(`tool_${t}`)}</button>`).join("");
   tool(canvas.tool);
@@ -212,16 +218,16 @@ on($("underlay"), "change", () => {
   const picture = new Image();
   picture.onload = () => {
     canvas.ruled = null;
-    canvas.under = { href: picture.src, at: canvas.view.m([20, 20]), width: +$("width").value || 0.6,
+    labelled();
+    canvas.under = { href: picture.src, at: canvas.view.m([20, 20]), width: metres() || 0.6,
       ratio: picture.height / picture.width };
     paint();
   };
   picture.src = URL.createObjectURL(file);
 });
 on($("width"), "change", () => { // of the picture, or of the length that was drawn along
-  const metres = +$("width").value.replace(",", ".");
-  if (canvas.ruled) sized(metres);
-  else if (canvas.under) canvas.under.width = metres || 0.6;
+  if (canvas.ruled) sized(metres());
+  else if (canvas.under) canvas.under.width = metres() || 0.6;
   paint();
 });
 on(window, "keydown", e => {

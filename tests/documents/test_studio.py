@@ -244,7 +244,10 @@ def test_a_picture_beneath_is_sized_by_a_length_on_it(browser: Any, address: str
     (x, y), (u, v) = page.evaluate("canvas.ruled")
     assert abs(complex(u - x, v - y)) == pytest.approx(0.2, abs=2e-3)
     assert page.inner_text("[data-word=underlay_width]") == "this length, m"
-    page.fill("#width", "0.5")
+    page.select_option("#lang", "ru")
+    assert page.inner_text("[data-word=underlay_width]") == "эта длина, м"
+    page.select_option("#lang", "en")
+    page.fill("#width", "0,5")  # with either decimal sign
     page.evaluate("document.getElementById('width').dispatchEvent(new Event('change'))")
     under, ruled = page.evaluate("[canvas.under, canvas.ruled]")
     k = 0.5 / abs(complex(u - x, v - y))
