@@ -1,11 +1,10 @@
-"""The house: six layers of rooms, who may import whom, read off the files; files and functions of readable length."""
+"""The house: six layers of rooms, who may import whom, read off the files."""
 
 from __future__ import annotations
 
 import ast
 import subprocess
 import sys
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -24,8 +23,6 @@ LAYERS = (  # a room imports from the layers above its own in this list, and fro
 ROOMS = [room for layer in LAYERS for room in layer.split()]
 LAYER = {room: number for number, layer in enumerate(LAYERS) for room in layer.split()}
 FACE = ("planes", "planes.__main__")  # face and commands open every door; no room imports them
-LONGEST_FILE = 250
-USUAL_BODY, LONG_BODY, LONGEST_BODY = 5, 15, 50  # lines: of half the functions, of nine in ten, of any
 
 
 def files(package: str) -> dict[str, Path]:
@@ -62,14 +59,6 @@ def room_of(module: str) -> str:
     """The room a module stands in."""
     top, *rest = module.split(".")
     return top if top == "render" else rest[0]
-
-
-def functions(path: Path) -> Iterator[tuple[str, int]]:
-    """Every function with the number of lines of its body, its docstring aside."""
-    for node in ast.walk(tree(path)):
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-            body = node.body[1:] if ast.get_docstring(node) else node.body
-            yield node.name, (body[-1].end_lineno or 0) - body[0].lineno + 1 if body else 0
 
 
 def test_a_room_imports_only_from_lower_layers_and_earlier_rooms() -> None:
@@ -124,18 +113,6 @@ def test_the_engine_draws_without_heavy_libraries() -> None:
     )
     found = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True)
     assert found.stdout == "[]\n"
-
-
-def test_a_file_can_be_read_in_one_sitting() -> None:
-    lengths = {module: path.read_text(encoding="utf-8").count("\n") for module, path in MODULES.items()}
-    assert not {module: lines for module, lines in lengths.items() if lines > LONGEST_FILE}
-
-
-def test_functions_are_short() -> None:
-    lengths = sorted((n, f"{m}.{name}") for m, path in MODULES.items() for name, n in functions(path))
-    assert lengths[len(lengths) // 2][0] <= USUAL_BODY
-    assert lengths[int(0.9 * len(lengths))][0] <= LONG_BODY
-    assert lengths[-1][0] <= LONGEST_BODY, lengths[-1]
 
 
 def test_no_class_name_means_two_things() -> None:
