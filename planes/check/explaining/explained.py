@@ -159,11 +159,29 @@ class Explanation:
         return [n for n in hidden if self.scorer.words.by(n, self.pole + self.best.places[n]) > w.LIKELY]
 
     def untold(self) -> list[str]:
-        """Marks that lie elsewhere in the likelier and the other one, where that may well be it."""
-        if self.wrong is None or (self.best is self.right and self.doubt < w.ASKED):
+        """Marks, or sides of a force polygon, that lie elsewhere in a drawing which may well be it: in the other of the
+        two in doubt; else far off in one which the ink tells as well, however seldom its mistake is made."""
+        right, wrong, blamed = self.right, self.wrong, ""
+        if self.best is right and self.doubt < w.ASKED:
+            rivals = [one for one in self.laid if one.places and right.evidence - one.evidence < w.TELLING]
+            apart_mm = w.FAR_OFF_MM
+        else:
+            rivals = [wrong] if wrong else []
+            blamed, apart_mm = wrong.hypothesis.mark if wrong else "", w.MOVED_MM
+        if not right.places or not rivals:
             return []
-        places, true = self.wrong.places, self.plan.true
-        return [n for n in self.plan.labels if n == self.wrong.hypothesis.mark or abs(places[n] - true[n]) > w.MOVED_MM]
+        ways = numpy.array([self._drawn(one) for one in rivals]) - self._drawn(right)
+        off: list[bool] = (abs(ways).max(axis=0) > apart_mm).tolist()
+        ends, names = self.plan.labels, self.plan.labels
+        if self.plan.sides:
+            ends, names = [side.end for side in self.plan.sides], [side.name for side in self.plan.sides]
+        return [name for name, end, far in zip(names, ends, off, strict=True) if far or end == blamed]
+
+    def _drawn(self, one: Laid) -> Complexes:
+        """The marks of a drawing from the pole; of a force polygon its sides, in whatever order they are laid."""
+        places, count = numpy.array([one.places[n] for n in self.plan.names]), len(self.plan.sides)
+        sides = places[self.plan.ends[:count]] - places[self.plan.starts[:count]]
+        return sides if count else places[: len(self.plan.labels)]
 
     def faint(self) -> list[str]:
         """Lines of the likeliest drawing that are hardly there, and those whose heads seem to be at their starts, by

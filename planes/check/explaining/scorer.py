@@ -44,6 +44,11 @@ class Laid:
     moved: dict[str, float] = field(default_factory=dict)  # by how much from where steps lead, mm
     letters: float = 0.0  # what names that stand elsewhere cost
 
+    @property
+    def evidence(self) -> float:
+        """What the sheet alone tells for it, whatever is likelier beforehand."""
+        return self.score + self.hypothesis.cost
+
 
 @dataclass
 class Scorer:
