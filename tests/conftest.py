@@ -8,6 +8,7 @@ so many of them, and the rest long.
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from collections import defaultdict
@@ -49,6 +50,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         for k, item in enumerate(every):
             if k not in fast:
                 item.add_marker("slow" if k in slow else "long")
+
+
+def pytest_collection_finish() -> None:
+    """What was imported and collected stays: no need to look through it for rings of objects again and again."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(100_000, 50, 100)
 
 
 def _evenly(count: int, some: int) -> set[int]:
