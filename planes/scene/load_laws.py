@@ -3,14 +3,14 @@ what is known of the motion. A parameter that is the drive's own place stands fo
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
-from typing import Literal
+from typing import Literal, cast
 
 from planes.geometry.arithmetic import Arithmetic
 from planes.scene.expressions import MAX_DEPTH, MAX_LENGTH, is_name, names_in, tokens_of
 from planes.scene.law_expressions import LawParser
-from planes.scene.mechanism import FRAME, Amount, Drive, Link, LoadLaw, StrokeLoad
+from planes.scene.mechanism import FRAME, Amount, Drive, DriveKind, Link, LoadLaw, StrokeLoad
 from planes.scene.parameters import names_of, reached, users_of
-from planes.scene.reader import Reader, part, section
+from planes.scene.reader import Fields, Reader, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
@@ -74,15 +74,14 @@ def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iter
     LawParser(text, dict.fromkeys(known, 1.0), Arithmetic(), [*known, *parameters]).value()
 
 
-def read_turning(reader: Reader, table: SourceTable, stated: Mapping[str, Node]) -> "LawReader | None":
+def read_turning(scene: Fields, stated: Mapping[str, Node]) -> "LawReader | None":
     """What reads laws of a scene without a mechanism, where something in it goes by an angle or a length."""
-    node = reader.optional(table, "drive")
+    node = scene.optional("drive")
     if node is None:
         return None
-    own = reader.table(node, section("drive"), ("phi", "s"))
-    kind = reader.one_of(own, ("phi", "s"), section("drive"))
-    place = reader.number(reader.required(own, kind, section("drive")), part(kind, section("drive")))
-    return LawReader(reader, {}, Drive(FRAME, "phi" if kind == "phi" else "s", place), table, stated)
+    own = Fields(scene.reader, node, section("drive"), ("phi", "s"))
+    kind = cast(DriveKind, own.one_of("phi", "s"))
+    return LawReader(scene.reader, {}, Drive(FRAME, kind, own.number(kind)), scene.table, stated)
 
 
 class LawReader:
@@ -108,34 +107,29 @@ class LawReader:
         """The size of a load: a number, a law, or one for each stroke."""
         if not isinstance(node, SourceTable) or not {"working", "idle"} & node.entries.keys():
             return self.amount(node, what)
-        r = self.reader
-        table = r.table(node, what, STROKE_KEYS)
-        both = (self.amount(r.required(table, key, what), part(key, what)) for key in ("working", "idle"))
-        working, idle = both
+        load, kind = Fields(self.reader, node, what, STROKE_KEYS), Phrase("sliding_pairs")
+        working, idle = (self.amount(load.required(key), load.named(key)) for key in ("working", "idle"))
         sliders = [n for n, x in self.links.items() if x.slides]
-        if "slider" in table.entries:
-            kind = Phrase("sliding_pairs")
-            slider = r.known(table.entries["slider"], part("slider", what), sliders, kind)
+        if "slider" in load:
+            slider = load.known("slider", sliders, kind)
         elif link in sliders or len(sliders) == 1:
             slider = link if link in sliders else sliders[0]
         else:
-            valid = r.offer("", sliders, Phrase("sliding_pairs"))
-            raise r.error(Phrase("law_slider", what=what, link=link, valid=valid), table)
-        stroke = r.optional(table, "stroke")
-        order = "ahead" if stroke is None else r.word(stroke, part("stroke", what), ("ahead", "behind"))
-        return StrokeLoad(working, idle, slider, "behind" if order == "behind" else "ahead")
+            valid = self.reader.offer("", sliders, kind)
+            raise load.error(Phrase("law_slider", what=what, link=link, valid=valid))
+        behind = load.optional("stroke") is not None and load.word("stroke", ("ahead", "behind")) == "behind"
+        return StrokeLoad(working, idle, slider, "behind" if behind else "ahead")
 
     def amount(self, node: Node, what: Phrase) -> Amount:
         """A number, a law, or a table over one."""
         if not isinstance(node, SourceTable):
             return self._law(node, what)
-        r = self.reader
-        table = r.table(node, what, LAW_KEYS)
-        law = self._law(r.required(table, "over", what), part("over", what))
+        table = Fields(self.reader, node, what, LAW_KEYS)
+        over = table.required("over")
+        law = self._law(over, table.named("over"))
         if not isinstance(law, LoadLaw):
-            valid = choices("", self.known)
-            raise r.error(Phrase("law_over", what=what, valid=valid), table.entries["over"])
-        return self._table(law.text, r.required(table, "table", what), part("table", what))
+            raise self.reader.error(Phrase("law_over", what=what, valid=choices("", self.known)), over)
+        return self._table(law.text, table.required("table"), table.named("table"))
 
     def _table(self, over: str, node: Node, what: Phrase) -> LoadLaw:
         items = self.reader.items(node, what)
