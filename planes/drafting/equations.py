@@ -7,6 +7,7 @@ vector of which one of the two is known (Chace, 1963; Bauman conventions of the 
 from itertools import pairwise
 from typing import Literal
 
+from planes.drafting.steps.reckoning import Product
 from planes.words import Phrase
 from planes.words.errors import EquationError
 from planes.words.frozen import field, frozen
@@ -132,3 +133,21 @@ def _check_chain(chain: tuple[Term, ...], text: str) -> None:
         if before.end != after.start:
             ends = {"start": after.start, "reached": before.end}
             raise EquationError(Phrase("chain_broken", text=text, name=after.name, **ends))
+
+
+@frozen
+class Moments:
+    """A moment equation about a point: signed terms (force, arm) or (couple, "") adding up to zero with the unknown.
+
+    ``unknown`` is the value it is solved for and ``arm`` its arm's name ("" for a couple); ``links`` are those whose
+    equilibrium it states.
+    """
+
+    about: str
+    links: tuple[str, ...]
+    terms: tuple[tuple[str, str], ...]
+    unknown: str
+    arm: str
+
+
+MomentTerms = list[tuple[str, str, Product]]  # a force or a couple, its arm, and the product of both

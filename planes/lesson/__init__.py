@@ -6,8 +6,8 @@ Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every 
 from functools import partial
 
 from planes.drafting import steps as s
-from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Moments
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats

@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Mapping
 from itertools import chain, permutations
 
-from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Moments
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, field
 
-from planes.drafting.draft import Moments
+from planes.drafting.equations import Moments
 from planes.plans.force.loads import force_name
 from planes.plans.position.bodies import SCHEME
 from planes.solving import Position

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from planes.drafting.draft import Moments
+from planes.drafting.equations import Moments
 from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.plans.scales import ZERO_MM
 from planes.solving import Position

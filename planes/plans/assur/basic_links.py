@@ -67,6 +67,15 @@ class OnLeads:
         return (self.balanced,)
 
     @property
+    def solved(self) -> tuple[str, ...]:
+        """Its links in the order of solving."""
+        return self.basic, *(lead.link for lead in self.leads)
+
+    def reached(self, drive: Pair) -> tuple[str, ...]:
+        """The links that are solved with it where the drive is inside."""
+        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+
+    @property
     def members(self) -> str:
         """Its links as a formula of structure has them."""
         mates = {lead.link: lead.parts for lead in self.leads}
@@ -87,15 +96,6 @@ class Triad(OnLeads):
     def ends(self) -> tuple[str, ...]:
         """The links that may be what the mechanism drives, the likeliest first."""
         return tuple(lead.link for lead in reversed(self.leads))
-
-    @property
-    def solved(self) -> tuple[str, ...]:
-        """Its links in the order of solving."""
-        return self.basic, *(lead.link for lead in self.leads)
-
-    def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links that are solved with it where the drive is inside."""
-        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
 
     @property
     def slid(self) -> bool:

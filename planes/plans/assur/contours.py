@@ -53,11 +53,7 @@ class Contour(OnLeads):
     @property
     def solved(self) -> tuple[str, ...]:
         """Its links in the order of solving."""
-        return self.base, self.basic, *(lead.link for lead in self.leads)
-
-    def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links that are solved with it where the drive is inside."""
-        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+        return self.base, *super().solved
 
     @property
     def pairs(self) -> tuple[Pair, ...]:

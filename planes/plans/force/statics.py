@@ -9,7 +9,6 @@ kinds with an unloaded link; here any load may act on any link.
 from collections.abc import Mapping
 from dataclasses import replace
 
-from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
@@ -117,7 +116,7 @@ class _GroupForces:
     def close(self, chain: tuple[Term, ...], last: Term) -> None:
         """The remaining reaction closes the polygon: both its length and direction are read."""
         ends = (last.start, last.end) if last.sign > 0 else (last.end, last.start)
-        self.draft.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
+        self.draft.close(self.plan, chain, last.name, *ends)
 
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
@@ -130,7 +129,7 @@ class _GroupForces:
                 else (pair.point, self.group.inner.point)
             )
             along = self.draft.ray(SCHEME, *ends)
-        return Term(name, start, x, length=None, direction=along, action=along or "", drawn=False, sign=sign)
+        return Term(name, start, x, None, along, along or "", sign=sign)
 
     def tangential(self, link: str, pair: Pair) -> list[Force]:
         """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""
@@ -144,11 +143,9 @@ class _GroupForces:
             length, sign = self.arm(link, pair.point, about), 1.0
         forces = [f for x in sides for f in self.loads[x]]
         couples = [c for x in sides for c in self.couples[x]]
-        products, shown = self.statics.moment_terms(at(SCHEME, about), forces, couples, sign, length)
-        name = self.name(link, pair) + "^t"
-        d.total(name, products)
+        terms = self.statics.moment_terms(at(SCHEME, about), forces, couples, sign, length)
         links = tuple(part for x in sides for part in g.loaded(x))
-        d.moments.append(Moments(about, links, shown, name, length))
+        name = d.balance(self.name(link, pair) + "^t", at(SCHEME, about), links, terms, length)
         return [Force(name, link, name, d.square(ray), at(SCHEME, pair.point), "tangential")]
 
     def arm(self, link: str, point: str, about: str) -> str:

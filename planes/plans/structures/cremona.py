@@ -7,16 +7,16 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
-from planes.drafting.draft import Draft, Moments
-from planes.drafting.equations import Equation, Term
+from planes.drafting.draft import Draft
+from planes.drafting.equations import Equation, MomentTerms, Term
 from planes.drafting.steps.crossings import Cross
-from planes.drafting.steps.reckoning import Drop, Product
+from planes.drafting.steps.reckoning import Product
 from planes.geometry.plane import sine
 from planes.plans.force.loads import Force
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.regions import Regions, Side
 from planes.scene.structures import Framework
-from planes.words.names import CREMONA, Meaning, at, label_of, mu_of
+from planes.words.names import CREMONA, Meaning, at
 
 ALIKE = 1e-6  # the sine of the angle of members that run alike
 
@@ -178,19 +178,11 @@ class CremonaPlan:
         """The force of a member by the moments of a part of the truss, and the region at its end."""
         d, name = self.draft, f"S_{member[0]}{member[1]}"
         along = d.ray(SCHEME, *member)
-        lever = self.arm(name, at(SCHEME, member[0]), along, about)
-        products, shown = [], []
+        lever, terms = d.arm(name, at(SCHEME, member[0]), along, about), MomentTerms()
         for f in (f for f in self.regions.forces if f.joint in part and at(SCHEME, f.joint) != about):
             force = self.outer[f.name]
-            arm = self.arm(f.name, force.point, force.along, about)
-            products.append(Product(-1.0, ((force.size, 1), (arm, 1), (lever, -1))))
-            shown.append((f.name, arm))
-        value = d.total(f"N_{member[0]}{member[1]}", products)
-        d.moments.append(Moments(label_of(about), tuple(sorted(part)), tuple(shown), value, lever))
+            arm = d.arm(f.name, force.point, force.along, about)
+            terms.append((f.name, arm, Product(-1.0, ((force.size, 1), (arm, 1), (lever, -1)))))
+        value = d.balance(f"N_{member[0]}{member[1]}", about, tuple(sorted(part)), terms, lever)
         way = along if self.sides(member)[1] == region else d.reversed(along)
         d.lay_off(CREMONA, region, at(CREMONA, other), way, value, Meaning("load", name))
-
-    def arm(self, name: str, point: str, along: str, about: str) -> str:
-        """The arm of a force about a mark."""
-        means = Meaning("arm", name, about)
-        return self.draft.step(Drop(f"h_{name}_{label_of(about)}", point, along, about, mu_of(SCHEME), means=means))

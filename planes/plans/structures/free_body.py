@@ -7,15 +7,15 @@ both meetings (Culmann). Many loads are brought to their resultant first, by a s
 
 from dataclasses import dataclass, field, replace
 
-from planes.drafting.draft import Draft, Moments
+from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross
-from planes.drafting.steps.reckoning import Drop, Product
+from planes.drafting.steps.reckoning import Product
 from planes.plans.force.loads import Couple, Force
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import FigureDraft
 from planes.scene.structures import Support
-from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
+from planes.words.names import POLE, Meaning, at, end_of, label_of
 
 Chain = tuple[Term, ...]
 
@@ -92,30 +92,22 @@ class FreeBody:
 
     def close(self, s: Support) -> None:
         """The last reaction closes the polygon: its length and direction are read."""
-        self.draft.conclude(Equation(self.plan, ((*self.chain, Term(s.name, self.reached, POLE)), ())))
+        self.draft.close(self.plan, self.chain, s.name, self.reached)
         self.found[s.name] = (self.reached, POLE)
 
     # moments
 
     def moments(self, about: str, unknown: str, arm: str = "") -> None:
         """The moments of all loads about a mark give one unknown: a force by its ``arm``, a couple without."""
-        d, tail = self.draft, ((arm, -1),) if arm else ()
-        products, shown = [], []
-        for f in self.forces:
-            if f.point != about:
-                own = self.arm(f.name, f.point, f.along, about)
-                products.append(Product(-1.0, ((f.size, 1), (own, 1), *tail)))
-                shown.append((f.name, own))
-        for c in self.couples:
-            products.append(Product(-1.0 * c.sign, ((c.value, 1), *tail)))
-            shown.append((c.name, ""))
-        d.total(unknown, products)
-        d.moments.append(Moments(label_of(about), (self.name,), tuple(shown), unknown, arm))
+        tail = ((arm, -1),) if arm else ()
+        levers = [(f, self.arm(f.name, f.point, f.along, about)) for f in self.forces if f.point != about]
+        terms = [(f.name, own, Product(-1.0, ((f.size, 1), (own, 1), *tail))) for f, own in levers]
+        terms += [(c.name, "", Product(-1.0 * c.sign, ((c.value, 1), *tail))) for c in self.couples]
+        self.draft.balance(unknown, about, (self.name,), terms, arm)
 
     def arm(self, name: str, point: str, along: str, about: str) -> str:
         """The arm of a force about a mark, dropped and measured on the scheme."""
-        means = Meaning("arm", name, about, self.name)
-        return self.draft.step(Drop(f"h_{name}_{label_of(about)}", point, along, about, mu_of(SCHEME), means=means))
+        return self.draft.arm(name, point, along, about, self.name)
 
     def by_moments(self) -> None:
         """A clamp's couple, or a line's reaction, by moments; the rest closes the polygon."""
