@@ -101,8 +101,8 @@ def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
         symbol = f"{spot.name}{new.name}0" if mate == FRAME else leg.symbol
         return replace(leg, new=new, symbol=symbol, drive=drive, held=g.held, spot=spot)
     pivot = pair.point
-    ray = d.ray(SCHEME, pivot, new.place)
-    turning = (d.square(ray), f"l_{pivot}{new.place}", d.back(SCHEME, pivot, new.place), g.held)
+    towards = d.back(SCHEME, pivot, new.place)
+    turning = (d.square(d.ray(SCHEME, pivot, new.place)), f"l_{pivot}{new.place}", towards, g.held)
     return Leg(new, BodyPoint(pivot, pivot), mate, spot.name + pivot, *turning, drive=drive, held=g.held, spot=spot)
 
 

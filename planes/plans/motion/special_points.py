@@ -63,7 +63,8 @@ class SpecialPoint:
         s, d = self.spot, self.draft
         ray = d.ray(SCHEME, s.place, new.place)
         length = d.measure(f"l_{new.place}{s.place}", at(SCHEME, new.place), at(SCHEME, s.place))
-        turning = (d.square(ray), length, d.back(SCHEME, s.place, new.place), self.basic)
+        towards = d.back(SCHEME, s.place, new.place)
+        turning = (d.square(ray), length, towards, self.basic)
         return Leg(new, s, self.basic, new.name + s.name, *turning)
 
     def known_by(self, new: BodyPoint) -> None:

@@ -13,7 +13,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
 from planes.plans.force.loads import Couple, Force
 from planes.plans.position.bodies import SCHEME
-from planes.plans.structures.figure import FigureDraft
+from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import Support
 from planes.words.names import POLE, Meaning, at, end_of, label_of
 
@@ -25,7 +25,7 @@ class FreeBody:
     """A body by its name with what acts on it; ``found`` are the marks each of its reactions stands between."""
 
     draft: Draft
-    figure: FigureDraft
+    figure: StaticsFigure
     name: str
     plan: str
     forces: list[Force]
