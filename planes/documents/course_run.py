@@ -5,7 +5,7 @@ same; so a run that was cut short goes on where it was.
 """
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -182,18 +182,19 @@ class Conductor:
         title = self.course.title.get(self.lang, "")
         html = rendered(list(as_blocks(rows, title, self.lang)), ".html", Naming(self.lang))
         made = {"teacher/summary.csv": as_csv(rows, self.lang).encode(), "teacher/summary.html": html}
-        for name, data in made.items():
-            if not self.ledger.fresh(name, digest(data)):
-                self.ledger.keep(name, digest(data), data)
-        return list(made)
+        return self.kept(made)
 
-    def together(self, made: Sequence[Share]) -> list[str]:
-        """What is made of everybody's files: the book of answers, the questions of platforms."""
-        files = dict(together(self.course, self.ledger.folder, [s.place for s in made], self.lang))
+    def kept(self, files: Mapping[str, bytes]) -> list[str]:
+        """Files for the teacher, those that are new written; their names."""
         for name, data in files.items():
             if not self.ledger.fresh(name, digest(data)):
                 self.ledger.keep(name, digest(data), data)
         return list(files)
+
+    def together(self, made: Sequence[Share]) -> list[str]:
+        """What is made of everybody's files: the book of answers, the questions of platforms."""
+        files = dict(together(self.course, self.ledger.folder, [s.place for s in made], self.lang))
+        return self.kept(files)
 
 
 def made_of(thing: object, name: str) -> str:

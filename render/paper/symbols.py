@@ -51,11 +51,14 @@ def base(at: complex, angle_deg: float = 0, length: float = BASE_MM, side: int =
 
 def fixed_hinge(at: complex, angle_deg: float = 0) -> Marks:
     """A hinge on the frame: two legs from the circle to a hatched base; ``angle_deg`` is the base's."""
-    along = unit(angle_deg)
-    foot = at - 1j * along * LEG_MM
-    ends = (foot + side * 0.5 * LEG_MM * along for side in (-1, 1))
-    legs = [Line((at + HINGE_MM * ((end - at) / abs(end - at)), end)) for end in ends]
-    return (*base(foot, angle_deg), *legs, *hinge(at))
+    foot = at - 1j * unit(angle_deg) * LEG_MM
+    return (*base(foot, angle_deg), *legs(at, foot, angle_deg), *hinge(at))
+
+
+def legs(at: complex, foot: complex, angle_deg: float) -> list[Line]:
+    """Both legs of a hinge, from its circle to a base about the foot."""
+    ends = (foot + side * 0.5 * LEG_MM * unit(angle_deg) for side in (-1, 1))
+    return [Line((at + HINGE_MM * ((end - at) / abs(end - at)), end)) for end in ends]
 
 
 def block(at: complex, angle_deg: float = 0, size: tuple[float, float] = BLOCK_MM) -> Marks:

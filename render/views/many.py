@@ -16,7 +16,7 @@ from planes.words.frozen import frozen
 from render.labels import Label
 from render.paper.marks import Line, Mark
 from render.views.dimensions import Size, in_mm, stroke
-from render.views.plotted import NEAR_MM, along_joints, outline_of
+from render.views.plotted import NEAR_MM, along_joints, gathered, outline_of
 from render.views.senses import POSITION
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
@@ -202,13 +202,7 @@ class ManyPositions:
     def stations(self, link: Link, point: str) -> Iterator[Label]:
         """Numbers of the extreme positions along the path of a point, those of one place together; the first and the
         last of all, where that hardly moves."""
-        places: list[tuple[complex, list[str]]] = []
-        for one, result in self.shown():
-            z = self.place(result, point)
-            near = next((numbers for at, numbers in places if abs(at - z) < TOGETHER_MM), None)
-            if near is None:
-                places.append((z, near := []))
-            near.append(one.number)
+        places = gathered(((one.number, self.place(result, point)) for one, result in self.shown()), TOGETHER_MM)
         extreme = {one.number for one, _ in self.shown() if one.extreme}
         for z, numbers in places:
             row = [n for n in numbers if n.isdigit()]

@@ -91,6 +91,7 @@ def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
 
 
 NEAR_MM = 0.4  # places closer than this are one
+SAME_MM = 0.35  # marks closer than this share one label
 SLIGHT = 0.06  # lines whose slopes differ by less run upon each other where they cross
 
 
@@ -228,3 +229,14 @@ def nearest(z: complex, outline: list[complex]) -> complex:
     kinds = {1: shapely.Point, 2: shapely.LineString}
     shape = kinds.get(len(corners), shapely.Polygon)(corners)
     return complex(*shapely.shortest_line(shape, shapely.Point(z.real, z.imag)).coords[0])
+
+
+def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:
+    """Names by their places; those that stand closer than ``same`` mm to one before share its place."""
+    clusters: list[tuple[complex, list[str]]] = []
+    for name, z in marks:
+        near = next((names for place, names in clusters if abs(place - z) <= same), None)
+        if near is None:
+            clusters.append((z, near := []))
+        near.append(name)
+    return clusters

@@ -19,13 +19,12 @@ from render.paper.symbols import dot
 from render.paper.typeset import plain
 from render.views import detail, remark
 from render.views.hatching import hatched
-from render.views.plotted import Ends, Plotted, set_apart
+from render.views.plotted import SAME_MM, Ends, Plotted, gathered, set_apart
 from render.views.senses import parted
 from render.views.strings import drawn_strokes
 from render.views.traces import traces
 
 NOTHING_MM = 1e-10  # a vector shorter than this is none
-SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
 ASIDE_MM = 2.0  # from a sum of forces to the forces it lies upon
@@ -237,14 +236,3 @@ class Polygon:
 def tick(start: complex, end: complex) -> Ends:
     """A tick between an end of a sum's forces and its own, which touches neither: it is no vector."""
     return start + TICK[0] * (end - start), start + TICK[1] * (end - start)
-
-
-def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:
-    """Names by their places; those that stand closer than ``same`` mm to one before share its place."""
-    clusters: list[tuple[complex, list[str]]] = []
-    for name, z in marks:
-        near = next((names for place, names in clusters if abs(place - z) <= same), None)
-        if near is None:
-            clusters.append((z, near := []))
-        near.append(name)
-    return clusters

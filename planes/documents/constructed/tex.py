@@ -10,7 +10,7 @@ from planes.lesson.formulas import fill
 from planes.words.lettering import flat
 from planes.words.names import POLE, kind_of, label_of, links_of, plan_of
 from render.files.tikz import document, in_math, in_text
-from render.views.polygon import gathered
+from render.views.plotted import gathered
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 
