@@ -51,7 +51,6 @@ class Calculation:
     pressure: Array
     points: RodMotion
     plane: RodMotion
-    found: Found
     forces: CycleForces
     simple: CycleForces
     parts: Replacement
@@ -115,7 +114,6 @@ def calculate(scene: Scene) -> Calculation:
         pressure=pressure,
         points=points,
         plane=plane,
-        found=drawn,
         forces=forces,
         simple=classical(shape, motion, plane),
         parts=replaced(shape),

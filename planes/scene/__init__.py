@@ -186,7 +186,7 @@ def _scene(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scen
     said["note"] = said["note"] or scene.optional("text")
     statement = read_statement(scene, quantity, laws) if of_vectors else None
     if statics:
-        statement = Statement.of_statics(statics, reader.parameters, laws.drive if laws else None)
+        statement = Statement(parameters=reader.parameters, statics=statics, drive=laws.drive if laws else None)
     words = {key: MappingProxyType(settings.read_words(reader, node, key)) for key, node in said.items()}
     return Scene(
         file=reader.file,

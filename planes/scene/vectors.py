@@ -58,18 +58,13 @@ class Statement:
     """All that a scene of vectors states; ``values`` are numbers reckoned from its vectors and ``parameters``,
     ``quantity`` the plan whose unit its ``mu`` has. Of a scene of ``statics`` that states the vectors."""
 
-    vectors: Mapping[str, VectorGiven]
-    equations: tuple[VectorEquation, ...]
+    vectors: Mapping[str, VectorGiven] = field(default_factory=lambda: MappingProxyType({}))
+    equations: tuple[VectorEquation, ...] = ()
     values: Mapping[str, Amount] = field(default_factory=lambda: MappingProxyType({}))
     parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     quantity: str | None = None
     statics: Framework | None = None
     drive: Drive | None = None  # what laws among them go by
-
-    @classmethod
-    def of_statics(cls, statics: Framework, parameters: Mapping[str, float], drive: Drive | None) -> "Statement":
-        """The statement of bodies in equilibrium."""
-        return cls(MappingProxyType({}), (), parameters=parameters, statics=statics, drive=drive)
 
 
 def read_statement(scene: Fields, quantity: str | None, laws: LawReader | None) -> Statement:

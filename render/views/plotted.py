@@ -11,6 +11,7 @@ import shapely
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
+from planes.geometry.plane import corners
 from planes.plans.apart import LinkApart, links_apart
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import StaticsFigure
@@ -131,8 +132,8 @@ class Places:
     def size(self, links: Sequence[str]) -> float:
         """The larger side of the box around the points of some links."""
         drawn = [self.at(p) for name in links for p in self.mechanism.links[name].points if self.has(p)]
-        sides = [z.real for z in drawn], [z.imag for z in drawn]
-        return max(max(side) - min(side) for side in sides) if drawn else 0.0
+        low, high = corners(drawn or [0j])
+        return max((high - low).real, (high - low).imag)
 
     def rods(self, name: str) -> list[Ends]:
         """The bars between a link's points, and from its hinge to a slider on its guide."""

@@ -79,8 +79,8 @@ def aligned(plans: Plans, file: str = "") -> Aligned:
     pair_signs: list[tuple[Pair, Sign]] = [(plans.structure.drive_pair, plans.structure.drive_pair.kind)]
     for group in (g for g in plans.structure.groups if not plans.structure.is_drive(g)):
         ways = list(_variants(group))
-        steady = (w for w in ways if steadily(plans, group, w, cycle))
-        signs = next(steady, None) or next((w for w in ways if steadily(plans, group, w, cycle[:1])), None)
+        steady = (w for w in ways if steadily(group, w, cycle))
+        signs = next(steady, None) or next((w for w in ways if steadily(group, w, cycle[:1])), None)
         if signs is None:
             raise StructureError(Phrase("no_alignment", links=group.links), file)
         pair_signs += zip(pairs_of(group), signs, strict=True)
@@ -169,7 +169,7 @@ def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
     return through + along * ((slider - through) * along.conjugate()).real, along
 
 
-def steadily(plans: Plans, group: AnyGroup, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
+def steadily(group: AnyGroup, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
     """Whether the pairs hold the group's links out of the plane exactly, neither loosely nor twice over, everywhere."""
     firmness = [firm(group, signs, places) for places in cycle]
     return all(f > FIRM for f in firmness) or all(f < -FIRM for f in firmness)

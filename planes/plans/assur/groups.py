@@ -85,10 +85,14 @@ class Group:
         return self.hung[0][0]
 
     @property
+    def hangs(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
+        """Both links as the method takes them, with their outer pairs."""
+        return (self.first, self.first_outer), (self.last, self.last_outer)
+
+    @property
     def hung(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
         """That one and the other, with their outer pairs."""
-        both = (self.first, self.first_outer), (self.last, self.last_outer)
-        return both[::-1] if self.drive and self.drive.joins(self.last) else both
+        return self.hangs[::-1] if self.drive and self.drive.joins(self.last) else self.hangs
 
     @property
     def balances(self) -> tuple[tuple[str, ...], ...]:

@@ -165,7 +165,7 @@ class _GroupForces:
         reactions = {p: self.statics.react(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
         self.seat_all(reactions)
         seated = {p: self.statics.reactions[r.key] for p, r in reactions.items()}
-        for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
+        for link, pair in g.hangs:
             if pair.mate(link) != FRAME:
                 self.statics.hand_over(seated[pair], pair.mate(link))
         if g.drive:
@@ -187,6 +187,6 @@ class _GroupForces:
                 couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign, True)]
                 s.seat(reactions[g.last_outer], g.last, about, [*self.loads[g.last], pushed], couples)
             return
-        for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
+        for link, pair in g.hangs:
             if pair.kind == "P":
                 s.seat(reactions[pair], link, about, self.loads[link], self.couples[link])

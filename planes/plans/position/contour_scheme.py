@@ -32,6 +32,12 @@ def place_contour(b: Bodies, g: Contour) -> None:
         place_lead(b, g.basic, lead)
 
 
+def largest(b: Bodies, g: Contour) -> float:
+    """How large the largest of the group's links is, m."""
+    links = (b.mechanism.links[x].points.values() for x in g.links)
+    return max(abs(p - q) for points in links for p in points for q in points)
+
+
 class _Aside:
     """The figure aside: its base level, about the base's outer hinge."""
 
@@ -48,8 +54,7 @@ class _Aside:
 
     def reach(self) -> str:
         """A length by which directions are carried: the largest of the group's links."""
-        links = (self.bodies.mechanism.links[x].points.values() for x in self.group.links)
-        size = max(abs(p - q) for points in links for p in points for q in points)
+        size = largest(self.bodies, self.group)
         return self.draft.give(f"l_{self.pivot}°", size, means=Meaning("guide", self.pivot))
 
     def held(self, lead: Lead) -> Hold:

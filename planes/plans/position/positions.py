@@ -52,17 +52,17 @@ def rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
 
 def _place_hinged(b: Bodies, g: Group) -> None:
     """RRR, RRP and PRP: each link reaches the inner hinge about a pivot or along a guide."""
-    hinge, legs = g.inner.point, ((g.first_outer, g.first), (g.last_outer, g.last))
-    lines = {link: on_line(b, pair, link, hinge) for pair, link in legs if pair.kind == "P"}
+    hinge = g.inner.point
+    lines = {link: on_line(b, pair, link, hinge) for link, pair in g.hangs if pair.kind == "P"}
     one, two = (
         chain_to(hinge, lines[link][0], along=lines[link][1])
         if link in lines
         else chain_to(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
-        for pair, link in legs
+        for link, pair in g.hangs
     )
     side = None if len(lines) == 2 else side_of(b, hinge, g)
     b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", side))
-    for pair, link in legs:
+    for link, pair in g.hangs:
         if link in lines:
             place_slider(b, pair, link, hinge, lines[link][1])
         else:
