@@ -19,6 +19,7 @@ from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each
 from planes.documents.answer_book import together, unasked
 from planes.documents.course import Made, Order, due, make, names_of
+from planes.lesson.note import student_said
 from planes.scene import loads
 from planes.words import Lang, Phrase
 from planes.words.naming import Naming
@@ -148,9 +149,7 @@ class Conductor:
     def heads(self, share: Share, text: str) -> tuple[str, ...]:
         """What stands above a task: the scene's title, the course, the student, the variant."""
         scene = loads(text, SCENE)
-        who = Phrase("task_student", name=share.student.name).told(self.lang)
-        if group := scene.sheet.get("group"):
-            who += Phrase("task_group", group=str(group)).told(self.lang)
+        who = student_said(share.student.name, scene, self.lang)
         own = Phrase("task_variant", variant=share.variant) if share.variant else Phrase("task_drawn")
         title = scene.title.get(self.lang) or share.assignment.name
         return title, self.course.title.get(self.lang, ""), f"{who.removesuffix('.')}. {own.told(self.lang)}."

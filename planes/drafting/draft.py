@@ -4,7 +4,7 @@ A :class:`Draft` grows a program in the order a draughtsman would draw it. Each 
 the name back; asking twice for the same direction makes one step.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 
 from planes.drafting.dimensions import Dimension
@@ -174,14 +174,14 @@ class Draft:
 
     def draw(self, equation: Equation) -> None:
         """Solve the equation on its plan: lay off what is known, then close, cross, or cross arcs; measure the rest."""
-        ends, open_terms = [], []
-        for chain in equation.chains:
-            mark, unknown = self._advance(equation.plan, chain)
-            ends.append(mark)
-            open_terms.append(unknown)
+        ends, open_terms = zip(*(self._advance(equation.plan, chain) for chain in equation.chains), strict=True)
         if equation.kind != "close":
             self._meet(equation, ends, open_terms)
         self.conclude(equation)
+
+    def meet(self, plan: str, chain: Iterable[Term], last: Term, back: Term) -> None:
+        """A vector on from where a chain ends and one back from its beginning meet, the line of either being known."""
+        self.draw(Equation(plan, ((*chain, last), (back,))))
 
     def close(self, plan: str, chain: Iterable[Term], name: str, start: str, end: str = POLE) -> None:
         """A vector of that name closes a polygon: its length and direction are read."""
@@ -225,7 +225,7 @@ class Draft:
             turned = replace(turned, of=turned.about, about=turned.of)
         return self.step(Turn(f"−{line_name}", line_name, 2, means=turned))
 
-    def _meet(self, equation: Equation, ends: list[str], open_terms: list[list[Term]]) -> None:
+    def _meet(self, equation: Equation, ends: Sequence[str], open_terms: Sequence[list[Term]]) -> None:
         """Cross the lines or arcs of the two open terms."""
         if len(open_terms[0]) == 1:
             (one,), (two,) = open_terms

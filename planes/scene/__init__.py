@@ -219,7 +219,7 @@ def _mechanism(scene: Fields, where: Where, stated: Mapping[str, Node]) -> Mecha
         frame,
         MappingProxyType(links),
         drive,
-        () if loads is None else read_loads(LawReader(reader, links, drive, table, stated), loads, links),
+        () if loads is None else read_loads(LawReader(scene, links, drive, stated), loads, links),
         None if (gravity := scene.optional("gravity")) is None else reader.positive(gravity, Phrase("gravity")),
         MappingProxyType(friction),
         MappingProxyType(journals),

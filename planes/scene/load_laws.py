@@ -10,7 +10,8 @@ from planes.scene.expressions import MAX_DEPTH, MAX_LENGTH, is_name, names_in, t
 from planes.scene.law_expressions import LawParser
 from planes.scene.mechanism import FRAME, Amount, Drive, DriveKind, Link, LoadLaw, StrokeLoad
 from planes.scene.parameters import names_of, reached, users_of
-from planes.scene.reader import Fields, Reader, section
+from planes.scene.paths import entries_of
+from planes.scene.reader import Fields, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
@@ -81,25 +82,23 @@ def read_turning(scene: Fields, stated: Mapping[str, Node]) -> "LawReader | None
         return None
     own = Fields(scene.reader, node, section("drive"), ("phi", "s"))
     kind = cast(DriveKind, own.one_of("phi", "s"))
-    return LawReader(scene.reader, {}, Drive(FRAME, kind, own.number(kind)), scene.table, stated)
+    return LawReader(scene, {}, Drive(FRAME, kind, own.number(kind)), stated)
 
 
 class LawReader:
     """Reads numbers of loads that may be laws; ``stated`` are the parameters as they are written."""
 
-    def __init__(
-        self, reader: Reader, links: Mapping[str, Link], drive: Drive, table: SourceTable, stated: Mapping[str, Node]
-    ) -> None:
-        self.reader, self.links, self.drive, self.stated = reader, links, drive, stated
+    def __init__(self, scene: Fields, links: Mapping[str, Link], drive: Drive, stated: Mapping[str, Node]) -> None:
+        self.reader, self.links, self.drive, self.stated = scene.reader, links, drive, stated
         self.known = coordinates(links, drive)
-        assert isinstance(table.entries["drive"], SourceTable)
-        place = table.entries["drive"].entries[drive.kind]
+        given = entries_of(scene.required("drive"))
+        place = given[drive.kind]
         self.own = {place.text.strip()} if isinstance(place, SourceScalar) else set()
-        if reader.parameters.get(drive.kind) == drive.position:
+        if self.reader.parameters.get(drive.kind) == drive.position:
             self.own.add(drive.kind)
         uses = {name: names_of(node) for name, node in stated.items()}
         self.following = users_of(self.own & stated.keys(), uses)  # the drive's place and all that is made of it
-        driven = [name for node in table.entries["drive"].entries.values() for name in names_of(node)]
+        driven = [name for node in given.values() for name in names_of(node)]
         self.driven = reached(driven, uses)  # parameters the drive itself is given by
         self.written: dict[str, str] = {}  # parameters in terms of the drive's place
 

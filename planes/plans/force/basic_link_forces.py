@@ -10,7 +10,7 @@ of a rod about its hinge do; what acts along the line is found as of any lead. T
 from collections.abc import Sequence
 from dataclasses import replace
 
-from planes.drafting.equations import Equation, Term
+from planes.drafting.equations import Term
 from planes.drafting.steps.reckoning import Cosine
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, Triad
@@ -58,7 +58,7 @@ class BasicLinkForces(LeadForces):
         x = end_of(one.part)
         last = Term(one.part, ends[-1], x, None, one.line, one.line)
         back = Term(two.part, POLE, x, None, two.line, two.line, sign=-1)
-        self.draft.draw(Equation(self.plan, ((*chain, last), (back,))))
+        self.draft.meet(self.plan, chain, last, back)
         starts = {term.end: term.start for term in chain}
         begins = starts[end_of(one.known[0].name)] if one.known else ends[-1]
         beyond = end_of(two.known[-1].name) if two.known else POLE

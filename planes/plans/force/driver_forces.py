@@ -66,7 +66,7 @@ class DriverForces:
             leant = meet_with_friction(self.statics.acting, self.plan, [reaction, force], key, [self.pair])
             self.draft.conclude(Equation(self.plan, ((*terms, leant[key]), (force,))))
         else:
-            self.draft.draw(Equation(self.plan, ((*terms, reaction), (force,))))
+            self.draft.meet(self.plan, terms, reaction, force)
         self.statics.balancing = force.name
         guide_reaction = self.statics.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
         self.statics.seat(guide_reaction, self.link, self.bodies.foot(self.pair), self.forces, self.couples)

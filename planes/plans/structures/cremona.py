@@ -3,7 +3,7 @@ the marks of the regions on its two sides, drawn once. A member pulls at a joint
 clockwise around the joint, points away from it. Where two members reach no region, a cut gives one force (Ritter).
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
@@ -57,7 +57,11 @@ class CremonaPlan:
             self.draft.show(CREMONA, start, end, f.name)
             self.drawn.append(start)
         ordered = [(f.name, self.regions.before[f.name], self.regions.after[f.name]) for f in self.regions.ordered]
-        *chain, last = [Term(*one, drawn=True) for one in ordered]
+        self.state(Term(*one, drawn=True) for one in ordered)
+
+    def state(self, terms: Iterable[Term]) -> None:
+        """Note a closed polygon that is drawn: the last of its forces closes it."""
+        *chain, last = terms
         self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
 
     def sides(self, member: Side) -> tuple[str, str]:
@@ -95,9 +99,8 @@ class CremonaPlan:
         *chain, last = [self.term(*one, open_=region in one[1:]) for one in (*terms[first + 1 :], *terms[: first + 1])][
             :
         ]
-        known, one = tuple(chain[:-1]), chain[-1]
         back = replace(last, start=last.end, end=last.start, sign=-last.sign)
-        self.draft.draw(Equation(CREMONA, ((*known, one), (back,))))
+        self.draft.meet(CREMONA, chain[:-1], chain[-1], back)
         return True
 
     def term(self, name: str, start: str, end: str, open_: bool) -> Term:
@@ -117,10 +120,9 @@ class CremonaPlan:
             if name not in drawn:
                 terms = self.regions.around_joint(a)
                 k = next(k for k, one in enumerate(terms) if one[0] == name)
-                chain = [self.term(*one, open_=False) for one in (*terms[k + 1 :], *terms[:k])]
-                last = self.term(*terms[k], open_=False)
-                self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
-                drawn |= {t.name for t in chain} | {name}
+                chain = [self.term(*one, open_=False) for one in (*terms[k + 1 :], *terms[: k + 1])]
+                self.state(chain)
+                drawn |= {t.name for t in chain}
 
     def turned(self, one: Side, two: Side) -> float:
         """The sine of the angle between two members."""

@@ -86,8 +86,8 @@ class FreeBody:
     def meet(self, one: Support, other: Support, along: str) -> None:
         """From where the polygon ends the ``one`` reaction, along its line ``other`` back to the pole."""
         x, start = end_of(one.name), self.reached
-        terms = self.seek(one, start, x), replace(self.seek(other, POLE, x, along), sign=-1)
-        self.draft.draw(Equation(self.plan, ((*self.chain, terms[0]), (terms[1],))))
+        back = replace(self.seek(other, POLE, x, along), sign=-1)
+        self.draft.meet(self.plan, self.chain, self.seek(one, start, x), back)
         self.found |= {one.name: (start, x), other.name: (x, POLE)}
 
     def close(self, s: Support) -> None:
@@ -173,8 +173,8 @@ class FreeBody:
         self.figure.stroke(SCHEME, "culmann", "", k, m)
         x, end = end_of(one.name), end_of(two.name)
         both = f"R_{''.join(dict.fromkeys(two.point + three.point))}"
-        terms = self.seek(one, self.reached, x), Term(both, POLE, x, None, way, self.action(way), sign=-1)
-        self.draft.draw(Equation(self.plan, ((*self.chain, terms[0]), (terms[1],))))
+        back = Term(both, POLE, x, None, way, self.action(way), sign=-1)
+        self.draft.meet(self.plan, self.chain, self.seek(one, self.reached, x), back)
         parts = self.seek(two, x, end), self.seek(three, end, POLE)
         self.draft.draw(Equation(self.plan, ((Term(both, x, POLE, drawn=True),), parts)))
         self.figure.said |= {k: "meeting", m: "meeting", at(self.plan, x): "culmann"}
