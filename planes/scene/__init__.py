@@ -19,9 +19,9 @@ from planes.scene.parameters import TOLD, choose, read_laws, read_parameters, re
 from planes.scene.paths import entries_of, line_of
 from planes.scene.reader import Fields, Reader
 from planes.scene.source import Node
-from planes.scene.structures import read_framework
+from planes.scene.structures import FrameworkReader
 from planes.scene.vector_equations import VectorEquation
-from planes.scene.vectors import Statement, VectorGiven, read_own, read_statement
+from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
@@ -174,7 +174,7 @@ def _scene(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scen
     where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
     of_vectors = "vectors" in scene
     laws = read_turning(scene, stated) if of_vectors or "points" in scene else None
-    statics = read_framework(scene, laws) if "points" in scene else None
+    statics = FrameworkReader(scene, laws).read() if "points" in scene else None
     mechanism = None if of_vectors or statics else _mechanism(scene, where, stated)
     mu, quantity = settings.read_plans(reader, scene.optional("plans")), None
     if of_vectors:
@@ -184,7 +184,7 @@ def _scene(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scen
         scene.one_of("note", "text")
     said = {key: scene.optional(key) for key in ("title", "note", "missing")}
     said["note"] = said["note"] or scene.optional("text")
-    statement = read_statement(scene, quantity, laws) if of_vectors else None
+    statement = StatementReader(scene, laws).read(quantity) if of_vectors else None
     if statics:
         statement = Statement(parameters=reader.parameters, statics=statics, drive=laws.drive if laws else None)
     words = {key: MappingProxyType(settings.read_words(reader, node, key)) for key, node in said.items()}

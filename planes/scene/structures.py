@@ -76,12 +76,7 @@ class Framework:
     fixed: frozenset[str] = field(default_factory=frozenset)  # points of the ground that rods and ropes lead to
 
 
-def read_framework(scene: Fields, laws: LawReader | None) -> Framework:
-    """The parts of a scene of statics."""
-    return _FrameworkReader(scene, laws).read()
-
-
-class _FrameworkReader:
+class FrameworkReader:
     """Reads points first, and what is named by them after."""
 
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:

@@ -67,11 +67,6 @@ class Statement:
     drive: Drive | None = None  # what laws among them go by
 
 
-def read_statement(scene: Fields, quantity: str | None, laws: LawReader | None) -> Statement:
-    """The vectors, values and equations of a scene, in the order of the file."""
-    return _StatementReader(scene, laws).read(quantity)
-
-
 def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
     """A person's own equations beside a mechanism, whether they hold or not."""
     equations = []
@@ -85,7 +80,7 @@ def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
     return tuple(equations)
 
 
-class _StatementReader:
+class StatementReader:
     """Reads what is named first, so that it may be used anywhere."""
 
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:

@@ -128,7 +128,7 @@ class Composer:
 
     def mu(self, plotted: Plotted, plan: str) -> str:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
-        kind = plotted.kind(plan)
+        kind = kind_of(plan)
         letter, unit = MU.get(kind, ""), kind
         if kind == "motion" and self.stated:
             unit = "position" if self.stated.mechanism.drive.kind == "phi" else "vectors"

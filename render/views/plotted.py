@@ -18,7 +18,7 @@ from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.words.frozen import frozen, replace
-from planes.words.names import at, kind_of, label_of, mu_of, plan_of
+from planes.words.names import at, label_of, mu_of, plan_of
 
 Ends = tuple[complex, complex]
 
@@ -54,10 +54,6 @@ class Plotted:
     def mu(self, plan: str) -> float:
         """μ of a plan, mm per SI unit."""
         return self.scales[mu_of(plan)]
-
-    def kind(self, plan: str) -> str:
-        """The kind of a plan, which tells the unit of its vectors."""
-        return kind_of(plan)
 
     def still(self, plan: str) -> bool:
         """Whether every mark of the plan stands in its pole: there is nothing to draw."""

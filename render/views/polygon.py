@@ -8,7 +8,7 @@ from itertools import combinations
 from planes.drafting.equations import Term
 from planes.plans.scales import ZERO_MM
 from planes.words import say
-from planes.words.names import POLE, at, label_of
+from planes.words.names import POLE, at, kind_of, label_of
 from planes.words.naming import Naming
 from planes.words.read_off import measured
 from planes.words.units import UNIT, number
@@ -86,7 +86,7 @@ class Polygon:
         marks = detail.beside(marks, [d.drawn(ground, self.named(details, d.times)) for d in details])
         if any(t.name.startswith(VALUE) for t in placed.texts):
             lang = self.naming.lang
-            text = say("values_beside", lang, unit=say(UNIT[self.plotted.kind(self.plan)], lang))
+            text = say("values_beside", lang, unit=say(UNIT[kind_of(self.plan)], lang))
             marks = (*marks, *remark(f"({text})", marks))
         return marks
 
