@@ -67,6 +67,10 @@ class Calculation:
         """The step of the cycle nearest to a crank angle."""
         return int(np.argmin(np.abs(self.motion.phi_deg - phi_deg)))
 
+    def angle(self, phi_deg: float) -> float:
+        """The crank angle of that step, degrees."""
+        return float(self.motion.phi_deg[self.at(phi_deg)])
+
     def steps(self, end: int) -> range:
         """The steps before one that are written out: every 30°."""
         return range(0, end, max(1, round(30 / self.given.step_deg)))

@@ -84,7 +84,7 @@ def _check_parts(scene: Scene, top: Values, given: Given) -> None:
     shaft, shape = given.shaft, given.shape
     if given.counterweights and not shaft:
         raise top.error(Phrase("cs_needs", what="shaft", other="counterweights"), "counterweights")
-    by_shaft = shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius if shaft else 0.0
+    by_shaft = shaft.static_moment(shape.r) if shaft else 0.0
     if shaft and shape.m1 and not math.isclose(shape.m1 * shape.s, by_shaft, rel_tol=0.01):
         words = Phrase("cs_crank_mass", link=shape.m1 * shape.s, shaft=by_shaft, name=shape.crank)
         raise SceneError(words, scene.file, scene.where.get(("crank_slider", "shaft", "masses")))

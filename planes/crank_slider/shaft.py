@@ -95,7 +95,7 @@ def _shaking(
 ) -> Shaking:
     turn = (m.phi_deg >= m.phi_deg[0]) & (m.phi_deg < m.phi_deg[0] + 360.0 - 1e-9)
     radial = np.exp(1j * m.phi[turn]) * (m.omega**2 - 1j * m.epsilon)[turn]
-    crank = shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius
+    crank = shaft.static_moment(shape.r)
     curve = (crank - moment) * radial - shape.m2 * drawn.a["C"][turn] - shape.m3 * drawn.a["B"][turn]
     first, second = (_harmonic(curve, m.phi[turn], k) for k in (1, 2))
     w2, r = shape.omega**2, shape.r
@@ -147,7 +147,7 @@ def supports(
 ) -> Supports:
     """Reactions of the bearings from the sums of forces and moments."""
     length, n, m, w2 = shaft.span, shaft.pin_from_b, shaft.webs, shape.omega**2
-    web = (shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius) * w2 / 2
+    web = shaft.static_moment(shape.r) * w2 / 2
     left, right = (b.chosen[k] * weights.radius * w2 if b and weights else 0.0 for k in (0, 1))
     out, t = -f.K, f.T
     a1 = ((web - left) * (length - m) + out * n + (web - right) * m) / length

@@ -191,10 +191,10 @@ class Draft:
         """Measure what an equation was drawn for, its last mark being there."""
         self.equations.append(equation)
         for term in equation.terms:
-            ends = (term.start, term.end) if term.sign > 0 else (term.end, term.start)
-            self.show(equation.plan, *ends, term.name)
+            self.show(equation.plan, *term.ends, term.name)
             if not term.drawn and term.length is None:
-                self.measure(term.name, at(equation.plan, ends[0]), at(equation.plan, ends[1]), term.direction)
+                start, end = (at(equation.plan, label) for label in term.ends)
+                self.measure(term.name, start, end, term.direction)
         if equation.total and equation.chains[0]:
             self.show(equation.plan, equation.chains[0][0].start, equation.chains[0][-1].end, equation.total)
 

@@ -40,6 +40,11 @@ class Term:
         """How many of length and direction are known: the number of underlines."""
         return 2 if self.drawn else (self.length is not None) + (self.direction is not None)
 
+    @property
+    def ends(self) -> tuple[str, str]:
+        """The marks its vector goes from and to: in a difference the other way."""
+        return (self.start, self.end) if self.sign > 0 else (self.end, self.start)
+
 
 SignedTerm = tuple[int, Term]
 

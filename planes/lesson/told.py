@@ -127,7 +127,7 @@ def equation_written(plans: Plans, e: Equation) -> Json:
 
 
 def _term(plans: Plans, plan: str, t: Term) -> Json:
-    start, end = (at(plan, label) for label in ((t.start, t.end) if t.sign > 0 else (t.end, t.start)))
+    start, end = (at(plan, label) for label in t.ends)
     own = {"name": t.name, "start": start, "end": end, "at": at(plan, t.end)}
     return {**own, "action": _acted(plans, t), "known": t.known}
 

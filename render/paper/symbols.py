@@ -11,6 +11,7 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
+from planes.geometry.plane import toward
 from render.paper.ink import head
 from render.paper.marks import Arc, Hatch, Layer, Line, Mark, Shape
 from render.paper.style import BASE_MM, BLOCK_MM, DOT_MM, HATCH_GAP_MM, HATCH_MM, HINGE_MM, LEG_MM, head_size, pen
@@ -58,7 +59,7 @@ def fixed_hinge(at: complex, angle_deg: float = 0) -> Marks:
 def legs(at: complex, foot: complex, angle_deg: float) -> list[Line]:
     """Both legs of a hinge, from its circle to a base about the foot."""
     ends = (foot + side * 0.5 * LEG_MM * unit(angle_deg) for side in (-1, 1))
-    return [Line((at + HINGE_MM * ((end - at) / abs(end - at)), end)) for end in ends]
+    return [Line((at + HINGE_MM * toward(at, end), end)) for end in ends]
 
 
 def block(at: complex, angle_deg: float = 0, size: tuple[float, float] = BLOCK_MM) -> Marks:
@@ -90,7 +91,7 @@ def plate(points: Sequence[complex]) -> Marks:
 
 def rigid(at: complex, one: complex, other: complex) -> Marks:
     """The sign that two rods of a link are fixed to each other where they meet: a gusset in their angle."""
-    u, v = ((z - at) / abs(z - at) for z in (one, other))
+    u, v = (toward(at, z) for z in (one, other))
     return (Shape((at, at + GUSSET_MM * u, at + GUSSET_MM * v)),) if abs((u * v.conjugate()).imag) > ALIKE else ()
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from planes.geometry.plane import corners
+from planes.geometry.plane import corners, toward
 from planes.words.frozen import frozen, replace
 from render import labels
 from render.labels.footprints import bounds
@@ -61,7 +61,7 @@ class Detail:
     def seen(self, ends: Ends) -> Ends | None:
         """The part of a straight stroke within the detail, enlarged; None if there is next to nothing."""
         a, b = map(self.enlarged, ends)
-        reach, way = self.times * self.radius, (b - a) / abs(b - a)
+        reach, way = self.times * self.radius, toward(a, b)
         foot = a - (a * way.conjugate()).real * way
         if abs(foot) >= reach:
             return None

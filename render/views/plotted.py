@@ -11,7 +11,7 @@ import shapely
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
-from planes.geometry.plane import corners
+from planes.geometry.plane import corners, toward
 from planes.plans.apart import LinkApart, links_apart
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import StaticsFigure
@@ -170,7 +170,7 @@ class Places:
 def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
     """Whether two lines run side by side for more than a millimetre, nowhere there farther apart than so many mm; or
     slant but slightly, and come nearer than to ``touch`` mm."""
-    way = (other[1] - other[0]) / abs(other[1] - other[0])
+    way = toward(*other)
     a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
     low, high = max(a.real, 0.0), min(b.real, abs(other[1] - other[0]))
     if high - low <= 1.0:
@@ -204,7 +204,7 @@ def outline_of(places: list[complex]) -> list[complex]:
     if len(unique) < 3:
         return unique
     a, b = max(((p, q) for p in unique for q in unique), key=lambda e: abs(e[1] - e[0]))
-    way = (b - a) / abs(b - a)
+    way = toward(a, b)
     if all(abs(((z - a) * way.conjugate()).imag) < NEAR_MM for z in unique):
         return [a, b]
     hull = shapely.MultiPoint([(z.real, z.imag) for z in unique]).convex_hull

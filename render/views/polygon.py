@@ -6,6 +6,7 @@ from functools import cached_property
 from itertools import combinations
 
 from planes.drafting.equations import Term
+from planes.geometry.plane import toward
 from planes.plans.scales import ZERO_MM
 from planes.words import say
 from planes.words.names import POLE, at, kind_of, label_of
@@ -228,7 +229,7 @@ class Polygon:
         for z, names in clusters:
             fixed = [n + prime for n in self.plotted.fixed] if POLE in names else []
             text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))
-            away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
+            away = toward(centre, z) if abs(z - centre) > ZERO_MM else 0
             letters.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
         return letters
 

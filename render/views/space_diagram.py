@@ -5,6 +5,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from planes.geometry.plane import toward
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import StaticsFigure, strains
 from planes.scene.mechanism import Link
@@ -86,7 +87,7 @@ class SpaceDiagram:
         for s in () if self.asked else self.figure.supports:
             start, end = (self.at(x) for x in plans.vectors[s.name])
             if abs(end - start) > NEAR_MM and not s.to:
-                loading.force(s.name, self.places.at(s.point), (end - start) / abs(end - start))
+                loading.force(s.name, self.places.at(s.point), toward(start, end))
         for name, mark, along in () if self.asked else self.figure.results:
             loading.force(name, self.at(mark), complex(self.position.drawing[along]))
         return loading

@@ -16,6 +16,7 @@ from itertools import product
 from typing import Literal
 
 from planes.drafting.tools import Thing
+from planes.geometry.plane import spread
 from planes.plans import Plans
 from planes.plans.assur.contours import AnyGroup
 from planes.plans.assur.groups import Group, Pair
@@ -133,8 +134,7 @@ class PairPlaces:
     @cached_property
     def size(self) -> float:
         """The distance of the two pairs farthest apart."""
-        points = [point for point, _ in self.lines.values()]
-        return max(abs(a - b) for a in points for b in points) or 1.0
+        return spread([point for point, _ in self.lines.values()]) or 1.0
 
 
 def _places(plans: Plans, file: str) -> list[PairPlaces]:

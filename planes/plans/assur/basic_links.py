@@ -38,6 +38,11 @@ class Lead:
         return self.outer.kind + self.inner.kind
 
 
+def lead_pairs(leads: Iterable[Lead]) -> tuple[Pair, ...]:
+    """The pairs of leads: of each the outer, then the inner one."""
+    return tuple(p for lead in leads for p in (lead.outer, lead.inner))
+
+
 class OnLeads:
     """What groups of one ``basic`` link on leads share; each lead may have a drive inside."""
 
@@ -116,7 +121,7 @@ class Triad(OnLeads):
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Its pairs: of every lead the outer, then the inner one."""
-        return tuple(p for lead in self.leads for p in (lead.outer, lead.inner))
+        return lead_pairs(self.leads)
 
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:

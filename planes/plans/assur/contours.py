@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from planes.plans.assur.basic_chains import BasicChain
-from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by
+from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by, lead_pairs
 from planes.plans.assur.groups import Between, Group, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
@@ -63,7 +63,7 @@ class Contour(OnLeads):
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:
         """The pairs between its own links."""
-        return tuple(p for lead in self.leads for p in (lead.outer, lead.inner))
+        return lead_pairs(self.leads)
 
     @property
     def name(self) -> str:

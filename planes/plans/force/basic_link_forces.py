@@ -45,7 +45,7 @@ class BasicLinkForces(LeadForces):
         *_, three = held
         arm = self.draft.arm(three.part, three.point, three.line, special, three.lead.link)
         name = self.moments(basic, held, special, three.part, arm, links)
-        return Force(name, three.lead.link, name, three.line, three.point, "tangential")
+        return three.along_line(name)
 
     def closed(self, basic: str, held: Sequence[HeldLead], known: list[Force]) -> dict[Pair, Ends]:
         """Draw the polygon of a basic link: two leads close it, where all is ``known`` that acts on the third, or on
@@ -110,7 +110,7 @@ class TriadForces(BasicLinkForces):
         products = [self.along(f, along) for f in (*held.loads, *held.known)]
         products += self.rubbed(held.lead, held.lead.inner)
         d.total(name, [replace(p, factors=(*p.factors, *over)) for p in products])
-        return Force(name, held.lead.link, name, held.line, held.point, "tangential")
+        return held.along_line(name)
 
 
 class ChainForces(BasicLinkForces):

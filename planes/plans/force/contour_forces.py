@@ -86,12 +86,12 @@ class ContourForces(LeadForces):
         g = self.group
         basic, base = self.basic_side(one, two), self.base_side(one, two)
         arms = [self.arm(one, basic, (one, two)), *(self.arm(*x) for x in ((two, basic), (one, base), (two, base)))]
-        supposed = self.along_lead(one, self.balance(f"{one.key}^I", basic, [], -1.0, arms[0]))
+        supposed = one.along_line(self.balance(f"{one.key}^I", basic, [], -1.0, arms[0]))
         reduced = [Product(1.0, ((arms[3], 1),)), Product(-1.0, ((arms[1], 1), (arms[2], 1), (arms[0], -1)))]
         arm = self.draft.total(f"h_{two.key}^0", reduced, Meaning("arm", two.key, at(SCHEME, g.outer[0].point), g.base))
-        second = self.along_lead(two, self.balance(two.part, base, [self.handed(supposed, one)], 1.0, arm))
+        second = two.along_line(self.balance(two.part, base, [self.handed(supposed, one)], 1.0, arm))
         first = self.balance(one.part, basic, [second], -1.0, arms[0])
-        return self.along_lead(one, first), second
+        return one.along_line(first), second
 
     def basic_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
         """The basic link with both leads: loads of one that slides on the base pass its hinge."""
@@ -157,10 +157,6 @@ class ContourForces(LeadForces):
         about = at(SCHEME, side.pair.point)
         terms = self.statics.moment_terms(about, forces, side.couples, sign, arm)
         return self.draft.balance(name, about, side.links, terms, arm)
-
-    def along_lead(self, held: HeldLead, size: str) -> Force:
-        """A force along it, on it from the base."""
-        return Force(size, held.lead.link, size, held.line, held.point, "tangential")
 
     def handed(self, force: Force, held: HeldLead) -> Force:
         """A force on a lead as the base feels it, reversed."""

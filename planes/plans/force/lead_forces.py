@@ -46,6 +46,10 @@ class HeldLead:
         """The name of the other part."""
         return self.key if self.slider else f"{self.key}^n"
 
+    def along_line(self, size: str) -> Force:
+        """A force along its line, on it from the base."""
+        return Force(size, self.lead.link, size, self.line, self.point, "tangential")
+
 
 class LeadForces:
     """The plan of a group whose basic link stands on leads."""

@@ -14,7 +14,7 @@ from planes.drafting.steps.reckoning import Choose, Lean, Product, Trial
 from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Grip, sliding
 from planes.plans.force.loads import Acting, Couple, Force, force_name
-from planes.plans.position.bodies import SCHEME, Bodies
+from planes.plans.position.bodies import Bodies
 from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
 
@@ -106,8 +106,7 @@ class Statics:
         name = force_name(on, r.pair.mate(on))
         size = d.measure(f"|{r.key}|", r.start, r.end)
         along = d.through(f"→{name}", *ends, Meaning("own", name))
-        point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.bodies.foot(r.pair)
-        return Force(name, on, size, along, point, "reaction")
+        return Force(name, on, size, along, self.bodies.place(r.pair), "reaction")
 
     def seat(self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]) -> Reaction:
         """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""

@@ -115,8 +115,7 @@ class _GroupForces:
 
     def close(self, chain: tuple[Term, ...], last: Term) -> None:
         """The remaining reaction closes the polygon: both its length and direction are read."""
-        ends = (last.start, last.end) if last.sign > 0 else (last.end, last.start)
-        self.draft.close(self.plan, chain, last.name, *ends)
+        self.draft.close(self.plan, chain, last.name, *last.ends)
 
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of a reaction on a link through a mark of the polygon (X is its other end)."""

@@ -9,6 +9,7 @@ outer hinge is where it hangs, or the guide lies as it does.
 from planes.drafting.steps import Image
 from planes.drafting.steps.reckoning import Drop
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
+from planes.geometry.plane import spread
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.contours import Contour
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
@@ -34,8 +35,7 @@ def place_contour(b: Bodies, g: Contour) -> None:
 
 def largest(b: Bodies, g: Contour) -> float:
     """How large the largest of the group's links is, m."""
-    links = (b.mechanism.links[x].points.values() for x in g.links)
-    return max(abs(p - q) for points in links for p in points for q in points)
+    return max(spread(b.mechanism.links[x].points.values()) for x in g.links)
 
 
 class _Aside:
