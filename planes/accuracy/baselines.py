@@ -97,10 +97,13 @@ class Loops:
         return np.array([*rows, self._drive_slope(q)])[:, : -len(STILL)]
 
     def _drive_slope(self, q: Array) -> Array:
-        pair, row = self.plans.structure.drive_pair, np.zeros(len(q))
-        if pair.kind == "P":
-            return self._slider_slopes(q, pair)[0]
-        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
+        pair = self.plans.structure.drive_pair
+        return self._slider_slopes(q, pair)[0] if pair.kind == "P" else self._turn_slope(q, pair)
+
+    def _turn_slope(self, q: Array, pair: Pair) -> Array:
+        """How a link of a pair turns against the other."""
+        row = np.zeros(len(q))
+        for link, sign in pair.sides:
             row[self.columns[link] + 2] = sign
         return row
 
@@ -114,20 +117,17 @@ class Loops:
 
     def _hinge_slopes(self, q: Array, pair: Pair) -> list[Array]:
         rows = np.zeros((2, len(q)))
-        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
+        for link, sign in pair.sides:
             self._fill(rows, q, link, self.place(q, link, pair.point), 1 + 0j, sign)
         return list(rows)
 
     def _slider_slopes(self, q: Array, pair: Pair) -> list[Array]:
         """Slopes of the way along the guide, of that across it, and of the turn against it."""
-        mechanism, rows, turns = self.plans.mechanism, np.zeros((2, len(q))), np.zeros(len(q))
-        back = cmath.exp(-1j * self._along(q, pair))
-        first = self.place(q, pair.link, mechanism.link(pair.link).first_point)
-        self._fill(rows, q, pair.link, first, back, 1.0)
-        self._fill(rows, q, pair.other, first, back, -1.0)  # the guide's line carried along as a body
-        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
-            turns[self.columns[link] + 2] = sign
-        return [*rows, turns]
+        rows, back = np.zeros((2, len(q))), cmath.exp(-1j * self._along(q, pair))
+        first = self.place(q, pair.link, self.plans.mechanism.link(pair.link).first_point)
+        for link, sign in pair.sides:  # the guide's line is carried along as a body
+            self._fill(rows, q, link, first, back, sign)
+        return [*rows, self._turn_slope(q, pair)]
 
     def newton(self, q: Array, value: float) -> Array:
         """The pose nearest by iteration; no look is taken at whether it came out."""

@@ -49,6 +49,11 @@ def corners(places: Iterable[complex]) -> tuple[complex, complex]:
     return complex(min(xs), min(ys)), complex(max(xs), max(ys))
 
 
+def dropped(place: complex, through: complex, along: complex) -> complex:
+    """The foot of a place on the line through another along a direction."""
+    return through + ((place - through) * along.conjugate()).real * along
+
+
 def spread(places: Collection[complex]) -> float:
     """The distance of the two places farthest apart."""
     return max(abs(a - b) for a in places for b in places)

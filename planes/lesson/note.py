@@ -28,7 +28,7 @@ from planes.solving.given import GivenTable
 from planes.solving.own_equations import own_rows
 from planes.solving.structure_text import alignment_report, group_counted, ways_told
 from planes.solving.tables import difference
-from planes.words import Lang, capital, decimal, say
+from planes.words import Lang, capital, decimal, say, text_in
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, links_of
 from planes.words.naming import Naming
@@ -86,7 +86,7 @@ class Note:
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""
         plans, drive = self.position.plans, self.position.plans.mechanism.drive
-        title = self.scene.title.get(self.lang) or next(iter(self.scene.title.values()), "")
+        title = text_in(self.lang, self.scene.title)
         yield Heading(f"{self.say('note')}. {title}" if title else self.say("note"), 0)
         if student := str(self.scene.sheet.get("student", "")):
             yield Paragraph(student_said(student, self.scene, self.lang).removesuffix(".") + ".")
@@ -100,7 +100,7 @@ class Note:
         given = GivenTable(self.position, self.naming, self.scene.used)
         yield from self.table(self.given_table, head, [*given.rows(), *given.laws()])
         yield from map(Paragraph, conditions(plans, self.lang))
-        if remark := self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""):
+        if remark := text_in(self.lang, self.scene.note):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
 
     def sought(self) -> Sequence[str]:

@@ -14,7 +14,7 @@ from planes.plans import Plans
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Guide, Link, Mechanism
 from planes.solving import plans_of
-from planes.words import Phrase
+from planes.words import Phrase, text_in
 from planes.words.errors import PlanesError
 from planes.words.names import at
 from planes.words.records import Json
@@ -37,7 +37,7 @@ def sketch_of(scene: Scene) -> Json:
         for g in x.guides.values()
     }
     return {
-        "title": scene.title.get("en", "") or next(iter(scene.title.values()), ""),
+        "title": text_in("en", scene.title),
         "points": {p: [z.real, z.imag] for p, z in places.items()},
         "fixed": [*m.frame.points],
         "guides": guides,

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Drop
-from planes.geometry.plane import toward
+from planes.geometry.plane import dropped, toward
 from planes.words import Lang, say
 from render import labels
 from render.paper.marks import Line, Mark, Text
@@ -27,7 +27,7 @@ class Arms:
 
     def add(self, point: complex, along: complex, about: complex, text: str, force: str) -> None:
         """The arm about a place of the force at ``point``, unless it is too short to be seen."""
-        ends = about, point + ((about - point) * along.conjugate()).real * along
+        ends = about, dropped(about, point, along)
         if abs(ends[1] - about) < LEAST_MM:
             return
         self.marks.append(Line((point, ends[1]), "construction", "construction"))

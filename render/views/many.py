@@ -9,6 +9,7 @@ from statistics import median
 
 import numpy as np
 
+from planes.geometry.plane import dropped
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
@@ -136,8 +137,7 @@ class ManyPositions:
 
     def foot(self, slider: Link, guide: str, result: PlacedMechanism) -> complex:
         """Where a slider's first point is dropped on its guide."""
-        through, along = self.line(guide, result)
-        return through + ((self.place(result, slider.first_point) - through) * along.conjugate()).real * along
+        return dropped(self.place(result, slider.first_point), *self.line(guide, result))
 
     def paths(self) -> list[Mark]:
         """Paths of the moving points, in dashes; a point on a frame's guide has none of interest."""

@@ -11,7 +11,7 @@ import shapely
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
-from planes.geometry.plane import corners, toward
+from planes.geometry.plane import corners, dropped, toward
 from planes.plans.apart import LinkApart, links_apart
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import StaticsFigure
@@ -163,8 +163,7 @@ class Places:
         """The foot of a slider's first point on its guide, and the guide's direction."""
         assert link.slides
         through, along = self.line(link.slides.guide)
-        first = self.at(link.first_point)
-        return through + ((first - through) * along.conjugate()).real * along, along
+        return dropped(self.at(link.first_point), through, along), along
 
 
 def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:

@@ -16,7 +16,7 @@ from itertools import product
 from typing import Literal
 
 from planes.drafting.tools import Thing
-from planes.geometry.plane import spread
+from planes.geometry.plane import dropped, spread
 from planes.plans import Plans
 from planes.plans.assur.contours import AnyGroup
 from planes.plans.assur.groups import Group, Pair
@@ -166,7 +166,7 @@ def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
     along = turn * cmath.exp(1j * math.radians(guide.angle_deg))
     through = base + (guide.through - own) * turn
     slider = complex(things[plans.points[m.link(pair.link).first_point].position])
-    return through + along * ((slider - through) * along.conjugate()).real, along
+    return dropped(slider, through, along), along
 
 
 def steadily(group: AnyGroup, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
@@ -183,7 +183,7 @@ def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
     for pair, sign in zip(pairs_of(group), signs, strict=True):
         for held in holds(sign, pair.kind, *places.lines[pair], places.size):
             row = [0.0] * (3 * len(bodies))
-            for link, side in ((pair.link, 1.0), (pair.other, -1.0)):
+            for link, side in pair.sides:
                 if link in column:
                     row[column[link] : column[link] + 3] = [side * x for x in held]
             length = math.hypot(*row)

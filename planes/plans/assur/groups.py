@@ -27,6 +27,11 @@ class Pair:
         """Whether this pair is one of the link's."""
         return link in (self.link, self.other)
 
+    @property
+    def sides(self) -> tuple[tuple[str, float], tuple[str, float]]:
+        """Its links with the signs by which what moves them counts between them."""
+        return (self.link, 1.0), (self.other, -1.0)
+
     def mate(self, link: str) -> str:
         """The other link of the pair."""
         return self.other if link == self.link else self.link

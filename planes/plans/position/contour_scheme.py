@@ -15,7 +15,7 @@ from planes.plans.assur.contours import Contour
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.position.positions import on_line, place_slider, rigid_body
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
-from planes.plans.position.triads import Cut, cut_of, hold_of, local_of, place_lead
+from planes.plans.position.triads import Cut, cut_of, first_reached, hold_of, local_of, place_lead
 from planes.words.names import Meaning, at, mu_of
 
 
@@ -23,8 +23,7 @@ def place_contour(b: Bodies, g: Contour) -> None:
     """Draw the contour aside, turn it to what it hangs on, and the links from that."""
     aside = _Aside(b, g)
     one, two = map(aside.held, g.leads)
-    inner = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
-    key = inner[0] if inner else b.mechanism.links[g.basic].first_point
+    key = first_reached(b, g)
     cut = cut_of(b, g, key, (one, two, aside.hung()))
     aside.cut(key, cut)
     aside.place_base()
