@@ -77,7 +77,7 @@ class Framework:
 
 
 class FrameworkReader:
-    """Reads points first, and what is named by them after."""
+    """Reads a scene of statics: points first, and what is named by them after."""
 
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:
         self.scene, self.laws = scene, laws

@@ -81,7 +81,7 @@ def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
 
 
 class StatementReader:
-    """Reads what is named first, so that it may be used anywhere."""
+    """Reads a scene of vectors: what is named first, so that it may be used anywhere."""
 
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:
         self.scene, self.laws = scene.table, laws

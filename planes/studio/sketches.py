@@ -77,9 +77,7 @@ def _axis(x: Link, m: Mechanism, places: dict[str, complex]) -> complex:
     if x.name == FRAME:
         return 1 + 0j
     if x.slides:
-        owner = m.owner(x.slides.guide)
-        guide = m.guide(x.slides.guide)
-        body = m.frame if owner == FRAME else m.links[owner]
+        body, guide = m.link(m.owner(x.slides.guide)), m.guide(x.slides.guide)
         turn = math.radians(guide.angle_deg + (x.slides.angle_deg or 0.0))
         return _axis(body, m, places) * cmath.rect(1.0, turn)
     base = x.first_point
