@@ -7,6 +7,7 @@ places coincide, a slider that it stands on its guide and does not turn against 
 import cmath
 import math
 from collections.abc import Callable
+from functools import cached_property
 
 import numpy as np
 
@@ -18,11 +19,13 @@ from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
 
 TOLERANCE, MOST = 1e-12, 50
+STILL = (0.0, 0.0, 0.0)  # the pose of the frame
 
 
 @frozen
 class Loops:
-    """The constraints of a mechanism, and of its drive: an angle (rad) or a slider's way along its guide (m)."""
+    """The constraints of a mechanism, and of its drive: an angle (rad) or a slider's way along its guide (m). The pose
+    of the frame, all zeros, stands after those of the links."""
 
     plans: Plans
 
@@ -30,10 +33,14 @@ class Loops:
     def links(self) -> list[str]:
         return list(self.plans.mechanism.links)
 
+    @cached_property
+    def columns(self) -> dict[str, int]:
+        """Where the pose of every link begins."""
+        return {link: 3 * k for k, link in enumerate((*self.links, FRAME))}
+
     def pose(self, q: Array, link: str) -> tuple[complex, float]:
-        if link == FRAME:
-            return 0j, 0.0
-        k = 3 * self.links.index(link)
+        """The place and the angle of a link, or their rates."""
+        k = self.columns[link]
         return complex(q[k], q[k + 1]), float(q[k + 2])
 
     def drive(self, q: Array) -> float:
@@ -87,22 +94,22 @@ class Loops:
         rows: list[Array] = []
         for pair in self.plans.structure.pairs:
             rows += self._hinge_slopes(q, pair) if pair.kind == "R" else self._slider_slopes(q, pair)[1:]
-        return np.array([*rows, self._drive_slope(q)])
+        return np.array([*rows, self._drive_slope(q)])[:, : -len(STILL)]
 
     def _drive_slope(self, q: Array) -> Array:
-        pair, row = self.plans.structure.drive_pair, np.zeros(len(q))
-        if pair.kind == "P":
-            return self._slider_slopes(q, pair)[0]
-        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
-            if link != FRAME:
-                row[3 * self.links.index(link) + 2] = sign
+        pair = self.plans.structure.drive_pair
+        return self._slider_slopes(q, pair)[0] if pair.kind == "P" else self._turn_slope(q, pair)
+
+    def _turn_slope(self, q: Array, pair: Pair) -> Array:
+        """How a link of a pair turns against the other."""
+        row = np.zeros(len(q))
+        for link, sign in pair.sides:
+            row[self.columns[link] + 2] = sign
         return row
 
     def _fill(self, rows: Array, q: Array, link: str, place: complex, unit: complex, sign: float) -> None:
         """How the parts of a place of a link along 1/unit and across it move with the link's pose."""
-        if link == FRAME:
-            return
-        k = 3 * self.links.index(link)
+        k = self.columns[link]
         arm = place - self.pose(q, link)[0]
         for column, way in ((k, 1 + 0j), (k + 1, 1j), (k + 2, 1j * arm)):
             part = sign * way * unit
@@ -110,27 +117,23 @@ class Loops:
 
     def _hinge_slopes(self, q: Array, pair: Pair) -> list[Array]:
         rows = np.zeros((2, len(q)))
-        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
+        for link, sign in pair.sides:
             self._fill(rows, q, link, self.place(q, link, pair.point), 1 + 0j, sign)
         return list(rows)
 
     def _slider_slopes(self, q: Array, pair: Pair) -> list[Array]:
         """Slopes of the way along the guide, of that across it, and of the turn against it."""
-        mechanism, rows, turns = self.plans.mechanism, np.zeros((2, len(q))), np.zeros(len(q))
-        back = cmath.exp(-1j * self._along(q, pair))
-        first = self.place(q, pair.link, mechanism.link(pair.link).first_point)
-        self._fill(rows, q, pair.link, first, back, 1.0)
-        self._fill(rows, q, pair.other, first, back, -1.0)  # the guide's line carried along as a body
-        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
-            if link != FRAME:
-                turns[3 * self.links.index(link) + 2] = sign
-        return [*rows, turns]
+        rows, back = np.zeros((2, len(q))), cmath.exp(-1j * self._along(q, pair))
+        first = self.place(q, pair.link, self.plans.mechanism.link(pair.link).first_point)
+        for link, sign in pair.sides:  # the guide's line is carried along as a body
+            self._fill(rows, q, link, first, back, sign)
+        return [*rows, self._turn_slope(q, pair)]
 
     def newton(self, q: Array, value: float) -> Array:
         """The pose nearest by iteration; no look is taken at whether it came out."""
         for _ in range(MOST):
             step = np.linalg.solve(self.jacobian(q), -self.residual(q, value))
-            q = q + step
+            q = q + np.append(step, STILL)
             if np.abs(step).max() < TOLERANCE:
                 break
         return q
@@ -138,10 +141,10 @@ class Loops:
     def rates(self, q: Array, velocity: float, acceleration: float) -> tuple[Array, Array]:
         """Velocities and accelerations of the pose, from the linear system of the constraints."""
         slopes = self.jacobian(q)
-        drive = np.zeros(len(q))
+        drive = np.zeros(len(slopes))
         drive[-1] = 1.0  # its equation is the last
-        v = np.array(np.linalg.solve(slopes, drive * velocity), float)
-        return v, np.array(np.linalg.solve(slopes, drive * acceleration - self._bends(q, v)), float)
+        v = np.append(np.linalg.solve(slopes, drive * velocity), STILL)
+        return v, np.append(np.linalg.solve(slopes, drive * acceleration - self._bends(q, v)), STILL)
 
     def _bends(self, q: Array, v: Array) -> Array:
         """What the constraints' second derivatives are without accelerations of the pose: exact, centripetal parts and
@@ -158,33 +161,25 @@ class Loops:
         (own, a), (carried, b) = (self._moved(q, v, link, pair) for link in (pair.link, pair.other))
         if pair.kind == "R":
             return a - b
-        coriolis = 2j * self._turns(v, pair.other) * (own - carried)
+        coriolis = 2j * self.pose(v, pair.other)[1] * (own - carried)
         return (a - b - coriolis) * cmath.exp(-1j * self._along(q, pair))
-
-    def _turns(self, v: Array, link: str) -> float:
-        return 0.0 if link == FRAME else float(v[3 * self.links.index(link) + 2])
 
     def _moved(self, q: Array, v: Array, link: str, pair: Pair) -> tuple[complex, complex]:
         """The velocity and centripetal acceleration a link has at a pair (of a slider at its first point)."""
-        if link == FRAME:
-            return 0j, 0j
         point = pair.point if pair.kind == "R" else self.plans.mechanism.link(pair.link).first_point
         place = self.place(q, pair.link, point)
-        k, turns = 3 * self.links.index(link), self._turns(v, link)
+        speed, turns = self.pose(v, link)
         arm = place - self.pose(q, link)[0]
-        return complex(v[k], v[k + 1]) + 1j * turns * arm, -(turns**2) * arm
+        return speed + 1j * turns * arm, -(turns**2) * arm
 
     def points(self, q: Array, v: Array, a: Array) -> dict[str, tuple[complex, complex, complex]]:
         """Place, velocity and acceleration of every point of the moving links."""
         rates = {}
         for link in self.links:
-            k = 3 * self.links.index(link)
-            turn = cmath.exp(1j * float(q[k + 2]))
+            (origin, angle), (speed, omega), (quick, epsilon) = (self.pose(x, link) for x in (q, v, a))
             for name, local in self.plans.mechanism.link(link).points.items():
-                arm = local * turn
-                speed = complex(v[k], v[k + 1]) + 1j * v[k + 2] * arm
-                quick = complex(a[k], a[k + 1]) + (1j * a[k + 2] - v[k + 2] ** 2) * arm
-                rates[name] = complex(q[k], q[k + 1]) + arm, speed, quick
+                arm = local * cmath.exp(1j * angle)
+                rates[name] = origin + arm, speed + 1j * omega * arm, quick + (1j * epsilon - omega**2) * arm
         return rates
 
     def start(self, number: Callable[[str], Point]) -> Array:
@@ -196,7 +191,7 @@ class Loops:
             local = self.plans.mechanism.link(link).points[first]
             place = complex(number(self.plans.points[first].position)) - local * cmath.exp(1j * angle)
             q += [place.real, place.imag, angle]
-        return np.array(q)
+        return np.array([*q, *STILL])
 
 
 def differences(

@@ -17,7 +17,7 @@ from planes.plans import Plans
 from planes.plans.scales import drawn_in_si
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
-from planes.scene.reader import entries_of
+from planes.scene.paths import entries_of
 from planes.scene.source import SourceScalar, SourceTable
 from planes.scene.source import parse as parse_text
 from planes.solving import solve

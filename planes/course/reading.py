@@ -8,7 +8,7 @@ from types import MappingProxyType
 from planes.course import DOCUMENTS, FORMATS, Assignment, Course, ParameterChoice, Student
 from planes.course.students import FILES, check_students, read_file
 from planes.scene import loads, source
-from planes.scene.reader import Reader, part
+from planes.scene.reader import Fields, Reader, part
 from planes.scene.settings import read_sheet, read_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told, langs
@@ -32,20 +32,16 @@ def read_course(folder: str | Path) -> Course:
         raise SceneError(Phrase("course_no_folder"), str(folder))
     table = source.parse(source.read(file), str(file)) if file.is_file() else SourceTable({}, 1)
     reader = Reader(str(file))
+    course = Fields(reader, table, Phrase("the_course"), KEYS)
     if file.is_file():
-        _check_outline(reader, table)
-    return _course(reader, table, file.parent)
+        version = reader.text(course.required("course"), "course")
+        if version != "1":
+            raise reader.error(Phrase("course_format", version=shown(version)), table.entries["course"])
+    return _course(course, file.parent)
 
 
-def _check_outline(reader: Reader, table: SourceTable) -> None:
-    reader.table(table, Phrase("the_course"), KEYS)
-    version = reader.text(reader.required(table, "course", Phrase("the_course")), "course")
-    if version != "1":
-        raise reader.error(Phrase("course_format", version=shown(version)), table.entries["course"])
-
-
-def _course(reader: Reader, table: SourceTable, folder: Path) -> Course:
-    get = {key: reader.optional(table, key) for key in KEYS}
+def _course(course: Fields, folder: Path) -> Course:
+    reader, get = course.reader, {key: course.optional(key) for key in KEYS}
     assignments = _assignments(reader, get["assignments"], folder)
     students = _students(reader, get["students"], folder)
     check_students(*students, assignments)
@@ -93,9 +89,9 @@ def _student(reader: Reader, number: int, node: Node) -> Student:
     what = Phrase("entry", number=number, what="students")
     if isinstance(node, SourceScalar):
         return Student(reader.text(node, what), line=node.line)
-    table = reader.table(node, what, STUDENT_KEYS)
-    said = {k: reader.text(v, part(k, what)) for k, v in reader.present(table).items()}
-    reader.required(table, "name", what)
+    student = Fields(reader, node, what, STUDENT_KEYS)
+    said = {k: student.text(k) for k in reader.present(student.table)}
+    student.required("name")
     return Student(said["name"], said.get("group", ""), said.get("assignment"), said.get("variant"), node.line)
 
 
@@ -160,9 +156,7 @@ def _choice(reader: Reader, name: str, node: Node) -> ParameterChoice:
     if isinstance(node, Items):
         values = [reader.number(n, what) for n in reader.items(node, what)]
     elif isinstance(node, SourceTable):
-        table = reader.table(node, what, DRAW_KEYS)
-        need = {k: reader.required(table, k, what) for k in ("from", "to", "step")}
-        low, high, step = (reader.number(n, part(k, what)) for k, n in need.items())
+        low, high, step = map(Fields(reader, node, what, DRAW_KEYS).number, DRAW_KEYS)
         if step <= 0 or high < low or (high - low) / step > MOST_VALUES:
             raise reader.error(Phrase("course_range", what=what, most=MOST_VALUES), node)
         values = [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]

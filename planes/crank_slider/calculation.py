@@ -51,7 +51,6 @@ class Calculation:
     pressure: Array
     points: RodMotion
     plane: RodMotion
-    found: Found
     forces: CycleForces
     simple: CycleForces
     parts: Replacement
@@ -67,6 +66,10 @@ class Calculation:
     def at(self, phi_deg: float) -> int:
         """The step of the cycle nearest to a crank angle."""
         return int(np.argmin(np.abs(self.motion.phi_deg - phi_deg)))
+
+    def angle(self, phi_deg: float) -> float:
+        """The crank angle of that step, degrees."""
+        return float(self.motion.phi_deg[self.at(phi_deg)])
 
     def steps(self, end: int) -> range:
         """The steps before one that are written out: every 30°."""
@@ -115,7 +118,6 @@ def calculate(scene: Scene) -> Calculation:
         pressure=pressure,
         points=points,
         plane=plane,
-        found=drawn,
         forces=forces,
         simple=classical(shape, motion, plane),
         parts=replaced(shape),

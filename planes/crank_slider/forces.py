@@ -11,6 +11,7 @@ import numpy as np
 from planes.crank_slider.kinematics import EngineCycle, RodMotion, swing
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Complexes
+from planes.geometry.plane import cross
 from planes.words.frozen import frozen
 
 
@@ -40,14 +41,14 @@ def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleFor
     along = -m.gas - shape.m3 * way.a["B"].real
     inertia = -shape.m2 * way.a["C"] - 1j * shape.m2 * shape.g
     arm = shape.c * np.exp(-1j * beta)
-    own = (arm.real * inertia.imag - arm.imag * inertia.real - shape.j2 * way.epsilon) / (shape.l * np.cos(beta))
+    own = (cross(arm, inertia) - shape.j2 * way.epsilon) / (shape.l * np.cos(beta))
     push, rub = _push(shape, way, along, own, beta)
     on_rod = along + rub + 1j * (push - shape.m3 * shape.g)
     on_pin = on_rod + inertia
     turned = on_pin * np.exp(-1j * m.phi)
     pull = np.exp(1j * m.phi)
     crank = shape.m1 * (-(shape.s * (1j * m.epsilon - m.omega**2) * pull) - 1j * shape.g)
-    spin = shape.s * (pull.real * crank.imag - pull.imag * crank.real) - shape.j1 * m.epsilon
+    spin = shape.s * cross(pull, crank) - shape.j1 * m.epsilon
     return CycleForces(
         P=-along - rub,
         N=push,

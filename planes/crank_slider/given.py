@@ -136,6 +136,10 @@ class Shaft:
         """b: from the plane of the crank to the right counterweight."""
         return self.pin_from_b - self.webs
 
+    def static_moment(self, radius: float) -> float:
+        """Of the masses that go round, kg·m; ``radius`` is the crankpin's."""
+        return self.pin_mass * radius + self.web_mass * self.web_radius
+
 
 @frozen
 class Counterweights:

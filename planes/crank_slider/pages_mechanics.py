@@ -37,7 +37,7 @@ def chosen(c: Calculation) -> float:
     assert c.scene.mechanism is not None
     asked = c.scene.mechanism.drive.position % 360.0
     turned = asked if asked >= c.given.indicator.start_deg else asked + 360.0
-    return float(c.motion.phi_deg[c.at(turned)])
+    return c.angle(turned)
 
 
 def drawn_at(w: ChapterWriter, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:
@@ -123,7 +123,7 @@ def _results(w: ChapterWriter, c: Calculation) -> None:
 def worked(c: Calculation) -> float:
     """The position whose forces are written out: of those asked, the one with the largest T."""
     asked = c.given.positions or (chosen(c),)
-    return max((float(c.motion.phi_deg[c.at(p)]) for p in asked), key=lambda p: abs(float(c.forces.T[c.at(p)])))
+    return max((c.angle(p) for p in asked), key=lambda p: abs(float(c.forces.T[c.at(p)])))
 
 
 def write_forces(w: ChapterWriter, c: Calculation) -> None:
@@ -132,7 +132,7 @@ def write_forces(w: ChapterWriter, c: Calculation) -> None:
     _equations(w, c)
     _cycle(w, c)
     for phi in c.given.positions or (chosen(c),):
-        scene, solved = drawn_at(w, c, float(c.motion.phi_deg[c.at(phi)]))
+        scene, solved = drawn_at(w, c, c.angle(phi))
         plans = tuple((p,) for p in solved.plans.drawn if kind_of(p) == "force")
         w.figure("f_force", DrawnViews(scene, solved, plans, True), phi=float(solved.at))
     _torque(w, c)

@@ -96,7 +96,7 @@ def _bearings(w: ChapterWriter, c: Calculation) -> None:
         case.held, case.shaft, case.to_right = at_step(held, k), shaft, shaft.span - shaft.webs
         case.left, case.right = held.web - held.left_weight, held.web - held.right_weight
         w.write("case", case)
-        x, *moments = along(c.given.shape, shaft, held, k)
+        x, *moments = along(shaft, c.sections, k)
         curves = lines(x, dict(zip(w.words("l_Mz", "l_My", "l_Mx"), moments, strict=True)))
         w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), tuple(curves), height_mm=58), case=name)
 

@@ -5,10 +5,11 @@ and tempered). Fatigue limits: σ₋₁ = 0.43 σ_B of carbon and 0.35 σ_B + 12
 estimates of machine design courses; ψ_σ = 0.02 + 2·10⁻⁴ σ_B, ψ_τ = 0.5 ψ_σ as in ГОСТ 25.504.
 """
 
-import bisect
 import json
 import math
 from pathlib import Path
+
+import numpy as np
 
 from planes.words.frozen import frozen
 
@@ -95,9 +96,7 @@ class Shank:
 
 def torsion_factor(ratio: float) -> float:
     """Saint-Venant's α of a rectangle by the ratio of its sides (≥ 1), linear between the table's values."""
-    k = max(1, min(bisect.bisect_left(_SIDES, ratio), len(_SIDES) - 1))
-    share = (ratio - _SIDES[k - 1]) / (_SIDES[k] - _SIDES[k - 1])
-    return _ALPHA[k - 1] + share * (_ALPHA[k] - _ALPHA[k - 1])
+    return float(np.interp(ratio, _SIDES, _ALPHA))
 
 
 ELASTICITY_MPA = 2.1e5

@@ -49,18 +49,20 @@ def read(scene: Scene) -> Given:
     shape = shape_of(scene)
     assert scene.crank_slider is not None
     reader, what = Reader(scene.file, scene.parameters), section("crank_slider")
-    top = Values(reader, reader.table(scene.crank_slider, what, KEYS["crank_slider"]), what)
+    top = Values(reader, scene.crank_slider, what, KEYS["crank_slider"])
     indicator = read_indicator(top)
     pascals = UNITS[indicator.unit]
-    flywheel = top.inner("flywheel", KEYS["flywheel"])
     given = Given(
         shape=shape,
         bore=top.above("bore"),
-        ambient=top.not_negative("ambient", 0.1e6 / pascals) * pascals,
+        ambient=top.positive("ambient", 0.1e6 / pascals) * pascals,
         indicator=indicator,
         step_deg=_step(top),
         speed=top.part("speed", KEYS["speed"], _speed) or Speed(),
-        allowed_unevenness=flywheel.between("unevenness", 1e-4, 0.5) if flywheel else 0.02,
+        allowed_unevenness=top.part(
+            "flywheel", KEYS["flywheel"], lambda flywheel: flywheel.between("unevenness", 1e-4, 0.5)
+        )
+        or 0.02,
         positions=_positions(top, indicator.cycle_deg, indicator.start_deg),
         shaft=top.part("shaft", KEYS["shaft"], _shaft),
         counterweights=top.part("counterweights", KEYS["counterweights"], _counterweights),
@@ -82,7 +84,7 @@ def _check_parts(scene: Scene, top: Values, given: Given) -> None:
     shaft, shape = given.shaft, given.shape
     if given.counterweights and not shaft:
         raise top.error(Phrase("cs_needs", what="shaft", other="counterweights"), "counterweights")
-    by_shaft = shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius if shaft else 0.0
+    by_shaft = shaft.static_moment(shape.r) if shaft else 0.0
     if shaft and shape.m1 and not math.isclose(shape.m1 * shape.s, by_shaft, rel_tol=0.01):
         words = Phrase("cs_crank_mass", link=shape.m1 * shape.s, shaft=by_shaft, name=shape.crank)
         raise SceneError(words, scene.file, scene.where.get(("crank_slider", "shaft", "masses")))
@@ -106,7 +108,7 @@ def _speed(table: Values) -> Speed:
 
 
 def _positions(top: Values, cycle: float, start: float) -> tuple[float, ...]:
-    if (node := top.reader.optional(top.table, "positions")) is None:
+    if (node := top.optional("positions")) is None:
         return ()
     what = top.named("positions")
     places = tuple(top.reader.number(item, what) for item in top.reader.items(node, what))
@@ -141,23 +143,23 @@ def _shaft(table: Values) -> Shaft:
     span, n, m = table.above("span"), table.above("pin_from_B"), table.above("webs")
     if m >= min(n, span - n):
         raise table.error(Phrase("cs_span", webs=m, left=span - n, right=n), "webs")
-    web = table.needed("web", KEYS["web"])
-    masses = table.needed("masses", KEYS["masses"])
+    web = table.inner("web", KEYS["web"])
+    masses = table.inner("masses", KEYS["masses"])
     return Shaft(
         span,
         pin_from_b=n,
         webs=m,
-        journal=_bored(table.needed("journal", KEYS["round"])),
-        crankpin=_bored(table.needed("crankpin", KEYS["round"])),
+        journal=_bored(table.inner("journal", KEYS["round"])),
+        crankpin=_bored(table.inner("crankpin", KEYS["round"])),
         web=Web(web.above("width"), web.above("thickness")),
-        pin_mass=masses.not_negative("pin"),
-        web_mass=masses.not_negative("webs"),
+        pin_mass=masses.positive("pin"),
+        web_mass=masses.positive("webs"),
         web_radius=masses.number("webs_radius"),
     )
 
 
 def _bored(table: Values) -> Round:
-    outer, bore = table.above("diameter"), table.not_negative("bore", 0.0)
+    outer, bore = table.above("diameter"), table.positive("bore", 0.0)
     if bore >= outer:
         raise table.error(Phrase("cs_thin", what=table.what, inner=bore, outer=outer), "bore")
     return Round(outer, bore)
@@ -182,21 +184,19 @@ def _pin(table: Values) -> PistonPin:
 
 def _material(table: Values, key: str) -> Material:
     """The steel of a part: a name of the table or its own numbers in MPa."""
-    node = table.reader.required(table.table, key, table.what)
-    if isinstance(node, SourceScalar):
-        name = table.reader.text(node, table.named(key))
+    if isinstance(table.required(key), SourceScalar):
+        name = table.text(key)
         if known_steel := steel(name):
             return known_steel
         what = Phrase("about", what=table.named(key), why=shown(name))
         raise table.error(Phrase("cs_no_steel", what=what, valid=choices(name, STEELS)), key)
-    inner = table.needed(key, KEYS["material"])
+    inner = table.inner(key, KEYS["material"])
     strength, yields = inner.above("strength_MPa"), inner.above("yield_MPa")
     if yields > strength:
         raise inner.error(Phrase("cs_yield", what=inner.what, one=yields, two=strength), "yield_MPa")
-    name_node, alloyed = (inner.reader.optional(inner.table, k) for k in ("name", "alloyed"))
-    name = key if name_node is None else inner.reader.text(name_node, inner.named("name"))
-    is_alloyed = alloyed is not None and inner.reader.word(alloyed, inner.named("alloyed"), ("yes", "no")) == "yes"
-    bending, torsion = (inner.above(k) if k in inner.table.entries else None for k in KEYS["material"][4:6])
+    name = key if inner.optional("name") is None else inner.text("name")
+    is_alloyed = inner.optional("alloyed") is not None and inner.word("alloyed", ("yes", "no")) == "yes"
+    bending, torsion = (inner.above(k) if k in inner else None for k in KEYS["material"][4:6])
     return made(name, strength, yields, is_alloyed, bending, torsion, inner.above("elasticity_MPa", ELASTICITY_MPA))
 
 
@@ -204,7 +204,7 @@ def _concentration(table: Values) -> dict[str, Concentration]:
     """Stress raisers of journal and crank pin."""
     raisers = {}
     for key in table.table.entries:
-        inner = table.needed(key, KEYS["concentration"])
+        inner = table.inner(key, KEYS["concentration"])
         raisers[key] = Concentration(
             k_sigma=inner.between("k_sigma", 1.0, 20.0),
             k_tau=inner.between("k_tau", 1.0, 20.0),

@@ -7,67 +7,26 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from planes.crank_slider.given import FOUR, TWO, UNITS, Indicator, Points, span
-from planes.scene.reader import Reader, part
-from planes.scene.source import Items, Node, SourceTable
+from planes.scene.reader import Fields
+from planes.scene.source import Items, Node
 from planes.words import Phrase, Told
-from planes.words.errors import SceneError
 
 Part = TypeVar("Part")
 INDICATOR = ("over", "unit", *FOUR)
 
 
-class Values:
-    """Reads the keys of one table."""
-
-    def __init__(self, reader: Reader, table: SourceTable, what: Told) -> None:
-        self.reader, self.table, self.what = reader, table, what
-
-    def error(self, phrase: Told, key: str) -> SceneError:
-        """A refusal at a key."""
-        return self.reader.error(phrase, self.table.lines.get(key, self.table.line))
-
-    def named(self, key: str) -> Told:
-        """The key as a sentence says it."""
-        return part(key, self.what)
-
-    def inner(self, key: str, keys: Sequence[str] | None = None) -> Values | None:
-        """The table under a key, None if it is not there."""
-        node = self.reader.optional(self.table, key)
-        if node is None:
-            return None
-        return Values(self.reader, self.reader.table(node, self.named(key), keys), self.named(key))
+class Values(Fields):
+    """Reads the keys of one table within their bounds."""
 
     def part(self, key: str, keys: Sequence[str], read: Callable[[Values], Part]) -> Part | None:
         """What is read from the table under a key, None if it is not there."""
-        table = self.inner(key, keys)
-        return None if table is None else read(table)
-
-    def needed(self, key: str, keys: Sequence[str]) -> Values:
-        """The table under a key that must be there."""
-        self.reader.required(self.table, key, self.what)
-        inner_table = self.inner(key, keys)
-        assert inner_table is not None
-        return inner_table
-
-    def number(self, key: str, usual: float | None = None) -> float:
-        """A number; ``usual`` where it is not given."""
-        node = self.reader.optional(self.table, key)
-        if node is None and usual is not None:
-            return usual
-        return self.reader.number(self.reader.required(self.table, key, self.what), self.named(key))
+        return None if self.optional(key) is None else read(self.inner(key, keys))
 
     def above(self, key: str, usual: float | None = None) -> float:
         """A number above zero."""
         value = self.number(key, usual)
         if value <= 0.0:
             raise self.error(Phrase("cs_positive", what=self.named(key), value=value), key)
-        return value
-
-    def not_negative(self, key: str, usual: float | None = None) -> float:
-        """A number that is not negative."""
-        value = self.number(key, usual)
-        if value < 0.0:
-            raise self.error(Phrase("negative", what=self.named(key), value=value), key)
         return value
 
     def between(self, key: str, low: float, high: float, usual: float | None = None) -> float:
@@ -79,22 +38,20 @@ class Values:
 
     def pair(self, key: str) -> tuple[float, float] | None:
         """Two numbers, None where they are not given."""
-        if (node := self.reader.optional(self.table, key)) is None:
+        if self.optional(key) is None:
             return None
-        both = self.reader.place(node, self.named(key))
+        both = self.place(key)
         return both.real, both.imag
 
 
 def read_indicator(top: Values) -> Indicator:
     """The diagram with every stage it needs, each over the whole of its stroke, joined to the next."""
-    table = top.needed("indicator", INDICATOR)
-    reader = top.reader
-    over = reader.word(reader.required(table.table, "over", table.what), table.named("over"), ("path", "angle"))
-    unit = reader.word(reader.required(table.table, "unit", table.what), table.named("unit"), tuple(UNITS))
-    names = FOUR if {"intake", "exhaust"} & set(table.table.entries) else TWO
-    missing = next((name for name in names if name not in table.table.entries), None)
+    table = top.inner("indicator", INDICATOR)
+    over, unit = table.word("over", ("path", "angle")), table.word("unit", tuple(UNITS))
+    names = FOUR if "intake" in table or "exhaust" in table else TWO
+    missing = next((name for name in names if name not in table), None)
     if missing:
-        raise reader.error(Phrase("cs_stages", stage=missing), table.table.line)
+        raise table.error(Phrase("cs_stages", stage=missing))
     stages = {name: _stage(table, name, over, names) for name in names}
     for one, two in zip(names, (*names[1:], names[0]), strict=True):
         first, second = stages[one][-1][1], stages[two][0][1]
@@ -105,7 +62,7 @@ def read_indicator(top: Values) -> Indicator:
 
 def _stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Points:
     what, variable = table.named(name), "s/S" if over == "path" else "φ"
-    items = table.reader.items(table.reader.required(table.table, name, table.what), what)
+    items = table.reader.items(table.required(name), what)
     points = tuple(_point(table, item, what, variable) for item in items)
     if len(points) < 2:
         raise table.error(Phrase("cs_two_points", what=what, variable=variable), name)

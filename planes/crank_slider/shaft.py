@@ -8,6 +8,7 @@ the worst point of a round section's edge.
 """
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -94,7 +95,7 @@ def _shaking(
 ) -> Shaking:
     turn = (m.phi_deg >= m.phi_deg[0]) & (m.phi_deg < m.phi_deg[0] + 360.0 - 1e-9)
     radial = np.exp(1j * m.phi[turn]) * (m.omega**2 - 1j * m.epsilon)[turn]
-    crank = shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius
+    crank = shaft.static_moment(shape.r)
     curve = (crank - moment) * radial - shape.m2 * drawn.a["C"][turn] - shape.m3 * drawn.a["B"][turn]
     first, second = (_harmonic(curve, m.phi[turn], k) for k in (1, 2))
     w2, r = shape.omega**2, shape.r
@@ -146,7 +147,7 @@ def supports(
 ) -> Supports:
     """Reactions of the bearings from the sums of forces and moments."""
     length, n, m, w2 = shaft.span, shaft.pin_from_b, shaft.webs, shape.omega**2
-    web = (shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius) * w2 / 2
+    web = shaft.static_moment(shape.r) * w2 / 2
     left, right = (b.chosen[k] * weights.radius * w2 if b and weights else 0.0 for k in (0, 1))
     out, t = -f.K, f.T
     a1 = ((web - left) * (length - m) + out * n + (web - right) * m) / length
@@ -191,16 +192,15 @@ def _web(name: str, z: Array, y: Array, torque: Array, force: Array, shaft: Shaf
     return Section(name, z, y, torque, sigma, np.abs(torque) / web.torsion * MPA)
 
 
-def along(shape: CrankSliderShape, shaft: Shaft, s: Supports, k: int) -> tuple[Array, Array, Array, Array]:
+def along(shaft: Shaft, cut: Mapping[str, Section], k: int) -> tuple[Array, Array, Array, Array]:
     """The diagrams of moments for position ``k`` of the cycle along the unbent length of the bar: distance from A, M_z,
     M_y, M_x."""
     m, middle, end = shaft.webs, shaft.span - shaft.pin_from_b, shaft.span
     x = np.array([0.0, m, m, middle, end - m, end - m, end])
-    a1, a2, b1, b2 = (float(v[k]) for v in (s.A1, s.A2, s.B1, s.B2))
-    z = np.array([0, a1 * m, a1 * m, a1 * middle - (s.web - s.left_weight) * shaft.left, b1 * m, b1 * m, 0])
-    y = np.array([0, a2 * m, a2 * m, a2 * middle, b2 * m, b2 * m, 0])
-    t = float(s.T[k]) * shape.r
-    return x, z, y, np.array([0, 0, a2 * shape.r, a2 * shape.r, a2 * shape.r, t, t])
+    bars = [cut[name] for name in ("journal_A", "journal_A", "crankpin", "journal_B", "journal_B")]
+    z, y = (np.array([0, *bent, 0]) for bent in ([s.bending_z[k] for s in bars], [s.bending_y[k] for s in bars]))
+    pin, journal = (cut[name].torsion[k] for name in ("crankpin", "journal_B"))
+    return x, z, y, np.array([0, 0, pin, pin, pin, journal, journal])
 
 
 @frozen

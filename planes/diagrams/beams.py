@@ -4,6 +4,7 @@ between these by the loads spread there.
 
 from itertools import pairwise
 
+from planes.geometry.plane import toward
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import StaticLoad
@@ -40,8 +41,7 @@ class _Beam:
         ends += [p for *two, _ in figure.shears for p in two]
         places = {p: complex(position.drawing[at(SCHEME, p)]) / position.scales[mu_of(SCHEME)] for p in ends}
         first, last = (pick(places.values(), key=lambda z: (z.real, z.imag)) for pick in (min, max))
-        way = (last - first) / abs(last - first)
-        self.way = way
+        self.way = way = toward(first, last)
         stops = {p: ((z - first) * way.conjugate()).real for p, z in places.items()}
         self.stops = dict(sorted(stops.items(), key=lambda one: one[1]))
 

@@ -112,6 +112,12 @@ class Construction:
         name = self.draft.give(f"y_{plan}_{label}", value)
         self.draft.step(LayOff(at(plan, label), self.foot(plan, half), UP, name, mu_of(plan)))
 
+    def laid(self, plan: str, points: Sequence[tuple[int, str]], values: Sequence[float]) -> None:
+        """The points of a given curve, each laid off and read."""
+        for (half, label), value in zip(points, values, strict=True):
+            self.lay_off(plan, half, label, value)
+            self.measure(plan, half, label)
+
     def carried(self, plan: str, source: str, half: int, label: str) -> None:
         """A point over a foot, as high as a mark on the axis of ordinates: the ordinate carried with dividers."""
         self.draft.step(Carry(at(plan, label), self.foot(plan, half), at(plan, "o"), source))
@@ -128,9 +134,7 @@ def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction
     mu = standard_mu(max(place) - min(place), TALL_MM)
     c.axes(plan, mu, None)
     points = [(2 * k, str(k)) for k in range(motion.sections + 1)]
-    for (half, label), value in zip(points, place, strict=True):
-        c.lay_off(plan, half, label, value - place[0])
-        c.measure(plan, half, label)
+    c.laid(plan, points, [value - place[0] for value in place])
     c.stages.append(Stage(plan, 0, mu, None, tuple(points), True))
     for rank, nxt in ((1, "diagram:v"), (2, "diagram:a")):
         _derived(c, nxt, rank, pole_mm)
@@ -179,9 +183,7 @@ def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
     pole = pole_mm or _level(c, mu, motion.ends[1])
     c.axes(plan, mu, pole)
     points = [(2 * k + 1, _label(2 * k + 1)) for k in range(motion.sections)]
-    for (half, label), value in zip(points, values, strict=True):
-        c.lay_off(plan, half, label, value)
-        c.measure(plan, half, label)
+    c.laid(plan, points, values)
     c.stages.append(Stage(plan, 2, mu, pole, tuple(points), True))
     _summed(c, points, "diagram:v", 1, motion.ends[1][0])
     middles, plan, mu = [], "diagram:v", c.stages[-1].mu

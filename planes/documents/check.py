@@ -15,6 +15,7 @@ from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
 from planes.course.papers import given_of
+from planes.lesson.note import student_said
 from planes.plans import sliced
 from planes.plans.measuring import lettering, title_of
 from planes.scene.files import keep
@@ -76,9 +77,7 @@ def _whose(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:
     """The line beneath the title: the student and the variant, as far as they are told."""
     said = []
     if mark.student:
-        group = str(asked.scene.sheet.get("group", ""))
-        more = Phrase("task_group", group=group).told(lang) if group else ""
-        said.append(Phrase("task_student", name=mark.student).told(lang) + more)
+        said.append(student_said(mark.student, asked.scene, lang))
     if mark.variant:
         said.append(Phrase("task_variant", variant=mark.variant).told(lang))
     return [f"{'. '.join(said)}."] if said else []

@@ -5,7 +5,7 @@ same; so a run that was cut short goes on where it was.
 """
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -19,6 +19,7 @@ from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each
 from planes.documents.answer_book import together, unasked
 from planes.documents.course import Made, Order, due, make, names_of
+from planes.lesson.note import student_said
 from planes.scene import loads
 from planes.words import Lang, Phrase
 from planes.words.naming import Naming
@@ -148,9 +149,7 @@ class Conductor:
     def heads(self, share: Share, text: str) -> tuple[str, ...]:
         """What stands above a task: the scene's title, the course, the student, the variant."""
         scene = loads(text, SCENE)
-        who = Phrase("task_student", name=share.student.name).told(self.lang)
-        if group := scene.sheet.get("group"):
-            who += Phrase("task_group", group=str(group)).told(self.lang)
+        who = student_said(share.student.name, scene, self.lang)
         own = Phrase("task_variant", variant=share.variant) if share.variant else Phrase("task_drawn")
         title = scene.title.get(self.lang) or share.assignment.name
         return title, self.course.title.get(self.lang, ""), f"{who.removesuffix('.')}. {own.told(self.lang)}."
@@ -182,18 +181,19 @@ class Conductor:
         title = self.course.title.get(self.lang, "")
         html = rendered(list(as_blocks(rows, title, self.lang)), ".html", Naming(self.lang))
         made = {"teacher/summary.csv": as_csv(rows, self.lang).encode(), "teacher/summary.html": html}
-        for name, data in made.items():
-            if not self.ledger.fresh(name, digest(data)):
-                self.ledger.keep(name, digest(data), data)
-        return list(made)
+        return self.kept(made)
 
-    def together(self, made: Sequence[Share]) -> list[str]:
-        """What is made of everybody's files: the book of answers, the questions of platforms."""
-        files = dict(together(self.course, self.ledger.folder, [s.place for s in made], self.lang))
+    def kept(self, files: Mapping[str, bytes]) -> list[str]:
+        """Files for the teacher, those that are new written; their names."""
         for name, data in files.items():
             if not self.ledger.fresh(name, digest(data)):
                 self.ledger.keep(name, digest(data), data)
         return list(files)
+
+    def together(self, made: Sequence[Share]) -> list[str]:
+        """What is made of everybody's files: the book of answers, the questions of platforms."""
+        files = dict(together(self.course, self.ledger.folder, [s.place for s in made], self.lang))
+        return self.kept(files)
 
 
 def made_of(thing: object, name: str) -> str:

@@ -39,7 +39,7 @@ def _sheet(calculation: Calculation, path: str, phi: float | None, lang: Lang) -
     low, high = float(calculation.motion.phi_deg[0]), float(calculation.motion.phi_deg[-1])
     if phi is not None and not low <= phi <= high:
         raise PlanesError(Phrase("cs_phi", value=f"{phi:g}", low=low, high=high))
-    asked = worked(calculation) if phi is None else float(calculation.motion.phi_deg[calculation.at(phi)])
+    asked = worked(calculation) if phi is None else calculation.angle(phi)
     for sentence in draw_sheet(scene_at(calculation, asked), [asked], path, lang).said:
         print(say("warning", lang, of=sentence), file=sys.stderr)
 

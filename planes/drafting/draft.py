@@ -4,21 +4,21 @@ A :class:`Draft` grows a program in the order a draughtsman would draw it. Each 
 the name back; asking twice for the same direction makes one step.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 
 from planes.drafting.dimensions import Dimension
-from planes.drafting.equations import Equation, Term
+from planes.drafting.equations import Equation, Moments, MomentTerms, Term
 from planes.drafting.steps import Aim, LayOff, Put, Step, Through, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
-from planes.drafting.steps.reckoning import Calculate, Measure, Product
+from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
 from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law
 from planes.words import Phrase
 from planes.words.errors import ProgramError
 from planes.words.frozen import frozen, replace
 from planes.words.lettering import name_in_words, plan_phrase
-from planes.words.names import AGAIN, POLE, Meaning, Quantity, at, mu_of, plan_of
+from planes.words.names import AGAIN, POLE, Meaning, Quantity, at, label_of, mu_of, plan_of
 
 _REVERSED: Mapping[Quantity, Quantity] = {"with": "against", "against": "with"}
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
@@ -32,21 +32,6 @@ class Segment:
     start: str
     end: str
     name: str
-
-
-@frozen
-class Moments:
-    """A moment equation about a point: signed terms (force, arm) or (couple, "") adding up to zero with the unknown.
-
-    ``unknown`` is the value it is solved for and ``arm`` its arm's name ("" for a couple); ``links`` are those whose
-    equilibrium it states.
-    """
-
-    about: str
-    links: tuple[str, ...]
-    terms: tuple[tuple[str, str], ...]
-    unknown: str
-    arm: str
 
 
 class Draft:
@@ -140,9 +125,7 @@ class Draft:
 
     def _angle(self, name: str, angle: float | Dimension, means: Meaning | None) -> str:
         given = f"angle_{name}"
-        if isinstance(angle, Dimension):
-            return self.reckon(given, angle, means)
-        return self.give(given, angle, means=means)
+        return self.reckon(given, angle, means) if isinstance(angle, Dimension) else self.give(given, angle, means)
 
     def lay_off(self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None) -> str:
         """A length (SI value by name) laid off from a mark."""
@@ -160,29 +143,58 @@ class Draft:
         """A sum of products."""
         return self.step(Calculate(name, tuple(terms), means=means))
 
+    def arm(self, force: str, point: str, along: str, about: str, link: str = "", name: str = "") -> str:
+        """The arm of a force at a mark about another one, dropped and measured."""
+        means = Meaning("arm", force, about, link)
+        name = name or f"h_{force}_{label_of(about)}"
+        return self.step(Drop(name, point, along, about, mu_of(plan_of(point)), means=means))
+
+    def balance(
+        self,
+        unknown: str,
+        about: str,
+        links: tuple[str, ...],
+        terms: MomentTerms,
+        arm: str = "",
+        means: Meaning | None = None,
+    ) -> str:
+        """Solve the moments about a mark for one unknown: a force by its ``arm``, a couple without."""
+        value = self.total(unknown, [product for _, _, product in terms], means)
+        shown = tuple((name, lever) for name, lever, _ in terms)
+        self.moments.append(Moments(label_of(about), links, shown, value, arm))
+        return value
+
+    def back(self, plan: str, one: str, two: str) -> str:
+        """The direction from the second of two marks to the first."""
+        return self.step(Turn(f"{two}→{one}", self.ray(plan, one, two), 2, means=Meaning("towards", two, one)))
+
     def show(self, plan: str, start: str, end: str, name: str) -> None:
         """Name a segment as the image of a quantity."""
         self.segments.append(Segment(plan, start, end, name))
 
     def draw(self, equation: Equation) -> None:
         """Solve the equation on its plan: lay off what is known, then close, cross, or cross arcs; measure the rest."""
-        ends, open_terms = [], []
-        for chain in equation.chains:
-            mark, unknown = self._advance(equation.plan, chain)
-            ends.append(mark)
-            open_terms.append(unknown)
+        ends, open_terms = zip(*(self._advance(equation.plan, chain) for chain in equation.chains), strict=True)
         if equation.kind != "close":
             self._meet(equation, ends, open_terms)
         self.conclude(equation)
+
+    def meet(self, plan: str, chain: Iterable[Term], last: Term, back: Term) -> None:
+        """A vector on from where a chain ends and one back from its beginning meet, the line of either being known."""
+        self.draw(Equation(plan, ((*chain, last), (back,))))
+
+    def close(self, plan: str, chain: Iterable[Term], name: str, start: str, end: str = POLE) -> None:
+        """A vector of that name closes a polygon: its length and direction are read."""
+        self.conclude(Equation(plan, ((*chain, Term(name, start, end)), ())))
 
     def conclude(self, equation: Equation) -> None:
         """Measure what an equation was drawn for, its last mark being there."""
         self.equations.append(equation)
         for term in equation.terms:
-            ends = (term.start, term.end) if term.sign > 0 else (term.end, term.start)
-            self.show(equation.plan, *ends, term.name)
+            self.show(equation.plan, *term.ends, term.name)
             if not term.drawn and term.length is None:
-                self.measure(term.name, at(equation.plan, ends[0]), at(equation.plan, ends[1]), term.direction)
+                start, end = (at(equation.plan, label) for label in term.ends)
+                self.measure(term.name, start, end, term.direction)
         if equation.total and equation.chains[0]:
             self.show(equation.plan, equation.chains[0][0].start, equation.chains[0][-1].end, equation.total)
 
@@ -213,7 +225,7 @@ class Draft:
             turned = replace(turned, of=turned.about, about=turned.of)
         return self.step(Turn(f"−{line_name}", line_name, 2, means=turned))
 
-    def _meet(self, equation: Equation, ends: list[str], open_terms: list[list[Term]]) -> None:
+    def _meet(self, equation: Equation, ends: Sequence[str], open_terms: Sequence[list[Term]]) -> None:
         """Cross the lines or arcs of the two open terms."""
         if len(open_terms[0]) == 1:
             (one,), (two,) = open_terms

@@ -7,6 +7,7 @@ vector of which one of the two is known (Chace, 1963; Bauman conventions of the 
 from itertools import pairwise
 from typing import Literal
 
+from planes.drafting.steps.reckoning import Product
 from planes.words import Phrase
 from planes.words.errors import EquationError
 from planes.words.frozen import field, frozen
@@ -38,6 +39,11 @@ class Term:
     def known(self) -> int:
         """How many of length and direction are known: the number of underlines."""
         return 2 if self.drawn else (self.length is not None) + (self.direction is not None)
+
+    @property
+    def ends(self) -> tuple[str, str]:
+        """The marks its vector goes from and to: in a difference the other way."""
+        return (self.start, self.end) if self.sign > 0 else (self.end, self.start)
 
 
 SignedTerm = tuple[int, Term]
@@ -132,3 +138,21 @@ def _check_chain(chain: tuple[Term, ...], text: str) -> None:
         if before.end != after.start:
             ends = {"start": after.start, "reached": before.end}
             raise EquationError(Phrase("chain_broken", text=text, name=after.name, **ends))
+
+
+@frozen
+class Moments:
+    """A moment equation about a point: signed terms (force, arm) or (couple, "") adding up to zero with the unknown.
+
+    ``unknown`` is the value it is solved for and ``arm`` its arm's name ("" for a couple); ``links`` are those whose
+    equilibrium it states.
+    """
+
+    about: str
+    links: tuple[str, ...]
+    terms: tuple[tuple[str, str], ...]
+    unknown: str
+    arm: str
+
+
+MomentTerms = list[tuple[str, str, Product]]  # a force or a couple, its arm, and the product of both

@@ -92,6 +92,10 @@ class _Errors:
     def normal(self, shape: tuple[int, ...]) -> Real:
         return self.array.standard_normal(shape) if shape else self.one.gauss(0.0, 1.0)
 
+    def both(self, shape: tuple[int, ...]) -> Point:
+        """Of a place: to the right, then upwards."""
+        return self.normal(shape) + 1j * self.normal(shape)
+
 
 @dataclass
 class _PencilTool(Tool):
@@ -99,8 +103,7 @@ class _PencilTool(Tool):
     errors: _Errors = field(default_factory=lambda: _Errors(1, False))
 
     def mark(self, place: Point) -> Point:
-        error = self.errors.normal(self.shape) + 1j * self.errors.normal(self.shape)
-        return place + self.pencil.point_mm * error
+        return place + self.pencil.point_mm * self.errors.both(self.shape)
 
     def ray(self, direction: Point) -> Point:
         angle = math.radians(self.pencil.ray_deg) * self.errors.normal(self.shape)
@@ -125,8 +128,7 @@ class _ShakenTool(Tool):
         return super().draw(step, things)
 
     def mark(self, place: Point) -> Point:
-        error = self.errors.normal(self.shape) + 1j * self.errors.normal(self.shape)
-        return place + ROUNDINGS * self.ar.maximum(abs(place), self.reach) * error
+        return place + ROUNDINGS * self.ar.maximum(abs(place), self.reach) * self.errors.both(self.shape)
 
     def ray(self, direction: Point) -> Point:
         return direction * (1 + 1j * ROUNDINGS * self.errors.normal(self.shape))

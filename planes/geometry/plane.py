@@ -5,7 +5,7 @@ Places, vectors and directions are complex numbers, single or arrays. Each meeti
 Nothing is raised here: a sharpness of zero or less says there is no honest answer.
 """
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 
@@ -38,10 +38,25 @@ def unit(v: Point, ar: Arithmetic) -> Point:
     return ar.where(nothing, 1 + 0j, v / ar.where(nothing, 1.0, length))
 
 
+def toward(start: complex, end: complex) -> complex:
+    """The direction from one place to another."""
+    return (end - start) / abs(end - start)
+
+
 def corners(places: Iterable[complex]) -> tuple[complex, complex]:
     """The lower left and the upper right corner of the box about some places."""
     xs, ys = zip(*((z.real, z.imag) for z in places), strict=True)
     return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+
+
+def dropped(place: complex, through: complex, along: complex) -> complex:
+    """The foot of a place on the line through another along a direction."""
+    return through + ((place - through) * along.conjugate()).real * along
+
+
+def spread(places: Collection[complex]) -> float:
+    """The distance of the two places farthest apart."""
+    return max(abs(a - b) for a in places for b in places)
 
 
 def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:

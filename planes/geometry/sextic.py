@@ -99,7 +99,7 @@ def axis_at(t: float) -> complex:
 def settled(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
     """The pose by Newton's steps; nothing where they do not settle near it."""
     origin, axis = pose
-    size = max(abs(t.place) + abs(t.local) + abs(t.reach) for t in ties)
+    size = max(t.size for t in ties)
     for _ in range(STEPS):
         (origin, axis), moved, det = advanced(ties, (origin, axis))
         if not det or abs(axis - pose[1]) > 1e-3:

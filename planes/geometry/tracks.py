@@ -31,6 +31,11 @@ class Tie:
     turn: Point = 1 + 0j
     link: int = 0
 
+    @property
+    def size(self) -> Real:
+        """How far its points are and reach, together: what errors are weighed against."""
+        return abs(self.place) + abs(self.local) + abs(self.reach)
+
     def wrench(self, origin: Point, axis: Point) -> tuple[Real, Point, Real]:
         """By how much the tie is missed, the direction it pulls in, and the moment of that about the origin."""
         if self.kind == "guide":

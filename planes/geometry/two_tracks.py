@@ -155,7 +155,7 @@ def _posed(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> 
     one, two = (_roots(_in_y(track, u), unit) for track in tracks)
     a, b = min(product(one, two), key=lambda pair: abs(pair[0] - pair[1]))
     y = (a + b).real / 2
-    at, size = float(u / unit), max(abs(t.place) + abs(t.local) + abs(t.reach) for t in ties)
+    at, size = float(u / unit), max(t.size for t in ties)
     hinge = complex((at - SLANT[1] * y) / SLANT[0], y)
     pose: Pose = (hinge, *(_axis([t for t in ties if t.link == side], hinge) for side in (0, 1)))
     for _ in range(STEPS):

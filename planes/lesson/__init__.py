@@ -6,8 +6,8 @@ Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every 
 from functools import partial
 
 from planes.drafting import steps as s
-from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Moments
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
@@ -154,15 +154,14 @@ class Teller:
     def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
         """Frames of what was reckoned since the last mark: rates together, each moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
-        if self.plans.moves and not any(f.plan in ("velocity", "acceleration") for f in before):
-            rates = []
-        if not self.plans.moves:
+        if self.plans.moves:
+            last = next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None)
+            rates, plan = (rates, last.plan) if last else ([], "velocity")
+            crossed = last is not None and last is before[-1] and last.key == "cross"
+            frames = [*self.stating.turns(rates, plan, self.frame)]
+            frames += [self.measured(plan, rates, before)] if rates or crossed else []
+        else:
             frames = [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
-            return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
-        crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
-        plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
-        frames = [*self.stating.turns(rates, plan, self.frame)]
-        frames += [self.measured(plan, rates, before)] if rates or crossed else []
         return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:

@@ -11,6 +11,7 @@ from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Choose, Drop
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson.frame import Frame
+from planes.lesson.scheme import foot_of
 from planes.plans import Plans
 from planes.words.frozen import frozen
 from planes.words.names import at, plan_of
@@ -125,7 +126,7 @@ class Kit:
 
 def _dropped(step: Drop) -> Json:
     """The set square that drops an arm: laid to a force, its other edge through the point of the moments."""
-    foot = at(plan_of(step.point), f"⊥{step.makes}")
+    foot = foot_of(step)
     return {"tool": "square", "to": (step.about, foot), "from": (step.point, foot)}
 
 

@@ -4,8 +4,8 @@ import math
 from functools import partial, reduce
 from typing import Any
 
-from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Moments
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.geometry.listed import Listed, each, greater
 from planes.lesson.formulas import by_sense, slot

@@ -28,11 +28,17 @@ from planes.solving.given import GivenTable
 from planes.solving.own_equations import own_rows
 from planes.solving.structure_text import alignment_report, group_counted, ways_told
 from planes.solving.tables import difference
-from planes.words import Lang, capital, decimal, say
+from planes.words import Lang, capital, decimal, say, text_in
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, links_of
 from planes.words.naming import Naming
 from planes.words.units import number
+
+
+def student_said(name: str, scene: Scene, lang: Lang) -> str:
+    """Whose a scene is: the student, and the group where it tells one."""
+    group = str(scene.sheet.get("group", ""))
+    return say("task_student", lang, name=name) + (say("task_group", lang, group=group) if group else "")
 
 
 @dataclass
@@ -80,9 +86,10 @@ class Note:
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""
         plans, drive = self.position.plans, self.position.plans.mechanism.drive
-        title = self.scene.title.get(self.lang) or next(iter(self.scene.title.values()), "")
+        title = text_in(self.lang, self.scene.title)
         yield Heading(f"{self.say('note')}. {title}" if title else self.say("note"), 0)
-        yield from self.whose()
+        if student := str(self.scene.sheet.get("student", "")):
+            yield Paragraph(student_said(student, self.scene, self.lang).removesuffix(".") + ".")
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
@@ -93,15 +100,8 @@ class Note:
         given = GivenTable(self.position, self.naming, self.scene.used)
         yield from self.table(self.given_table, head, [*given.rows(), *given.laws()])
         yield from map(Paragraph, conditions(plans, self.lang))
-        if remark := self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""):
+        if remark := text_in(self.lang, self.scene.note):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
-
-    def whose(self) -> Iterator[Block]:
-        """The student, as the title block of the sheet has the name."""
-        student, group = (str(self.scene.sheet.get(key, "")) for key in ("student", "group"))
-        if student:
-            more = self.say("task_group", group=group) if group else ""
-            yield Paragraph(f"{self.say('task_student', name=student)}{more}".removesuffix(".") + ".")
 
     def sought(self) -> Sequence[str]:
         """What the task names."""

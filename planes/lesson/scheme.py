@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Mapping
 from itertools import chain, permutations
 
-from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Moments
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
@@ -78,7 +78,7 @@ def _forces(m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
         drop = steps.get(arm)
         if isinstance(drop, Drop):
             own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0], "arm": arm}
-            yield {**own, "foot": _foot(arm, drop)}
+            yield {**own, "foot": foot_of(drop)}
 
 
 def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
@@ -90,8 +90,9 @@ def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
                 yield {"name": c.name, "link": link, "size": c.value, "sign": c.sign}
 
 
-def _foot(arm: str, drop: Drop) -> str:
-    return at(plan_of(drop.point), f"⊥{arm}")
+def foot_of(drop: Drop) -> str:
+    """The mark of an arm's foot."""
+    return at(plan_of(drop.point), f"⊥{drop.makes}")
 
 
 def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
@@ -110,7 +111,7 @@ def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
     for step in plans.program.steps:
         if isinstance(step, Drop) and step.makes in cycle and plan_of(step.point) != "motion":
             way = ((cycle[step.about] - cycle[step.point]) * cycle[step.along].conjugate()).real
-            foot_places[_foot(step.makes, step)] = cycle[step.point] + way * cycle[step.along]
+            foot_places[foot_of(step)] = cycle[step.point] + way * cycle[step.along]
     return foot_places
 
 

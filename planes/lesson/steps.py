@@ -46,12 +46,10 @@ class StepWords:
                 return self.lay_off(step)
             case crossings.Touch():
                 return "touch", "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
-            case crossings.Cross() if step.quantity == "special":
-                lines: Names = {"action": self.action(step.along), "across": self.action(step.across)}
-                return "special", "special", lines
             case crossings.Cross():
-                names: Names = {"action": self.action(step.along), "across": self.action(step.across)}
-                return "cross", self.crossing(step.makes), names
+                special = step.quantity == "special"
+                lines: Names = {"action": self.action(step.along), "across": self.action(step.across)}
+                return "special" if special else "cross", "special" if special else self.crossing(step.makes), lines
             case CutTrack():
                 return self.track(step)
             case crossings.CrossArc():

@@ -99,24 +99,15 @@ def drive_of(plans: Plans) -> Json:
     drive = plans.mechanism.drive
     turns = drive.kind == "phi"
     reach, start = (0.0, drive.position % 1.0) if turns else (plans.reach, drive.position)
-    range_of_drive: Json = {
-        "symbol": "φ" if turns else "s",
-        "given": plans.drive_given,
-        "at": drive.position,
-        "held": None,
-    }
+    still: Json = {"symbol": "φ" if turns else "s", "given": plans.drive_given, "at": drive.position, "held": None}
+    still |= {"from": drive.position, "to": drive.position}
     if not plans.turns:
-        return {**range_of_drive, "from": drive.position, "to": drive.position}
+        return still
     try:
         plans.at(drive.position + 1.0)
     except SceneError as law:  # a number that holds where the drive stands in the file alone
-        return {
-            **range_of_drive,
-            "from": drive.position,
-            "to": drive.position,
-            "held": in_both(PlanesError(law.phrase).told),
-        }
-    return {**range_of_drive, "from": start - reach, "to": start + (reach or 360.0)}
+        return {**still, "held": in_both(PlanesError(law.phrase).told)}
+    return {**still, "from": start - reach, "to": start + (reach or 360.0)}
 
 
 def equation_written(plans: Plans, e: Equation) -> Json:
@@ -136,7 +127,7 @@ def equation_written(plans: Plans, e: Equation) -> Json:
 
 
 def _term(plans: Plans, plan: str, t: Term) -> Json:
-    start, end = (at(plan, label) for label in ((t.start, t.end) if t.sign > 0 else (t.end, t.start)))
+    start, end = (at(plan, label) for label in t.ends)
     own = {"name": t.name, "start": start, "end": end, "at": at(plan, t.end)}
     return {**own, "action": _acted(plans, t), "known": t.known}
 

@@ -40,7 +40,7 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
     try:
         structure = analyse(mechanism, file)
     except StructureError as error:
-        freedom = error.phrase.parts.get("freedom") if isinstance(error.phrase, Phrase) else None
+        freedom = error.parts.get("freedom")
         if isinstance(freedom, int) and (plans := without_passive(mechanism, freedom, plans_of)):
             return with_passive(plans)
         raise

@@ -17,7 +17,6 @@ from planes.drafting.drawing import run
 from planes.drafting.instruments import InLists
 from planes.geometry.listed import Listed
 from planes.scene.mechanism import FRAME, Assembly, Link, Mechanism
-from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
 from planes.words.names import at
 
@@ -47,8 +46,7 @@ def _assembled(mechanism: Mechanism, stated: Callable[[Mechanism], Stated]) -> I
     try:
         yield stated(mechanism)
     except SceneError as error:
-        offers: Any = error.phrase.parts.get("offers", ()) if isinstance(error.phrase, Phrase) else ()
-        for offer in offers:
+        for offer in error.parts.get("offers", ()):
             said = {offer.parts["key"]: Assembly(order=offer.parts["word"])}
             yield from _assembled(replace(mechanism, assembly={**mechanism.assembly, **said}), stated)
     except PlanesError:

@@ -80,8 +80,7 @@ def _balanced(s: Statics) -> Iterator[Proof]:
         sides = []
         for r in s.reactions.values():
             if r.pair.joins(link):
-                where = at(SCHEME, r.pair.point) if r.pair.kind == "R" else s.bodies.foot(r.pair)
-                sides.append((r.start, r.end, 1 if link == r.pair.link else -1, where, r.moment))
+                sides.append((r.start, r.end, 1 if link == r.pair.link else -1, s.bodies.place(r.pair), r.moment))
         pair, sign = s.bodies.structure.drive_pair, 1 if link == drive.link else -1
         if drive.kind == "phi" and pair.joins(link):
             couples.append((s.balancing, sign))

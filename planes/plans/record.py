@@ -5,8 +5,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from planes.drafting.dimensions import Dimension
-from planes.drafting.draft import Moments, Segment
-from planes.drafting.equations import Equation
+from planes.drafting.draft import Segment
+from planes.drafting.equations import Equation, Moments
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Real

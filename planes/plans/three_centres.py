@@ -55,20 +55,20 @@ class Centres:
             links = self.links.index(pair.other), self.links.index(pair.link)
             i, j = (self.links[k] for k in sorted(links))
             if pair.kind == "R":
-                self.put(Centre((i, j), self.name(i, j), point=pair.point), at(SCHEME, pair.point))
+                self.put(i, j, point=pair.point)
             elif f"∥{pair.guide}" in self.draft.steps:
-                self.put(Centre((i, j), self.name(i, j), along=self.draft.square(f"∥{pair.guide}")))
+                self.put(i, j, self.draft.square(f"∥{pair.guide}"))
 
-    def put(self, centre: Centre, same: str = "") -> None:
-        """A centre found: at a mark that is there, at infinity, or where its lines cross."""
-        i, j = centre.links
-        mark, means = at(SCHEME, centre.name), Meaning("centre", i, j)
-        if same:
-            self.draft.step(Same(mark, same, means=means))
-        elif not centre.along:
-            one, two = centre.lines
+    def put(self, i: str, j: str, along: str = "", lines: tuple[CentreLine, ...] = (), point: str = "") -> None:
+        """A centre found: at a hinge that is there, at infinity, or where its lines cross."""
+        name = self.name(i, j)
+        mark, means = at(SCHEME, name), Meaning("centre", i, j)
+        if point:
+            self.draft.step(Same(mark, at(SCHEME, point), means=means))
+        elif not along:
+            one, two = lines
             self.draft.step(CrossApart(mark, one.mark, one.along, two.mark, two.along, means=means))
-        self.found[frozenset((i, j))] = centre if centre.along else replace(centre, mark=mark)
+        self.found[frozenset((i, j))] = Centre((i, j), name, "" if along else mark, along, lines, point)
 
     def meet(self, i: str, j: str) -> None:
         """The centre of two links by those that are there, if they give it."""
@@ -76,7 +76,7 @@ class Centres:
         ways = [(k, one, two) for k, one, two in between if one and two]
         for _, one, two in ways:
             if one.point and one.point == two.point:
-                self.put(Centre((i, j), self.name(i, j), point=one.point), at(SCHEME, one.point))
+                self.put(i, j, point=one.point)
                 return
         lines, far = dict[tuple[str, ...], CentreLine](), False
         for k, one, two in ways:
@@ -87,8 +87,7 @@ class Centres:
                 lines.setdefault(tuple(sorted((line.mark, line.other or line.along))), line)
         first, *more = [*lines.values(), None]
         if first and (far or more[0]):
-            own = Centre((i, j), self.name(i, j), lines=(first,) if far else (first, *filter(None, more[:1])))
-            self.put(replace(own, along=first.along) if far else own)
+            self.put(i, j, *((first.along, (first,)) if far else ("", (first, *filter(None, more[:1])))))
 
     def line(self, third: str, one: Centre, two: Centre) -> CentreLine:
         """The line of three centres by two of them, not both at infinity."""

@@ -14,13 +14,14 @@ from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader, read_turning
 from planes.scene.mechanism import FRAME, Drive, Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_loads
-from planes.scene.outline import MECHANISM_KEYS, check_outline
+from planes.scene.outline import check_outline
 from planes.scene.parameters import TOLD, choose, read_laws, read_parameters, read_variants, used_values, with_numbers
-from planes.scene.reader import Reader, entries_of, line_of
-from planes.scene.source import Node, SourceTable
-from planes.scene.structures import read_framework
+from planes.scene.paths import entries_of, line_of
+from planes.scene.reader import Fields, Reader
+from planes.scene.source import Node
+from planes.scene.structures import FrameworkReader
 from planes.scene.vector_equations import VectorEquation
-from planes.scene.vectors import Statement, VectorGiven, read_own, read_statement
+from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
@@ -155,8 +156,9 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     reader = Reader(file)
     check_outline(reader, table)
     variant = variant and unicodedata.normalize("NFC", variant[:1000])
-    given, variants = reader.optional(table, "parameters"), reader.optional(table, "variants")
-    tables = read_variants(reader, variants, given)
+    scene = Fields(reader, table, Phrase("the_scene"))
+    given = scene.optional("parameters")
+    tables = read_variants(reader, scene.optional("variants"), given)
     variant, chosen = choose(reader, tables, variant, table.lines.get("variants", 1))
     changed = with_numbers(reader, given, chosen, parameters)
     reader.parameters = MappingProxyType(read_parameters(reader, given, changed))
@@ -164,26 +166,27 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     if idle := parameters.keys() & idle_parameters(table, stated, TOLD):
         raise SceneError(Phrase("parameter_idle", name=min(idle)), file, line_of(table, ("parameters", min(idle))))
     reading = ReadWith(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
-    return _scene(reader, table, reading, stated)
+    return _scene(scene, reading, stated)
 
 
-def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
+def _scene(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
+    reader, table = scene.reader, scene.table
     where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
-    of_vectors = "vectors" in table.entries
-    laws = read_turning(reader, table, stated) if of_vectors or "points" in table.entries else None
-    statics = read_framework(reader, table, laws) if "points" in table.entries else None
-    mechanism = None if of_vectors or statics else _mechanism(reader, table, where, stated)
-    mu, quantity = settings.read_plans(reader, reader.optional(table, "plans")), None
+    of_vectors = "vectors" in scene
+    laws = read_turning(scene, stated) if of_vectors or "points" in scene else None
+    statics = FrameworkReader(scene, laws).read() if "points" in scene else None
+    mechanism = None if of_vectors or statics else _mechanism(scene, where, stated)
+    mu, quantity = settings.read_plans(reader, scene.optional("plans")), None
     if of_vectors:
-        mu, quantity = settings.read_vector_mu(reader, table, mu)
+        mu, quantity = settings.read_vector_mu(scene, mu)
     mu = {**mu, CREMONA: mu["force"]} if statics else mu
-    if "note" in table.entries and "text" in table.entries:
-        reader.one_of(table, ("note", "text"), Phrase("the_scene"))
-    said = {key: reader.optional(table, key) for key in ("title", "note", "missing")}
-    said["note"] = said["note"] or reader.optional(table, "text")
-    statement = read_statement(reader, table, quantity, laws) if of_vectors else None
+    if "note" in scene and "text" in scene:
+        scene.one_of("note", "text")
+    said = {key: scene.optional(key) for key in ("title", "note", "missing")}
+    said["note"] = said["note"] or scene.optional("text")
+    statement = StatementReader(scene, laws).read(quantity) if of_vectors else None
     if statics:
-        statement = Statement.of_statics(statics, reader.parameters, laws.drive if laws else None)
+        statement = Statement(parameters=reader.parameters, statics=statics, drive=laws.drive if laws else None)
     words = {key: MappingProxyType(settings.read_words(reader, node, key)) for key, node in said.items()}
     return Scene(
         file=reader.file,
@@ -193,31 +196,31 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         mechanism=mechanism,
         statement=statement,
         mu=MappingProxyType(mu),
-        find=settings.read_find(reader, reader.optional(table, "find")),
-        sheet=MappingProxyType(dict(settings.read_sheet(reader, reader.optional(table, "sheet")))),
+        find=settings.read_find(reader, scene.optional("find")),
+        sheet=MappingProxyType(dict(settings.read_sheet(reader, scene.optional("sheet")))),
         where=where,
-        crank_slider=reader.optional(table, "crank_slider"),
+        crank_slider=scene.optional("crank_slider"),
         missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
         mu_written=settings.convention_written(table),
-        equations=read_own(reader, table.entries["equations"]) if mechanism and "equations" in table.entries else (),
+        equations=read_own(reader, table.entries["equations"]) if mechanism and "equations" in scene else (),
     )
 
 
-def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping[str, Node]) -> Mechanism:
+def _mechanism(scene: Fields, where: Where, stated: Mapping[str, Node]) -> Mechanism:
+    reader, table = scene.reader, scene.table
     reader.taken = {latin(path[-1]) for path in where if path[-2:-1] == ("points",)}
     frame = read_frame(reader, table.entries["frame"])
     links = read_links(reader, table.entries["links"], frame)
-    given = {key: reader.optional(table, key) for key in MECHANISM_KEYS}
-    drive = read_drive(reader, table.entries["drive"], frame, links)
-    assembly, loads = given["assembly"], given["loads"]
-    friction, journals = read_friction(reader, f, frame, links) if (f := given["friction"]) else ({}, {})
+    drive = read_drive(reader, table.entries["drive"], links)
+    assembly, loads = scene.optional("assembly"), scene.optional("loads")
+    friction, journals = read_friction(reader, f, frame, links) if (f := scene.optional("friction")) else ({}, {})
     mechanism = Mechanism(
         frame,
         MappingProxyType(links),
         drive,
-        () if loads is None else read_loads(LawReader(reader, links, drive, table, stated), loads, links),
-        None if (gravity := given["gravity"]) is None else reader.positive(gravity, Phrase("gravity")),
+        () if loads is None else read_loads(LawReader(scene, links, drive, stated), loads, links),
+        None if (gravity := scene.optional("gravity")) is None else reader.positive(gravity, Phrase("gravity")),
         MappingProxyType(friction),
         MappingProxyType(journals),
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),

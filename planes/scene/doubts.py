@@ -10,7 +10,8 @@ from itertools import combinations
 
 from planes.scene.mechanism import FRAME, RATES, Link, Mechanism
 from planes.scene.parameters import names_of, reached
-from planes.scene.reader import Keys, Reader, down, line_of, texts
+from planes.scene.paths import Keys, down, line_of, texts
+from planes.scene.reader import Reader
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase, Written
 from planes.words.errors import Doubt

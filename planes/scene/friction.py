@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 
 from planes.scene.mechanism import Journal, Link
-from planes.scene.reader import Reader, part
+from planes.scene.reader import Fields, Reader
 from planes.scene.source import Node, SourceTable
 from planes.words import Phrase
 
@@ -22,7 +22,8 @@ def read_friction(
     for name, entry in table.entries.items():
         what = Phrase("friction_of", name=name[:60])
         if name in hinges and isinstance(entry, SourceTable):
-            journals[name] = _pin(reader, entry, what)
+            pin = Fields(reader, entry, what, PIN_KEYS)
+            journals[name] = Journal(pin.positive("coefficient"), pin.positive("radius"))
         elif name in slid and name in radii:
             journals[name] = Journal(reader.positive(entry, what), radii[name], round=True)
         elif name in slid:
@@ -35,12 +36,6 @@ def read_friction(
             why = Phrase("friction_no_slide" if name in idle else "friction_no_pair", name=name[:60], valid=valid)
             raise reader.error(why, table.lines[name])
     return guides, journals
-
-
-def _pin(reader: Reader, entry: SourceTable, what: Phrase) -> Journal:
-    fields = reader.table(entry, what, PIN_KEYS)
-    f, radius = (reader.positive(reader.required(fields, x, what), part(x, what)) for x in PIN_KEYS)
-    return Journal(f, radius)
 
 
 def _slid(links: Mapping[str, Link]) -> Iterator[str]:

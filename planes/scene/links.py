@@ -11,9 +11,10 @@ from itertools import chain, count
 from types import MappingProxyType
 
 from planes.scene.mechanism import FRAME, Guide, Link, RoundGuide, Slide
-from planes.scene.reader import Reader, line_of, part
+from planes.scene.paths import line_of
+from planes.scene.reader import Fields, Reader
 from planes.scene.source import Node, SourceScalar, SourceTable
-from planes.words import Phrase
+from planes.words import Phrase, Told
 from planes.words.names import latin
 
 LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
@@ -23,21 +24,21 @@ SLIDE_KEYS = ("guide", "angle", "offset", "length")
 LETTERS = "KMNQTUVW"  # of a centre given by its place
 
 
-def read_round(reader: Reader, name: str, table: SourceTable, points: dict[str, complex], owner: Phrase) -> RoundGuide:
+def read_round(guide: Fields, name: str, points: dict[str, complex], owner: Told) -> RoundGuide:
     """A guide by its centre, a point of its link or a place that becomes one, and its radius."""
-    what = Phrase("guide_named", name=name)
+    reader = guide.reader
     for key in ("angle", "mark"):
-        if key in table.entries:
-            raise reader.error(Phrase("round_has_no", what=what, key=key), table.lines[key])
-    entry, radius = reader.required(table, "centre", what), reader.required(table, "radius", what)
-    if not (long := reader.positive(radius, part("radius", what))):
-        raise reader.error(Phrase("round_radius", what=what), radius)
+        if key in guide:
+            raise guide.error(Phrase("round_has_no", what=guide.what, key=key), key)
+    entry, radius = guide.required("centre"), guide.required("radius")
+    if not (long := guide.positive("radius")):
+        raise reader.error(Phrase("round_radius", what=guide.what), radius)
     if isinstance(entry, SourceScalar):
-        centre = reader.known(entry, part("centre", what), points, Phrase("points_of", owner=owner))
+        centre = guide.known("centre", points, Phrase("points_of", owner=owner))
     else:
         centre = next(x for x in chain(LETTERS, (f"K{k}" for k in count(1))) if x not in reader.taken)
         reader.taken.add(centre)
-        points[centre] = reader.place(entry, part("centre", what))
+        points[centre] = guide.place("centre")
     return RoundGuide(name, centre, long)
 
 
@@ -62,12 +63,11 @@ def turning(link: Link, guides: Mapping[str, RoundGuide]) -> Link:
 
 def read_frame(reader: Reader, node: Node) -> Link:
     """The frame: fixed points and guides, at least one of either."""
-    what = Phrase("the_frame")
-    table = reader.table(node, what, FRAME_KEYS)
-    points = _points(reader, reader.optional(table, "points"), what)
-    guides, round_guides = parted(_guides(reader, reader.optional(table, "guides"), points, what))
+    frame = Fields(reader, node, Phrase("the_frame"), FRAME_KEYS)
+    points = _points(frame)
+    guides, round_guides = parted(_guides(frame, points))
     if not points and not guides:
-        raise reader.error(Phrase("frame_empty"), table)
+        raise frame.error(Phrase("frame_empty"))
     return Link(FRAME, MappingProxyType(points), guides, round_guides=round_guides)
 
 
@@ -95,85 +95,82 @@ def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
 
 def _link(reader: Reader, name: str, node: Node) -> Link:
     what = Phrase("link", name=name)
-    table = reader.table(node, what, LINK_KEYS)
-    points = _points(reader, reader.required(table, "points", what), what)
+    link = Fields(reader, node, what, LINK_KEYS)
+    link.required("points")
+    points = _points(link)
     if not points:
-        raise reader.error(Phrase("no_points", what=what), table.lines["points"])
-    guides, round_guides = parted(_guides(reader, reader.optional(table, "guides"), points, what))
-    slides, centre = reader.optional(table, "slides"), reader.optional(table, "centre")
+        raise link.error(Phrase("no_points", what=what), "points")
+    guides, round_guides = parted(_guides(link, points))
+    slides = link.optional("slides")
     return Link(
         name,
         MappingProxyType(points),
         guides,
-        None if slides is None else _slide(reader, slides, what),
-        _mass(reader, table, "mass", what),
-        _mass(reader, table, "inertia", what),
-        None if centre is None else reader.known(centre, part("centre", what), points, Phrase("points_of", owner=what)),
+        None if slides is None else _slide(link, slides),
+        _mass(link, "mass"),
+        _mass(link, "inertia"),
+        None if link.optional("centre") is None else link.known("centre", points, Phrase("points_of", owner=what)),
         round_guides,
     )
 
 
-def _mass(reader: Reader, table: SourceTable, key: str, what: Phrase) -> float | None:
-    node = reader.optional(table, key)
-    return None if node is None else reader.positive(node, part(key, what))
+def _mass(link: Fields, key: str) -> float | None:
+    return None if link.optional(key) is None else link.positive(key)
 
 
-def _points(reader: Reader, node: Node | None, what: Phrase) -> dict[str, complex]:
-    if node is None:
+def _points(link: Fields) -> dict[str, complex]:
+    if (node := link.optional("points")) is None:
         return {}
-    table = reader.names(node, part("points", what), Phrase("a_point"))
+    table = link.reader.names(node, link.named("points"), Phrase("a_point"))
     if "p" in table.entries:
-        raise reader.error(Phrase("point_pole", what=what), table.lines["p"])
+        raise link.reader.error(Phrase("point_pole", what=link.what), table.lines["p"])
     return {
-        name: reader.place(entry, Phrase("point", name=name, owner=what), on_axis=True)
+        name: link.reader.place(entry, Phrase("point", name=name, owner=link.what), on_axis=True)
         for name, entry in table.entries.items()
     }
 
 
-def _guides(
-    reader: Reader, node: Node | None, points: dict[str, complex], what: Phrase
-) -> dict[str, Guide | RoundGuide]:
-    if node is None:
+def _guides(link: Fields, points: dict[str, complex]) -> dict[str, Guide | RoundGuide]:
+    if (node := link.optional("guides")) is None:
         return {}
-    table = reader.names(node, part("guides", what), Phrase("a_guide"))
-    return {name: _guide(reader, name, entry, points, what) for name, entry in table.entries.items()}
+    table = link.reader.names(node, link.named("guides"), Phrase("a_guide"))
+    return {name: _guide(link, name, entry, points) for name, entry in table.entries.items()}
 
 
-def _guide(reader: Reader, name: str, node: Node, points: dict[str, complex], owner: Phrase) -> Guide | RoundGuide:
-    what = Phrase("guide_named", name=name)
-    table = reader.table(node, what, GUIDE_KEYS)
-    form = reader.one_of(table, ("x", "y", "through", "centre"), what)
+def _guide(link: Fields, name: str, node: Node, points: dict[str, complex]) -> Guide | RoundGuide:
+    reader, what = link.reader, Phrase("guide_named", name=name)
+    guide = Fields(reader, node, what, GUIDE_KEYS)
+    form = guide.one_of("x", "y", "through", "centre")
     if form == "centre":
-        return read_round(reader, name, table, points, owner)
-    if "radius" in table.entries:
-        raise reader.error(Phrase("radius_without_centre", what=what), table.lines["radius"])
-    entry = reader.required(table, form, what)
+        return read_round(guide, name, points, link.what)
+    if "radius" in guide:
+        raise guide.error(Phrase("radius_without_centre", what=what), "radius")
+    entry = guide.required(form)
     mark = None
-    if (given := reader.optional(table, "mark")) is not None:
-        mark = reader.check_name(reader.text(given, part("mark", what)), Phrase("a_mark"), given)
+    if (given := guide.optional("mark")) is not None:
+        mark = reader.check_name(guide.text("mark"), Phrase("a_mark"), given)
     if form != "through":
-        if "angle" in table.entries:
-            raise reader.error(Phrase("angle_already", what=what, form=form), table.lines["angle"])
-        value = reader.number(entry, part(form, what))
+        if "angle" in guide:
+            raise guide.error(Phrase("angle_already", what=what, form=form), "angle")
+        value = guide.number(form)
         through, angle = (complex(value, 0.0), 90.0) if form == "x" else (complex(0.0, value), 0.0)
         return Guide(name, through, angle, None, mark, origin_given=False)
-    angle = reader.said(table, "angle", what) or 0.0
+    angle = guide.said("angle") or 0.0
     if isinstance(entry, SourceScalar):
-        point = reader.known(entry, part("through", what), points, Phrase("points_of", owner=owner))
+        point = guide.known("through", points, Phrase("points_of", owner=link.what))
         return Guide(name, points[point], angle, point, mark)
-    return Guide(name, reader.place(entry, part("through", what)), angle, None, mark)
+    return Guide(name, guide.place("through"), angle, None, mark)
 
 
-def _slide(reader: Reader, node: Node, what: Phrase) -> Slide:
-    slides = part("slides", what)
+def _slide(link: Fields, node: Node) -> Slide:
     if isinstance(node, SourceScalar):
-        return Slide(reader.text(node, slides))
-    table = reader.table(node, slides, SLIDE_KEYS)
-    guide = reader.text(reader.required(table, "guide", slides), Phrase("guide_of_slider", what=what))
-    length = reader.said(table, "length", slides)
+        return Slide(link.text("slides"))
+    slide = link.inner("slides", SLIDE_KEYS)
+    guide = link.reader.text(slide.required("guide"), Phrase("guide_of_slider", what=link.what))
+    length = slide.said("length")
     if length is not None and length <= 0.0:
-        raise reader.error(Phrase("face_length", what=part("length", slides)), table.lines["length"])
-    return Slide(guide, reader.said(table, "angle", slides), reader.said(table, "offset", what), length)
+        raise slide.error(Phrase("face_length", what=slide.named("length")), "length")
+    return Slide(guide, slide.said("angle"), slide.said("offset"), length)
 
 
 def _owner(link: str) -> Phrase:

@@ -3,14 +3,15 @@ what is known of the motion. A parameter that is the drive's own place stands fo
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
-from typing import Literal
+from typing import Literal, cast
 
 from planes.geometry.arithmetic import Arithmetic
 from planes.scene.expressions import MAX_DEPTH, MAX_LENGTH, is_name, names_in, tokens_of
 from planes.scene.law_expressions import LawParser
-from planes.scene.mechanism import FRAME, Amount, Drive, Link, LoadLaw, StrokeLoad
+from planes.scene.mechanism import FRAME, Amount, Drive, DriveKind, Link, LoadLaw, StrokeLoad
 from planes.scene.parameters import names_of, reached, users_of
-from planes.scene.reader import Reader, part, section
+from planes.scene.paths import entries_of
+from planes.scene.reader import Fields, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
@@ -74,33 +75,30 @@ def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iter
     LawParser(text, dict.fromkeys(known, 1.0), Arithmetic(), [*known, *parameters]).value()
 
 
-def read_turning(reader: Reader, table: SourceTable, stated: Mapping[str, Node]) -> "LawReader | None":
+def read_turning(scene: Fields, stated: Mapping[str, Node]) -> "LawReader | None":
     """What reads laws of a scene without a mechanism, where something in it goes by an angle or a length."""
-    node = reader.optional(table, "drive")
+    node = scene.optional("drive")
     if node is None:
         return None
-    own = reader.table(node, section("drive"), ("phi", "s"))
-    kind = reader.one_of(own, ("phi", "s"), section("drive"))
-    place = reader.number(reader.required(own, kind, section("drive")), part(kind, section("drive")))
-    return LawReader(reader, {}, Drive(FRAME, "phi" if kind == "phi" else "s", place), table, stated)
+    own = Fields(scene.reader, node, section("drive"), ("phi", "s"))
+    kind = cast(DriveKind, own.one_of("phi", "s"))
+    return LawReader(scene, {}, Drive(FRAME, kind, own.number(kind)), stated)
 
 
 class LawReader:
     """Reads numbers of loads that may be laws; ``stated`` are the parameters as they are written."""
 
-    def __init__(
-        self, reader: Reader, links: Mapping[str, Link], drive: Drive, table: SourceTable, stated: Mapping[str, Node]
-    ) -> None:
-        self.reader, self.links, self.drive, self.stated = reader, links, drive, stated
+    def __init__(self, scene: Fields, links: Mapping[str, Link], drive: Drive, stated: Mapping[str, Node]) -> None:
+        self.reader, self.links, self.drive, self.stated = scene.reader, links, drive, stated
         self.known = coordinates(links, drive)
-        assert isinstance(table.entries["drive"], SourceTable)
-        place = table.entries["drive"].entries[drive.kind]
+        given = entries_of(scene.required("drive"))
+        place = given[drive.kind]
         self.own = {place.text.strip()} if isinstance(place, SourceScalar) else set()
-        if reader.parameters.get(drive.kind) == drive.position:
+        if self.reader.parameters.get(drive.kind) == drive.position:
             self.own.add(drive.kind)
         uses = {name: names_of(node) for name, node in stated.items()}
         self.following = users_of(self.own & stated.keys(), uses)  # the drive's place and all that is made of it
-        driven = [name for node in table.entries["drive"].entries.values() for name in names_of(node)]
+        driven = [name for node in given.values() for name in names_of(node)]
         self.driven = reached(driven, uses)  # parameters the drive itself is given by
         self.written: dict[str, str] = {}  # parameters in terms of the drive's place
 
@@ -108,34 +106,29 @@ class LawReader:
         """The size of a load: a number, a law, or one for each stroke."""
         if not isinstance(node, SourceTable) or not {"working", "idle"} & node.entries.keys():
             return self.amount(node, what)
-        r = self.reader
-        table = r.table(node, what, STROKE_KEYS)
-        both = (self.amount(r.required(table, key, what), part(key, what)) for key in ("working", "idle"))
-        working, idle = both
+        load, kind = Fields(self.reader, node, what, STROKE_KEYS), Phrase("sliding_pairs")
+        working, idle = (self.amount(load.required(key), load.named(key)) for key in ("working", "idle"))
         sliders = [n for n, x in self.links.items() if x.slides]
-        if "slider" in table.entries:
-            kind = Phrase("sliding_pairs")
-            slider = r.known(table.entries["slider"], part("slider", what), sliders, kind)
+        if "slider" in load:
+            slider = load.known("slider", sliders, kind)
         elif link in sliders or len(sliders) == 1:
             slider = link if link in sliders else sliders[0]
         else:
-            valid = r.offer("", sliders, Phrase("sliding_pairs"))
-            raise r.error(Phrase("law_slider", what=what, link=link, valid=valid), table)
-        stroke = r.optional(table, "stroke")
-        order = "ahead" if stroke is None else r.word(stroke, part("stroke", what), ("ahead", "behind"))
-        return StrokeLoad(working, idle, slider, "behind" if order == "behind" else "ahead")
+            valid = self.reader.offer("", sliders, kind)
+            raise load.error(Phrase("law_slider", what=what, link=link, valid=valid))
+        behind = load.optional("stroke") is not None and load.word("stroke", ("ahead", "behind")) == "behind"
+        return StrokeLoad(working, idle, slider, "behind" if behind else "ahead")
 
     def amount(self, node: Node, what: Phrase) -> Amount:
         """A number, a law, or a table over one."""
         if not isinstance(node, SourceTable):
             return self._law(node, what)
-        r = self.reader
-        table = r.table(node, what, LAW_KEYS)
-        law = self._law(r.required(table, "over", what), part("over", what))
+        table = Fields(self.reader, node, what, LAW_KEYS)
+        over = table.required("over")
+        law = self._law(over, table.named("over"))
         if not isinstance(law, LoadLaw):
-            valid = choices("", self.known)
-            raise r.error(Phrase("law_over", what=what, valid=valid), table.entries["over"])
-        return self._table(law.text, r.required(table, "table", what), part("table", what))
+            raise self.reader.error(Phrase("law_over", what=what, valid=choices("", self.known)), over)
+        return self._table(law.text, table.required("table"), table.named("table"))
 
     def _table(self, over: str, node: Node, what: Phrase) -> LoadLaw:
         items = self.reader.items(node, what)

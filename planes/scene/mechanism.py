@@ -15,8 +15,8 @@ from planes.words.frozen import field, frozen
 FRAME = "0"
 RATES = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
 """How a scene calls the rates of a drive, by its kind."""
-
 Sense = Literal["along", "against"]
+DriveKind = Literal["phi", "s"]
 Order = Literal["left", "right", "ahead", "behind"]
 Where = Mapping[tuple[str, ...], int]
 """Where each thing was written: a path of keys -> line of the scene file, for errors."""
@@ -99,7 +99,7 @@ class Drive:
     does so ``on`` the frame or, with a motor between them, on another link."""
 
     link: str
-    kind: Literal["phi", "s"]
+    kind: DriveKind
     position: float
     velocity: float = 0.0
     acceleration: float = 0.0

@@ -1,6 +1,6 @@
 """The keys of a scene file, and what kind of scene they make: a mechanism, vectors alone, bodies in equilibrium."""
 
-from planes.scene.reader import Reader
+from planes.scene.reader import Reader, absent
 from planes.scene.source import SourceTable
 from planes.words import Phrase
 from planes.words.errors import SceneError, shown
@@ -51,5 +51,5 @@ def _check_required(reader: Reader, table: SourceTable, kind: str) -> None:
         if key not in table.entries:
             example, call = _EXAMPLES[key]
             raise SceneError(Phrase("part_missing", key=key, example=example, call=call), reader.file, 1)
-        if reader.optional(table, key) is None:
+        if absent(table.entries[key]):
             raise reader.error(Phrase("part_empty", what=key), table.lines[key])

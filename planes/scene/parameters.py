@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from planes.scene.expressions import RESERVED, evaluate, is_name, names_in
 from planes.scene.mechanism import Law
-from planes.scene.reader import MAX_NAME, Keys, Reader, entries_of, part, texts
+from planes.scene.paths import Keys, entries_of, texts
+from planes.scene.reader import MAX_NAME, Reader, absent, part
 from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
@@ -70,8 +71,8 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
     variants = reader.names(node, "variants", Phrase("a_variant"))
     tables: dict[str, SourceTable] = {}
     for name, entry in variants.entries.items():
-        what, absent = Phrase("variant", name=name), isinstance(entry, SourceScalar) and entry.absent
-        table = SourceTable({}, entry.line) if absent else reader.table(entry, what)
+        what = Phrase("variant", name=name)
+        table = SourceTable({}, entry.line) if absent(entry) else reader.table(entry, what)
         for key, line in table.lines.items():
             if key not in known:
                 valid = reader.offer(key, known, Phrase("parameters_all"))

@@ -1,16 +1,16 @@
 """How any value of a scene is read: numbers, names, places, tables with known keys, each with its refusal."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Self
 
 from planes.geometry.arithmetic import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
-from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.written_numbers import WrittenNumbers
 from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, choices, shown
 
-Keys = tuple[str, ...]
 MOST = 1e50  # the largest number of a scene: products of several stay far from overflow
 MOST_TURNS = 1_000_000  # of an angle: beyond that too few of a double's digits say where in its turn it is
 MAX_NAME = 40
@@ -120,50 +120,21 @@ class Reader:
             raise self.error(Phrase("negative", what=what, value=value), node)
         return value
 
-    def optional(self, table: SourceTable, key: str) -> Node | None:
-        """The value of a key, or None when it is missing or empty."""
-        node = table.entries.get(key)
-        return None if isinstance(node, SourceScalar) and node.absent else node
-
     def present(self, table: SourceTable) -> dict[str, Node]:
         """The values of a table that are not empty."""
-        return {key: node for key, node in table.entries.items() if self.optional(table, key) is not None}
-
-    def required(self, table: SourceTable, key: str, what: Told) -> Node:
-        """The value of a key that must be there."""
-        node = table.entries.get(key)
-        if node is None:
-            raise self.error(Phrase("needs_key", what=what, key=key), table)
-        if isinstance(node, SourceScalar) and node.absent:
-            raise self.error(Phrase("no_value", what=part(key, what)), table.lines[key])
-        return node
-
-    def one_of(self, table: SourceTable, keys: Sequence[str], what: Told) -> str:
-        """Which one of these keys the table has: exactly one must be there."""
-        given = [key for key in keys if key in table.entries]
-        if len(given) == 1:
-            return given[0]
-        if given:
-            raise self.error(Phrase("both_keys", what=what, one=given[0], two=given[1]), table.lines[given[1]])
-        raise self.error(Phrase("needs_one_key", what=what, keys=tuple(keys)), table)
+        return {key: node for key, node in table.entries.items() if not absent(node)}
 
     def place(self, node: Node, what: Told, on_axis: bool = False) -> complex:
         """A place as [x, y] or {r, angle}; with ``on_axis`` also as a number along the x axis."""
         if isinstance(node, Items):
             return self._pair(node, what)
         if isinstance(node, SourceTable):
-            table = self.table(node, what, ("r", "angle"))
-            radius = self.positive(self.required(table, "r", what), part("r", what))
-            angle = self.said(table, "angle", what) or 0.0
+            polar = Fields(self, node, what, ("r", "angle"))
+            radius, angle = polar.positive("r"), polar.said("angle") or 0.0
             return self.written.note_place(complex(radius * cos_deg(angle), radius * sin_deg(angle)), radius, angle)
         if not on_axis:
             raise self.error(Phrase("place_needed", what=what, given=shown(node.text)), node)
         return complex(self.number(node, what), 0.0)
-
-    def said(self, table: SourceTable, key: str, what: Told) -> float | None:
-        """The number under a key, or None."""
-        node = self.optional(table, key)
-        return None if node is None else self.number(node, part(key, what))
 
     def _pair(self, node: Items, what: Told) -> complex:
         if len(node.items) != 2:
@@ -171,6 +142,87 @@ class Reader:
             raise self.error(Phrase("pair_needed", what=what, count=len(node.items), hint=hint), node)
         x, y = (self.number(item, part(axis, what)) for axis, item in zip("xy", node.items, strict=True))
         return self.written.note_place(complex(x, y))
+
+
+class Fields:
+    """What stands under the keys of one table, each value with its refusal; ``what`` says whose keys they are."""
+
+    def __init__(self, reader: Reader, node: Node, what: Told, keys: Sequence[str] | None = None) -> None:
+        self.reader, self.what, self.table = reader, what, reader.table(node, what, keys)
+
+    def __contains__(self, key: str) -> bool:
+        return key in self.table.entries
+
+    def error(self, phrase: Told, key: str = "") -> SceneError:
+        """A refusal at a key, or of the table."""
+        return self.reader.error(phrase, self.table.lines.get(key, self.table.line))
+
+    def named(self, key: str) -> Phrase:
+        """What stands under a key, as a sentence says it."""
+        return part(key, self.what)
+
+    def optional(self, key: str) -> Node | None:
+        """The value of a key, or None when it is missing or empty."""
+        node = self.table.entries.get(key)
+        return None if node is None or absent(node) else node
+
+    def required(self, key: str) -> Node:
+        """The value of a key that must be there."""
+        if key not in self:
+            raise self.error(Phrase("needs_key", what=self.what, key=key))
+        if absent(self.table.entries[key]):
+            raise self.error(Phrase("no_value", what=self.named(key)), key)
+        return self.table.entries[key]
+
+    def one_of(self, *keys: str) -> str:
+        """Which one of these keys the table has: exactly one must be there."""
+        given = [key for key in keys if key in self]
+        if len(given) == 1:
+            return given[0]
+        if given:
+            raise self.error(Phrase("both_keys", what=self.what, one=given[0], two=given[1]), given[1])
+        raise self.error(Phrase("needs_one_key", what=self.what, keys=keys))
+
+    def inner(self, key: str, keys: Sequence[str] | None = None) -> Self:
+        """The table under a key."""
+        return type(self)(self.reader, self.required(key), self.named(key), keys)
+
+    def number(self, key: str, usual: float | None = None) -> float:
+        """A number; ``usual`` where none is given."""
+        if usual is not None and self.optional(key) is None:
+            return usual
+        return self.reader.number(self.required(key), self.named(key))
+
+    def said(self, key: str) -> float | None:
+        """A number, or None."""
+        return None if self.optional(key) is None else self.number(key)
+
+    def positive(self, key: str, usual: float | None = None) -> float:
+        """A number that is not negative; ``usual`` where none is given."""
+        if usual is not None and self.optional(key) is None:
+            return usual
+        return self.reader.positive(self.required(key), self.named(key))
+
+    def place(self, key: str) -> complex:
+        """A place."""
+        return self.reader.place(self.required(key), self.named(key))
+
+    def text(self, key: str) -> str:
+        """A text that is not empty."""
+        return self.reader.text(self.required(key), self.named(key))
+
+    def word(self, key: str, words: Sequence[str]) -> str:
+        """One of a few words."""
+        return self.reader.word(self.required(key), self.named(key), words)
+
+    def known(self, key: str, names: Iterable[str], kind: Phrase) -> str:
+        """A name that is defined."""
+        return self.reader.known(self.required(key), self.named(key), names, kind)
+
+
+def absent(node: Node) -> bool:
+    """Whether nothing is written there."""
+    return isinstance(node, SourceScalar) and node.absent
 
 
 def _comma(node: Items) -> bool:
@@ -189,34 +241,8 @@ def section(name: str) -> Phrase:
     return Phrase("section", name=name)
 
 
-def entries_of(node: Node | None) -> Mapping[str, Node]:
-    """What a table holds; nothing where the node is no table."""
-    return node.entries if isinstance(node, SourceTable) else {}
-
-
 def kind(node: Node) -> Told:
     """What a node is, in words."""
     if isinstance(node, SourceTable):
         return Phrase("a_table")
     return Phrase("a_list") if isinstance(node, Items) else (Phrase("empty") if node.absent else shown(node.text))
-
-
-def texts(node: Node) -> Iterator[tuple[Keys, SourceScalar]]:
-    """Every text beneath a node with its path."""
-    return ((path, one) for path, one, _ in walk(node) if isinstance(one, SourceScalar))
-
-
-def line_of(table: SourceTable, path: Keys) -> int:
-    """The line of the deepest key of a path that is there."""
-    return [table.line, *(line for _, line in down(table, path))][-1]
-
-
-def down(node: Node, path: Keys) -> Iterator[tuple[Node, int]]:
-    """What is met on the way down a path, each with its line, that of its key; a key that is not there is left out."""
-    for key in path:
-        if isinstance(node, Items):
-            node = node.items[int(key)]
-            yield node, node.line
-        elif isinstance(node, SourceTable) and key in node.entries:
-            line, node = node.lines[key], node.entries[key]
-            yield node, line

@@ -3,7 +3,8 @@
 import re
 from collections.abc import Mapping
 
-from planes.scene.reader import MAX_NAME, Reader, part, section, texts
+from planes.scene.paths import texts
+from planes.scene.reader import MAX_NAME, Fields, Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, langs, stand_ins
 from planes.words.errors import shown
@@ -73,7 +74,7 @@ def read_plans(reader: Reader, node: Node | None) -> dict[str, float | None]:
     for plan, entry in reader.table(node, "plans", PLANS).entries.items():
         value: Node | None = entry
         if isinstance(entry, SourceTable):
-            value = reader.optional(reader.table(entry, Phrase("plan_key", name=plan), ("mu",)), "mu")
+            value = Fields(reader, entry, Phrase("plan_key", name=plan), ("mu",)).optional("mu")
         scales[plan] = None if value is None else _mu(reader, value, plan)
     return scales
 
@@ -91,18 +92,16 @@ def _mu(reader: Reader, node: Node, plan: str) -> float | None:
     return mu
 
 
-def read_vector_mu(
-    reader: Reader, table: SourceTable, plans: Mapping[str, float | None]
-) -> tuple[dict[str, float | None], str | None]:
+def read_vector_mu(scene: Fields, plans: Mapping[str, float | None]) -> tuple[dict[str, float | None], str | None]:
     """μ of each plan of a scene of vectors in mm per SI unit, and the plan whose unit its ``mu`` is written in."""
-    node, mu, quantity = reader.optional(table, "mu"), dict(plans), None
-    if isinstance(node, SourceScalar) and (size := _mu(reader, node, "vectors")) is not None:
+    node, mu, quantity = scene.optional("mu"), dict(plans), None
+    if isinstance(node, SourceScalar) and (size := _mu(scene.reader, node, "vectors")) is not None:
         quantity = written_in(node.text)[0]
         if mu[quantity] is not None:
-            raise reader.error(Phrase("both_keys", what=Phrase("the_scene"), one="mu", two=f"plans.{quantity}"), node)
+            raise scene.error(Phrase("both_keys", what=scene.what, one="mu", two=f"plans.{quantity}"), "mu")
         mu[quantity] = size
     elif node is not None:
-        _mu(reader, node, "vectors")
+        _mu(scene.reader, node, "vectors")
     return {**mu, "contour": mu["position"], "vectors": None}, quantity
 
 
@@ -131,13 +130,14 @@ def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
     """Settings of the sheet as texts; numbers, words and lists only under the keys that have them."""
     if node is None:
         return {}
-    table = reader.table(node, "sheet", SHEET_KEYS)
-    if all(reader.optional(table, key) for key in ("number", "designation")):
-        reader.one_of(table, ("number", "designation"), section("sheet"))
-    settings = {key: _setting(reader, key, entry) for key, entry in reader.present(table).items()}
+    reader.table(node, "sheet", SHEET_KEYS)
+    sheet = Fields(reader, node, section("sheet"))
+    if all(map(sheet.optional, ("number", "designation"))):
+        sheet.one_of("number", "designation")
+    settings = {key: _setting(reader, key, entry) for key, entry in reader.present(sheet.table).items()}
     frame = str(settings.get("frame", "gost"))
     for key in (k for k in settings if k in _NO_CELL[frame]):
-        raise reader.error(Phrase("no_cell", what=part(key, section("sheet")), frame=frame), table.lines[key])
+        raise sheet.error(Phrase("no_cell", what=sheet.named(key), frame=frame), key)
     return settings
 
 
@@ -180,9 +180,9 @@ def _revision(reader: Reader, node: Node, what: Phrase) -> dict[str, str]:
     return {key: reader.text(entry, part(key, what)) for key, entry in reader.present(table).items()}
 
 
-def read_number_of_frame(reader: Reader, node: Node | None) -> str:
+def read_number_of_frame(reader: Reader, node: Node) -> str:
     """The number of the frame on sheets."""
-    if not isinstance(node, SourceTable) or (entry := reader.optional(node, "number")) is None:
+    frame = Fields(reader, node, Phrase("the_frame"))
+    if (entry := frame.optional("number")) is None:
         return "0"
-    what = Phrase("the_frame")
-    return reader.check_name(reader.text(entry, part("number", what)), what, entry)
+    return reader.check_name(frame.text("number"), Phrase("the_frame"), entry)

@@ -6,7 +6,7 @@ from typing import Literal, get_args
 
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import LoadLaw
-from planes.scene.reader import MOST, Reader, part, section
+from planes.scene.reader import MOST, Fields, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
 from planes.words.frozen import field, frozen
@@ -18,6 +18,7 @@ POLE_KEYS = ("through",)
 METHODS = ("moments", "string", "three-forces", "composition", "culmann")
 STATIC_LOAD_KEYS = ("point", "force", "direction", "body", "moment", "from", "to", "intensity")
 MOST_POINTS = 60
+Bodies = Mapping[str, tuple[str, ...]]  # the points of each
 ALONE = "1"
 """The name of the only body of a scene that names none."""
 
@@ -65,7 +66,7 @@ class Framework:
     polygon is in N from where the polygon of forces begins, or such that the strings go ``through`` given points."""
 
     points: Mapping[str, complex]
-    bodies: Mapping[str, tuple[str, ...]]
+    bodies: Bodies
     members: tuple[tuple[str, str], ...] = ()
     supports: tuple[Support, ...] = ()
     loads: tuple[StaticLoad, ...] = ()
@@ -75,17 +76,13 @@ class Framework:
     fixed: frozenset[str] = field(default_factory=frozenset)  # points of the ground that rods and ropes lead to
 
 
-def read_framework(reader: Reader, scene: SourceTable, laws: LawReader | None = None) -> Framework:
-    """The parts of a scene of statics."""
-    return _FrameworkReader(reader, scene, laws).read()
+class FrameworkReader:
+    """Reads a scene of statics: points first, and what is named by them after."""
 
-
-class _FrameworkReader:
-    """Reads points first, and what is named by them after."""
-
-    def __init__(self, reader: Reader, scene: SourceTable, laws: LawReader | None) -> None:
-        self.reader, self.scene, self.laws = reader, scene, laws
-        table = reader.names(scene.entries["points"], "points", Phrase("a_point"))
+    def __init__(self, scene: Fields, laws: LawReader | None) -> None:
+        self.scene, self.laws = scene, laws
+        self.reader = reader = scene.reader
+        table = reader.names(scene.table.entries["points"], "points", Phrase("a_point"))
         if len(table.entries) > MOST_POINTS:
             raise reader.error(Phrase("points_many", count=len(table.entries), most=MOST_POINTS), table)
         self.points = {n: reader.place(x, Phrase("point_of", name=n)) for n, x in table.entries.items()}
@@ -96,18 +93,21 @@ class _FrameworkReader:
         supports = tuple(s for name, node in self.table("supports") for s in self.held(name, node))
         fixed = frozenset(s.to for s in supports if s.to)
         bodies = self.bodies(members, fixed)
-        entries = self.reader.optional(self.scene, "loads")
-        nodes = enumerate([] if entries is None else self.reader.items(entries, "loads"), 1)
-        loads = tuple(self.load(node, Phrase("load", number=k), bodies) for k, node in nodes)
-        method = self.reader.optional(self.scene, "method")
+        loads = tuple(self.load(node, Phrase("load", number=k), bodies) for k, node in self.listed("loads"))
+        method = self.scene.optional("method")
         way = None if method is None else self.reader.word(method, section("method"), METHODS)
         pole, through = self.pole()
         places = MappingProxyType(self.points)
         return Framework(places, MappingProxyType(bodies), members, supports, loads, way, pole, through, fixed)
 
+    def listed(self, key: str) -> Iterator[tuple[int, Node]]:
+        """What stands in a list of the scene, with its number."""
+        node = self.scene.optional(key)
+        yield from enumerate([] if node is None else self.reader.items(node, key), 1)
+
     def table(self, key: str) -> Iterator[tuple[str, Node]]:
         """What stands under a key of the scene, by its names."""
-        node = self.reader.optional(self.scene, key)
+        node = self.scene.optional(key)
         yield from () if node is None else self.reader.table(node, section(key)).entries.items()
 
     def named(self, node: Node, what: Told) -> str:
@@ -123,7 +123,7 @@ class _FrameworkReader:
         """The rigid bodies by their points: a truss is one; all points are of one where none is named."""
         own = {name: self.list_of(node, Phrase("body_of", name=name)) for name, node in self.table("bodies")}
         if own and members:
-            self.reader.one_of(self.scene, ("bodies", "members"), Phrase("the_scene"))
+            self.scene.one_of("bodies", "members")
         return own or {ALONE: tuple(p for p in self.points if p not in fixed)}
 
     def list_of(self, node: Node, what: Told) -> tuple[str, ...]:
@@ -132,8 +132,8 @@ class _FrameworkReader:
 
     def members(self) -> Iterator[tuple[str, str]]:
         """The members of a truss: [AB, BC] or [[A1, B], …]."""
-        node, seen = self.reader.optional(self.scene, "members"), set[frozenset[str]]()
-        for k, entry in enumerate([] if node is None else self.reader.items(node, "members"), 1):
+        seen = set[frozenset[str]]()
+        for k, entry in self.listed("members"):
             what = Phrase("entry", number=k, what=section("members"))
             ends = self.list_of(entry, what) if isinstance(entry, Items) else self.split(entry, what)
             if len(ends) != 2 or frozenset(ends) in seen:
@@ -162,89 +162,82 @@ class _FrameworkReader:
             if kind in ("rod", "rope"):
                 raise reader.error(Phrase("rod_to", what=what, kind=kind), node)
             return Support(kind, point, self.free(f"R_{point}"))  # type: ignore[arg-type]  # one of its words
-        kind = reader.one_of(reader.table(node, what, SUPPORT_KEYS), SUPPORT_KEYS, what)
+        support = Fields(reader, node, what, SUPPORT_KEYS)
+        kind = support.one_of(*SUPPORT_KEYS)
         if kind == "roller":
-            normal = reader.number(node.entries[kind], part(kind, what))
+            normal = reader.number(node.entries[kind], support.named(kind))
             return Support("roller", point, self.free(f"R_{point}"), normal)
-        to = self.named(node.entries[kind], part(kind, what))
+        to = self.named(node.entries[kind], support.named(kind))
         if self.points[to] == self.points[point]:
             raise reader.error(Phrase("rod_to", what=what, kind=kind), node)
         return Support(kind, point, self.free(f"S_{point}{to}"), to=to)  # type: ignore[arg-type]  # one of its words
 
-    def load(self, node: Node, what: Told, bodies: Mapping[str, tuple[str, ...]]) -> StaticLoad:
-        reader = self.reader
-        table = reader.table(node, what, STATIC_LOAD_KEYS)
-        kind = reader.one_of(table, ("force", "moment", "intensity"), what)
+    def load(self, node: Node, what: Phrase, bodies: Bodies) -> StaticLoad:
+        load = Fields(self.reader, node, what, STATIC_LOAD_KEYS)
+        kind = load.one_of("force", "moment", "intensity")
         if kind == "moment":
-            alone = next(iter(bodies)) if len(bodies) == 1 and "body" not in table.entries else None
-            body = alone or self.of_body(reader.required(table, "body", what), what, bodies)
-            return StaticLoad(self.free(f"M_{body}"), body, self.number(table.entries[kind], part(kind, what)))
-        if (said := reader.optional(table, "direction")) is None and kind == "force":
-            raise reader.error(Phrase("force_no_direction", what=what), table)
-        angle = -90.0 if said is None else self.number(said, part("direction", what))
+            alone = next(iter(bodies)) if len(bodies) == 1 and "body" not in load else None
+            body = alone or self.of_body(load, bodies)
+            return StaticLoad(self.free(f"M_{body}"), body, self.number(load, kind))
+        if load.optional("direction") is None and kind == "force":
+            raise load.error(Phrase("force_no_direction", what=what))
+        angle = -90.0 if load.optional("direction") is None else self.number(load, "direction")
         if kind == "intensity":
             if isinstance(angle, LoadLaw):
-                raise reader.error(Phrase("intensity_turns", what=what), table.lines["direction"])
-            return self.spread(table, what, bodies, angle)
-        point = self.named(reader.required(table, "point", what), part("point", what))
-        size = self.number(reader.required(table, kind, what), part(kind, what))
-        body = self.body(table, point, bodies, what)
+                raise load.error(Phrase("intensity_turns", what=what), "direction")
+            return self.spread(load, bodies, angle)
+        point = self.point(load, "point")
+        size = self.number(load, kind)
+        body = self.of_body(load, bodies) if "body" in load else self.owner(load, bodies, point)
         return StaticLoad(self.free(f"P_{point}"), body, size, angle, self.points[point], point)
 
-    def number(self, node: Node, what: Phrase) -> float | LoadLaw:
+    def number(self, load: Fields, key: str) -> float | LoadLaw:
         """A number, or a law of the drive."""
-        amount = (
-            self.laws.amount(node, what) if self.laws and self.laws.follows(node) else self.reader.number(node, what)
-        )
+        node = load.required(key)
+        if not (self.laws and self.laws.follows(node)):
+            return load.number(key)
+        amount = self.laws.amount(node, load.named(key))
         return amount if isinstance(amount, LoadLaw) else float(amount)
 
-    def of_body(self, node: Node, what: Told, bodies: Mapping[str, tuple[str, ...]]) -> str:
-        """A body by its name."""
-        return self.reader.known(node, part("body", what), bodies, Phrase("bodies_all"))
+    def point(self, load: Fields, key: str) -> str:
+        """A point of the scene that a load names."""
+        return self.named(load.required(key), load.named(key))
 
-    def body(self, table: SourceTable, point: str, bodies: Mapping[str, tuple[str, ...]], what: Told) -> str:
-        """The body a load acts on: the first of those that have its point, unless one is named."""
-        if "body" in table.entries:
-            return self.of_body(table.entries["body"], what, bodies)
-        own = next((name for name, points in bodies.items() if point in points), None)
+    def of_body(self, load: Fields, bodies: Bodies) -> str:
+        """The body a load names."""
+        return load.known("body", bodies, Phrase("bodies_all"))
+
+    def owner(self, load: Fields, bodies: Bodies, *points: str) -> str:
+        """The first of the bodies that have all the points."""
+        own = next((name for name, its_points in bodies.items() if {*points} <= {*its_points}), None)
         if own is None:
-            raise self.reader.error(Phrase("point_loose", what=what, name=point), table)
+            raise load.error(Phrase("point_loose", what=load.what, name=points[-1]))
         return own
 
-    def spread(self, table: SourceTable, what: Told, bodies: Mapping[str, tuple[str, ...]], angle: float) -> StaticLoad:
+    def spread(self, load: Fields, bodies: Bodies, angle: float) -> StaticLoad:
         """The resultant of a distributed load: N/m, the same all along, or from one value to another."""
-        reader = self.reader
-        ends = [self.named(reader.required(table, key, what), part(key, what)) for key in ("from", "to")]
-        node = table.entries["intensity"]
+        reader, what = self.reader, load.what
+        ends = self.point(load, "from"), self.point(load, "to")
+        node = load.required("intensity")
         nodes = reader.items(node, what) if isinstance(node, Items) else [node, node]
         if len(nodes) != 2:
             raise reader.error(Phrase("intensity_pair", what=what, count=len(nodes)), node)
-        first, last = (reader.number(x, part("intensity", what)) for x in nodes)
+        first, last = (reader.number(x, load.named("intensity")) for x in nodes)
         start, end = (self.points[p] for p in ends)
         size = abs(end - start) * (first + last) / 2
         if not 0.0 < abs(size) < MOST or first * last < 0.0:
-            raise reader.error(Phrase("intensity_none", what=what, one=ends[0], two=ends[1]), table)
+            raise load.error(Phrase("intensity_none", what=what, one=ends[0], two=ends[1]))
         place = start + (end - start) * (first + 2 * last) / (3 * (first + last))
-        body = next((n for n, own in bodies.items() if {*ends} <= {*own}), None)
-        if body is None:
-            raise reader.error(Phrase("point_loose", what=what, name=ends[1]), table)
-        return StaticLoad(
-            self.free(f"Q_{''.join(ends)}"),
-            body,
-            size,
-            angle,
-            place,
-            spread=(ends[0], ends[1]),
-            intensity=(first, last),
-        )
+        body, name = self.owner(load, bodies, *ends), self.free(f"Q_{''.join(ends)}")
+        return StaticLoad(name, body, size, angle, place, spread=ends, intensity=(first, last))
 
     def pole(self) -> tuple[complex | None, tuple[str, ...]]:
         """The pole of a string polygon, or the points its strings are to go through."""
-        node = self.reader.optional(self.scene, "pole")
+        node = self.scene.optional("pole")
         if not isinstance(node, SourceTable) or "through" not in node.entries:
             return None if node is None else self.reader.place(node, section("pole")), ()
-        self.reader.table(node, section("pole"), POLE_KEYS)
-        names = self.list_of(self.reader.required(node, "through", section("pole")), part("through", section("pole")))
+        pole = Fields(self.reader, node, section("pole"), POLE_KEYS)
+        names = self.list_of(pole.required("through"), pole.named("through"))
         if len(names) not in (2, 3):
             raise self.reader.error(Phrase("through_count", count=len(names)), node)
         return None, names

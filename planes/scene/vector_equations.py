@@ -125,7 +125,7 @@ def ends(name: str) -> tuple[str, str] | None:
     return (middle, end) if part else (start, end)
 
 
-def _span(term: SideTerm) -> tuple[str, str] | None:
+def span(term: SideTerm) -> tuple[str, str] | None:
     """The marks a term leads between; None where its name or its coefficient tells of none."""
     marks = ends(term.name) if abs(term.times) == 1 else None
     return marks[::-1] if marks and term.times < 0 else marks
@@ -135,7 +135,7 @@ def check_chains(equation: VectorEquation) -> None:
     """Each vector of a side starts where the one before it ends, and all sides join the same marks."""
     reached, text = [], equation.text
     for side in equation.sides:
-        spans = [(term.name, _span(term)) for term in side]
+        spans = [(term.name, span(term)) for term in side]
         if not spans or any(span is None for _, span in spans):
             return
         for (_, before), (name, after) in pairwise(spans):

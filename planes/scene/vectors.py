@@ -8,7 +8,7 @@ from types import MappingProxyType
 from planes.scene.expressions import evaluate, is_name
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import Drive, LoadLaw
-from planes.scene.reader import MAX_NAME, MOST, Reader, part
+from planes.scene.reader import MAX_NAME, MOST, Fields, Reader, part
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.structures import Framework
 from planes.scene.vector_amounts import VectorAmount, read_amount
@@ -58,23 +58,13 @@ class Statement:
     """All that a scene of vectors states; ``values`` are numbers reckoned from its vectors and ``parameters``,
     ``quantity`` the plan whose unit its ``mu`` has. Of a scene of ``statics`` that states the vectors."""
 
-    vectors: Mapping[str, VectorGiven]
-    equations: tuple[VectorEquation, ...]
+    vectors: Mapping[str, VectorGiven] = field(default_factory=lambda: MappingProxyType({}))
+    equations: tuple[VectorEquation, ...] = ()
     values: Mapping[str, Amount] = field(default_factory=lambda: MappingProxyType({}))
     parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     quantity: str | None = None
     statics: Framework | None = None
     drive: Drive | None = None  # what laws among them go by
-
-    @classmethod
-    def of_statics(cls, statics: Framework, parameters: Mapping[str, float], drive: Drive | None) -> "Statement":
-        """The statement of bodies in equilibrium."""
-        return cls(MappingProxyType({}), (), parameters=parameters, statics=statics, drive=drive)
-
-
-def read_statement(reader: Reader, scene: SourceTable, quantity: str | None, laws: LawReader | None) -> Statement:
-    """The vectors, values and equations of a scene, in the order of the file."""
-    return _StatementReader(reader, scene, laws).read(quantity)
 
 
 def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
@@ -90,13 +80,14 @@ def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
     return tuple(equations)
 
 
-class _StatementReader:
-    """Reads what is named first, so that it may be used anywhere."""
+class StatementReader:
+    """Reads a scene of vectors: what is named first, so that it may be used anywhere."""
 
-    def __init__(self, reader: Reader, scene: SourceTable, laws: LawReader | None) -> None:
-        self.reader, self.scene, self.laws = reader, scene, laws
-        self.vectors = reader.table(scene.entries["vectors"], "vectors")
-        values = reader.optional(scene, "values")
+    def __init__(self, scene: Fields, laws: LawReader | None) -> None:
+        self.scene, self.laws = scene.table, laws
+        self.reader = reader = scene.reader
+        self.vectors = reader.table(scene.table.entries["vectors"], "vectors")
+        values = scene.optional("values")
         self.values = reader.table(values, "values") if values else SourceTable({}, 0, {})
         if not self.vectors.entries:
             raise reader.error(Phrase("vectors_empty"), self.vectors)
@@ -156,30 +147,30 @@ class _StatementReader:
         what = Phrase("vector", name=name)
         if isinstance(node, SourceScalar) and node.absent:
             return VectorGiven()
-        table = self.reader.table(node, what, VECTOR_KEYS)
-        if {"similar", "ratio", "angle", "as"} & {*table.entries}:
-            return VectorGiven(like=self.similarity(table, what))
-        if "direction" in table.entries and "perpendicular_to" in table.entries:
-            self.reader.one_of(table, ("direction", "perpendicular_to"), what)
-        value = self.reader.optional(table, "value")
-        size = None if value is None else self.amount(value, part("value", what))
-        direction = self.direction(table, "direction", what, 0)
+        vector = Fields(self.reader, node, what, VECTOR_KEYS)
+        if {"similar", "ratio", "angle", "as"} & {*vector.table.entries}:
+            return VectorGiven(like=self.similarity(vector))
+        if "direction" in vector and "perpendicular_to" in vector:
+            vector.one_of("direction", "perpendicular_to")
+        value = vector.optional("value")
+        size = None if value is None else self.amount(value, vector.named("value"))
+        direction = self.direction(vector, "direction", 0)
         if direction is None:
-            direction = self.direction(table, "perpendicular_to", what, 1)
-        return VectorGiven(size, direction, self.reader.said(table, "near", what))
+            direction = self.direction(vector, "perpendicular_to", 1)
+        return VectorGiven(size, direction, vector.said("near"))
 
-    def direction(self, table: SourceTable, key: str, what: Told, quarter: int) -> float | AlongVector | LoadLaw | None:
+    def direction(self, vector: Fields, key: str, quarter: int) -> float | AlongVector | LoadLaw | None:
         """Degrees, the direction of another vector (r_BC, and -r_BC the other way), or a law of the drive."""
-        node = self.reader.optional(table, key)
+        node = vector.optional(key)
         if node is not None and quarter == 0 and self.laws and self.laws.follows(node):
-            law = self.laws.amount(node, part(key, what))
+            law = self.laws.amount(node, vector.named(key))
             return law if isinstance(law, LoadLaw) else float(law)
         name, back = turned_back(node.text if isinstance(node, SourceScalar) else "")
         if name in self.vectors.entries:
             return AlongVector(name, quarter + 2 * back)
         if node is not None and _NAME.fullmatch(name) and name not in self.reader.parameters and name != "pi":
-            self.named(node, name, part(key, what))
-        degrees = self.reader.said(table, key, what)
+            self.named(node, name, vector.named(key))
+        degrees = vector.said(key)
         return None if degrees is None else degrees + 90.0 * quarter
 
     def named(self, node: Node, name: str, what: Told) -> str:
@@ -189,21 +180,18 @@ class _StatementReader:
             raise self.reader.error(Phrase("no_vector", text=what, name=name_shown, valid=valid), node)
         return name
 
-    def similarity(self, table: SourceTable, what: Told) -> Similarity:
+    def similarity(self, vector: Fields) -> Similarity:
         """{similar: v_CB, ratio: 0.4, angle: 30} or {similar: v_CB, as: [r_BS, r_BC]}."""
         for key in ("value", "direction", "perpendicular_to", "near"):
-            if key in table.entries:
-                raise self.reader.error(Phrase("both_keys", what=what, one="similar", two=key), table.lines[key])
-        node = self.reader.required(table, "similar", what)
-        pattern = self.named(node, self.reader.text(node, part("similar", what)), part("similar", what))
-        if self.reader.one_of(table, ("ratio", "as"), what) == "ratio":
-            ratio = self.reader.number(self.reader.required(table, "ratio", what), part("ratio", what))
-            turn = self.reader.said(table, "angle", what) or 0.0
+            if key in vector:
+                raise vector.error(Phrase("both_keys", what=vector.what, one="similar", two=key), key)
+        pattern = self.named(vector.required("similar"), vector.text("similar"), vector.named("similar"))
+        if vector.one_of("ratio", "as") == "ratio":
+            ratio, turn = vector.number("ratio"), vector.said("angle") or 0.0
             return Similarity(pattern, ratio * complex(evaluate(f"cos({turn!r})", {}), evaluate(f"sin({turn!r})", {})))
-        shape = self.reader.required(table, "as", what)
-        label = part("as", what)
-        if "angle" in table.entries:
-            raise self.reader.error(Phrase("both_keys", what=what, one="as", two="angle"), table.lines["angle"])
+        shape, label = vector.required("as"), vector.named("as")
+        if "angle" in vector:
+            raise vector.error(Phrase("both_keys", what=vector.what, one="as", two="angle"), "angle")
         items = self.reader.items(shape, label)
         if len(items) != 2:
             raise self.reader.error(Phrase("similar_pair", what=label, count=len(items)), shape)

@@ -6,7 +6,7 @@ from contextlib import suppress
 import yaml
 
 from planes.scene.mechanism import FRAME, RATES, Amount, Drive, Guide, Link, Load, LoadLaw, Mechanism, Slide, StrokeLoad
-from planes.scene.reader import entries_of
+from planes.scene.paths import entries_of
 from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse
 from planes.words.records import Json
 

@@ -7,11 +7,11 @@ from pathlib import Path
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import Instrument, Pencil, is_exact
-from planes.plans import Plans, sliced
+from planes.plans import Plans
 from planes.plans.measuring import DrawingReader, polar
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, told_of
 from planes.plans.scales import fits_on, scales
-from planes.plans.statements.of_scene import fitted, scene_plans
+from planes.plans.statements.of_scene import cut_to, fitted, scene_plans
 from planes.scene import Scene
 from planes.solving.nearest import Nearest
 from planes.solving.own_equations import own_equations
@@ -157,9 +157,7 @@ def plans_of(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] |
     plans = scene_plans(scene)
     if scene.find is None:
         return plans, None
-    wanted = asked(plans, scene.find, scene.file)
-    scheme = [step.makes for step in plans.program.marks.get("position", ()) if shown]
-    return sliced(plans, [*(n for q in wanted for n in q.needs), *scheme]), wanted
+    return cut_to(plans, asked(plans, scene.find, scene.file), plans if shown else None)
 
 
 def solve(

@@ -52,7 +52,7 @@ def problem(error: PlanesError, text: str, lang: Lang) -> Json:
     line = getattr(error, "line", None) or 1
     said = error.phrase.told(lang) if isinstance(error.phrase, Phrase) else str(error.phrase)
     report: Json = {"line": line, "column": 1, "said": said, "help": []}
-    parts = error.phrase.parts if isinstance(error.phrase, Phrase) else {}
+    parts = error.parts
     row = (text.splitlines() or [""])[min(line, text.count("\n") + 1) - 1 : line]
     valid = _valid(parts)
     quoted = [str(part) for part in parts.values() if isinstance(part, str) and part and row and part in row[0]]

@@ -4,7 +4,6 @@ What a browser does to read it is in ``render/page/share.js``: raw deflate, then
 """
 
 import base64
-import binascii
 import zlib
 
 from planes.scene import Scene
@@ -14,7 +13,6 @@ from planes.words.errors import SceneError
 
 RAW = -15  # deflate without a head
 LEAST_MM, RIM = 0.33, 4  # of a module that a telephone reads off paper; modules of white around a code
-MOST_TEXT = 1_000_000
 Cells = list[list[bool]]
 
 
@@ -27,19 +25,6 @@ def deflated(text: str) -> bytes:
 def pressed(text: str) -> str:
     """A text in the letters of a link."""
     return base64.urlsafe_b64encode(deflated(text)).decode().rstrip("=")
-
-
-def unpressed(letters: str) -> str:
-    """The text again. :class:`ValueError` of letters that are no text."""
-    try:
-        data = base64.b64decode(letters + "=" * (-len(letters) % 4), b"-_", validate=True)
-        reader = zlib.decompressobj(RAW)
-        text = reader.decompress(data, MOST_TEXT).decode()
-    except (binascii.Error, zlib.error) as error:
-        raise ValueError(str(error)) from None
-    if not reader.eof:
-        raise ValueError(letters)
-    return text
 
 
 def scene_text(scene: Scene) -> str:

@@ -60,7 +60,7 @@ def _alike(old: Json, sketch: Json) -> bool:
 def _parts(edited: Edited, sketch: Json) -> Edited:
     """Frame, links and drive as they are drawn."""
     points = {p: complex(*z) for p, z in sketch["points"].items()}
-    fixed = ", ".join(f"{p}: [{number(points[p].real)}, {number(points[p].imag)}]" for p in sketch["fixed"])
+    fixed = ", ".join(f"{p}: {_pair(points[p])}" for p in sketch["fixed"])
     edited = edited.put(("frame", "points"), f"{{{fixed}}}")
     of_frame = [g for g in sketch["guides"] if sketch["guides"][g]["link"] == FRAME]
     guides = ", ".join(f"{name}: {_on_frame(sketch['guides'][name])}" for name in of_frame)
@@ -90,7 +90,7 @@ def _said(name: str, link: Json, sketch: Json, points: dict[str, complex]) -> It
         yield "slides", ""
         return
     guide = sketch["guides"][link["slides"]]
-    aside = ((points[first] - complex(*guide["at"])) * direction(guide).conjugate()).imag
+    aside = _on_guide(points[first], guide).imag
     yield "slides", link["slides"] if abs(aside) < NEAR_M else f"{{guide: {link['slides']}, offset: {number(aside)}}}"
 
 
@@ -110,6 +110,12 @@ def direction(guide: Json) -> complex:
     return cmath.rect(1.0, math.radians(guide["angle"]))
 
 
+def _on_guide(place: complex, guide: Json) -> complex:
+    """A place along a guide and to the left of it, from where the guide is told."""
+    along: complex = (place - complex(*guide["at"])) * direction(guide).conjugate()
+    return along
+
+
 def _on_frame(g: Json) -> str:
     x, y = g["at"]
     turn = g["angle"] % 360
@@ -117,7 +123,7 @@ def _on_frame(g: Json) -> str:
         return f"{{y: {number(y)}}}"
     if abs(turn - 90) < 1e-6:
         return f"{{x: {number(x)}}}"
-    return f"{{through: [{number(x)}, {number(y)}], angle: {number(g['angle'])}}}"
+    return f"{{through: {_pair(complex(x, y))}, angle: {number(g['angle'])}}}"
 
 
 def _on_link(g: Json, local: dict[str, complex], origin: complex, axis: complex) -> str:
@@ -127,7 +133,7 @@ def _on_link(g: Json, local: dict[str, complex], origin: complex, axis: complex)
     for p, place in local.items():
         if abs(((place - z) * along.conjugate()).imag) < NEAR_M:
             return f"{{through: {p}, angle: {angle}}}"
-    return f"{{through: [{number(z.real)}, {number(z.imag)}], angle: {angle}}}"
+    return f"{{through: {_pair(z)}, angle: {angle}}}"
 
 
 def _drive(drive: Json, sketch: Json, points: dict[str, complex]) -> str:
@@ -138,12 +144,16 @@ def _drive(drive: Json, sketch: Json, points: dict[str, complex]) -> str:
     else:
         link = sketch["links"][name]
         guide = sketch["guides"][link["slides"]]
-        place = ((points[link["points"][0]] - complex(*guide["at"])) * direction(guide).conjugate()).real
+        place = _on_guide(points[link["points"][0]], guide).real
     return f"{{link: {name}, {kind}: {number(place)}, {RATES[kind][0]}: {number(drive['rate'])}}}"
 
 
 def _place(z: complex) -> str:
-    return number(z.real) if abs(z.imag) < NEAR_M else f"[{number(z.real)}, {number(z.imag)}]"
+    return number(z.real) if abs(z.imag) < NEAR_M else _pair(z)
+
+
+def _pair(z: complex) -> str:
+    return f"[{number(z.real)}, {number(z.imag)}]"
 
 
 def number(value: float) -> str:
@@ -169,9 +179,8 @@ def _assembled(edited: Edited, sketch: Json) -> Edited:
 
 def offers_of(error: SceneError) -> list[tuple[tuple[str, ...], str]]:
     """What would say which assembly is meant, where a scene does not: paths of keys, and their values."""
-    parts = error.phrase.parts if isinstance(error.phrase, Phrase) else {}
     offers_made: list[tuple[tuple[str, ...], str]] = []
-    offers = parts.get("offers", ())
+    offers = error.parts.get("offers", ())
     for offer in offers if isinstance(offers, tuple) else ():
         details = offer.parts if isinstance(offer, Phrase) else {}
         if "key" in details and ("word" in details or "place" in details):

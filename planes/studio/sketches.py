@@ -14,7 +14,7 @@ from planes.plans import Plans
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Guide, Link, Mechanism
 from planes.solving import plans_of
-from planes.words import Phrase
+from planes.words import Phrase, text_in
 from planes.words.errors import PlanesError
 from planes.words.names import at
 from planes.words.records import Json
@@ -37,7 +37,7 @@ def sketch_of(scene: Scene) -> Json:
         for g in x.guides.values()
     }
     return {
-        "title": scene.title.get("en", "") or next(iter(scene.title.values()), ""),
+        "title": text_in("en", scene.title),
         "points": {p: [z.real, z.imag] for p, z in places.items()},
         "fixed": [*m.frame.points],
         "guides": guides,
@@ -77,9 +77,7 @@ def _axis(x: Link, m: Mechanism, places: dict[str, complex]) -> complex:
     if x.name == FRAME:
         return 1 + 0j
     if x.slides:
-        owner = m.owner(x.slides.guide)
-        guide = m.guide(x.slides.guide)
-        body = m.frame if owner == FRAME else m.links[owner]
+        body, guide = m.link(m.owner(x.slides.guide)), m.guide(x.slides.guide)
         turn = math.radians(guide.angle_deg + (x.slides.angle_deg or 0.0))
         return _axis(body, m, places) * cmath.rect(1.0, turn)
     base = x.first_point

@@ -9,7 +9,7 @@ import json
 import locale
 import os
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from string import Formatter
@@ -53,6 +53,11 @@ def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
             key.removeprefix(prefix): text for key, text in table(one, file).items() if key.startswith(prefix)
         }
     return sentences
+
+
+def text_in(lang: Lang, texts: Mapping[Lang, str]) -> str:
+    """A text in its language; in whichever there is first, where there is none in that."""
+    return texts.get(lang) or next(iter(texts.values()), "")
 
 
 def stand_ins(lang: Lang) -> tuple[Lang, ...]:

@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from difflib import get_close_matches
 from itertools import islice
 from pathlib import Path
+from typing import Any
 
 from planes.words import Lang, Phrase, Told
 from planes.words.frozen import frozen
@@ -44,6 +45,11 @@ class PlanesError(Exception):
     def told(self, lang: Lang = "en") -> str:
         """The place and the sentence in a language."""
         return self.place + (self.phrase.told(lang) if isinstance(self.phrase, Phrase) else self.phrase)
+
+    @property
+    def parts(self) -> dict[str, Any]:
+        """What its sentence is made of; nothing where that is plain text."""
+        return self.phrase.parts if isinstance(self.phrase, Phrase) else {}
 
 
 class UnknownName(PlanesError, KeyError):

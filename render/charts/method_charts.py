@@ -221,7 +221,7 @@ def _regions(count: Indices) -> list[tuple[int, int]]:
         left = count == number
         while left.sum() > LEAST * count.size:
             deepest = left
-            while (inner := _shrunk(deepest)).any():
+            while (inner := _beside(deepest).all(axis=0)).any():
                 deepest = inner
             j, i = np.argwhere(deepest)[len(np.argwhere(deepest)) // 2]
             region = np.zeros_like(left)
@@ -232,18 +232,16 @@ def _regions(count: Indices) -> list[tuple[int, int]]:
     return deepest_cells
 
 
-def _shrunk(region: Booleans) -> Booleans:
-    """Without its rim."""
+def _beside(region: Booleans) -> Booleans:
+    """Each cell with the four beside it."""
     wide = np.pad(region, 1)
-    return wide[1:-1, 1:-1] & wide[2:, 1:-1] & wide[:-2, 1:-1] & wide[1:-1, 2:] & wide[1:-1, :-2]
+    return np.stack([wide[1:-1, 1:-1], wide[2:, 1:-1], wide[:-2, 1:-1], wide[1:-1, 2:], wide[1:-1, :-2]])
 
 
 def _filled(seed: Booleans, within: Booleans) -> Booleans:
     """All that hangs together with the seed."""
     while True:
-        wide = np.pad(seed, 1)
-        grown = wide[1:-1, 1:-1] | wide[2:, 1:-1] | wide[:-2, 1:-1] | wide[1:-1, 2:] | wide[1:-1, :-2]
-        grown = grown & within
+        grown: Booleans = _beside(seed).any(axis=0) & within
         if (grown == seed).all():
             return seed
         seed = grown

@@ -168,7 +168,7 @@ def _empty(cell: form1.Cell, name: str, face: Face) -> Text:
     turn = cmath.rect(1, math.radians(cell.turn_deg))
     wide = cell.height if cell.turn_deg % 180 else cell.width
     across = 0.0 if cell.anchor == "middle" else 1.0 - wide / 2
-    place = complex(cell.x + cell.width / 2, cell.y + cell.height / 2) + (across - 0.5j * cell.letter) * turn
+    place = cell.middle + (across - 0.5j * cell.letter) * turn
     return Text("", place, cell.letter, cell.anchor, cell.turn_deg, "frame", name, face)
 
 

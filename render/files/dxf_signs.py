@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, pairwise
 from typing import TYPE_CHECKING
 
+from planes.geometry.plane import toward
 from planes.words.frozen import frozen
 from render.files.dxf_entities import Entities, formatted, stretched, xy
 from render.paper import symbols
@@ -147,7 +148,7 @@ def _part(one: Arrow, other: Arrow) -> bool:
 
 def _across(line: Line, arrow: Arrow) -> bool:
     """Whether a line runs square to an arrow past its tip."""
-    along = (arrow.end - arrow.start) / abs(arrow.end - arrow.start)
+    along = toward(arrow.start, arrow.end)
     a, b = ((z - arrow.end) / along for z in line.points)
     return abs(a.real) < _SAME_MM and abs(b.real) < _SAME_MM and a.imag * b.imag < 0
 

@@ -38,6 +38,11 @@ class Cell:
     anchor: Literal["start", "middle"] = "middle"
     turn_deg: float = 0.0
 
+    @property
+    def middle(self) -> complex:
+        """Its middle."""
+        return complex(self.x + self.width / 2, self.y + self.height / 2)
+
 
 @frozen
 class Form:

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from planes.geometry.plane import toward
 from planes.words.frozen import frozen
 from render.paper.marks import Mark, Shape
 
@@ -91,7 +92,7 @@ def ink_of(photo: Photo, lines: Sequence[tuple[complex, complex]]) -> Iterator[M
     wide, high = (x1 - x0) / size[0], (y1 - y0) / size[1]
     cells = x0 + (columns + 0.5) * wide + 1j * (y1 - (rows + 0.5) * high)
     for a, b in lines:
-        along = (b - a) / abs(b - a) if a != b else 1 + 0j
+        along = toward(a, b) if a != b else 1 + 0j
         local = (cells - a) * np.conj(along)
         beside = (abs(local.imag) < NEAR_MM) & (local.real > -NEAR_MM) & (local.real < abs(b - a) + NEAR_MM)
         cells = cells[~beside]

@@ -11,6 +11,7 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
+from planes.geometry.plane import toward
 from render.paper.ink import head
 from render.paper.marks import Arc, Hatch, Layer, Line, Mark, Shape
 from render.paper.style import BASE_MM, BLOCK_MM, DOT_MM, HATCH_GAP_MM, HATCH_MM, HINGE_MM, LEG_MM, head_size, pen
@@ -51,11 +52,14 @@ def base(at: complex, angle_deg: float = 0, length: float = BASE_MM, side: int =
 
 def fixed_hinge(at: complex, angle_deg: float = 0) -> Marks:
     """A hinge on the frame: two legs from the circle to a hatched base; ``angle_deg`` is the base's."""
-    along = unit(angle_deg)
-    foot = at - 1j * along * LEG_MM
-    ends = (foot + side * 0.5 * LEG_MM * along for side in (-1, 1))
-    legs = [Line((at + HINGE_MM * ((end - at) / abs(end - at)), end)) for end in ends]
-    return (*base(foot, angle_deg), *legs, *hinge(at))
+    foot = at - 1j * unit(angle_deg) * LEG_MM
+    return (*base(foot, angle_deg), *legs(at, foot, angle_deg), *hinge(at))
+
+
+def legs(at: complex, foot: complex, angle_deg: float) -> list[Line]:
+    """Both legs of a hinge, from its circle to a base about the foot."""
+    ends = (foot + side * 0.5 * LEG_MM * unit(angle_deg) for side in (-1, 1))
+    return [Line((at + HINGE_MM * toward(at, end), end)) for end in ends]
 
 
 def block(at: complex, angle_deg: float = 0, size: tuple[float, float] = BLOCK_MM) -> Marks:
@@ -87,7 +91,7 @@ def plate(points: Sequence[complex]) -> Marks:
 
 def rigid(at: complex, one: complex, other: complex) -> Marks:
     """The sign that two rods of a link are fixed to each other where they meet: a gusset in their angle."""
-    u, v = ((z - at) / abs(z - at) for z in (one, other))
+    u, v = (toward(at, z) for z in (one, other))
     return (Shape((at, at + GUSSET_MM * u, at + GUSSET_MM * v)),) if abs((u * v.conjugate()).imag) > ALIKE else ()
 
 

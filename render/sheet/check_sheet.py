@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 
+from planes.geometry.plane import corners
 from planes.words import Lang
 from planes.words.frozen import frozen
 from render.labels import Label, place
@@ -56,9 +57,7 @@ class Overlay:
         if self.photo and not self.marks:
             x0, y0, x1, y1 = self.photo.box
             ends += [complex(x0, y0), complex(x1, y1)]
-        places = [z for z in (0j, *ends, *(z for z, _ in self.marks.values())) if math.isfinite(abs(z))]
-        xs, ys = [z.real for z in places], [z.imag for z in places]
-        return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+        return corners(z for z in (0j, *ends, *(z for z, _ in self.marks.values())) if math.isfinite(abs(z)))
 
 
 @frozen

@@ -10,7 +10,7 @@ from planes.plans import Plans
 from planes.plans.measuring import lettering
 from planes.scene import Scene
 from planes.solving import Position
-from planes.words import Lang, say
+from planes.words import Lang, say, text_in
 from planes.words.lettering import indexed
 from planes.words.names import CREMONA, kind_of, links_of, mu_of
 from planes.words.naming import Naming
@@ -101,7 +101,7 @@ class Composer:
 
     def notes(self, letter: float) -> list[View]:
         """What the scene adds in words, where there is room for it: as wide as the title block, or in another shape."""
-        text = indexed(self.scene.note.get(self.lang) or next(iter(self.scene.note.values()), ""))
+        text = indexed(text_in(self.lang, self.scene.note))
         high, title = max(0.7 * letter, REMARK_MM), say("sheet_note", self.lang)
 
         def made(key: str, width: float) -> View:
@@ -128,7 +128,7 @@ class Composer:
 
     def mu(self, plotted: Plotted, plan: str) -> str:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
-        kind = plotted.kind(plan)
+        kind = kind_of(plan)
         letter, unit = MU.get(kind, ""), kind
         if kind == "motion" and self.stated:
             unit = "position" if self.stated.mechanism.drive.kind == "phi" else "vectors"

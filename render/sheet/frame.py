@@ -120,7 +120,7 @@ def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
     wide, high = (cell.height, cell.width) if cell.turn_deg % 180 else (cell.width, cell.height)
     lines, size = _lines(text, wide, high, cell.letter)
     turn = cmath.rect(1, math.radians(cell.turn_deg))
-    middle = complex(cell.x + cell.width / 2, cell.y + cell.height / 2)
+    middle = cell.middle
     top = (len(lines) - 1) * _PITCH * size / 2 - size / 2
     marks = []
     for k, line in enumerate(lines):

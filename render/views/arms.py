@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Drop
+from planes.geometry.plane import dropped, toward
 from planes.words import Lang, say
 from render import labels
 from render.paper.marks import Line, Mark, Text
@@ -26,7 +27,7 @@ class Arms:
 
     def add(self, point: complex, along: complex, about: complex, text: str, force: str) -> None:
         """The arm about a place of the force at ``point``, unless it is too short to be seen."""
-        ends = about, point + ((about - point) * along.conjugate()).real * along
+        ends = about, dropped(about, point, along)
         if abs(ends[1] - about) < LEAST_MM:
             return
         self.marks.append(Line((point, ends[1]), "construction", "construction"))
@@ -46,7 +47,7 @@ def drops_of(drawing: Drawing) -> dict[str, Drop]:
 
 def broken(start: complex, end: complex) -> list[Mark]:
     """A guide drawn out to a line of action that is too far for the paper: shortened by a break."""
-    along, middle = (end - start) / abs(end - start), (start + end) / 2
+    along, middle = toward(start, end), (start + end) / 2
     zigzag = [middle + z * along for z in (-BREAK_MM, complex(-0.3, 0.8) * BREAK_MM, complex(0.3, -0.8) * BREAK_MM)]
     return [
         Line((start, zigzag[0]), "axis", "axis"),

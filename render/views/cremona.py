@@ -8,8 +8,8 @@ from planes.words.naming import Naming
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import dot
-from render.views.plotted import NEAR_MM, Plotted
-from render.views.polygon import FORCE_MM, MARK_MM, SAME_MM, gathered
+from render.views.plotted import NEAR_MM, Plotted, gathered
+from render.views.polygon import FORCE_MM, MARK_MM
 from render.views.senses import labelled
 
 STYLES = {"tension": "vector", "compression": "vector", "idle": "thin"}
@@ -38,7 +38,7 @@ class Cremona:
             else:
                 marks.append(Arrow(*ends, "result", "force", s.name))
                 named.append(labels.Label(self.naming.vector(s.name), ends, FORCE_MM, name=s.name))
-        for z, letters in gathered(regions.items(), SAME_MM):
+        for z, letters in gathered(regions.items()):
             marks += dot(z, 0.5, "plan")
             text = ", ".join(letters)
             named.append(labels.Label(text, z, MARK_MM, clear=0.7, priority=1, name=text))

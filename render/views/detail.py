@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
+from planes.geometry.plane import corners, toward
 from planes.words.frozen import frozen, replace
 from render import labels
 from render.labels.footprints import bounds
@@ -60,7 +61,7 @@ class Detail:
     def seen(self, ends: Ends) -> Ends | None:
         """The part of a straight stroke within the detail, enlarged; None if there is next to nothing."""
         a, b = map(self.enlarged, ends)
-        reach, way = self.times * self.radius, (b - a) / abs(b - a)
+        reach, way = self.times * self.radius, toward(a, b)
         foot = a - (a * way.conjugate()).real * way
         if abs(foot) >= reach:
             return None
@@ -122,8 +123,8 @@ def details(vectors: Iterable[Ends], letters: Sequence[str], alone: bool = True)
 
 def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
     """The centre and radius of a detail of some vectors, and how many times it is enlarged."""
-    x, y = [z.real for ends in group for z in ends], [z.imag for ends in group for z in ends]
-    centre = complex((min(x) + max(x)) / 2, (min(y) + max(y)) / 2)
+    low, high = corners(z for ends in group for z in ends)
+    centre = (low + high) / 2
     radius = AROUND * max(abs(z - centre) for ends in group for z in ends)
     return centre, radius, max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
 

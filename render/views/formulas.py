@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from planes.drafting.equations import Equation, Term
 from planes.words import say
 from planes.words.frozen import frozen
-from planes.words.names import lines, parallel_to, written
+from planes.words.names import kind_of, lines, parallel_to, written
 from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
 from planes.words.units import UNIT
@@ -135,7 +135,7 @@ class Formulas:
     def words(self, equation: Equation) -> list[Word]:
         """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""
         total = equation.total or ""
-        unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
+        unit = say(UNIT[kind_of(equation.plan)], self.naming.lang)
         first, sides = Word(self.naming.vector(total), value="" if self.asked else unit), []
         for chain in equation.chains:
             terms = [t for t in chain if t.action != "=0"]
@@ -154,7 +154,7 @@ class Formulas:
 
     def closed_words(self, equation: Equation) -> list[Word]:
         """The unit; both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
-        unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
+        unit = say(UNIT[kind_of(equation.plan)], self.naming.lang)
         words, sides = [Word("", vector=False, value="" if self.asked else unit)], equation.written
         for n, side in enumerate(sides):
             words += [Word("=", vector=False)] * bool(n)

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from planes.geometry.plane import corners
 from planes.words import Lang, say
 from planes.words.frozen import frozen
 from planes.words.names import letter_of
@@ -44,12 +45,11 @@ def _one(loop: Hodograph, naming: Naming, to_read: bool) -> View:
     lang, path = naming.lang, bool(loop.point and to_read)
     known = [z for z in loop.path if z is not None]
     known += [0j] * (not path or not known)
-    x, y = [z.real for z in known], [z.imag for z in known]
-    mu = standard_mu(max(max(x) - min(x), max(y) - min(y)), WIDE_MM)
+    least, most = corners(known)
+    mu = standard_mu(max((most - least).real, (most - least).imag), WIDE_MM)
     name = say("path_of", lang, name=loop.point) if path else say("hodograph", lang, name=loop.name)
     title = f"{name}, μ_{{{letter_of(loop.name)}}} = {scale(mu, loop.unit, naming)}"
-    low = complex(mu * min(x) - AXIS_MM, mu * min(y) - AXIS_MM)
-    high = complex(mu * max(x) + AXIS_MM, mu * max(y) + AXIS_MM)
+    low, high = mu * least - AXIS_MM * (1 + 1j), mu * most + AXIS_MM * (1 + 1j)
     pole = low if path else 0j
     ends = complex(high.real, pole.imag), complex(pole.real, high.imag)
     ground: list[Mark] = [

@@ -2,8 +2,9 @@
 
 import math
 from dataclasses import dataclass, field
+from itertools import product
 
-from planes.drafting.draft import Moments
+from planes.drafting.equations import Moments
 from planes.plans.force.loads import force_name
 from planes.plans.position.bodies import SCHEME
 from planes.solving import Position
@@ -12,7 +13,6 @@ from planes.words.names import at, mu_of
 from planes.words.naming import Naming
 from planes.words.units import number
 from render import labels
-from render.paper import symbols
 from render.paper.marks import Arc, Arrow, Line, Mark
 from render.paper.style import BLOCK_MM
 from render.views.arms import BREAK_MM, Arms, broken, drops_of
@@ -218,15 +218,7 @@ class Loading:
         sense = math.copysign(1.0, value)
         radii = (COUPLE_MM + 3 * number + grow for grow in (0.0, -2.0, 3.0, 6.0))
         begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]
-        arrows = (
-            (
-                symbols.turn_arrow(centre, r, b, sense * 150, "vector", "force"),
-                centre + r * symbols.unit(b + sense * 75),
-            )
-            for r in radii
-            for b in begins
-        )
-        arrow, middle = freest(arrows, self.marks, 0.8)
+        arrow, middle = freest(centre, product(radii, begins), sense * 150, self.marks, 0.8, "vector", "force")
         self.marks += arrow
         self.named.append(labels.Label(text or self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
 

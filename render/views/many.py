@@ -9,6 +9,7 @@ from statistics import median
 
 import numpy as np
 
+from planes.geometry.plane import dropped
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
@@ -16,7 +17,7 @@ from planes.words.frozen import frozen
 from render.labels import Label
 from render.paper.marks import Line, Mark
 from render.views.dimensions import Size, in_mm, stroke
-from render.views.plotted import NEAR_MM, along_joints, outline_of
+from render.views.plotted import NEAR_MM, along_joints, gathered, outline_of
 from render.views.senses import POSITION
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
@@ -136,8 +137,7 @@ class ManyPositions:
 
     def foot(self, slider: Link, guide: str, result: PlacedMechanism) -> complex:
         """Where a slider's first point is dropped on its guide."""
-        through, along = self.line(guide, result)
-        return through + ((self.place(result, slider.first_point) - through) * along.conjugate()).real * along
+        return dropped(self.place(result, slider.first_point), *self.line(guide, result))
 
     def paths(self) -> list[Mark]:
         """Paths of the moving points, in dashes; a point on a frame's guide has none of interest."""
@@ -202,13 +202,7 @@ class ManyPositions:
     def stations(self, link: Link, point: str) -> Iterator[Label]:
         """Numbers of the extreme positions along the path of a point, those of one place together; the first and the
         last of all, where that hardly moves."""
-        places: list[tuple[complex, list[str]]] = []
-        for one, result in self.shown():
-            z = self.place(result, point)
-            near = next((numbers for at, numbers in places if abs(at - z) < TOGETHER_MM), None)
-            if near is None:
-                places.append((z, near := []))
-            near.append(one.number)
+        places = gathered(((one.number, self.place(result, point)) for one, result in self.shown()), TOGETHER_MM)
         extreme = {one.number for one, _ in self.shown() if one.extreme}
         for z, numbers in places:
             row = [n for n in numbers if n.isdigit()]

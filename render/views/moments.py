@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from planes.drafting.draft import Moments
+from planes.drafting.equations import Moments
 from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.plans.scales import ZERO_MM
 from planes.solving import Position
@@ -24,8 +24,7 @@ from render.paper.symbols import dot
 from render.views.arms import Arms, drops_of, with_unlettered
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
-from render.views.plotted import Ends, of_position
-from render.views.polygon import gathered
+from render.views.plotted import Ends, gathered, of_position
 from render.views.senses import labelled
 
 NOISE = 1e-9  # of the largest moment of the equation: nothing

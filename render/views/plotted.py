@@ -11,13 +11,14 @@ import shapely
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
+from planes.geometry.plane import corners, dropped, toward
 from planes.plans.apart import LinkApart, links_apart
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.words.frozen import frozen, replace
-from planes.words.names import at, kind_of, label_of, mu_of, plan_of
+from planes.words.names import at, label_of, mu_of, plan_of
 
 Ends = tuple[complex, complex]
 
@@ -54,10 +55,6 @@ class Plotted:
         """μ of a plan, mm per SI unit."""
         return self.scales[mu_of(plan)]
 
-    def kind(self, plan: str) -> str:
-        """The kind of a plan, which tells the unit of its vectors."""
-        return kind_of(plan)
-
     def still(self, plan: str) -> bool:
         """Whether every mark of the plan stands in its pole: there is nothing to draw."""
         ends = self.labels(plan) or [s.end for s in self.drawn_segments(plan)]
@@ -91,6 +88,7 @@ def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
 
 
 NEAR_MM = 0.4  # places closer than this are one
+SAME_MM = 0.35  # marks closer than this share one label
 SLIGHT = 0.06  # lines whose slopes differ by less run upon each other where they cross
 
 
@@ -130,8 +128,8 @@ class Places:
     def size(self, links: Sequence[str]) -> float:
         """The larger side of the box around the points of some links."""
         drawn = [self.at(p) for name in links for p in self.mechanism.links[name].points if self.has(p)]
-        sides = [z.real for z in drawn], [z.imag for z in drawn]
-        return max(max(side) - min(side) for side in sides) if drawn else 0.0
+        low, high = corners(drawn or [0j])
+        return max((high - low).real, (high - low).imag)
 
     def rods(self, name: str) -> list[Ends]:
         """The bars between a link's points, and from its hinge to a slider on its guide."""
@@ -165,14 +163,13 @@ class Places:
         """The foot of a slider's first point on its guide, and the guide's direction."""
         assert link.slides
         through, along = self.line(link.slides.guide)
-        first = self.at(link.first_point)
-        return through + ((first - through) * along.conjugate()).real * along, along
+        return dropped(self.at(link.first_point), through, along), along
 
 
 def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
     """Whether two lines run side by side for more than a millimetre, nowhere there farther apart than so many mm; or
     slant but slightly, and come nearer than to ``touch`` mm."""
-    way = (other[1] - other[0]) / abs(other[1] - other[0])
+    way = toward(*other)
     a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
     low, high = max(a.real, 0.0), min(b.real, abs(other[1] - other[0]))
     if high - low <= 1.0:
@@ -206,7 +203,7 @@ def outline_of(places: list[complex]) -> list[complex]:
     if len(unique) < 3:
         return unique
     a, b = max(((p, q) for p in unique for q in unique), key=lambda e: abs(e[1] - e[0]))
-    way = (b - a) / abs(b - a)
+    way = toward(a, b)
     if all(abs(((z - a) * way.conjugate()).imag) < NEAR_MM for z in unique):
         return [a, b]
     hull = shapely.MultiPoint([(z.real, z.imag) for z in unique]).convex_hull
@@ -228,3 +225,14 @@ def nearest(z: complex, outline: list[complex]) -> complex:
     kinds = {1: shapely.Point, 2: shapely.LineString}
     shape = kinds.get(len(corners), shapely.Polygon)(corners)
     return complex(*shapely.shortest_line(shape, shapely.Point(z.real, z.imag)).coords[0])
+
+
+def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:
+    """Names by their places; those that stand closer than ``same`` mm to one before share its place."""
+    clusters: list[tuple[complex, list[str]]] = []
+    for name, z in marks:
+        near = next((names for place, names in clusters if abs(place - z) <= same), None)
+        if near is None:
+            clusters.append((z, near := []))
+        near.append(name)
+    return clusters

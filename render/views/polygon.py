@@ -6,9 +6,10 @@ from functools import cached_property
 from itertools import combinations
 
 from planes.drafting.equations import Term
+from planes.geometry.plane import toward
 from planes.plans.scales import ZERO_MM
 from planes.words import say
-from planes.words.names import POLE, at, label_of
+from planes.words.names import POLE, at, kind_of, label_of
 from planes.words.naming import Naming
 from planes.words.read_off import measured
 from planes.words.units import UNIT, number
@@ -19,13 +20,12 @@ from render.paper.symbols import dot
 from render.paper.typeset import plain
 from render.views import detail, remark
 from render.views.hatching import hatched
-from render.views.plotted import Ends, Plotted, set_apart
+from render.views.plotted import SAME_MM, Ends, Plotted, gathered, set_apart
 from render.views.senses import parted
 from render.views.strings import drawn_strokes
 from render.views.traces import traces
 
 NOTHING_MM = 1e-10  # a vector shorter than this is none
-SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
 ASIDE_MM = 2.0  # from a sum of forces to the forces it lies upon
@@ -87,7 +87,7 @@ class Polygon:
         marks = detail.beside(marks, [d.drawn(ground, self.named(details, d.times)) for d in details])
         if any(t.name.startswith(VALUE) for t in placed.texts):
             lang = self.naming.lang
-            text = say("values_beside", lang, unit=say(UNIT[self.plotted.kind(self.plan)], lang))
+            text = say("values_beside", lang, unit=say(UNIT[kind_of(self.plan)], lang))
             marks = (*marks, *remark(f"({text})", marks))
         return marks
 
@@ -229,7 +229,7 @@ class Polygon:
         for z, names in clusters:
             fixed = [n + prime for n in self.plotted.fixed] if POLE in names else []
             text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))
-            away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
+            away = toward(centre, z) if abs(z - centre) > ZERO_MM else 0
             letters.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
         return letters
 
@@ -237,14 +237,3 @@ class Polygon:
 def tick(start: complex, end: complex) -> Ends:
     """A tick between an end of a sum's forces and its own, which touches neither: it is no vector."""
     return start + TICK[0] * (end - start), start + TICK[1] * (end - start)
-
-
-def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:
-    """Names by their places; those that stand closer than ``same`` mm to one before share its place."""
-    clusters: list[tuple[complex, list[str]]] = []
-    for name, z in marks:
-        near = next((names for place, names in clusters if abs(place - z) <= same), None)
-        if near is None:
-            clusters.append((z, near := []))
-        near.append(name)
-    return clusters

@@ -4,6 +4,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
+from planes.geometry.plane import toward
 from planes.scene.mechanism import FRAME, Link, RoundGuide
 from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark
@@ -17,7 +18,7 @@ STROKE_MM, GAP_MM = 3.0, 2.4  # of the hatching of the frame
 def round_slider(places: Places, link: Link, guide: RoundGuide, owner: str) -> Iterator[Mark]:
     """The block turned along its arc, and the arc beneath it, hatched where it is the frame's."""
     centre, z = places.at(guide.centre), places.at(link.first_point)
-    radius, out = abs(z - centre), (z - centre) / abs(z - centre)
+    radius, out = abs(z - centre), toward(centre, z)
     yield from symbols.block(z, math.degrees(cmath.phase(1j * out)))
     rail, here = radius + BLOCK_MM[1] / 2, math.degrees(cmath.phase(out))
     half = min(math.degrees(REACH_MM / radius), 180.0)

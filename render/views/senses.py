@@ -12,7 +12,7 @@ from render import labels
 from render.labels.footprints import ink, polygons
 from render.paper import symbols
 from render.paper.ink import cut
-from render.paper.marks import Hatch, Line, Mark, Shape, Text
+from render.paper.marks import Hatch, Layer, Line, Mark, Shape, Text
 from render.paper.typeset import box_of
 from render.views.plotted import Places
 
@@ -44,18 +44,25 @@ def _free_arc(places: Places, radius: float, sense: float, ground: Sequence[Mark
     points = places.mechanism.links[places.mechanism.drive.link].points
     crank = max((places.at(p) - pivot for p in points if places.has(p)), key=abs, default=1 + 0j)
     turns = (15, 30, 60, 100, 140, 180, 220, 260, -110, -80)
-    starts = (math.degrees(cmath.phase(crank)) + sense * turn for turn in turns)
-    arrows = (
-        (symbols.turn_arrow(pivot, radius, start, sense * 60), pivot + radius * symbols.unit(start + sense * 30))
-        for start in starts
-    )
-    return freest(arrows, ground, 0.6)
+    ways = [(radius, math.degrees(cmath.phase(crank)) + sense * turn) for turn in turns]
+    return freest(pivot, ways, sense * 60, ground, 0.6)
 
 
 def freest(
-    arrows: Iterable[tuple[symbols.Marks, complex]], ground: Sequence[Mark], clear: float
+    centre: complex,
+    ways: Iterable[tuple[float, float]],
+    sweep: float,
+    ground: Sequence[Mark],
+    clear: float,
+    style: str = "thin",
+    layer: Layer = "scheme",
 ) -> tuple[symbols.Marks, complex]:
-    """Of curved arrows, each with the middle of its arc, the first that comes near least of what is drawn."""
+    """Of curved arrows about a place, by their radii and where they start, the first that comes near least of what is
+    drawn; with the middle of its arc."""
+    arrows = (
+        (symbols.turn_arrow(centre, r, start, sweep, style, layer), centre + r * symbols.unit(start + sweep / 2))
+        for r, start in ways
+    )
     if labels.rough():
         return next(iter(arrows))
     inked, least, freest_arrow = ink(ground), math.inf, None

@@ -5,6 +5,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from planes.geometry.plane import toward
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import StaticsFigure, strains
 from planes.scene.mechanism import Link
@@ -15,7 +16,7 @@ from planes.words.naming import Naming
 from render import labels
 from render.paper import symbols
 from render.paper.marks import Arc, Arrow, Line, Mark
-from render.paper.style import BASE_MM, HINGE_MM, LEG_MM
+from render.paper.style import BASE_MM, LEG_MM
 from render.views.loading import Loading
 from render.views.plotted import NEAR_MM
 from render.views.scheme import Scheme
@@ -86,7 +87,7 @@ class SpaceDiagram:
         for s in () if self.asked else self.figure.supports:
             start, end = (self.at(x) for x in plans.vectors[s.name])
             if abs(end - start) > NEAR_MM and not s.to:
-                loading.force(s.name, self.places.at(s.point), (end - start) / abs(end - start))
+                loading.force(s.name, self.places.at(s.point), toward(start, end))
         for name, mark, along in () if self.asked else self.figure.results:
             loading.force(name, self.at(mark), complex(self.position.drawing[along]))
         return loading
@@ -143,8 +144,8 @@ def roller(z: complex, angle_deg: float) -> tuple[Mark, ...]:
     """A hinge on wheels: it holds across the base alone, whose turn is the angle."""
     along = symbols.unit(angle_deg)
     foot = z - 1j * along * (LEG_MM - 2 * WHEEL_MM)
-    ends = [foot + side * 0.5 * LEG_MM * along for side in (-1, 1)]
-    legs = [Line((z + HINGE_MM * ((end - z) / abs(end - z)), end)) for end in ends]
+    legs = symbols.legs(z, foot, angle_deg)
+    ends = [leg.points[1] for leg in legs]
     wheels = [
         Arc(end + side * -WHEEL_MM * along - 1j * along * WHEEL_MM, WHEEL_MM, style="thin")
         for side, end in zip((-1, 1), ends, strict=True)

@@ -236,11 +236,9 @@ class Tables:
         p, rows = self.position, []
         for what, unit in () if self.idle else (("moment", "N·m"), ("force", "N")):
             balancing, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
-            name = self.naming.balancing(what == "moment")
-            if balancing is not None:
-                rows.append([self.say("by_force_plan"), f"{name}, {self.say(unit)}", self.number(balancing)])
-            if check is not None:
-                rows.append([self.say("zhukovsky"), f"{name}, {self.say(unit)}", self.number(check)])
+            head = f"{self.naming.balancing(what == 'moment')}, {self.say(unit)}"
+            ways = ("by_force_plan", balancing), ("zhukovsky", check)
+            rows += [[self.say(key), head, self.number(value)] for key, value in ways if value is not None]
             if balancing is not None and check is not None:
                 apart = 100 * difference(balancing, check)
                 rows.append(

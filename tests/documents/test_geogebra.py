@@ -8,7 +8,7 @@ import pytest
 from planes.documents.constructed import LiveFigure, draw_constructed, figure_of, ggb
 from planes.documents.constructed._numbers import GivenNumbers
 from planes.scene import load
-from planes.words.names import POLE, at, plan_of
+from planes.words.names import POLE, at, mu_of, plan_of
 from tests.helpers import ROOT
 from tests.helpers.geogebra import COMMANDS, Page, intersect
 
@@ -46,7 +46,11 @@ def held(file: Path, view: str | None = None) -> None:
     for share in (-0.02, 0.01, 0.03):
         value = drive.position + share * (360 if drive.kind == "phi" else drive.position or 1)
         moved = figure_of(scene, view, [value], "en")
-        page.set = {labels[n]: float(moved.position.scales[n]) for n in figure.scale_names if n in labels}
+        page.set = {
+            labels[n]: float(moved.position.scales[n])
+            for n in map(mu_of, (*figure.stated.drawn, "position"))
+            if n in labels
+        }
         page.set[labels[drive.given]] = value
         counted += compared(moved, page, labels) > 2
     assert counted == 3

@@ -18,7 +18,7 @@ from planes.solving import Position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE, at, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, kind_of, label_of, plan_of
 from planes.words.naming import Naming
 from render.sheet.composer import Composer, drawn_plans
 from render.sheet.single import name_of_view
@@ -112,11 +112,6 @@ class LiveFigure:
             own = [m for p in self.stated.mechanism.joined(link) if (m := at(SCHEME, p)) in self.marks]
             sides = list(zip(own, [*own[1:], *own[:1]] if len(own) > 2 else own[1:], strict=False))
             yield from (Stretch(*side) for side in sides)
-
-    @property
-    def scale_names(self) -> frozenset[str]:
-        """The names of the scales μ."""
-        return frozenset(map(mu_of, self.stated.drawn)) | {mu_of(SCHEME)}
 
 
 def suffixes() -> tuple[str, ...]:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from planes.documents.constructed import SCHEME, LiveFigure
 from planes.documents.constructed._numbers import GivenNumbers
 from planes.documents.constructed._steps import Labels, Translator
+from planes.geometry.plane import corners
 from planes.words import say
 from planes.words.names import POLE, aimed, given_of, label_of, letter_of, links_of, parts_of, plan_of
 from render.files.ggb import BLUE, HIDDEN, INK, RED, Aspect, GeogebraFile
@@ -33,8 +34,8 @@ def written(figure: LiveFigure) -> tuple[bytes, list[str]]:
     _shafts(figure, made, labels)
     for k, (plan, title) in enumerate(zip(figure.plans, figure.titles, strict=True)):
         own = [figure.at(m) for m in figure.marks if plan_of(m) == plan]
-        at = complex(min(z.real for z in own), max(z.imag for z in own) + 20)
-        made.caption(f"T{k}", title, at)
+        low, high = corners(own)
+        made.caption(f"T{k}", title, complex(low.real, high.imag + 20))
     return made.packed(), [*_said(figure, translator)]
 
 

@@ -5,12 +5,13 @@ from collections.abc import Iterator
 
 from planes.documents.constructed import SCHEME, LiveFigure
 from planes.drafting.steps.crossings import Cross
+from planes.geometry.plane import corners
 from planes.lesson import Teller, value_of
 from planes.lesson.formulas import fill
 from planes.words.lettering import flat
 from planes.words.names import POLE, kind_of, label_of, links_of, plan_of
 from render.files.tikz import document, in_math, in_text
-from render.views.polygon import gathered
+from render.views.plotted import gathered
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 
@@ -91,5 +92,5 @@ def letters(figure: LiveFigure) -> Iterator[str]:
             text = ", ".join(dict.fromkeys(map(figure.text, marks)))
             yield rf"\node[{dot}, label={{above right:{{${in_math(text)}$}}}}] at ({name_of(marks[0])}) {{}};"
         own = [figure.at(m) for m in figure.marks if plan_of(m) == plan]
-        at = f"{_mm(min(z.real for z in own))}, {_mm(max(z.imag for z in own) + 14)}"
-        yield rf"\node[anchor=west] at ({at}) {{{in_text(title)}}};"
+        low, high = corners(own)
+        yield rf"\node[anchor=west] at ({_mm(low.real)}, {_mm(high.imag + 14)}) {{{in_text(title)}}};"

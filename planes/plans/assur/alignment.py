@@ -16,6 +16,7 @@ from itertools import product
 from typing import Literal
 
 from planes.drafting.tools import Thing
+from planes.geometry.plane import dropped, spread
 from planes.plans import Plans
 from planes.plans.assur.contours import AnyGroup
 from planes.plans.assur.groups import Group, Pair
@@ -79,8 +80,8 @@ def aligned(plans: Plans, file: str = "") -> Aligned:
     pair_signs: list[tuple[Pair, Sign]] = [(plans.structure.drive_pair, plans.structure.drive_pair.kind)]
     for group in (g for g in plans.structure.groups if not plans.structure.is_drive(g)):
         ways = list(_variants(group))
-        steady = (w for w in ways if steadily(plans, group, w, cycle))
-        signs = next(steady, None) or next((w for w in ways if steadily(plans, group, w, cycle[:1])), None)
+        steady = (w for w in ways if steadily(group, w, cycle))
+        signs = next(steady, None) or next((w for w in ways if steadily(group, w, cycle[:1])), None)
         if signs is None:
             raise StructureError(Phrase("no_alignment", links=group.links), file)
         pair_signs += zip(pairs_of(group), signs, strict=True)
@@ -133,8 +134,7 @@ class PairPlaces:
     @cached_property
     def size(self) -> float:
         """The distance of the two pairs farthest apart."""
-        points = [point for point, _ in self.lines.values()]
-        return max(abs(a - b) for a in points for b in points) or 1.0
+        return spread([point for point, _ in self.lines.values()]) or 1.0
 
 
 def _places(plans: Plans, file: str) -> list[PairPlaces]:
@@ -166,10 +166,10 @@ def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
     along = turn * cmath.exp(1j * math.radians(guide.angle_deg))
     through = base + (guide.through - own) * turn
     slider = complex(things[plans.points[m.link(pair.link).first_point].position])
-    return through + along * ((slider - through) * along.conjugate()).real, along
+    return dropped(slider, through, along), along
 
 
-def steadily(plans: Plans, group: AnyGroup, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
+def steadily(group: AnyGroup, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
     """Whether the pairs hold the group's links out of the plane exactly, neither loosely nor twice over, everywhere."""
     firmness = [firm(group, signs, places) for places in cycle]
     return all(f > FIRM for f in firmness) or all(f < -FIRM for f in firmness)
@@ -183,7 +183,7 @@ def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
     for pair, sign in zip(pairs_of(group), signs, strict=True):
         for held in holds(sign, pair.kind, *places.lines[pair], places.size):
             row = [0.0] * (3 * len(bodies))
-            for link, side in ((pair.link, 1.0), (pair.other, -1.0)):
+            for link, side in pair.sides:
                 if link in column:
                     row[column[link] : column[link] + 3] = [side * x for x in held]
             length = math.hypot(*row)

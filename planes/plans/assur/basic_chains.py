@@ -8,7 +8,7 @@ assembles. Two leads of a basic link at an end of the chain make it a lead of th
 from collections.abc import Sequence
 from typing import ClassVar
 
-from planes.plans.assur.basic_links import Lead
+from planes.plans.assur.basic_links import Lead, lead_pairs
 from planes.plans.assur.groups import Between, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
@@ -93,7 +93,7 @@ class BasicChain:
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Its pairs: of every lead the outer, then the inner one; the hinges of the basic links last."""
-        return *(p for lead in self.leads for p in (lead.outer, lead.inner)), *self.hinges
+        return *lead_pairs(self.leads), *self.hinges
 
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:

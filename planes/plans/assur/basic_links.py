@@ -38,6 +38,11 @@ class Lead:
         return self.outer.kind + self.inner.kind
 
 
+def lead_pairs(leads: Iterable[Lead]) -> tuple[Pair, ...]:
+    """The pairs of leads: of each the outer, then the inner one."""
+    return tuple(p for lead in leads for p in (lead.outer, lead.inner))
+
+
 class OnLeads:
     """What groups of one ``basic`` link on leads share; each lead may have a drive inside."""
 
@@ -67,6 +72,15 @@ class OnLeads:
         return (self.balanced,)
 
     @property
+    def solved(self) -> tuple[str, ...]:
+        """Its links in the order of solving."""
+        return self.basic, *(lead.link for lead in self.leads)
+
+    def reached(self, drive: Pair) -> tuple[str, ...]:
+        """The links that are solved with it where the drive is inside."""
+        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+
+    @property
     def members(self) -> str:
         """Its links as a formula of structure has them."""
         mates = {lead.link: lead.parts for lead in self.leads}
@@ -89,15 +103,6 @@ class Triad(OnLeads):
         return tuple(lead.link for lead in reversed(self.leads))
 
     @property
-    def solved(self) -> tuple[str, ...]:
-        """Its links in the order of solving."""
-        return self.basic, *(lead.link for lead in self.leads)
-
-    def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links that are solved with it where the drive is inside."""
-        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
-
-    @property
     def slid(self) -> bool:
         """Whether a lead slides at both ends, so that the basic link lies as what that slides on does."""
         return any(lead.name == "PP" for lead in self.leads)
@@ -116,7 +121,7 @@ class Triad(OnLeads):
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Its pairs: of every lead the outer, then the inner one."""
-        return tuple(p for lead in self.leads for p in (lead.outer, lead.inner))
+        return lead_pairs(self.leads)
 
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from planes.plans.assur.basic_chains import BasicChain
-from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by
+from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by, lead_pairs
 from planes.plans.assur.groups import Between, Group, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
@@ -53,11 +53,7 @@ class Contour(OnLeads):
     @property
     def solved(self) -> tuple[str, ...]:
         """Its links in the order of solving."""
-        return self.base, self.basic, *(lead.link for lead in self.leads)
-
-    def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links that are solved with it where the drive is inside."""
-        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+        return self.base, *super().solved
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
@@ -67,7 +63,7 @@ class Contour(OnLeads):
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:
         """The pairs between its own links."""
-        return tuple(p for lead in self.leads for p in (lead.outer, lead.inner))
+        return lead_pairs(self.leads)
 
     @property
     def name(self) -> str:

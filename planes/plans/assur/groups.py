@@ -27,6 +27,11 @@ class Pair:
         """Whether this pair is one of the link's."""
         return link in (self.link, self.other)
 
+    @property
+    def sides(self) -> tuple[tuple[str, float], tuple[str, float]]:
+        """Its links with the signs by which what moves them counts between them."""
+        return (self.link, 1.0), (self.other, -1.0)
+
     def mate(self, link: str) -> str:
         """The other link of the pair."""
         return self.other if link == self.link else self.link
@@ -85,10 +90,14 @@ class Group:
         return self.hung[0][0]
 
     @property
+    def hangs(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
+        """Both links as the method takes them, with their outer pairs."""
+        return (self.first, self.first_outer), (self.last, self.last_outer)
+
+    @property
     def hung(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
         """That one and the other, with their outer pairs."""
-        both = (self.first, self.first_outer), (self.last, self.last_outer)
-        return both[::-1] if self.drive and self.drive.joins(self.last) else both
+        return self.hangs[::-1] if self.drive and self.drive.joins(self.last) else self.hangs
 
     @property
     def balances(self) -> tuple[tuple[str, ...], ...]:

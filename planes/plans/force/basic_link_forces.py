@@ -10,9 +10,8 @@ of a rod about its hinge do; what acts along the line is found as of any lead. T
 from collections.abc import Sequence
 from dataclasses import replace
 
-from planes.drafting.draft import Moments
-from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.reckoning import Cosine, Drop
+from planes.drafting.equations import Term
+from planes.drafting.steps.reckoning import Cosine
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.groups import Pair
@@ -21,7 +20,7 @@ from planes.plans.force.loads import Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
 from planes.plans.position.bodies import SCHEME
-from planes.words.names import POLE, Meaning, at, end_of, force_plan, label_of, mu_of
+from planes.words.names import POLE, at, end_of, force_plan, label_of
 
 
 class BasicLinkForces(LeadForces):
@@ -38,19 +37,15 @@ class BasicLinkForces(LeadForces):
             else:
                 forces += [*lead.loads, *lead.known]
                 couples += lead.couples
-        products, shown = self.statics.moment_terms(special, forces, couples, -1.0, arm)
-        total = self.draft.total(name, products)
-        self.draft.moments.append(Moments(label_of(special), links, shown, total, arm))
-        return total
+        terms = self.statics.moment_terms(special, forces, couples, -1.0, arm)
+        return self.draft.balance(name, special, links, terms, arm)
 
     def third(self, basic: str, held: Sequence[HeldLead], special: str, links: tuple[str, ...]) -> Force:
         """The reaction of the last of three leads along its line, the others meeting in the special point."""
         *_, three = held
-        centre = label_of(special)
-        means, name = Meaning("arm", three.part, special, three.lead.link), f"h_{three.part}_{centre}"
-        arm = self.draft.step(Drop(name, three.point, three.line, special, mu_of(SCHEME), means=means))
+        arm = self.draft.arm(three.part, three.point, three.line, special, three.lead.link)
         name = self.moments(basic, held, special, three.part, arm, links)
-        return Force(name, three.lead.link, name, three.line, three.point, "tangential")
+        return three.along_line(name)
 
     def closed(self, basic: str, held: Sequence[HeldLead], known: list[Force]) -> dict[Pair, Ends]:
         """Draw the polygon of a basic link: two leads close it, where all is ``known`` that acts on the third, or on
@@ -62,8 +57,8 @@ class BasicLinkForces(LeadForces):
         chain, ends = self.laid(runs)
         x = end_of(one.part)
         last = Term(one.part, ends[-1], x, None, one.line, one.line)
-        back = Term(two.part, POLE, x, length=None, direction=two.line, action=two.line, drawn=False, sign=-1)
-        self.draft.draw(Equation(self.plan, ((*chain, last), (back,))))
+        back = Term(two.part, POLE, x, None, two.line, two.line, sign=-1)
+        self.draft.meet(self.plan, chain, last, back)
         starts = {term.end: term.start for term in chain}
         begins = starts[end_of(one.known[0].name)] if one.known else ends[-1]
         beyond = end_of(two.known[-1].name) if two.known else POLE
@@ -115,7 +110,7 @@ class TriadForces(BasicLinkForces):
         products = [self.along(f, along) for f in (*held.loads, *held.known)]
         products += self.rubbed(held.lead, held.lead.inner)
         d.total(name, [replace(p, factors=(*p.factors, *over)) for p in products])
-        return Force(name, held.lead.link, name, held.line, held.point, "tangential")
+        return held.along_line(name)
 
 
 class ChainForces(BasicLinkForces):

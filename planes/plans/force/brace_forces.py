@@ -4,15 +4,12 @@ Across itself it is held by moments about its near hinge; along itself by moment
 it braces, in which nothing else is unknown. Then its polygon is closed, and that of the far link.
 """
 
-from planes.drafting.draft import Moments
-from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.reckoning import Drop
 from planes.plans.assur.groups import Brace, Pair
 from planes.plans.force.loads import Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import Rubs, settled
 from planes.plans.position.bodies import SCHEME
-from planes.words.names import POLE, Meaning, at, end_of, force_plan, mu_of
+from planes.words.names import POLE, at, end_of, force_plan
 
 
 class BraceForces:
@@ -68,23 +65,20 @@ class BraceForces:
         line, length = d.ray(SCHEME, near, far), d.measure(f"l_{near}{far}", at(SCHEME, near), at(SCHEME, far))
         forces = [f for x in self.brace.halves for f in s.acting.forces[x]]
         couples = [c for x in self.brace.halves for c in self.couples[x]]
-        products, shown = s.moment_terms(at(SCHEME, near), forces, couples, -1.0, length)
         name, pin = force_name(half, other), at(SCHEME, far)
-        d.total(f"{name}^t", products)
-        d.moments.append(Moments(near, self.brace.halves, shown, f"{name}^t", length))
+        terms = s.moment_terms(at(SCHEME, near), forces, couples, -1.0, length)
+        d.balance(f"{name}^t", at(SCHEME, near), self.brace.halves, terms, length)
         across = Force(f"{name}^t", half, f"{name}^t", d.square(line), pin, "tangential")
         back = force_name(other, half)
         pushed = Force(f"{back}^t", other, f"{name}^t", d.reversed(across.along), pin, "tangential")
-        about, means = at(SCHEME, self.hinge.point), Meaning("arm", f"{name}^n", at(SCHEME, self.hinge.point), half)
-        arm = d.step(Drop(f"h_{name}^n_{self.hinge.point}", pin, line, about, mu_of(SCHEME), means=means))
-        forces = [*s.acting.forces[other], pushed]
-        products, shown = s.moment_terms(about, forces, self.couples[other], 1.0, arm)
-        d.total(f"{name}^n", products)
-        d.moments.append(Moments(self.hinge.point, (other,), shown, f"{name}^n", arm))
+        about = at(SCHEME, self.hinge.point)
+        arm = d.arm(f"{name}^n", pin, line, about, half)
+        terms = s.moment_terms(about, [*s.acting.forces[other], pushed], self.couples[other], 1.0, arm)
+        d.balance(f"{name}^n", about, (other,), terms, arm)
         return Force(f"{name}^n", half, f"{name}^n", line, pin, "tangential"), across
 
     def closed(self, plan: str, forces: list[Force], name: str) -> str:
         """Lay the known forces off; the one of that name closes them, from the label told."""
         chain, end = self.statics.laid(plan, forces)
-        self.draft.conclude(Equation(plan, ((*chain, Term(name, end, POLE)), ())))
+        self.draft.close(plan, chain, name, end)
         return end

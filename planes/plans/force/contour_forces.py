@@ -7,8 +7,7 @@ gives what the second lead really bears, its arm being what its force and that w
 have together. Then the first is found again.
 """
 
-from planes.drafting.draft import Moments
-from planes.drafting.equations import Equation, Term
+from planes.drafting.equations import Term
 from planes.drafting.steps.by_leads import CosineFalse, DropFalse
 from planes.drafting.steps.reckoning import Cosine, Drop, Product
 from planes.plans.assur.contours import Contour
@@ -69,11 +68,11 @@ class ContourForces(LeadForces):
         runs = [one.loads, [*one.known, both[0]], [both[1], *two.known], two.loads, list(acting[g.basic])]
         chain, ends = self.laid(runs)
         basic, base = (force_name(x, pair.mate(x)) for x, pair in zip((g.basic, g.base), g.outer[::-1], strict=True))
-        d.conclude(Equation(self.plan, ((*chain, Term(basic, ends[-1], POLE)), ())))
+        d.close(self.plan, chain, basic, ends[-1])
         loads, last = self.statics.laid(self.plan, list(acting[g.base]), ends[1])
         back = [force_name(held.lead.outer.mate(held.lead.link), held.lead.link) for held in (two, one)]
         handed = [Term(name, ends[k], ends[k - 1], drawn=True) for name, k in zip(back, (3, 2), strict=True)]
-        d.conclude(Equation(self.plan, ((*handed, *loads, Term(base, last, ends[3])), ())))
+        d.close(self.plan, (*handed, *loads), base, last, ends[3])
         sides = (one, (ends[1], ends[2]), (ends[2], POLE)), (two, (ends[2], ends[3]), (ends[4], ends[2]))
         pair_ends = {g.outer[0]: self.on((g.base,), g.outer[0], (last, ends[3]))}
         pair_ends |= {g.outer[1]: self.on((g.basic,), g.outer[1], (ends[-1], POLE))}
@@ -87,12 +86,12 @@ class ContourForces(LeadForces):
         g = self.group
         basic, base = self.basic_side(one, two), self.base_side(one, two)
         arms = [self.arm(one, basic, (one, two)), *(self.arm(*x) for x in ((two, basic), (one, base), (two, base)))]
-        supposed = self.along_lead(one, self.balance(f"{one.key}^I", basic, [], -1.0, arms[0]))
+        supposed = one.along_line(self.balance(f"{one.key}^I", basic, [], -1.0, arms[0]))
         reduced = [Product(1.0, ((arms[3], 1),)), Product(-1.0, ((arms[1], 1), (arms[2], 1), (arms[0], -1)))]
         arm = self.draft.total(f"h_{two.key}^0", reduced, Meaning("arm", two.key, at(SCHEME, g.outer[0].point), g.base))
-        second = self.along_lead(two, self.balance(two.part, base, [self.handed(supposed, one)], 1.0, arm))
+        second = two.along_line(self.balance(two.part, base, [self.handed(supposed, one)], 1.0, arm))
         first = self.balance(one.part, basic, [second], -1.0, arms[0])
-        return self.along_lead(one, first), second
+        return one.along_line(first), second
 
     def basic_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
         """The basic link with both leads: loads of one that slides on the base pass its hinge."""
@@ -120,11 +119,10 @@ class ContourForces(LeadForces):
     def turning(self, held: HeldLead) -> list[Couple]:
         """The moment of what acts on a slider about its hinge, which its guide hands on; none of what acts in that."""
         d, key = self.draft, force_name(self.group.base, held.lead.link)
-        products, shown = self.statics.moment_terms(held.point, held.loads, held.couples, 1.0)
-        if not products:
+        terms = self.statics.moment_terms(held.point, held.loads, held.couples, 1.0)
+        if not terms:
             return []
-        name = d.total(f"MR_{key}", products, Meaning("couple", key))
-        d.moments.append(Moments(label_of(held.point), held.lead.parts, shown, name, ""))
+        name = d.balance(f"MR_{key}", held.point, held.lead.parts, terms, means=Meaning("couple", key))
         return [Couple(name, self.group.base, name, 1, True)]
 
     def arm(self, held: HeldLead, side: _Equilibrium, choice: tuple[HeldLead, HeldLead] | None = None) -> str:
@@ -157,14 +155,8 @@ class ContourForces(LeadForces):
                 name, [Product(sign, ((f.size, 1), (self.cosine(f, way), 1), *over)) for f in forces]
             )
         about = at(SCHEME, side.pair.point)
-        products, shown = self.statics.moment_terms(about, forces, side.couples, sign, arm)
-        total = self.draft.total(name, products)
-        self.draft.moments.append(Moments(label_of(about), side.links, shown, total, arm))
-        return total
-
-    def along_lead(self, held: HeldLead, size: str) -> Force:
-        """A force along it, on it from the base."""
-        return Force(size, held.lead.link, size, held.line, held.point, "tangential")
+        terms = self.statics.moment_terms(about, forces, side.couples, sign, arm)
+        return self.draft.balance(name, about, side.links, terms, arm)
 
     def handed(self, force: Force, held: HeldLead) -> Force:
         """A force on a lead as the base feels it, reversed."""

@@ -1,6 +1,5 @@
 """The force plan of the primary mechanism: what the frame holds it with, and what balances it."""
 
-from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.settling import Fed
 from planes.plans.force.hinges import grip_of
@@ -31,15 +30,14 @@ class DriverForces:
 
     def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """F_10 closes the polygon; the balancing moment by moments about the pivot."""
-        self.draft.conclude(Equation(self.plan, ((*terms, Term(key, start, POLE)), ())))
+        self.draft.close(self.plan, terms, key, start)
         ends = at(self.plan, start), at(self.plan, POLE)
         if grip := grip_of(self.statics.acting, self.pair):
             self.draft.step(Fed(grip.couple, grip.factor, self.draft.measure(f"|{key}|", *ends)))
         self.statics.react(self.pair, self.plan, *ends, grip)
         about, couples = at(SCHEME, self.pair.point), [*self.couples, *([grip.on(self.link)] if grip else ())]
-        products, shown = self.statics.moment_terms(about, self.forces, couples, -1.0)
-        self.statics.balancing = self.draft.total(f"M_{self.link}", products)
-        self.draft.moments.append(Moments(self.pair.point, (self.link,), shown, self.statics.balancing, ""))
+        moments = self.statics.moment_terms(about, self.forces, couples, -1.0)
+        self.statics.balancing = self.draft.balance(f"M_{self.link}", about, (self.link,), moments)
         if balance := self.bodies.mechanism.drive.balance:
             self.by_force(*balance, start, key)
 
@@ -63,12 +61,12 @@ class DriverForces:
         guide = f"∥{self.pair.guide}"
         normal = self.draft.square(guide)
         reaction = Term(key, start, key, None, normal, normal)
-        force = Term(f"Fb_{self.link}", POLE, key, length=None, direction=guide, action=guide, drawn=False, sign=-1)
+        force = Term(f"Fb_{self.link}", POLE, key, None, guide, guide, sign=-1)
         if self.pair.guide in self.bodies.mechanism.friction:
             leant = meet_with_friction(self.statics.acting, self.plan, [reaction, force], key, [self.pair])
             self.draft.conclude(Equation(self.plan, ((*terms, leant[key]), (force,))))
         else:
-            self.draft.draw(Equation(self.plan, ((*terms, reaction), (force,))))
+            self.draft.meet(self.plan, terms, reaction, force)
         self.statics.balancing = force.name
         guide_reaction = self.statics.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
         self.statics.seat(guide_reaction, self.link, self.bodies.foot(self.pair), self.forces, self.couples)

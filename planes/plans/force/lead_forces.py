@@ -7,7 +7,6 @@ inner hinge, of a link that slides on the basic one along that guide. A slider h
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from planes.drafting.draft import Moments
 from planes.drafting.equations import Term
 from planes.drafting.steps import Turn
 from planes.drafting.steps.reckoning import Cosine, Product
@@ -46,6 +45,10 @@ class HeldLead:
     def part(self) -> str:
         """The name of the other part."""
         return self.key if self.slider else f"{self.key}^n"
+
+    def along_line(self, size: str) -> Force:
+        """A force along its line, on it from the base."""
+        return Force(size, self.lead.link, size, self.line, self.point, "tangential")
 
 
 class LeadForces:
@@ -91,14 +94,14 @@ class LeadForces:
             length = f"l_{outer.point}{inner.point}"
             if not lead.drive:
                 length = self.bodies.length(self.bodies.mechanism.links[link], outer.point, inner.point)
-            products, shown = self.statics.moment_terms(at(SCHEME, inner.point), loads, couples, 1.0, length)
-            d.moments.append(Moments(inner.point, lead.parts, shown, name, length))
+            about = at(SCHEME, inner.point)
+            terms = self.statics.moment_terms(about, loads, couples, 1.0, length)
+            d.balance(name, about, lead.parts, terms, length)
             along = d.square(line)
         else:
             along = f"∥{inner.guide}"
-            line, products = d.square(along), [self.along(f, along) for f in loads]
-            products += self.rubbed(lead, inner)
-        d.total(name, products)
+            line = d.square(along)
+            d.total(name, [self.along(f, along) for f in loads] + self.rubbed(lead, inner))
         return HeldLead(lead, key, [Force(name, link, name, along, pivot, "tangential")], line, pivot, loads, couples)
 
     def rubbed(self, lead: Lead, pair: Pair) -> list[Product]:

@@ -6,7 +6,7 @@ the check shares the loads and the velocity plan with the force plans, and none 
 
 from dataclasses import replace
 
-from planes.drafting.draft import Moments
+from planes.drafting.equations import MomentTerms
 from planes.drafting.steps import Carry
 from planes.drafting.steps.reckoning import Drop, Product
 from planes.plans.force.loads import Force
@@ -21,24 +21,20 @@ def draw_lever(s: Statics) -> str:
     drive = b.mechanism.drive
     rate = acting.motion.drive_rate
     b.draft.pole("lever")
-    products, shown = [], []
+    terms: MomentTerms = []
     for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # of no reaction
         arm = _arm(s, force)
-        products.append(Product(1.0, ((force.size, 1), (arm, 1), (rate, -1))))
-        shown.append((force.name, arm))
+        terms.append((force.name, arm, Product(1.0, ((force.size, 1), (arm, 1), (rate, -1)))))
     for link, couples in acting.couples.items():
         root = b.known[link].root
         for couple in couples:
             if root != FRAME and not couple.handed:
                 spin = acting.motion.spin(root)
-                products.append(Product(-1.0, ((couple.value, 1), (spin, 1), (rate, -1))))
-                shown.append((couple.name, spin))
+                terms.append((couple.name, spin, Product(-1.0, ((couple.value, 1), (spin, 1), (rate, -1)))))
     for value, speed in rubbing(s):
-        products.append(Product(-1.0, ((value, 1), (speed, 1), (rate, -1))))
-        shown.append((value, speed))
-    name = b.draft.total(f"{'M' if drive.kind == 'phi' else 'F'}Z_{drive.link}", products)
-    b.draft.moments.append(Moments(POLE, ("lever",), tuple(shown), name, ""))
-    return name
+        terms.append((value, speed, Product(-1.0, ((value, 1), (speed, 1), (rate, -1)))))
+    name = f"{'M' if drive.kind == 'phi' else 'F'}Z_{drive.link}"
+    return b.draft.balance(name, at("lever", POLE), ("lever",), terms)
 
 
 def rubbing(s: Statics) -> list[tuple[str, str]]:

@@ -8,14 +8,13 @@ true is kept. None, or two different ones, is self-locking.
 from dataclasses import dataclass, field, replace
 from itertools import product
 
-from planes.drafting.draft import Moments
-from planes.drafting.equations import Term
+from planes.drafting.equations import MomentTerms, Term
 from planes.drafting.steps.crossings import Cross
-from planes.drafting.steps.reckoning import Choose, Drop, Lean, Product, Trial
+from planes.drafting.steps.reckoning import Choose, Lean, Product, Trial
 from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Grip, sliding
 from planes.plans.force.loads import Acting, Couple, Force, force_name
-from planes.plans.position.bodies import SCHEME, Bodies
+from planes.plans.position.bodies import Bodies
 from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
 
@@ -59,28 +58,19 @@ class Statics:
 
     def moment_terms(
         self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
-    ) -> tuple[list[Product], tuple[tuple[str, str], ...]]:
-        """The sum of moments about a mark, times ``sign``, divided by the value ``over``; and its terms by name."""
+    ) -> MomentTerms:
+        """The moments about a mark, times ``sign``, divided by the value ``over``."""
         tail = ((over, -1),) if over else ()
-        products, shown = [], []
-        for f in forces:
-            if f.point == about:
-                continue
-            arm = self.arm(f, about)
-            products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
-            shown.append((f.name, arm))
-        for c in couples:
-            products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
-            shown.append((c.name, ""))
-        return products, tuple(shown)
+        levers = [(f, self.arm(f, about)) for f in forces if f.point != about]
+        terms = [(f.name, arm, Product(sign, ((f.size, 1), (arm, 1), *tail))) for f, arm in levers]
+        return terms + [(c.name, "", Product(sign * c.sign, ((c.value, 1), *tail))) for c in couples]
 
     def arm(self, f: Force, about: str) -> str:
         """The arm of a force about a mark."""
         centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
         if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
             name += f"^{centre.lstrip('°')}"
-        means = Meaning("arm", f.name, about, f.link)
-        return self.bodies.draft.step(Drop(name, f.point, f.along, about, mu_of(SCHEME), means=means))
+        return self.bodies.draft.arm(f.name, f.point, f.along, about, f.link, name)
 
     def laid(self, plan: str, forces: list[Force], start: str = POLE) -> tuple[tuple[Term, ...], str]:
         """Forces laid off one after another on a plan from a mark of that label, each to a mark of its own
@@ -116,18 +106,16 @@ class Statics:
         name = force_name(on, r.pair.mate(on))
         size = d.measure(f"|{r.key}|", r.start, r.end)
         along = d.through(f"→{name}", *ends, Meaning("own", name))
-        point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.bodies.foot(r.pair)
-        return Force(name, on, size, along, point, "reaction")
+        return Force(name, on, size, along, self.bodies.place(r.pair), "reaction")
 
     def seat(self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]) -> Reaction:
         """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
         d, pair = self.bodies.draft, r.pair
         side = -1.0 if link == pair.link else 1.0
-        products, shown = self.moment_terms(about, [*forces, self.as_force(r, link)], couples, side)
-        moment = d.total(f"MR_{r.key}", products, Meaning("couple", r.key))
+        terms = self.moment_terms(about, [*forces, self.as_force(r, link)], couples, side)
+        moment = d.balance(f"MR_{r.key}", about, (link,), terms, means=Meaning("couple", r.key))
         normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"∥{pair.guide}"))
         arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
-        d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
         edges = self.edges(r, normal, moment)
         self.reactions[r.key] = seated = replace(r, normal=normal, arm=arm, moment=moment, edges=edges)
         return seated

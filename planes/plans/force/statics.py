@@ -9,7 +9,6 @@ kinds with an unloaded link; here any load may act on any link.
 from collections.abc import Mapping
 from dataclasses import replace
 
-from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
@@ -116,8 +115,7 @@ class _GroupForces:
 
     def close(self, chain: tuple[Term, ...], last: Term) -> None:
         """The remaining reaction closes the polygon: both its length and direction are read."""
-        ends = (last.start, last.end) if last.sign > 0 else (last.end, last.start)
-        self.draft.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
+        self.draft.close(self.plan, chain, last.name, *last.ends)
 
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
@@ -130,7 +128,7 @@ class _GroupForces:
                 else (pair.point, self.group.inner.point)
             )
             along = self.draft.ray(SCHEME, *ends)
-        return Term(name, start, x, length=None, direction=along, action=along or "", drawn=False, sign=sign)
+        return Term(name, start, x, None, along, along or "", sign=sign)
 
     def tangential(self, link: str, pair: Pair) -> list[Force]:
         """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""
@@ -144,11 +142,9 @@ class _GroupForces:
             length, sign = self.arm(link, pair.point, about), 1.0
         forces = [f for x in sides for f in self.loads[x]]
         couples = [c for x in sides for c in self.couples[x]]
-        products, shown = self.statics.moment_terms(at(SCHEME, about), forces, couples, sign, length)
-        name = self.name(link, pair) + "^t"
-        d.total(name, products)
+        terms = self.statics.moment_terms(at(SCHEME, about), forces, couples, sign, length)
         links = tuple(part for x in sides for part in g.loaded(x))
-        d.moments.append(Moments(about, links, shown, name, length))
+        name = d.balance(self.name(link, pair) + "^t", at(SCHEME, about), links, terms, length)
         return [Force(name, link, name, d.square(ray), at(SCHEME, pair.point), "tangential")]
 
     def arm(self, link: str, point: str, about: str) -> str:
@@ -168,7 +164,7 @@ class _GroupForces:
         reactions = {p: self.statics.react(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
         self.seat_all(reactions)
         seated = {p: self.statics.reactions[r.key] for p, r in reactions.items()}
-        for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
+        for link, pair in g.hangs:
             if pair.mate(link) != FRAME:
                 self.statics.hand_over(seated[pair], pair.mate(link))
         if g.drive:
@@ -190,6 +186,6 @@ class _GroupForces:
                 couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign, True)]
                 s.seat(reactions[g.last_outer], g.last, about, [*self.loads[g.last], pushed], couples)
             return
-        for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
+        for link, pair in g.hangs:
             if pair.kind == "P":
                 s.seat(reactions[pair], link, about, self.loads[link], self.couples[link])

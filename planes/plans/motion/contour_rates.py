@@ -21,6 +21,7 @@ from planes.plans.motion.driven import driven_terms
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg, lead_leg, outer_leg
 from planes.plans.position.bodies import SCHEME, Body, BodyPoint
+from planes.plans.position.contour_scheme import largest
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning, at, label_of
 
@@ -97,15 +98,9 @@ class ContourRates:
         drive, ends = b.mechanism.drive, b.known[b.mechanism.drive.link].ref
         rate = {"velocity": drive.velocity, "acceleration": drive.velocity**2}.get(r.plan, 1.0) or 1.0
         given, named = b.draft.given, b.distance(b.known[drive.link].link, *ends) if ends else ""
-        reach = next((abs(given[x]) for x in (named, self.swing.length) if x in given), self.size)
+        reach = next((abs(given[x]) for x in (named, self.swing.length) if x in given), largest(b, self.group))
         size = abs(rate) * (reach if drive.kind == "phi" else 1.0)
         return self.draft.give(f"{r.letter}{self.swing.symbol}^II", size, means=Meaning("rate", self.swing.new.name))
-
-    @property
-    def size(self) -> float:
-        """How large the links of the contour are, m."""
-        links = (self.bodies.mechanism.links[x].points.values() for x in self.group.links)
-        return max(abs(p - q) for points in links for p in points for q in points)
 
     def proportion(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
         """How far the true plan lies from I, and II from I, on the line of the second lead's false vectors."""

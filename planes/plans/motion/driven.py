@@ -73,7 +73,7 @@ def _turned(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     ray, length = d.ray(SCHEME, *ends), r.bodies.length(other, motor, hinge)
     across, name, start = d.square(ray), r.letter + leg.driven, r.label(leg.known.name)
     if r.quick:
-        back = d.step(Turn(f"{ends[1]}→{ends[0]}", ray, 2, means=Meaning("towards", *ends[::-1])))
+        back = d.back(SCHEME, *ends)
         if leg.turns:
             yield (coriolis := _coriolis(r, leg, back))
             start = coriolis.end

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Image, Same, Turn
+from planes.drafting.steps import Image, Same
 from planes.plans.assur.groups import Group
 from planes.plans.motion.driven import driven_end, driven_spot, driven_terms
 from planes.plans.motion.legs import Leg, SlideReading, legs_of
@@ -238,8 +238,7 @@ def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
         return
     normal = d.product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
     tangential = d.product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
-    towards = Meaning("towards", spot.place, centre.place)
-    inwards = d.step(Turn(f"{spot.place}→{centre.place}", ray, 2, means=towards))
+    inwards = d.back(SCHEME, centre.place, spot.place)
     middle, turning = "n_" + name.removeprefix(r.letter), Meaning("normal", spot.name, centre.name)
     chain = (
         *base,

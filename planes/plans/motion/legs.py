@@ -4,14 +4,13 @@
 guide and Y is the point of the mate that coincides with X. All five kinds of class II are two such legs.
 """
 
-from planes.drafting.steps import Turn
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
 from planes.plans.position.positions import moving_name
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE, Meaning
+from planes.words.names import POLE
 
 
 @frozen
@@ -102,9 +101,8 @@ def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
         symbol = f"{spot.name}{new.name}0" if mate == FRAME else leg.symbol
         return replace(leg, new=new, symbol=symbol, drive=drive, held=g.held, spot=spot)
     pivot = pair.point
-    ray = d.ray(SCHEME, pivot, new.place)
-    towards = d.step(Turn(f"{new.place}→{pivot}", ray, 2, means=Meaning("towards", new.place, pivot)))
-    turning = (d.square(ray), f"l_{pivot}{new.place}", towards, g.held)
+    towards = d.back(SCHEME, pivot, new.place)
+    turning = (d.square(d.ray(SCHEME, pivot, new.place)), f"l_{pivot}{new.place}", towards, g.held)
     return Leg(new, BodyPoint(pivot, pivot), mate, spot.name + pivot, *turning, drive=drive, held=g.held, spot=spot)
 
 
@@ -116,7 +114,7 @@ def outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
     ray = d.ray(SCHEME, pivot, new.place)
     known = BodyPoint(pivot, pivot)
     length, across = b.distance(b.mechanism.link(link), known, new), d.square(ray)
-    towards = d.step(Turn(f"{new.place}→{pivot}", ray, 2, means=Meaning("towards", new.place, pivot)))
+    towards = d.back(SCHEME, pivot, new.place)
     return Leg(new, known, pair.mate(link), new.name + pivot, across, length, towards, turns=link)
 
 

@@ -63,8 +63,7 @@ class SpecialPoint:
         s, d = self.spot, self.draft
         ray = d.ray(SCHEME, s.place, new.place)
         length = d.measure(f"l_{new.place}{s.place}", at(SCHEME, new.place), at(SCHEME, s.place))
-        means = Meaning("towards", new.place, s.place)
-        towards = d.step(Turn(f"{new.place}→{s.place}", ray, 2, means=means))
+        towards = d.back(SCHEME, s.place, new.place)
         turning = (d.square(ray), length, towards, self.basic)
         return Leg(new, s, self.basic, new.name + s.name, *turning)
 

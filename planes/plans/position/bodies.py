@@ -234,6 +234,10 @@ class Bodies:
         offset = self.draft.reckon(f"e_{label}", by, Meaning("offset", label))
         return self.draft.lay_off(SCHEME, label, start, self.draft.square(direction), offset, means)
 
+    def place(self, pair: Pair) -> str:
+        """The mark where a pair acts: its hinge, or the foot of the slider's first point."""
+        return at(SCHEME, pair.point) if pair.kind == "R" else self.foot(pair)
+
     def foot(self, pair: Pair) -> str:
         """The foot of the slider's first point on the guide line."""
         body = self.known[pair.link]

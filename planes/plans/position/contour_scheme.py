@@ -9,12 +9,13 @@ outer hinge is where it hangs, or the guide lies as it does.
 from planes.drafting.steps import Image
 from planes.drafting.steps.reckoning import Drop
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
+from planes.geometry.plane import spread
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.contours import Contour
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.position.positions import on_line, place_slider, rigid_body
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
-from planes.plans.position.triads import Cut, cut_of, hold_of, local_of, place_lead
+from planes.plans.position.triads import Cut, cut_of, first_reached, hold_of, local_of, place_lead
 from planes.words.names import Meaning, at, mu_of
 
 
@@ -22,14 +23,18 @@ def place_contour(b: Bodies, g: Contour) -> None:
     """Draw the contour aside, turn it to what it hangs on, and the links from that."""
     aside = _Aside(b, g)
     one, two = map(aside.held, g.leads)
-    inner = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
-    key = inner[0] if inner else b.mechanism.links[g.basic].first_point
+    key = first_reached(b, g)
     cut = cut_of(b, g, key, (one, two, aside.hung()))
     aside.cut(key, cut)
     aside.place_base()
     aside.place_basic(key, cut)
     for lead in g.leads:
         place_lead(b, g.basic, lead)
+
+
+def largest(b: Bodies, g: Contour) -> float:
+    """How large the largest of the group's links is, m."""
+    return max(spread(b.mechanism.links[x].points.values()) for x in g.links)
 
 
 class _Aside:
@@ -48,8 +53,7 @@ class _Aside:
 
     def reach(self) -> str:
         """A length by which directions are carried: the largest of the group's links."""
-        links = (self.bodies.mechanism.links[x].points.values() for x in self.group.links)
-        size = max(abs(p - q) for points in links for p in points for q in points)
+        size = largest(self.bodies, self.group)
         return self.draft.give(f"l_{self.pivot}°", size, means=Meaning("guide", self.pivot))
 
     def held(self, lead: Lead) -> Hold:

@@ -11,7 +11,15 @@ from planes.drafting.steps.reckoning import SenseOf, SizeOf
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.position.asides import Aside, aside_of, reach_of, slid, turned
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
-from planes.plans.position.positions import chain_to, moving_name, on_line, place_slider, rigid_body, side_of
+from planes.plans.position.positions import (
+    chain_held,
+    chain_to,
+    moving_name,
+    place_held,
+    place_slider,
+    rigid_body,
+    side_of,
+)
 from planes.words.frozen import frozen
 from planes.words.names import Meaning, at, label_of
 
@@ -61,19 +69,12 @@ def driven_way(b: Bodies, g: Group, start: str = "") -> tuple[Way, Callable[[], 
 
 def place_reached(b: Bodies, g: Group, way: Way) -> None:
     """The hinge between what is driven, with the drive stopped one link, and the link it moves."""
-    hinge, (link, pair), direction = g.inner.point, g.hung[1], ""
+    hinge, (link, pair) = g.inner.point, g.hung[1]
     chains = {g.held: chain_to(hinge, label_of(way.start), way.length or None, way.along or None)}
-    if pair.kind == "R":
-        chains[link] = chain_to(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
-    else:
-        start, direction = on_line(b, pair, link, hinge)
-        chains[link] = chain_to(hinge, start, along=direction)
+    chains[link] = chain_held(b, link, pair, hinge)
     one, two = (chains[x] for x in (g.links if g.kind == 1 else (g.first, g.last)))
     b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", None if g.kind == 4 else side_of(b, hinge, g)))
-    if direction:
-        place_slider(b, pair, link, hinge, direction)
-    else:
-        b.place_points(rigid_body(b, link, pair.point, hinge))
+    place_held(b, link, pair, hinge, chains[link][-1].direction)
 
 
 def place_sliding(aside: Aside, g: Group, end: str, motor: str) -> None:
@@ -85,10 +86,7 @@ def place_sliding(aside: Aside, g: Group, end: str, motor: str) -> None:
     b.draft.step(Carry(at(SCHEME, aside.base), at(SCHEME, hinge), end, aside.start))
     spot = BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.held))
     b.place_points(Body(aside.link, BodyPoint(aside.base, aside.base), aside.axis, root, moving=spot))
-    if motor:
-        b.place_points(rigid_body(b, mate, pair.point, hinge))
-    else:
-        place_slider(b, pair, mate, hinge, b.direction_from(pair, g.held, aside.axis))
+    place_held(b, mate, pair, hinge, None if motor else b.direction_from(pair, g.held, aside.axis))
 
 
 @frozen

@@ -52,21 +52,28 @@ def rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
 
 def _place_hinged(b: Bodies, g: Group) -> None:
     """RRR, RRP and PRP: each link reaches the inner hinge about a pivot or along a guide."""
-    hinge, legs = g.inner.point, ((g.first_outer, g.first), (g.last_outer, g.last))
-    lines = {link: on_line(b, pair, link, hinge) for pair, link in legs if pair.kind == "P"}
-    one, two = (
-        chain_to(hinge, lines[link][0], along=lines[link][1])
-        if link in lines
-        else chain_to(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
-        for pair, link in legs
-    )
-    side = None if len(lines) == 2 else side_of(b, hinge, g)
+    hinge = g.inner.point
+    one, two = (chain_held(b, link, pair, hinge) for link, pair in g.hangs)
+    side = None if one[-1].direction and two[-1].direction else side_of(b, hinge, g)
     b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", side))
-    for pair, link in legs:
-        if link in lines:
-            place_slider(b, pair, link, hinge, lines[link][1])
-        else:
-            b.place_points(rigid_body(b, link, pair.point, hinge))
+    for (link, pair), (*_, on) in zip(g.hangs, (one, two), strict=True):
+        place_held(b, link, pair, hinge, on.direction)
+
+
+def chain_held(b: Bodies, link: str, pair: Pair, hinge: str) -> tuple[Term, Term]:
+    """The chain to a new hinge of a link: about the link's other hinge, or along its guide."""
+    if pair.kind == "R":
+        return chain_to(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
+    start, direction = on_line(b, pair, link, hinge)
+    return chain_to(hinge, start, along=direction)
+
+
+def place_held(b: Bodies, link: str, pair: Pair, hinge: str, direction: str | None) -> None:
+    """A link known by a hinge and by its other hinge, or by the ``direction`` of its guide."""
+    if direction:
+        place_slider(b, pair, link, hinge, direction)
+    else:
+        b.place_points(rigid_body(b, link, pair.point, hinge))
 
 
 def place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:

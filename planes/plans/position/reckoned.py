@@ -2,7 +2,7 @@
 dimensions are changed, or are taken as they are written.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Hashable, Iterable
 from typing import Any, NamedTuple, Protocol
 
 from planes.drafting.dimensions import Dimension
@@ -69,42 +69,39 @@ def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
     return Dimension(a.value - b.value, lambda shape, ar: a.by(shape, ar) - b.by(shape, ar), ("difference", a.of, b.of))
 
 
+def _reckoned(shape: SceneDimensions, by: Callable[[Any, Arithmetic], Any], *what: Hashable) -> Dimension:
+    return Dimension(by(shape, ARITHMETIC), by, what)
+
+
 def own(shape: SceneDimensions, p: OwnPlace) -> Dimension:
     """The place of a point on its link."""
-    return Dimension(complex(shape.place(p)), lambda shape, ar: shape.place(p), ("own", p))
+    return _reckoned(shape, lambda shape, ar: shape.place(p), "own", p)
 
 
 def guided(shape: SceneDimensions, guide: str) -> Dimension:
     """The direction of a guide on its link, degrees."""
-    return Dimension(shape.angle(guide), lambda shape, ar: shape.angle(guide), ("guided", guide))
+    return _reckoned(shape, lambda shape, ar: shape.angle(guide), "guided", guide)
 
 
 def leaning(shape: SceneDimensions, slider: str) -> Dimension:
     """How far the axes of a slider are turned from its guide, degrees."""
-    return Dimension(shape.lean(slider), lambda shape, ar: shape.lean(slider), ("leaning", slider))
+    return _reckoned(shape, lambda shape, ar: shape.lean(slider), "leaning", slider)
 
 
 def aside(shape: SceneDimensions, slider: str) -> Dimension:
     """How far to the left of its guide a slider's first point lies."""
-    return Dimension(shape.offset(slider), lambda shape, ar: shape.offset(slider), ("aside", slider))
+    return _reckoned(shape, lambda shape, ar: shape.offset(slider), "aside", slider)
 
 
 def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The distance of two points."""
-
-    def by(shape: Dimensions, ar: Arithmetic) -> Real:
-        return abs(shape.place(q) - shape.place(p))
-
-    return Dimension(by(shape, ARITHMETIC), by, ("distance", p, q))
+    return _reckoned(shape, lambda shape, ar: abs(shape.place(q) - shape.place(p)), "distance", p, q)
 
 
 def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The direction from one point to another, degrees."""
-
-    def by(shape: Dimensions, ar: Arithmetic) -> Real:
-        return ar.angle_deg(shape.place(q) - shape.place(p))
-
-    return Dimension(by(shape, ARITHMETIC) or 0.0, by, ("angle", p, q))
+    angle = _reckoned(shape, lambda shape, ar: ar.angle_deg(shape.place(q) - shape.place(p)), "angle", p, q)
+    return angle._replace(value=angle.value or 0.0)
 
 
 def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
@@ -113,7 +110,7 @@ def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> D
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(q) - shape.place(p)) * ar.cis_deg(-way.by(shape, ar))).real
 
-    return Dimension(by(shape, ARITHMETIC), by, ("along", p, q, way.of))
+    return _reckoned(shape, by, "along", p, q, way.of)
 
 
 def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dimension:
@@ -122,7 +119,7 @@ def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dime
     def by(shape: Dimensions, ar: Arithmetic) -> Point:
         return (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q))
 
-    return Dimension(by(shape, ARITHMETIC), by, ("ratio", p, q, r))
+    return _reckoned(shape, by, "ratio", p, q, r)
 
 
 def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
@@ -131,4 +128,4 @@ def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> 
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(p) - shape.place(q)) * ar.cis_deg(-way.by(shape, ar))).imag
 
-    return Dimension(by(shape, ARITHMETIC), by, ("height", p, q, way.of))
+    return _reckoned(shape, by, "height", p, q, way.of)

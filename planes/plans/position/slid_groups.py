@@ -19,7 +19,7 @@ from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, Body, B
 from planes.plans.position.driven_positions import driven_way
 from planes.plans.position.positions import chain_to, on_line, place_slider
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
-from planes.plans.position.triads import place_lead
+from planes.plans.position.triads import first_reached, place_lead
 from planes.words.names import Meaning, at, label_of
 
 
@@ -101,8 +101,7 @@ class BaseAside:
 
     def place(self) -> None:
         b, d, g = self.bodies, self.draft, self.group
-        hinges = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
-        key = hinges[0] if hinges else self.basic.first_point
+        key = first_reached(b, g)
         b.leads[g.basic] = g.leads
         one, two = (self.reaching(lead, key) for lead in g.leads)
         side = None if one[-1].direction and two[-1].direction else d.give(f"side_{key}", 1.0)

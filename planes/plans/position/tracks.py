@@ -12,6 +12,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
+from planes.geometry.plane import spread
 from planes.geometry.tracks import Pose, Tie, advanced
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
@@ -39,11 +40,9 @@ class Tracks:
         named = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "", h.reach) if n]
         marks = [n for n in named if n in b.draft.steps]
         self.program = program.sliced(marks)
-        places = [b.draft.given[h.local] for h in choice.holds]
-        self.size = max(abs(p - q) for p in places for q in places)
+        self.size = spread([b.draft.given[h.local] for h in choice.holds])
         if not self.size:  # three guides through one point: what they are held from
-            held = [tie.place for tie in self.ties(self.start)]
-            self.size = max(abs(p - q) for p in held for q in held) or 1.0
+            self.size = spread([tie.place for tie in self.ties(self.start)]) or 1.0
         b.draft.given[choice.guess.size] = self.size
 
     def ties(self, value: Real) -> list[Tie]:

@@ -10,7 +10,7 @@ from dataclasses import replace
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, Triad
-from planes.plans.assur.contours import Tracked
+from planes.plans.assur.contours import Contour, Tracked
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
 from planes.plans.position.driven_positions import driven_way
 from planes.plans.position.positions import on_line, place_slider, rigid_body
@@ -38,6 +38,12 @@ def place_triad(b: Bodies, g: Triad) -> None:
         b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
     for lead in g.leads:
         place_lead(b, g.basic, lead)
+
+
+def first_reached(b: Bodies, g: Contour) -> str:
+    """The point of a basic link that is drawn first: its hinge with a lead, where it has one."""
+    hinges = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
+    return hinges[0] if hinges else b.mechanism.links[g.basic].first_point
 
 
 def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:

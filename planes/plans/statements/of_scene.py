@@ -28,6 +28,10 @@ def fitted(plans: Plans, wanted: list[Quantity] | None, value: float) -> tuple[P
     fit = fitting(plans, value)
     if fit is plans or wanted is None:
         return fit, wanted
-    again = asked(fit, [q.name for q in wanted])
-    scheme = [step.makes for step in plans.program.marks.get("position", ())]
-    return sliced(fit, [*(n for q in again for n in q.needs), *scheme]), again
+    return cut_to(fit, asked(fit, [q.name for q in wanted]), plans)
+
+
+def cut_to(plans: Plans, wanted: list[Quantity], shown: Plans | None) -> tuple[Plans, list[Quantity]]:
+    """The plans cut to what is wanted, and to the scheme of what is ``shown``; and what is wanted of them."""
+    scheme = [step.makes for step in shown.program.marks.get("position", ())] if shown else []
+    return sliced(plans, [*(n for q in wanted for n in q.needs), *scheme]), wanted

@@ -6,7 +6,7 @@ from itertools import pairwise, permutations
 from planes.drafting.equations import Term
 from planes.drafting.steps import Image, Similar
 from planes.plans.statements.stated_vectors import StatedVectors
-from planes.scene.vector_equations import Side, SideTerm, ends
+from planes.scene.vector_equations import Side, SideTerm, ends, span
 from planes.scene.vectors import Similarity
 from planes.words.names import POLE, at, end_of, label_of, plan_of
 
@@ -157,9 +157,8 @@ class Chains:
 
     def _label(self, stated: SideTerm, mark: str) -> str:
         """Where a vector from a mark ends: as its name says, else a mark named as it is."""
-        span = ends(stated.name) if abs(stated.times) == 1 else None
-        span = span[::-1] if span and stated.times < 0 else span
-        return self.fresh(span[1] if span and span[0] == mark else end_of(stated.name))
+        marks = span(stated)
+        return self.fresh(marks[1] if marks and marks[0] == mark else end_of(stated.name))
 
     def fresh(self, label: str) -> str:
         """The label, primed while another mark has it."""

@@ -32,7 +32,7 @@ class Arch:
         x = end_of(f"{b.name}^n")
         last = Term(f"{b.name}^n", both.reached, x, None, self.ray(b), f"∥{b.point}{self.crown.point}")
         back = Term(f"{a.name}^n", POLE, x, None, self.ray(a), f"∥{a.point}{self.crown.point}", sign=-1)
-        d.draw(Equation(plan, ((*both.chain, last), (back,))))
+        d.meet(plan, both.chain, last, back)
         d.show(plan, x, start, a.name)
         d.show(plan, end, x, b.name)
         own = tuple(t for t in both.chain if t.name in {f.name for f in two.forces})

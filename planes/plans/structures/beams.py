@@ -68,7 +68,7 @@ class StraightBeam:
         shears = list[Shear]()
         for one, other in pairwise(stops):
             if not self.spread(one, other):
-                middle = (self.along(self.framework.points[one]) + self.along(self.framework.points[other])) / 2
+                middle = self.middle(one, other)
                 base, end = bases[self.part(middle)][0], ends[self.passed(middle)]
                 name = f"Q_{one}{other}"
                 shears.append((one, other, d.measure(name, at(b.plan, base), at(b.plan, end), d.square(axis))))
@@ -105,9 +105,13 @@ class StraightBeam:
         one, place, other = (self.along(self.framework.points[p]) for p in (spread[0], point, spread[1]))
         return min(one, other) + SQUARE < place < max(one, other) - SQUARE
 
+    def middle(self, one: str, other: str) -> float:
+        """How far along the beam the middle of two points is."""
+        return (self.along(self.framework.points[one]) + self.along(self.framework.points[other])) / 2
+
     def spread(self, one: str, other: str) -> bool:
         """Whether a distributed load lies between two points."""
-        middle = (self.along(self.framework.points[one]) + self.along(self.framework.points[other])) / 2
+        middle = self.middle(one, other)
         ends = [
             sorted(self.along(self.framework.points[p]) for p in x.spread) for x in self.framework.loads if x.spread
         ]

@@ -13,8 +13,7 @@ from planes.plans.scales import unit_scales
 from planes.plans.statements.still import still_plans
 from planes.plans.statements.turning import STANDING
 from planes.plans.structures.arch import Arch
-from planes.plans.structures.cremona import CremonaPlan
-from planes.plans.structures.figure import StaticsFigure, as_mechanism
+from planes.plans.structures.figure import as_mechanism
 from planes.plans.structures.free_body import FreeBody
 from planes.plans.structures.stated_loads import StatedLoads
 from planes.plans.structures.trusses import check_truss, truss_plan
@@ -54,7 +53,7 @@ class FrameworkBuilder(StatedLoads):
             self.solve(name)
             self.left.remove(name)
         if self.framework.members:
-            self.cremona = self.truss()
+            self.truss()
         return self.tried(self.plans())
 
     @property
@@ -125,7 +124,10 @@ class FrameworkBuilder(StatedLoads):
         if body.anchor and body.anchor.kind == "clamp":
             self.values[f"M_{body.anchor.point}"] = f"M_{body.anchor.point}"
         for s in self.shared(name):
-            self.hand(s, next(n for n in self.hinges[s.point] if n != name))
+            other = next(n for n in self.hinges[s.point] if n != name)
+            size = self.draft.measure(s.name, *self.spans[s.name])
+            self.forces[other].append(self.reaction(s, other, size, BESIDE))
+            self.sizes[s.name + BESIDE] = -self.measured(s.name)
 
     def body(self, name: str, plan: str, supports: list[Support]) -> FreeBody:
         """A body by itself."""
@@ -151,13 +153,13 @@ class FrameworkBuilder(StatedLoads):
         self.spans |= {n: (at(plan, start), at(plan, end)) for n, (start, end) in spans.items()}
         self.left = [x for x in self.left if x not in names]
 
-    def hand(self, s: Support, other: str) -> None:
-        """The reaction of a hinge, the other way, on the body there."""
-        d, (start, end) = self.draft, self.spans[s.name]
-        size = d.measure(s.name, start, end)
-        along = d.through(f"→{s.name}{BESIDE}", end, start, Meaning("against", s.name))
-        self.forces[other].append(Force(s.name + BESIDE, other, size, along, at(SCHEME, s.point), "reaction"))
-        self.sizes[s.name + BESIDE] = -self.measured(s.name)
+    def reaction(self, s: Support, body: str, size: str, beside: str = "") -> Force:
+        """A reaction that has been found, as a force on a body: ``beside`` is what its name ends with where it is the
+        other way."""
+        d, (start, end), name = self.draft, self.spans[s.name], s.name + beside
+        means, ends = (Meaning("against", s.name), (end, start)) if beside else (Meaning("with", s.name), (start, end))
+        along = d.through(f"→{name}", *ends, means)
+        return Force(name, body, d.measure(size, start, end), along, at(SCHEME, s.point), "reaction")
 
     def measured(self, name: str) -> complex:
         """A reaction that has been drawn, N."""
@@ -166,44 +168,22 @@ class FrameworkBuilder(StatedLoads):
         drawing = run(program, {**self.draft.given, **{f"mu_{plan}": 1.0 for plan in program.marks}})
         return complex(drawing[end] - drawing[start])
 
-    def truss(self) -> CremonaPlan:
+    def truss(self) -> None:
         """The plan of the members, from loads and reactions."""
-        outer = {f.name: f for f in self.forces[ALONE]} | {s.name: self.pushing(s) for s in self.framework.supports}
+        outer = {f.name: f for f in self.forces[ALONE]}
+        outer |= {s.name: self.reaction(s, ALONE, f"{s.name}″") for s in self.framework.supports}
         sizes = self.sizes | {s.name: self.measured(s.name) for s in self.framework.supports}
         plan = truss_plan(self.draft, self.framework, outer, sizes, self.error)
         self.figure.said |= dict.fromkeys(plan.joints, "region")
         self.values |= plan.measure()
-        return plan
-
-    def pushing(self, s: Support) -> Force:
-        """A reaction that has been found, as a force on the truss."""
-        d, (start, end) = self.draft, self.spans[s.name]
-        along = d.through(f"→{s.name}", start, end, Meaning("with", s.name))
-        size = d.measure(f"{s.name}″", start, end)
-        return Force(s.name, ALONE, size, along, at(SCHEME, s.point), "reaction")
+        self.figure.letters = plan.regions.places
 
     # all together
 
     def plans(self) -> Plans:
         """The record of what was drawn."""
         d, f = self.draft, self.framework
-        figure = StaticsFigure(
-            tuple(self.figure.strokes),
-            tuple(self.figure.results),
-            f.supports,
-            f.points,
-            tuple(x for x in f.loads if x.spread),
-            moments=tuple(self.figure.moments),
-            shears=tuple(self.figure.shears),
-            counted=tuple(self.counted()),
-            knots=tuple(self.figure.knots),
-            said=self.figure.said,
-            pole=f.pole,
-            poles=tuple(self.figure.poles),
-            members=tuple((f"S_{a}{b}", a, b) for a, b in f.members),
-            letters=dict(self.cremona.regions.places) if self.cremona else {},
-            numbered=frozenset(f.bodies if len(f.bodies) > 1 else ()),
-        )
+        self.figure.counted = tuple(self.counted())
         mechanism = replace(as_mechanism(f, self.scene.drive or STANDING), where=self.scene.where)
         acting = {name: self.forces.get(name, []) for name in (*mechanism.links, *f.bodies)}
         couples = {name: self.couples.get(name, []) for name in acting}
@@ -214,7 +194,7 @@ class FrameworkBuilder(StatedLoads):
             Loads(acting, couples),
             vectors={**{n: ends for n, ends in loads.items() if ends}, **dict(self.results()), **self.spans},
             values=self.values | {name: name for *_, name in (*self.figure.moments, *self.figure.shears)},
-            figure=figure,
+            figure=self.figure,
         )
 
     def laid(self, name: str) -> tuple[str, str]:

@@ -3,20 +3,20 @@ the marks of the regions on its two sides, drawn once. A member pulls at a joint
 clockwise around the joint, points away from it. Where two members reach no region, a cut gives one force (Ritter).
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
-from planes.drafting.draft import Draft, Moments
-from planes.drafting.equations import Equation, Term
+from planes.drafting.draft import Draft
+from planes.drafting.equations import Equation, MomentTerms, Term
 from planes.drafting.steps.crossings import Cross
-from planes.drafting.steps.reckoning import Drop, Product
+from planes.drafting.steps.reckoning import Product
 from planes.geometry.plane import sine
 from planes.plans.force.loads import Force
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.regions import Regions, Side
 from planes.scene.structures import Framework
-from planes.words.names import CREMONA, Meaning, at, label_of, mu_of
+from planes.words.names import CREMONA, Meaning, at
 
 ALIKE = 1e-6  # the sine of the angle of members that run alike
 
@@ -57,7 +57,11 @@ class CremonaPlan:
             self.draft.show(CREMONA, start, end, f.name)
             self.drawn.append(start)
         ordered = [(f.name, self.regions.before[f.name], self.regions.after[f.name]) for f in self.regions.ordered]
-        *chain, last = [Term(*one, drawn=True) for one in ordered]
+        self.state(Term(*one, drawn=True) for one in ordered)
+
+    def state(self, terms: Iterable[Term]) -> None:
+        """Note a closed polygon that is drawn: the last of its forces closes it."""
+        *chain, last = terms
         self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
 
     def sides(self, member: Side) -> tuple[str, str]:
@@ -95,9 +99,8 @@ class CremonaPlan:
         *chain, last = [self.term(*one, open_=region in one[1:]) for one in (*terms[first + 1 :], *terms[: first + 1])][
             :
         ]
-        known, one = tuple(chain[:-1]), chain[-1]
         back = replace(last, start=last.end, end=last.start, sign=-last.sign)
-        self.draft.draw(Equation(CREMONA, ((*known, one), (back,))))
+        self.draft.meet(CREMONA, chain[:-1], chain[-1], back)
         return True
 
     def term(self, name: str, start: str, end: str, open_: bool) -> Term:
@@ -117,10 +120,9 @@ class CremonaPlan:
             if name not in drawn:
                 terms = self.regions.around_joint(a)
                 k = next(k for k, one in enumerate(terms) if one[0] == name)
-                chain = [self.term(*one, open_=False) for one in (*terms[k + 1 :], *terms[:k])]
-                last = self.term(*terms[k], open_=False)
-                self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
-                drawn |= {t.name for t in chain} | {name}
+                chain = [self.term(*one, open_=False) for one in (*terms[k + 1 :], *terms[: k + 1])]
+                self.state(chain)
+                drawn |= {t.name for t in chain}
 
     def turned(self, one: Side, two: Side) -> float:
         """The sine of the angle between two members."""
@@ -178,19 +180,11 @@ class CremonaPlan:
         """The force of a member by the moments of a part of the truss, and the region at its end."""
         d, name = self.draft, f"S_{member[0]}{member[1]}"
         along = d.ray(SCHEME, *member)
-        lever = self.arm(name, at(SCHEME, member[0]), along, about)
-        products, shown = [], []
+        lever, terms = d.arm(name, at(SCHEME, member[0]), along, about), MomentTerms()
         for f in (f for f in self.regions.forces if f.joint in part and at(SCHEME, f.joint) != about):
             force = self.outer[f.name]
-            arm = self.arm(f.name, force.point, force.along, about)
-            products.append(Product(-1.0, ((force.size, 1), (arm, 1), (lever, -1))))
-            shown.append((f.name, arm))
-        value = d.total(f"N_{member[0]}{member[1]}", products)
-        d.moments.append(Moments(label_of(about), tuple(sorted(part)), tuple(shown), value, lever))
+            arm = d.arm(f.name, force.point, force.along, about)
+            terms.append((f.name, arm, Product(-1.0, ((force.size, 1), (arm, 1), (lever, -1)))))
+        value = d.balance(f"N_{member[0]}{member[1]}", about, tuple(sorted(part)), terms, lever)
         way = along if self.sides(member)[1] == region else d.reversed(along)
         d.lay_off(CREMONA, region, at(CREMONA, other), way, value, Meaning("load", name))
-
-    def arm(self, name: str, point: str, along: str, about: str) -> str:
-        """The arm of a force about a mark."""
-        means = Meaning("arm", name, about)
-        return self.draft.step(Drop(f"h_{name}_{label_of(about)}", point, along, about, mu_of(SCHEME), means=means))

@@ -25,39 +25,34 @@ class FigureLine:
     end: str
 
 
-@frozen
+@dataclass
 class StaticsFigure:
-    """The lines of all plans, forces that are results of composition by the mark and the direction they act at, the
-    supports, and the members of a truss by the names of their forces."""
+    """What the framework gives; then what is drawn: the lines of all plans, and forces that are results of composition
+    by the mark and the direction they act at."""
 
-    strokes: tuple[FigureLine, ...] = ()
-    results: tuple[tuple[str, str, str], ...] = ()
     supports: tuple[Support, ...] = ()
     points: Mapping[str, complex] = field(default_factory=dict)  # by name, m
     spread: tuple[StaticLoad, ...] = ()
-    members: tuple[tuple[str, str, str], ...] = ()
-    moments: tuple[tuple[str, str], ...] = ()  # of a beam: points with their bending moments by name
-    shears: tuple[tuple[str, str, str], ...] = ()  # and shears between two points
-    knots: tuple[str, ...] = ()  # lettered points where lines of action meet
+    members: tuple[tuple[str, str, str], ...] = ()  # of a truss, by the names of their forces
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
-    said: Mapping[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
     pole: complex | None = None  # where a scene puts the pole of its string polygon, N
-    poles: tuple[str, ...] = ()  # marks from which rays are drawn, which are no vectors of a plan
+    strokes: list[FigureLine] = field(default_factory=list)
+    results: list[tuple[str, str, str]] = field(default_factory=list)
+    moments: list[tuple[str, str]] = field(default_factory=list)  # of a beam: points with bending moments by name
+    shears: list[tuple[str, str, str]] = field(default_factory=list)  # and shears between two points
+    knots: list[str] = field(default_factory=list)  # lettered points where lines of action meet
+    said: dict[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
+    poles: list[str] = field(default_factory=list)  # marks from which rays are drawn, which are no vectors of a plan
     counted: tuple[Phrase, ...] = ()  # why it is statically determinate
     letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by their places on the scheme, m
 
-
-@dataclass
-class FigureDraft:
-    """The same while it is drawn."""
-
-    strokes: list[FigureLine] = field(default_factory=list)
-    results: list[tuple[str, str, str]] = field(default_factory=list)
-    knots: list[str] = field(default_factory=list)
-    poles: list[str] = field(default_factory=list)
-    said: dict[str, str] = field(default_factory=dict)
-    moments: list[tuple[str, str]] = field(default_factory=list)
-    shears: list[tuple[str, str, str]] = field(default_factory=list)
+    @classmethod
+    def of(cls, f: Framework) -> "StaticsFigure":
+        """That of a framework, nothing being drawn yet."""
+        members = tuple((f"S_{a}{b}", a, b) for a, b in f.members)
+        spread = tuple(load for load in f.loads if load.spread)
+        numbered = frozenset(f.bodies if len(f.bodies) > 1 else ())
+        return cls(f.supports, f.points, spread, members, numbered, f.pole)
 
     def stroke(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
         """Add a line, unless it begins where it ends."""

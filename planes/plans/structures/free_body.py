@@ -7,15 +7,15 @@ both meetings (Culmann). Many loads are brought to their resultant first, by a s
 
 from dataclasses import dataclass, field, replace
 
-from planes.drafting.draft import Draft, Moments
+from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross
-from planes.drafting.steps.reckoning import Drop, Product
+from planes.drafting.steps.reckoning import Product
 from planes.plans.force.loads import Couple, Force
 from planes.plans.position.bodies import SCHEME
-from planes.plans.structures.figure import FigureDraft
+from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import Support
-from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
+from planes.words.names import POLE, Meaning, at, end_of, label_of
 
 Chain = tuple[Term, ...]
 
@@ -25,7 +25,7 @@ class FreeBody:
     """A body by its name with what acts on it; ``found`` are the marks each of its reactions stands between."""
 
     draft: Draft
-    figure: FigureDraft
+    figure: StaticsFigure
     name: str
     plan: str
     forces: list[Force]
@@ -86,36 +86,28 @@ class FreeBody:
     def meet(self, one: Support, other: Support, along: str) -> None:
         """From where the polygon ends the ``one`` reaction, along its line ``other`` back to the pole."""
         x, start = end_of(one.name), self.reached
-        terms = self.seek(one, start, x), replace(self.seek(other, POLE, x, along), sign=-1)
-        self.draft.draw(Equation(self.plan, ((*self.chain, terms[0]), (terms[1],))))
+        back = replace(self.seek(other, POLE, x, along), sign=-1)
+        self.draft.meet(self.plan, self.chain, self.seek(one, start, x), back)
         self.found |= {one.name: (start, x), other.name: (x, POLE)}
 
     def close(self, s: Support) -> None:
         """The last reaction closes the polygon: its length and direction are read."""
-        self.draft.conclude(Equation(self.plan, ((*self.chain, Term(s.name, self.reached, POLE)), ())))
+        self.draft.close(self.plan, self.chain, s.name, self.reached)
         self.found[s.name] = (self.reached, POLE)
 
     # moments
 
     def moments(self, about: str, unknown: str, arm: str = "") -> None:
         """The moments of all loads about a mark give one unknown: a force by its ``arm``, a couple without."""
-        d, tail = self.draft, ((arm, -1),) if arm else ()
-        products, shown = [], []
-        for f in self.forces:
-            if f.point != about:
-                own = self.arm(f.name, f.point, f.along, about)
-                products.append(Product(-1.0, ((f.size, 1), (own, 1), *tail)))
-                shown.append((f.name, own))
-        for c in self.couples:
-            products.append(Product(-1.0 * c.sign, ((c.value, 1), *tail)))
-            shown.append((c.name, ""))
-        d.total(unknown, products)
-        d.moments.append(Moments(label_of(about), (self.name,), tuple(shown), unknown, arm))
+        tail = ((arm, -1),) if arm else ()
+        levers = [(f, self.arm(f.name, f.point, f.along, about)) for f in self.forces if f.point != about]
+        terms = [(f.name, own, Product(-1.0, ((f.size, 1), (own, 1), *tail))) for f, own in levers]
+        terms += [(c.name, "", Product(-1.0 * c.sign, ((c.value, 1), *tail))) for c in self.couples]
+        self.draft.balance(unknown, about, (self.name,), terms, arm)
 
     def arm(self, name: str, point: str, along: str, about: str) -> str:
         """The arm of a force about a mark, dropped and measured on the scheme."""
-        means = Meaning("arm", name, about, self.name)
-        return self.draft.step(Drop(f"h_{name}_{label_of(about)}", point, along, about, mu_of(SCHEME), means=means))
+        return self.draft.arm(name, point, along, about, self.name)
 
     def by_moments(self) -> None:
         """A clamp's couple, or a line's reaction, by moments; the rest closes the polygon."""
@@ -181,8 +173,8 @@ class FreeBody:
         self.figure.stroke(SCHEME, "culmann", "", k, m)
         x, end = end_of(one.name), end_of(two.name)
         both = f"R_{''.join(dict.fromkeys(two.point + three.point))}"
-        terms = self.seek(one, self.reached, x), Term(both, POLE, x, None, way, self.action(way), sign=-1)
-        self.draft.draw(Equation(self.plan, ((*self.chain, terms[0]), (terms[1],))))
+        back = Term(both, POLE, x, None, way, self.action(way), sign=-1)
+        self.draft.meet(self.plan, self.chain, self.seek(one, self.reached, x), back)
         parts = self.seek(two, x, end), self.seek(three, end, POLE)
         self.draft.draw(Equation(self.plan, ((Term(both, x, POLE, drawn=True),), parts)))
         self.figure.said |= {k: "meeting", m: "meeting", at(self.plan, x): "culmann"}

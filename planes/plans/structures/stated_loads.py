@@ -12,8 +12,7 @@ from planes.geometry.arithmetic import Arithmetic
 from planes.plans.force.loads import Couple, Force
 from planes.plans.position.bodies import SCHEME, BodyPoint
 from planes.plans.statements.turning import follow
-from planes.plans.structures.cremona import CremonaPlan
-from planes.plans.structures.figure import FigureDraft
+from planes.plans.structures.figure import StaticsFigure
 from planes.scene import Scene
 from planes.scene.expressions import names_in
 from planes.scene.mechanism import LoadLaw
@@ -28,11 +27,10 @@ class StatedLoads:
 
     def __init__(self, scene: Scene, framework: Framework) -> None:
         self.scene, self.framework = scene, framework
-        self.draft, self.figure = Draft(), FigureDraft()
+        self.draft, self.figure = Draft(), StaticsFigure.of(framework)
         self.forces: dict[str, list[Force]] = {name: [] for name in framework.bodies}
         self.couples: dict[str, list[Couple]] = {name: [] for name in framework.bodies}
         self.left = list(framework.bodies)
-        self.cremona: CremonaPlan | None = None
         self.spans: dict[str, tuple[str, str]] = {}
         self.values: dict[str, str] = {}
         self.sizes: dict[str, complex] = {}  # of known forces in N, by which a way and a pole are chosen

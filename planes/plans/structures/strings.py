@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross
-from planes.geometry.plane import sine
+from planes.geometry.plane import corners, sine
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.free_body import FreeBody
 from planes.scene.structures import Support
@@ -173,8 +173,7 @@ def chosen_pole(forces: Sequence[complex], first: complex | None, lines: Sequenc
     ends = [0j]
     for force in forces:
         ends.append(ends[-1] + force)
-    low = complex(min(z.real for z in ends), min(z.imag for z in ends))
-    high = complex(max(z.real for z in ends), max(z.imag for z in ends))
+    low, high = corners(ends)
     size, middle = max(abs(high - low), max(map(abs, forces))), (low + high) / 2
     tried = [middle + size * far * cmath.rect(1, math.tau * k / TURNS) for far in (NEAR, FAR) for k in range(TURNS)]
     tried = [rounded(z, size) for z in tried]
