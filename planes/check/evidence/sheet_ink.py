@@ -80,9 +80,9 @@ class SheetInk:
         self.even = numpy.minimum(dark / max(usual, 0.05), 1.0).ravel()
 
     @classmethod
-    def of_picture(cls, flat: Flat, ink: Ink | None = None) -> SheetInk:
+    def of_picture(cls, flat: Flat) -> SheetInk:
         """Of a flat picture."""
-        ink, share = ink or ink_of(flat), PX_PER_MM / flat.scale
+        ink, share = ink_of(flat), PX_PER_MM / flat.scale
         dark = ((255.0 - ink.even) / DARKEST).astype(numpy.float32)
         return cls(
             cv().resize(dark, None, fx=share, fy=share, interpolation=cv().INTER_AREA),

@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass, field
 
 from planes.check.blank import blank_pole
-from planes.check.evidence.ink import ink_of
 from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import PlanLines
@@ -78,7 +77,7 @@ def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple
 
 def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[str, complex] | None = None) -> Look:
     """What a flat picture shows of a plan, by drawing it again from its pole: about a place, or looked for."""
-    ink = SheetInk.of_picture(flat, ink_of(flat, near))
+    ink = SheetInk.of_picture(flat)
     if not ink.points.size:
         return Look(flat, 0j, bare=True)
     plan = PlanLines(bench, flat.printed, held, flat.by == "marks")
