@@ -15,7 +15,7 @@ from functools import cache
 
 import numpy
 
-from planes.check.vision.image.picture import cv
+from planes.check.vision.image.opencv import cv, pieces
 from planes.geometry.arrays import Array, Booleans, Greys, Indices
 
 PX_PER_MM = 3.0  # of the smaller picture on which lines are felt
@@ -59,7 +59,7 @@ def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Gr
             near = cv2.dilate(mine.view(numpy.uint8), _disk(NEAR_MM)) > 0
             strength[place] = numpy.maximum(strength[place], numpy.where(near, response, 0))
             middle = _fill(dark, even, place, mine, k, scale)
-            ridge = mine & (response == cv2.dilate(response, numpy.ones((3, 3), numpy.uint8)))
+            ridge = mine & (response == cv2.dilate(response, None))
             peaks.append(middle[ridge] / (response[ridge] / FINE))
     peak = float((EVEN * numpy.median(numpy.concatenate(peaks))).clip(PEAK, SHARPEST))
     against = numpy.minimum(cv2.dilate(strength, _disk(BESIDE_MM)), MOST * felt.usual)
@@ -136,7 +136,7 @@ class FeltLines:
             return
         response = self.at(k)[0]
         least = max(min(self.paper, 0.5 * PLAIN * self.usual), FAINTEST * self.usual)
-        foremost, (labels, boxes) = self.foremost(k, response), _parts(response > least)
+        foremost, (labels, boxes) = self.foremost(k, response), pieces(response > least)
         for number in numpy.unique(labels[plain]).tolist():
             place = _box(boxes[number])
             line = labels[place] == number
@@ -147,16 +147,16 @@ class FeltLines:
 
 def _drop_long(line: Booleans, faint: Booleans, plain: Booleans) -> None:
     """Take out of a line what is faint for long and does not lead from stroke to stroke."""
-    strokes, _ = _parts(line & ~faint)
+    strokes, _ = pieces(line & ~faint)
     drawn = numpy.setdiff1d(strokes[plain & line], 0)
-    parts, boxes = _parts(faint)
+    parts, boxes = pieces(faint)
     for k, box in enumerate(boxes):
-        if k and max(box[2:]) > TAIL_MM * PX_PER_MM:
+        if k and max(box[2:4]) > TAIL_MM * PX_PER_MM:
             place = _box(box, 1)
-            about = cv().dilate((parts[place] == k).view(numpy.uint8), numpy.ones((3, 3), numpy.uint8)) > 0
+            about = cv().dilate((parts[place] == k).view(numpy.uint8), None) > 0
             met = about & numpy.isin(strokes[place], drawn)
             ends = numpy.argwhere(met)
-            if len(numpy.unique(strokes[place][met])) < 2 or numpy.ptp(ends, axis=0).max() < ENDS * max(box[2:]):
+            if len(numpy.unique(strokes[place][met])) < 2 or numpy.ptp(ends, axis=0).max() < ENDS * max(box[2:4]):
                 line[place] &= parts[place] != k
 
 
@@ -175,7 +175,7 @@ def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale
     inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST).view(bool)
     numpy.maximum(even[rows, columns], smooth, out=even[rows, columns], where=inside)
     del inside
-    middle = cv2.dilate(smooth, numpy.ones((3, 3), numpy.uint8))
+    middle = cv2.dilate(smooth, None)
     filled: Greys = cv2.resize(middle, of_it.shape[::-1], interpolation=cv2.INTER_NEAREST)
     return filled
 
@@ -190,21 +190,15 @@ def _usual_on_paper(felt: Array) -> float:
 
 def _long(places: Booleans, least_mm: float) -> Booleans:
     """The places that hang together over a length."""
-    labels, boxes = _parts(places)
-    long = boxes[:, 2:].max(axis=1) >= least_mm * PX_PER_MM
+    labels, boxes = pieces(places)
+    long = boxes[:, 2:4].max(axis=1) >= least_mm * PX_PER_MM
     long[0] = False
     long_places: Booleans = long[labels]
     return long_places
 
 
-def _parts(places: Booleans) -> tuple[Indices, Indices]:
-    """The places in parts that hang together: the number of each place's (0: none), and their boxes."""
-    _, labels, stats, _ = cv().connectedComponentsWithStats(places.view(numpy.uint8), connectivity=8)
-    return labels, stats[:, :4]
-
-
 def _box(box: Indices, rim: int = 0) -> Place:
-    x, y, w, h = box.tolist()
+    x, y, w, h, _ = box.tolist()
     return slice(max(y - rim, 0), y + h + rim), slice(max(x - rim, 0), x + w + rim)
 
 

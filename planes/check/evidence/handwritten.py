@@ -11,7 +11,7 @@ import numpy
 
 from planes.check.evidence.ink import Ink
 from planes.check.evidence.letter_net import SHAPES, features, odds
-from planes.check.vision.image.picture import cv
+from planes.check.vision.image.opencv import cv, pieces
 from planes.geometry.arrays import Array, Greys
 from planes.words.frozen import frozen
 
@@ -133,14 +133,13 @@ def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord
 
 def _pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
     """Pieces of ink off the lines of a sheet, but not far from them."""
-    cv2, scale = cv(), ink.flat.scale
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(_off_lines(ink, lines), connectivity=8)
-    pieces: list[LetterPiece] = []
+    scale, (labels, stats) = ink.flat.scale, pieces(_off_lines(ink, lines))
+    letters: list[LetterPiece] = []
     for k, (x, y, w, h, area) in enumerate(stats.tolist()):
         if k and LEAST_MM * scale < min(max(w, h), area) and max(w, h) < MOST_MM * scale:
             mask = (labels[y : y + h, x : x + w] == k).astype(numpy.uint8)
-            pieces += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
-    return pieces if len(pieces) < MOST else []
+            letters += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
+    return letters if len(letters) < MOST else []
 
 
 def _off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:

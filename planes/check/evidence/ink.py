@@ -4,7 +4,8 @@ import numpy
 
 from planes.check.evidence.contrast import inked
 from planes.check.fiducials import INSET_MM, SIDE_MM, Square, squares
-from planes.check.vision.image.picture import Flat, cv
+from planes.check.vision.image.opencv import cv, pieces, shrunk
+from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen, replace
 
@@ -66,8 +67,7 @@ def darkness(flat: Flat) -> Greys:
 def light_of(flat: Flat) -> Greys:
     """The picture as if nothing were drawn on its paper."""
     cv2 = cv()
-    small = cv2.resize(flat.grey, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
-    light = cv2.dilate(small, numpy.ones((7, 7), numpy.uint8))
+    light = cv2.dilate(shrunk(flat.grey, 0.25), numpy.ones((7, 7), numpy.uint8))
     light = cv2.GaussianBlur(light, (0, 0), 0.7 * flat.scale)
     paper: Greys = cv2.resize(light, flat.grey.shape[::-1], interpolation=cv2.INTER_LINEAR)
     return paper
@@ -76,7 +76,7 @@ def light_of(flat: Flat) -> Greys:
 def _pieces(flat: Flat, mask: Greys) -> tuple[Indices, Array]:
     """Separate pieces of ink: the number of each pixel's, and how large each is below a blank's title, mm (0: no
     ink)."""
-    _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
+    labels, stats = pieces(mask)
     sizes, title = numpy.maximum(stats[:, 2], stats[:, 3]), round(TITLE_MM * flat.scale)
     for k in numpy.flatnonzero(stats[:, 1] < title) if flat.by == "marks" else ():
         left, top, width, height, _ = stats[k]

@@ -11,6 +11,7 @@ from typing import TypeVar
 import numpy
 
 from planes.check.fiducials import SHEET_MM
+from planes.check.vision.image.opencv import sampled
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 LEFT_MM, OTHER_MM = 20.0, 5.0  # of the frame from the sheet's edges
@@ -128,24 +129,13 @@ def _sides(grey: Greys, bend: Bend, scale: float) -> list[tuple[Complexes, Array
         places = a + (b - a) * numpy.linspace(0.03, 0.97, int(abs(b - a) / ALONG_MM))
         across = 1.0 if abs((b - a).real) < 1 else -1j
         t = numpy.arange(-REACH_MM, REACH_MM + 1e-9, ACROSS_MM)
-        off, good = _line(_sampled(grey, px(places[:, None] + across * t[None, :])))
+        off, good = _line(sampled(grey, px(places[:, None] + across * t[None, :])))
         if good.mean() < SEEN:
             return []
         smooth = numpy.polynomial.Polynomial.fit(places[good].real + places[good].imag, off[good], 5)
         off = smooth(places.real + places.imag)
         out.append((px(places + across * off), off))
     return out if max(float(abs(off).max()) for _, off in out) >= BENT_MM else []
-
-
-def _sampled(grey: Greys, z: Complexes) -> Array:
-    """Grey at places between pixels."""
-    h, w = grey.shape
-    x, y = numpy.clip(z.real, 0, w - 1.001), numpy.clip(z.imag, 0, h - 1.001)
-    i, j = x.astype(int), y.astype(int)
-    u, v = x - i, y - j
-    upper, lower = (grey[k, i] * (1 - u) + grey[k, i + 1] * u for k in (j, j + 1))
-    seen: Array = upper * (1 - v) + lower * v
-    return seen
 
 
 def _line(rows: Array) -> tuple[Array, Booleans]:

@@ -3,13 +3,13 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from types import ModuleType
 
 import numpy
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.image.bend import Bend, add_paper, bend_of
 from planes.check.vision.image.lens import Lens
+from planes.check.vision.image.opencv import cv, shrunk, smaller
 from planes.check.vision.image.several import Found, SheetsSeen, leaves_more, sheets_apart
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
@@ -70,23 +70,7 @@ class Flat:
         share = math.sqrt(area / (width * height))
         if share >= 1:
             return self
-        return Flat(cv().resize(self.grey, None, fx=share, fy=share, interpolation=cv().INTER_AREA), self.scale)
-
-
-def cv() -> ModuleType:
-    """OpenCV, or a sentence that says how to get it."""
-    try:
-        import cv2
-    except ImportError:
-        raise PlanesError(Phrase("check_needs", what="opencv-python-headless")) from None
-    return cv2
-
-
-def smaller(grey: Greys, longest: float) -> tuple[Greys, float]:
-    """The picture with its longer side no longer than that, and by which it was made smaller."""
-    cv2, factor = cv(), min(1.0, longest / max(grey.shape))
-    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
-    return small, factor
+        return Flat(shrunk(self.grey, share), self.scale)
 
 
 def dictionary() -> object:
