@@ -13,12 +13,10 @@ from planes.check.explaining.weights import SHORT_MM
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.variants import Variant
-from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point
 from planes.geometry.arrays import Array, Booleans, Complexes
-from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
 from planes.words.names import POLE, at, kind_of, label_of
 
@@ -141,13 +139,8 @@ class PlanLines:
         they cannot be drawn, None where none can."""
         both = {n: hypothesis.nudges.get(n, 0j) + nudges.get(n, 0j) for n in {*hypothesis.nudges, *nudges}}
         moved = {at(self.bench.asked.plan, n): v for n, v in both.items() if n not in (END, POLE)}
-        variant, begun = hypothesis.variant, self.bench.begun(hypothesis.variant)
-        things = {**begun.things, **(variant.givens if variant else {})}
-        steps = self.bench.program.steps[begun.step :]
-        try:
-            with numpy.errstate(all="ignore"):
-                draw_steps(steps, things, _Nudging(moved, count), variant.swaps if variant else {})
-        except (PlanesError, ZeroDivisionError):
+        things = self.bench.drawn(hypothesis.variant, _Nudging(moved, count))
+        if things is None:
             return None
         own = [numpy.broadcast_to(numpy.asarray(things[m], complex), (count,)) for m in self.bench.marks]
         rest = [numpy.broadcast_to(numpy.asarray(both.get(n, 0j)), (count,)) for n in self.names[len(own) :]]
