@@ -6,11 +6,8 @@ as they can be told from that; the ink of a line is held against that line, all 
 are on the sheet, or, where it is darker, against itself.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from functools import cache
 
 import numpy
@@ -52,7 +49,7 @@ def inked(dark: Greys, scale: float, middle_dark: int, print_mm: float = 0.0) ->
 
 def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Greys, Booleans]:
     """The picture with its lines filled; on a smaller one what ink is held against, and where lines are followed."""
-    cv2, felt = cv(), FeltLines.of(dark, scale, print_mm)
+    cv2, felt = cv(), FeltLines(dark, scale, print_mm)
     strength, even, peaks = numpy.zeros_like(felt.most), dark.copy(), [numpy.full(1, PEAK)]
     for k in range(ANGLES):
         for place, response, mine in felt.followed(k):
@@ -68,36 +65,26 @@ def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Gr
     return even, (peak / FINE * against).clip(1, 255).astype(numpy.uint8), strength > 0
 
 
-@dataclass
 class FeltLines:
     """What is felt of lines at every angle: their ink, and the most of it less that of the paper beside."""
 
-    along: list[Array]
-    darkest: Array
-    most: Array
-    best: Indices  # the angle at which it is
-    paper: float = 0.0
-    usual: float = USUAL
-    nearby: Array = field(init=False)
-    own: list[Greys] = field(init=False)  # of strokes by themselves
-
-    @classmethod
-    def of(cls, dark: Greys, scale: float, print_mm: float = 0.0) -> FeltLines:
+    def __init__(self, dark: Greys, scale: float, print_mm: float = 0.0) -> None:
         """Lines felt on a picture; if those below what is printed on its top are lighter, they tell what is usual."""
         cv2, factor = cv(), PX_PER_MM / scale
         small = cv2.resize(dark, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA).astype(numpy.int16) * FINE
-        out = cls([], numpy.zeros_like(small), numpy.zeros_like(small), numpy.zeros(small.shape, numpy.int8))
+        self.most: Array = numpy.zeros_like(small)
+        self.darkest = self.most
+        self.along = list[Array]()
+        self.best: Indices = numpy.zeros(small.shape, numpy.int8)  # the angle at which it is
         for k in range(ANGLES):
-            along = cv2.filter2D(small, -1, _kernel(k))
-            out.along.append(along)
-            response = out.at(k)[0]
-            out.best[response > out.most] = k
-            out.most, out.darkest = numpy.maximum(out.most, response), numpy.maximum(out.darkest, along)
-        out.nearby = cv2.dilate(out.most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
-        out.paper = ABOVE * _usual_on_paper(out.most)
-        out.own = [out._strokes(k) for k in range(ANGLES)]
-        out.usual = min(out._usual_below(top) for top in {0, round(print_mm * PX_PER_MM)})
-        return out
+            self.along.append(cv2.filter2D(small, -1, _kernel(k)))
+            response = self.at(k)[0]
+            self.best[response > self.most] = k
+            self.most, self.darkest = numpy.maximum(self.most, response), numpy.maximum(self.darkest, self.along[k])
+        self.nearby = cv2.dilate(self.most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
+        self.paper = ABOVE * _usual_on_paper(self.most)
+        self.own = [self._strokes(k) for k in range(ANGLES)]  # of strokes by themselves
+        self.usual = min(self._usual_below(top) for top in {0, round(print_mm * PX_PER_MM)})
 
     def _usual_below(self, top: int) -> float:
         """What lines usually are below a row."""
@@ -116,8 +103,7 @@ class FeltLines:
     def foremost(self, k: int, response: Array) -> Booleans:
         """Where a line runs at an angle; if between two, at both."""
         turn = (self.best - k + ANGLES + 1) % ANGLES
-        at_it: Booleans = (turn <= 2) | (response > FOREMOST * self.most)
-        return at_it
+        return (turn <= 2) | (response > FOREMOST * self.most)
 
     def _strokes(self, k: int) -> Greys:
         """What is felt of strokes by themselves: both sides of a row of letters' foot are not paper."""

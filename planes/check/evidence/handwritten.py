@@ -31,6 +31,7 @@ NEVER, OTHER = math.log(1e-3), 0.7  # of a shape, the least; how much likelier a
 ROUNDS = 8  # in which it is settled which word is whose
 SURE = 0.85  # how likely a name is read that stands there, at the most
 WARMTH = 1.2  # by which logarithms are divided: what is told with 90 % is right in 90 %
+BY_MM = 7.0  # how far off a place a name stands by it
 NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # how far off its vector a name is, how surely; how likely it is elsewhere
 
 
@@ -55,28 +56,20 @@ class HandWords:
     """The words on a sheet, as they tell vectors apart; what was asked of them is remembered."""
 
     words: Sequence[HandWord] = ()
-    known: dict[tuple[str, complex, complex], tuple[float, float]] = field(default_factory=dict)
+    known: dict[tuple[str, complex, complex], float] = field(default_factory=dict)
 
     def price(self, name: str, a: complex, b: complex) -> float:
         """What it costs to believe that the vector of a name leads from a to b, for where that name stands."""
-        return self._weighed(name, a, b)[0]
-
-    def told(self, name: str, a: complex, b: complex) -> float:
-        """How surely a name was read by the vector from a to b."""
-        return self._weighed(name, a, b)[1]
-
-    def by(self, name: str, z: complex, reach_mm: float = 7.0) -> float:
-        """How likely a name stands by a place."""
-        return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < reach_mm), default=0.0)
-
-    def _weighed(self, name: str, a: complex, b: complex) -> tuple[float, float]:
         if (key := (name, a, b)) not in self.known:
             read = [(w.likely.get(name, 0.0), w.off(a, b)) for w in self.words]
             near = sum(p * max(math.exp(-0.5 * max((off - NEAR_MM) / SOFT_MM, 0.0) ** 2), AWAY) for p, off in read)
             total = sum(p for p, _ in read)
-            likelihood = near / max(total, 1.0)
-            self.known[key] = -math.log(max(1 - total, 0.0) + likelihood), likelihood
+            self.known[key] = -math.log(max(1 - total, 0.0) + near / max(total, 1.0))
         return self.known[key]
+
+    def by(self, name: str, z: complex) -> float:
+        """How likely a name stands by a place."""
+        return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < BY_MM), default=0.0)
 
 
 @frozen
@@ -135,8 +128,8 @@ def _pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
     """Pieces of ink off the lines of a sheet, but not far from them."""
     scale, (labels, stats) = ink.flat.scale, pieces(_off_lines(ink, lines))
     letters: list[LetterPiece] = []
-    for k, (x, y, w, h, area) in enumerate(stats.tolist()):
-        if k and LEAST_MM * scale < min(max(w, h), area) and max(w, h) < MOST_MM * scale:
+    for k, (x, y, w, h, _) in enumerate(stats.tolist()):
+        if k and LEAST_MM * scale < max(w, h) < MOST_MM * scale:
             mask = (labels[y : y + h, x : x + w] == k).astype(numpy.uint8)
             letters += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
     return letters if len(letters) < MOST else []
@@ -200,8 +193,7 @@ def _joined(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
     for p in pieces:
         page[p.top - top : p.bottom - top, p.left - left : p.right - left] |= p.mask
     x, y, w, h = cv().boundingRect(page)
-    letter: Greys = (dark[top:, left:][: len(page), : page.shape[1]] * page)[y : y + h, x : x + w]
-    return letter
+    return (dark[top:, left:][: len(page), : page.shape[1]] * page)[y : y + h, x : x + w]
 
 
 def _aligned(count: int, shapes: Mapping[tuple[int, int], Array], name: str) -> float:

@@ -18,7 +18,7 @@ from planes.check.evidence.handwritten import Erased, HandWords, words_beside
 from planes.check.evidence.ink import Ink, ink_of
 from planes.check.vision.image.opencv import cv, pieces, shrunk
 from planes.check.vision.image.picture import Flat
-from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
 PX_PER_MM = 3.0  # of the small picture in which ink is felt
 WAYS = 16  # directions in which it is felt, over half a turn
@@ -38,7 +38,6 @@ SHORTEST_MM = 9.0  # of a line whose head is felt
 LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a line with none; to units of evidence
 LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of what is a drawn line's own and no letter
 GAP_STEP_MM, GONE = 0.5, 0.25  # by which a line is followed; the share of one below which it is not there
-SOFT_PX = 2  # a line file's lines are drawn so wide
 SHORT_MM = 1.0  # of a line that explains ink
 TURNS, ACROSS, EDGE_TO_EDGE, LEAST_EDGE_MM = 720, 0.2, 0.6, 120.0  # of lines that are the paper's own: see below
 
@@ -179,21 +178,6 @@ class SheetInk:
             mine, running = own[ks].any(axis=0) | sign, near[ks].any(axis=0) | sign
             left[n] = mm[~running].sum() + LESS * mm[running & ~mine].sum()
         return left
-
-
-def drawn(strokes: Iterable[tuple[complex, complex]], rim_mm: float = 30.0) -> SheetInk:
-    """The ink of a drawing of lines, mm, their heads among them."""
-    lines = [*strokes]
-    ends = numpy.array([z for line in lines for z in line])
-    low = complex(ends.real.min(), ends.imag.min()) - rim_mm * (1 + 1j)
-    size = complex(ends.real.max(), ends.imag.max()) + rim_mm * (1 + 1j) - low
-    page: Greys = numpy.zeros([2 * math.ceil(mm * PX_PER_MM) for mm in (size.imag, size.real)], numpy.uint8)
-    for line in lines:
-        ends_px = (32 * PX_PER_MM * (z - low) for z in line)
-        px = [(round(z.real) - 8, 16 * len(page) - round(z.imag) - 8) for z in ends_px]
-        cv().line(page, *px, 255, SOFT_PX, cv().LINE_AA, 4)
-    small = shrunk(page, 0.5)
-    return SheetInk((small / DARKEST).astype(numpy.float32), low, len(small) / PX_PER_MM)
 
 
 def _filter(angle: float) -> Array:

@@ -1,7 +1,5 @@
 """A plan's lines as they lie on paper under any hypothesis, many drawings at once by one run of the program."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -23,6 +21,7 @@ from planes.words.names import POLE, at, kind_of, label_of
 END = "end"  # of a force polygon's last side: at the pole, if the polygon is closed
 HINGE_MM, SUPPORT_MM = 3.0, 9.5  # about a point of a scheme, and a support or slider, ink is their signs'
 HIDDEN_MM, RUNS_ON_MM = 0.8, 30.0  # of a link's line, under the signs at its ends; guides are drawn so far past sliders
+UPON_MM = 0.6  # lines upon each other are no farther apart
 Line = tuple[str, str]
 
 
@@ -180,10 +179,10 @@ def longest_round(sides: Sequence[Side], way: tuple[Side, ...] = ()) -> list[Sid
     return longest
 
 
-def upon_others(a: Complexes, b: Complexes, near_mm: float = 0.6) -> Booleans:
+def upon_others(a: Complexes, b: Complexes) -> Booleans:
     """Lines of each row that lie upon an earlier one, either way."""
     apart = numpy.maximum(abs(a[:, :, None] - a[:, None, :]), abs(b[:, :, None] - b[:, None, :]))
-    return numpy.asarray(numpy.tril(apart < near_mm, -1).any(axis=2))
+    return numpy.asarray(numpy.tril(apart < UPON_MM, -1).any(axis=2))
 
 
 def to_be_seen(a: Complexes, b: Complexes) -> Booleans:

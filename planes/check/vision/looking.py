@@ -1,7 +1,5 @@
 """One flat picture looked at: the pole of a plan found on it, and its marks."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field
 
@@ -76,9 +74,7 @@ def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[st
         return Look(flat, 0j, bare=True)
     plan = PlanLines(bench, flat.printed, held, flat.by == "marks")
     pole = sought_pole(plan, ink) if near is None else near
-    seen = Explanation(plan, ink, pole) if pole is not None else None
-    if seen is None or pole is None:
-        return Look(flat, 0j)
+    seen = Explanation(plan, ink, pole)
     look = Look(flat, 0j if near is None else pole, cover=seen.best.cover, explained=seen.explained)
     least = LEAST_EXPLAINED[near is None]
     if seen.best.cover < LEAST_COVER or seen.best.cover * seen.explained < least:
@@ -86,8 +82,8 @@ def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[st
     look.pole, paper = pole, look.paper
     paper.spots = resized_by(flat, pole, seen.share, measured_by(flat, pole, seen.spots(), bench))
     paper.untold, paper.left, paper.named = seen.untold(), seen.faint(), seen.named()
-    if seen.best.hypothesis.right and seen.best.parts[1] > STRANGE_MM:
-        flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.best.parts[1]:.0f}")))
+    if seen.best.hypothesis.right and seen.best.strange > STRANGE_MM:
+        flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.best.strange:.0f}")))
     motion = kind_of(bench.asked.plan) not in ("position", "force")
     paper.signs = seen.whole_fault() or (seen.exchanged() if motion else [])
     return look

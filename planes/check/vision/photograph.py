@@ -129,8 +129,7 @@ def _by_hand(
     held: CameraTilt | None = None,
 ) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
-    names = bench.naming.names([label_of(m) for m in bench.marks])
-    name, where = next(((n, z) for k, z in marks.items() if (n := names.find(k)) and n != POLE), (None, 0j))
+    name, where = next(((n, z) for k, z in marks.items() if (n := bench.names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
     vector = _vector(bench, picture, abs(where - pole), name)

@@ -102,8 +102,8 @@ def add_paper(bend: Bend, grey: Greys, scale: float) -> None:
     steps, rows = numpy.linspace(0, 1, 41), []
     for (_, off), (a, b) in zip(seen, _ends(), strict=True) if seen else ():
         upright = abs((b - a).real) < 1
-        share = numpy.linspace(a.imag if upright else a.real, b.imag if upright else b.real, len(off))
-        share = 1 - share / SHEET_MM[1] if upright else share / SHEET_MM[0]
+        along = numpy.linspace(a, b, len(off))
+        share = 1 - along.imag / SHEET_MM[1] if upright else along.real / SHEET_MM[0]
         smooth = numpy.polynomial.Polynomial.fit(share, off, 4)
         rows.append(smooth(numpy.clip(steps, share.min(), share.max())) * scale)
     bend.sides = numpy.array(rows) if rows else None

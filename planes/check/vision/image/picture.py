@@ -130,8 +130,7 @@ def sheet_alone(grey: Greys, marks: Mapping[int, Array]) -> Greys:
     inside = cv2.fillPoly(numpy.zeros(grey.shape, numpy.uint8), [quad.round().astype(numpy.int32)], 1)
     (left, top), (right, low) = quad.min(axis=0).clip(0).astype(int), quad.max(axis=0).astype(int)
     part = slice(top, low), slice(left, right)
-    alone: Greys = numpy.where(inside[part], grey[part], numpy.uint8(numpy.median(grey[inside > 0])))
-    return alone
+    return numpy.where(inside[part], grey[part], numpy.uint8(numpy.median(grey[inside > 0])))
 
 
 def _corners(number: int) -> list[complex]:

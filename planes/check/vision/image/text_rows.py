@@ -25,12 +25,11 @@ STEEP = math.radians(40)  # a stroke that slants more from upright tells nothing
 
 @frozen
 class TextRow:
-    """The line that letters stand on: a place of it and its direction (radians), how far feet are off it (a share of
-    a letter's height), how sure its direction is, and its letters' numbers."""
+    """The line that letters stand on: a place of it and its direction (radians), how sure that is, and its letters'
+    numbers."""
 
     place: complex
     angle: float
-    off: float
     error: float
     letters: Indices
 
@@ -83,9 +82,7 @@ def text_on(grey: Greys) -> LetterRows | None:
     letter_of_edge, angles, weights = _edges(small, labels, new, way)
     middles = ((left + right) / 2 + 1j * (low + high) / 2) * numpy.exp(1j * way)
     there = (middles[kept] + 0.5 + 0.5j) / factor - 0.5 - 0.5j
-    text_rows = [
-        TextRow((r.place + 0.5 + 0.5j) / factor - 0.5 - 0.5j, r.angle, r.off, r.error, new[r.letters]) for r in rows
-    ]
+    text_rows = [TextRow((r.place + 0.5 + 0.5j) / factor - 0.5 - 0.5j, r.angle, r.error, new[r.letters]) for r in rows]
     return LetterRows(there, (high - low + 1)[kept], letter_of_edge, angles, weights, text_rows, way)
 
 
@@ -176,7 +173,7 @@ def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> T
     middle = float(x[near].mean())
     error = off / math.sqrt(float(((x[near] - middle) ** 2).sum()))
     place = complex(middle, line[0] + line[1] * middle) * numpy.exp(1j * way)
-    return TextRow(complex(place), way + math.atan(line[1]), off / height, error, chain)
+    return TextRow(complex(place), way + math.atan(line[1]), error, chain)
 
 
 def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Indices, Array, Array]:
