@@ -46,11 +46,10 @@ class SheetMark:
     pole: complex | None = None
 
     @classmethod
-    def of(cls, asked: Asked, scene: str = "", variant: str = "", student: str = "") -> SheetMark:
-        """The mark of a blank; of what is not told the scene itself says."""
-        said = asked.scene.sheet.get("student", "")
-        names = scene or Path(asked.scene.file).stem, variant or asked.scene.variant or "", student or str(said)
-        return cls(*names, asked.plan, asked.value, asked.mu)
+    def of(cls, asked: Asked) -> SheetMark:
+        """The mark of a blank, by what its scene says."""
+        scene, student = asked.scene, str(asked.scene.sheet.get("student", ""))
+        return cls(Path(scene.file).stem, scene.variant or "", student, asked.plan, asked.value, asked.mu)
 
     @property
     def text(self) -> str:
