@@ -7,7 +7,6 @@ import math
 from collections.abc import Sequence
 from itertools import product
 
-ARM_MM = 2.0  # of the cross printed at the pole
 SIDE_MM = 12.0  # of the black square, its border included
 INSET_MM = (30.0, 15.0)  # centres from the left and the other edges of a sheet
 # rows of 5 bits, 1 is white; no turn of one is nearer than 10 bits to another or to a turn of itself

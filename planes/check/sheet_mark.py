@@ -46,11 +46,10 @@ class SheetMark:
     pole: complex | None = None
 
     @classmethod
-    def of(cls, asked: Asked, scene: str = "", variant: str = "", student: str = "") -> SheetMark:
-        """The mark of a blank; of what is not told the scene itself says."""
-        said = asked.scene.sheet.get("student", "")
-        names = scene or Path(asked.scene.file).stem, variant or asked.scene.variant or "", student or str(said)
-        return cls(*names, asked.plan, asked.value, asked.mu)
+    def of(cls, asked: Asked) -> SheetMark:
+        """The mark of a blank, by what its scene says."""
+        scene, student = asked.scene, str(asked.scene.sheet.get("student", ""))
+        return cls(Path(scene.file).stem, scene.variant or "", student, asked.plan, asked.value, asked.mu)
 
     @property
     def text(self) -> str:
@@ -106,7 +105,8 @@ LOOK_PX = 2000
 
 def mark_on(grey: Greys) -> SheetMark | None:
     """The mark of the sheet on a picture: where the corner marks tell that it stands, else anywhere."""
-    from planes.check.vision.image.picture import flatten, smaller
+    from planes.check.vision.image.opencv import smaller
+    from planes.check.vision.image.picture import flatten
 
     flat = flatten(grey)
     return _decoded(smaller(grey, LOOK_PX)[0], close=False) if flat is None else mark_of(flat)
@@ -121,7 +121,7 @@ def mark_of(flat: Flat) -> SheetMark | None:
 
 def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
     """The mark on a part of a picture, looked at in several ways; more of them where only the code is looked at."""
-    from planes.check.vision.image.picture import cv
+    from planes.check.vision.image.opencv import cv
 
     cv2 = cv()
     detectors = (cv2.QRCodeDetector(), *([cv2.QRCodeDetectorAruco()] if close else []))
@@ -135,11 +135,11 @@ def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
 
 def _looks(grey: Greys, close: bool) -> Iterator[Greys]:
     """The picture as it is, smaller, sharper against what a hand's motion has smeared, if ``close`` black and white."""
-    from planes.check.vision.image.picture import cv
+    from planes.check.vision.image.opencv import cv, shrunk
 
     cv2 = cv()
     yield grey
-    yield cv2.resize(grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    yield shrunk(grey, 0.5)
     for by in (1.5, 3.0):
         yield cv2.addWeighted(grey, 1 + by, cv2.GaussianBlur(grey, (0, 0), 3), -by, 0)
     if close:

@@ -34,7 +34,8 @@ def glance(file: str, page: int | None = None) -> Glance:
     picture = opened(file, page)
     if picture is None:
         return Glance()
-    from planes.check.vision.image.picture import blanks_on, cv, smaller
+    from planes.check.vision.image.opencv import cv, smaller
+    from planes.check.vision.image.picture import blanks_on
 
     small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
     blanks = blanks_on(picture.grey).parts if page is None else 1

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("cv2")
-from planes.check.evidence.sheet_ink import SheetInk, drawn
+from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import Hypothesis, PlanLines
 from planes.check.explaining.sought_pole import sought_pole
@@ -18,6 +18,7 @@ from planes.check.grading.prepared_plan import Asked, prepare
 from planes.scene import load
 from planes.words.names import POLE
 from tests import confusion
+from tests.helpers.line_ink import drawn
 from tests.other_means import Spoilt, lines_of, places
 
 SIX = confusion.bench("six-link", "velocity")

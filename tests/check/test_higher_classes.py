@@ -9,11 +9,14 @@ from pathlib import Path
 import pytest
 
 from planes.check.grading.paper import Known
-from planes.check.grading.prepared_plan import Asked, Begun, prepare, redrawn, variants_of
+from planes.check.grading.prepared_plan import Asked, prepare, variants_of
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
+from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.crossings import Cross
+from planes.drafting.tools import Tool
+from planes.geometry.arithmetic import Arithmetic
 from planes.scene import load
 from planes.solving import solve
 from planes.words.names import POLE, label_of
@@ -79,5 +82,6 @@ def test_what_no_mistake_touches_is_not_drawn_anew() -> None:
     """Drawn from where a mistake begins, a plan is the same as drawn from the beginning, with every mistake."""
     bench = prepare(Asked(load(SAMPLES / "class-three/guide.yaml"), "acceleration"))
     for variant in [None, *variants_of(bench, {}, bench.said_mu)][::7]:
-        whole = redrawn(bench, variant, lambda step, made: made, Begun(0, dict(bench.given)))
-        assert redrawn(bench, variant, lambda step, made: made) == whole, variant
+        whole = {**bench.given, **(variant.givens if variant else {})}
+        draw_steps(bench.program.steps, whole, Tool(Arithmetic()), variant.swaps if variant else {})
+        assert bench.drawn(variant, Tool(Arithmetic())) == whole, variant

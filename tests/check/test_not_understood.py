@@ -9,12 +9,14 @@ import pytest
 import planes
 from planes.check.grading.by_hand import unsure
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
-from planes.check.grading.prepared_plan import Asked, prepare, redrawn
+from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.outcome import Outcome, check
 from planes.check.report import as_json, chance_told
 from planes.cli import main
 from planes.drafting.instruments import Pencil
 from planes.drafting.skill import HAND, PENCIL, cad
+from planes.drafting.tools import Tool
+from planes.geometry.arithmetic import Arithmetic
 from planes.solving import solve
 from tests.helpers import ROOT
 
@@ -218,7 +220,7 @@ def test_a_mark_that_follows_from_a_mistake_does_not_miss_where_that_puts_it() -
     """The mark at which the mistake is made may not be drawn: what follows is off the right construction."""
     bench = prepare(Asked(planes.loads(CRANK), "acceleration"))
     for variant in bench.mistakes:
-        things = redrawn(bench, variant, lambda step, made: made)
+        things = bench.drawn(variant, Tool(Arithmetic()))
         drawn = {n: complex(things[f"acceleration:{n}"]) for n in bench.true_marks if things and n != variant.blames}
         found = check(bench.asked, ReadPaper("t", [ReadMark(n, z) for n, z in {"p": 0j, **drawn}.items()]))
         for row in as_json(found)["marks"] if found.verdict != "unreadable" else []:

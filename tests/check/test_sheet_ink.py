@@ -10,8 +10,9 @@ import pytest
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
-from planes.check.evidence.sheet_ink import Box, SheetInk, drawn  # noqa: E402
+from planes.check.evidence.sheet_ink import Box, SheetInk  # noqa: E402
 from planes.check.vision.image.picture import PX_PER_MM, Flat  # noqa: E402
+from tests.helpers.line_ink import drawn  # noqa: E402
 from tests.physical.paper import PX_PER_MM as FINE  # noqa: E402
 from tests.physical.paper import Paper  # noqa: E402
 from tests.physical.setting import Setting  # noqa: E402

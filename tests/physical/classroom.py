@@ -27,9 +27,11 @@ import pypdfium2
 from planes.check.blank import blank_pole, roomy
 from planes.check.fiducials import SHEET_MM, squares, within
 from planes.check.grading.polygons import Side, sides_of
-from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare, redrawn, variants_of
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare, variants_of
 from planes.check.report.shown import vectors
 from planes.cli import main
+from planes.drafting.tools import Tool
+from planes.geometry.arithmetic import Arithmetic
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load
 from planes.words.names import POLE, kind_of, label_of
@@ -137,7 +139,7 @@ def drawing(bench: PreparedPlan, rng: random.Random) -> tuple[str, Drawn]:
 
 
 def _marks(bench: PreparedPlan, variant: Any) -> dict[str, complex]:
-    things = redrawn(bench, variant, lambda step, made: made)
+    things = bench.drawn(variant, Tool(Arithmetic()))
     return {} if things is None else {POLE: 0j, **{label_of(m): complex(things[m]) for m in bench.marks}}
 
 

@@ -11,18 +11,19 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Container, Iterable, Iterator, Mapping
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
 from planes.check.grading.paper import Known
 from planes.check.grading.polygons import sides_of
-from planes.check.grading.prepared_plan import PreparedPlan, prepare, redrawn, variants_of
+from planes.check.grading.prepared_plan import PreparedPlan, prepare, variants_of
 from planes.check.grading.variants import Variant
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
 from planes.drafting.steps import Step
-from planes.geometry.arithmetic import Point
+from planes.drafting.tools import Env, Tool
+from planes.geometry.arithmetic import Arithmetic, Point
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, at, kind_of, label_of
 from tests import confusion
@@ -54,28 +55,33 @@ def easels() -> tuple[Easel, ...]:
 
 def mistakes(bench: PreparedPlan) -> list[Variant]:
     """The mistakes of the catalogue that move a mark as far as anybody would see, one of a name and place."""
-    right, found = redrawn(bench, None, _as_made) or {}, dict[tuple[str, str], Variant]()
+    right, found = bench.drawn(None, Tool(Arithmetic())) or {}, dict[tuple[str, str], Variant]()
     for one in variants_of(bench, {}, bench.said_mu):
-        wrong = redrawn(bench, one, _as_made) or {}
+        wrong = bench.drawn(one, Tool(Arithmetic())) or {}
         moved = max((abs(wrong[m] - right[m]) for m in bench.marks if m in wrong), default=0.0)
         if MOVED_MM < moved < ROOM[1] - ROOM[0]:
             found.setdefault((one.mistake, one.blames), one)
     return [*found.values()]
 
 
-def _as_made(step: Step, made: Point) -> Point:
-    return made
+class _ByHand(Tool):
+    """Draws marks a little off where they should be, and goes on from there."""
+
+    def __init__(self, marks: Collection[str], rng: random.Random) -> None:
+        super().__init__(Arithmetic())
+        self.marks, self.rng = marks, rng
+
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
+        made = super().make(step, way, things)
+        if step.makes in self.marks:
+            made = things[step.makes] = made + HAND_MM * complex(self.rng.gauss(0, 1), self.rng.gauss(0, 1))
+        return made
 
 
 def drawn(easel: Easel, mistake: Variant | None, rng: random.Random) -> Drawn | None:
     """One drawing by a hand; None where it leads off the sheet."""
     bench = confusion.bench(easel.sample, easel.plan)
-
-    def by_hand(step: Step, made: Point) -> Point:
-        shaky = step.makes in bench.marks
-        return made + HAND_MM * complex(rng.gauss(0, 1), rng.gauss(0, 1)) if shaky else made
-
-    things = redrawn(bench, mistake, by_hand)
+    things = bench.drawn(mistake, _ByHand(bench.marks, rng))
     if things is None:
         return None
     ends = {label_of(m): complex(things[m]) for m in bench.marks}

@@ -6,16 +6,13 @@ as they can be told from that; the ink of a line is held against that line, all 
 are on the sheet, or, where it is darker, against itself.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from functools import cache
 
 import numpy
 
-from planes.check.vision.image.picture import cv
+from planes.check.vision.image.opencv import cv, pieces
 from planes.geometry.arrays import Array, Booleans, Greys, Indices
 
 PX_PER_MM = 3.0  # of the smaller picture on which lines are felt
@@ -52,14 +49,14 @@ def inked(dark: Greys, scale: float, middle_dark: int, print_mm: float = 0.0) ->
 
 def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Greys, Booleans]:
     """The picture with its lines filled; on a smaller one what ink is held against, and where lines are followed."""
-    cv2, felt = cv(), FeltLines.of(dark, scale, print_mm)
+    cv2, felt = cv(), FeltLines(dark, scale, print_mm)
     strength, even, peaks = numpy.zeros_like(felt.most), dark.copy(), [numpy.full(1, PEAK)]
     for k in range(ANGLES):
         for place, response, mine in felt.followed(k):
             near = cv2.dilate(mine.view(numpy.uint8), _disk(NEAR_MM)) > 0
             strength[place] = numpy.maximum(strength[place], numpy.where(near, response, 0))
             middle = _fill(dark, even, place, mine, k, scale)
-            ridge = mine & (response == cv2.dilate(response, numpy.ones((3, 3), numpy.uint8)))
+            ridge = mine & (response == cv2.dilate(response, None))
             peaks.append(middle[ridge] / (response[ridge] / FINE))
     peak = float((EVEN * numpy.median(numpy.concatenate(peaks))).clip(PEAK, SHARPEST))
     against = numpy.minimum(cv2.dilate(strength, _disk(BESIDE_MM)), MOST * felt.usual)
@@ -68,36 +65,26 @@ def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Gr
     return even, (peak / FINE * against).clip(1, 255).astype(numpy.uint8), strength > 0
 
 
-@dataclass
 class FeltLines:
     """What is felt of lines at every angle: their ink, and the most of it less that of the paper beside."""
 
-    along: list[Array]
-    darkest: Array
-    most: Array
-    best: Indices  # the angle at which it is
-    paper: float = 0.0
-    usual: float = USUAL
-    nearby: Array = field(init=False)
-    own: list[Greys] = field(init=False)  # of strokes by themselves
-
-    @classmethod
-    def of(cls, dark: Greys, scale: float, print_mm: float = 0.0) -> FeltLines:
+    def __init__(self, dark: Greys, scale: float, print_mm: float = 0.0) -> None:
         """Lines felt on a picture; if those below what is printed on its top are lighter, they tell what is usual."""
         cv2, factor = cv(), PX_PER_MM / scale
         small = cv2.resize(dark, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA).astype(numpy.int16) * FINE
-        out = cls([], numpy.zeros_like(small), numpy.zeros_like(small), numpy.zeros(small.shape, numpy.int8))
+        self.most: Array = numpy.zeros_like(small)
+        self.darkest = self.most
+        self.along = list[Array]()
+        self.best: Indices = numpy.zeros(small.shape, numpy.int8)  # the angle at which it is
         for k in range(ANGLES):
-            along = cv2.filter2D(small, -1, _kernel(k))
-            out.along.append(along)
-            response = out.at(k)[0]
-            out.best[response > out.most] = k
-            out.most, out.darkest = numpy.maximum(out.most, response), numpy.maximum(out.darkest, along)
-        out.nearby = cv2.dilate(out.most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
-        out.paper = ABOVE * _usual_on_paper(out.most)
-        out.own = [out._strokes(k) for k in range(ANGLES)]
-        out.usual = min(out._usual_below(top) for top in {0, round(print_mm * PX_PER_MM)})
-        return out
+            self.along.append(cv2.filter2D(small, -1, _kernel(k)))
+            response = self.at(k)[0]
+            self.best[response > self.most] = k
+            self.most, self.darkest = numpy.maximum(self.most, response), numpy.maximum(self.darkest, self.along[k])
+        self.nearby = cv2.dilate(self.most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
+        self.paper = ABOVE * _usual_on_paper(self.most)
+        self.own = [self._strokes(k) for k in range(ANGLES)]  # of strokes by themselves
+        self.usual = min(self._usual_below(top) for top in {0, round(print_mm * PX_PER_MM)})
 
     def _usual_below(self, top: int) -> float:
         """What lines usually are below a row."""
@@ -116,8 +103,7 @@ class FeltLines:
     def foremost(self, k: int, response: Array) -> Booleans:
         """Where a line runs at an angle; if between two, at both."""
         turn = (self.best - k + ANGLES + 1) % ANGLES
-        at_it: Booleans = (turn <= 2) | (response > FOREMOST * self.most)
-        return at_it
+        return (turn <= 2) | (response > FOREMOST * self.most)
 
     def _strokes(self, k: int) -> Greys:
         """What is felt of strokes by themselves: both sides of a row of letters' foot are not paper."""
@@ -136,7 +122,7 @@ class FeltLines:
             return
         response = self.at(k)[0]
         least = max(min(self.paper, 0.5 * PLAIN * self.usual), FAINTEST * self.usual)
-        foremost, (labels, boxes) = self.foremost(k, response), _parts(response > least)
+        foremost, (labels, boxes) = self.foremost(k, response), pieces(response > least)
         for number in numpy.unique(labels[plain]).tolist():
             place = _box(boxes[number])
             line = labels[place] == number
@@ -147,16 +133,16 @@ class FeltLines:
 
 def _drop_long(line: Booleans, faint: Booleans, plain: Booleans) -> None:
     """Take out of a line what is faint for long and does not lead from stroke to stroke."""
-    strokes, _ = _parts(line & ~faint)
+    strokes, _ = pieces(line & ~faint)
     drawn = numpy.setdiff1d(strokes[plain & line], 0)
-    parts, boxes = _parts(faint)
+    parts, boxes = pieces(faint)
     for k, box in enumerate(boxes):
-        if k and max(box[2:]) > TAIL_MM * PX_PER_MM:
+        if k and max(box[2:4]) > TAIL_MM * PX_PER_MM:
             place = _box(box, 1)
-            about = cv().dilate((parts[place] == k).view(numpy.uint8), numpy.ones((3, 3), numpy.uint8)) > 0
+            about = cv().dilate((parts[place] == k).view(numpy.uint8), None) > 0
             met = about & numpy.isin(strokes[place], drawn)
             ends = numpy.argwhere(met)
-            if len(numpy.unique(strokes[place][met])) < 2 or numpy.ptp(ends, axis=0).max() < ENDS * max(box[2:]):
+            if len(numpy.unique(strokes[place][met])) < 2 or numpy.ptp(ends, axis=0).max() < ENDS * max(box[2:4]):
                 line[place] &= parts[place] != k
 
 
@@ -175,7 +161,7 @@ def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale
     inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST).view(bool)
     numpy.maximum(even[rows, columns], smooth, out=even[rows, columns], where=inside)
     del inside
-    middle = cv2.dilate(smooth, numpy.ones((3, 3), numpy.uint8))
+    middle = cv2.dilate(smooth, None)
     filled: Greys = cv2.resize(middle, of_it.shape[::-1], interpolation=cv2.INTER_NEAREST)
     return filled
 
@@ -190,21 +176,15 @@ def _usual_on_paper(felt: Array) -> float:
 
 def _long(places: Booleans, least_mm: float) -> Booleans:
     """The places that hang together over a length."""
-    labels, boxes = _parts(places)
-    long = boxes[:, 2:].max(axis=1) >= least_mm * PX_PER_MM
+    labels, boxes = pieces(places)
+    long = boxes[:, 2:4].max(axis=1) >= least_mm * PX_PER_MM
     long[0] = False
     long_places: Booleans = long[labels]
     return long_places
 
 
-def _parts(places: Booleans) -> tuple[Indices, Indices]:
-    """The places in parts that hang together: the number of each place's (0: none), and their boxes."""
-    _, labels, stats, _ = cv().connectedComponentsWithStats(places.view(numpy.uint8), connectivity=8)
-    return labels, stats[:, :4]
-
-
 def _box(box: Indices, rim: int = 0) -> Place:
-    x, y, w, h = box.tolist()
+    x, y, w, h, _ = box.tolist()
     return slice(max(y - rim, 0), y + h + rim), slice(max(x - rim, 0), x + w + rim)
 
 

@@ -11,7 +11,7 @@ import numpy
 
 from planes.check.evidence.ink import Ink
 from planes.check.evidence.letter_net import SHAPES, features, odds
-from planes.check.vision.image.picture import cv
+from planes.check.vision.image.opencv import cv, pieces
 from planes.geometry.arrays import Array, Greys
 from planes.words.frozen import frozen
 
@@ -31,6 +31,7 @@ NEVER, OTHER = math.log(1e-3), 0.7  # of a shape, the least; how much likelier a
 ROUNDS = 8  # in which it is settled which word is whose
 SURE = 0.85  # how likely a name is read that stands there, at the most
 WARMTH = 1.2  # by which logarithms are divided: what is told with 90 % is right in 90 %
+BY_MM = 7.0  # how far off a place a name stands by it
 NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # how far off its vector a name is, how surely; how likely it is elsewhere
 
 
@@ -55,28 +56,20 @@ class HandWords:
     """The words on a sheet, as they tell vectors apart; what was asked of them is remembered."""
 
     words: Sequence[HandWord] = ()
-    known: dict[tuple[str, complex, complex], tuple[float, float]] = field(default_factory=dict)
+    known: dict[tuple[str, complex, complex], float] = field(default_factory=dict)
 
     def price(self, name: str, a: complex, b: complex) -> float:
         """What it costs to believe that the vector of a name leads from a to b, for where that name stands."""
-        return self._weighed(name, a, b)[0]
-
-    def told(self, name: str, a: complex, b: complex) -> float:
-        """How surely a name was read by the vector from a to b."""
-        return self._weighed(name, a, b)[1]
-
-    def by(self, name: str, z: complex, reach_mm: float = 7.0) -> float:
-        """How likely a name stands by a place."""
-        return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < reach_mm), default=0.0)
-
-    def _weighed(self, name: str, a: complex, b: complex) -> tuple[float, float]:
         if (key := (name, a, b)) not in self.known:
             read = [(w.likely.get(name, 0.0), w.off(a, b)) for w in self.words]
             near = sum(p * max(math.exp(-0.5 * max((off - NEAR_MM) / SOFT_MM, 0.0) ** 2), AWAY) for p, off in read)
             total = sum(p for p, _ in read)
-            likelihood = near / max(total, 1.0)
-            self.known[key] = -math.log(max(1 - total, 0.0) + likelihood), likelihood
+            self.known[key] = -math.log(max(1 - total, 0.0) + near / max(total, 1.0))
         return self.known[key]
+
+    def by(self, name: str, z: complex) -> float:
+        """How likely a name stands by a place."""
+        return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < BY_MM), default=0.0)
 
 
 @frozen
@@ -133,14 +126,13 @@ def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord
 
 def _pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
     """Pieces of ink off the lines of a sheet, but not far from them."""
-    cv2, scale = cv(), ink.flat.scale
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(_off_lines(ink, lines), connectivity=8)
-    pieces: list[LetterPiece] = []
-    for k, (x, y, w, h, area) in enumerate(stats.tolist()):
-        if k and LEAST_MM * scale < min(max(w, h), area) and max(w, h) < MOST_MM * scale:
+    scale, (labels, stats) = ink.flat.scale, pieces(_off_lines(ink, lines))
+    letters: list[LetterPiece] = []
+    for k, (x, y, w, h, _) in enumerate(stats.tolist()):
+        if k and LEAST_MM * scale < max(w, h) < MOST_MM * scale:
             mask = (labels[y : y + h, x : x + w] == k).astype(numpy.uint8)
-            pieces += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
-    return pieces if len(pieces) < MOST else []
+            letters += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
+    return letters if len(letters) < MOST else []
 
 
 def _off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
@@ -201,8 +193,7 @@ def _joined(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
     for p in pieces:
         page[p.top - top : p.bottom - top, p.left - left : p.right - left] |= p.mask
     x, y, w, h = cv().boundingRect(page)
-    letter: Greys = (dark[top:, left:][: len(page), : page.shape[1]] * page)[y : y + h, x : x + w]
-    return letter
+    return (dark[top:, left:][: len(page), : page.shape[1]] * page)[y : y + h, x : x + w]
 
 
 def _aligned(count: int, shapes: Mapping[tuple[int, int], Array], name: str) -> float:

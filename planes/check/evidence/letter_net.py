@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy
 
-from planes.check.vision.image.picture import cv
+from planes.check.vision.image.opencv import cv
 from planes.geometry.arrays import Array, Greys
 
 SHAPES = "0123456789FRGPNФABDEHKTMabdefghknqrtπ_|*"  # Cyrillic and Latin letters of one shape are one; * is none

@@ -12,11 +12,13 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy
+from shapely import LineString, box
 
 from planes.check.evidence.handwritten import Erased, HandWords, words_beside
 from planes.check.evidence.ink import Ink, ink_of
-from planes.check.vision.image.picture import Flat, cv
-from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
+from planes.check.vision.image.opencv import cv, pieces, shrunk
+from planes.check.vision.image.picture import Flat
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
 PX_PER_MM = 3.0  # of the small picture in which ink is felt
 WAYS = 16  # directions in which it is felt, over half a turn
@@ -36,7 +38,6 @@ SHORTEST_MM = 9.0  # of a line whose head is felt
 LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a line with none; to units of evidence
 LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of what is a drawn line's own and no letter
 GAP_STEP_MM, GONE = 0.5, 0.25  # by which a line is followed; the share of one below which it is not there
-SOFT_PX = 2  # a line file's lines are drawn so wide
 SHORT_MM = 1.0  # of a line that explains ink
 TURNS, ACROSS, EDGE_TO_EDGE, LEAST_EDGE_MM = 720, 0.2, 0.6, 120.0  # of lines that are the paper's own: see below
 
@@ -80,16 +81,11 @@ class SheetInk:
         self.even = numpy.minimum(dark / max(usual, 0.05), 1.0).ravel()
 
     @classmethod
-    def of_picture(cls, flat: Flat, ink: Ink | None = None) -> SheetInk:
+    def of_picture(cls, flat: Flat) -> SheetInk:
         """Of a flat picture."""
-        ink, share = ink or ink_of(flat), PX_PER_MM / flat.scale
+        ink, share = ink_of(flat), PX_PER_MM / flat.scale
         dark = ((255.0 - ink.even) / DARKEST).astype(numpy.float32)
-        return cls(
-            cv().resize(dark, None, fx=share, fy=share, interpolation=cv().INTER_AREA),
-            flat.corner,
-            flat.size_mm[1],
-            ink,
-        )
+        return cls(shrunk(dark, share), flat.corner, flat.size_mm[1], ink)
 
     def _at(self, z: Complexes) -> tuple[Indices, Booleans]:
         """Where places are in the picture's rows laid end to end, and which are on it."""
@@ -184,21 +180,6 @@ class SheetInk:
         return left
 
 
-def drawn(strokes: Iterable[tuple[complex, complex]], rim_mm: float = 30.0) -> SheetInk:
-    """The ink of a drawing of lines, mm, their heads among them."""
-    lines = [*strokes]
-    ends = numpy.array([z for line in lines for z in line])
-    low = complex(ends.real.min(), ends.imag.min()) - rim_mm * (1 + 1j)
-    size = complex(ends.real.max(), ends.imag.max()) + rim_mm * (1 + 1j) - low
-    page: Greys = numpy.zeros([2 * math.ceil(mm * PX_PER_MM) for mm in (size.imag, size.real)], numpy.uint8)
-    for line in lines:
-        ends_px = (32 * PX_PER_MM * (z - low) for z in line)
-        px = [(round(z.real) - 8, 16 * len(page) - round(z.imag) - 8) for z in ends_px]
-        cv().line(page, *px, 255, SOFT_PX, cv().LINE_AA, 4)
-    small = cv().resize(page, None, fx=0.5, fy=0.5, interpolation=cv().INTER_AREA)
-    return SheetInk((small / DARKEST).astype(numpy.float32), low, len(small) / PX_PER_MM)
-
-
 def _filter(angle: float) -> Array:
     """Feels a thin line at an angle (of a picture, y down): long along it, a Mexican hat across."""
     x, y = numpy.meshgrid(*[numpy.arange(-REACH_PX, REACH_PX + 1)] * 2)
@@ -212,14 +193,11 @@ def _filter(angle: float) -> Array:
 
 def _chord_mm(half: complex, u: complex, off: float) -> float:
     """How long a line is inside a rectangle by its middle, that leads along u and passes ``off`` to its left."""
-    base, low, high = off * 1j * u, -math.inf, math.inf
-    for at, way, most in ((base.real, u.real, half.real), (base.imag, u.imag, half.imag)):
-        if abs(way) > 1e-9:
-            ends = sorted(((-most - at) / way, (most - at) / way))
-            low, high = max(low, ends[0]), min(high, ends[1])
-        elif abs(at) > most:
-            return math.inf
-    return high - low if high > low else math.inf
+    ends = ((off * 1j + sign * abs(half)) * u for sign in (1, -1))
+    inside = LineString([(z.real, z.imag) for z in ends]).intersection(
+        box(-half.real, -half.imag, half.real, half.imag)
+    )
+    return float(inside.length) or math.inf
 
 
 def _sharpest(most: Array, way: Indices) -> Booleans:
@@ -233,8 +211,8 @@ def _sharpest(most: Array, way: Indices) -> Booleans:
 
 def _of_lines(dark: Array) -> Booleans:
     """Pixels of ink, and those beside it, in pieces too large for letters."""
-    _, pieces, stats, _ = cv().connectedComponentsWithStats((dark > INKED).astype(numpy.uint8), connectivity=8)
+    labels, stats = pieces(dark > INKED)
     large = numpy.hypot(stats[:, 2], stats[:, 3]) > LETTER_MM * PX_PER_MM
     large[0] = False
-    held: Booleans = large[cv().dilate(pieces.astype(numpy.float32), numpy.ones((3, 3))).astype(int)]
+    held: Booleans = large[cv().dilate(labels.astype(numpy.float32), None).astype(int)]
     return held

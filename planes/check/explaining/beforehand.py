@@ -1,8 +1,6 @@
 """What is settled before the search: how a plan's lines are felt, at what share of its size its sheet was printed, in
 which order a polygon's sides are laid."""
 
-from __future__ import annotations
-
 import math
 
 import numpy
@@ -60,7 +58,7 @@ def shares_of_print(plan: PlanLines, ink: SheetInk, pole: complex) -> list[tuple
     for k in sorted(best, key=lambda k: -best[k][0]):
         if len(likely) <= w.PRINTS and all(abs(k - other) > w.ALIKE for other in likely):
             likely.append(k)
-    return [(k, best[k][1]) for k in likely if k in best] or [(1.0, Hypothesis())]
+    return [(k, best[k][1]) for k in likely]
 
 
 def orders(plan: PlanLines, ink: SheetInk, pole: complex, words: HandWords | None = None) -> list[Hypothesis]:

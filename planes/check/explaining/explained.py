@@ -1,10 +1,8 @@
 """What a sheet shows of a plan, by the likeliest of all drawings of it: its marks with their errors, and the odds."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 
@@ -15,6 +13,7 @@ from planes.check.explaining import weights as w
 from planes.check.explaining.fitted_marks import fitted_marks
 from planes.check.explaining.plan_lines import END, PlanLines
 from planes.check.explaining.scorer import Laid, Scorer
+from planes.check.grading.evidence import logistic
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.sign_faults import SignFault
@@ -30,12 +29,11 @@ class Explanation:
     plan: PlanLines
     ink: SheetInk
     pole: complex
-    laid: list[Laid] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.scorer = Scorer(self.plan, self.ink, self.pole)
         self.laid = self.scorer.weighed()
-        if self.plan.kind != "force" and self.best.places:
+        if self.plan.kind != "force":
             names, best = self.plan.names, self.best
             places = numpy.array([best.places[n] for n in names])
             fitted = fitted_marks(self.plan, self.ink, self.pole, places, best.sigmas)
@@ -59,8 +57,7 @@ class Explanation:
         """How likely a mistake was made, by these two."""
         if self.wrong is None:
             return 0.0
-        ahead = w.ODDS[0] + w.ODDS[1] * (self.wrong.score - self.right.score)
-        return 1 / (1 + math.exp(min(max(-ahead, -700.0), 700.0)))
+        return logistic(w.ODDS[0] + w.ODDS[1] * (self.wrong.score - self.right.score))
 
     @property
     def best(self) -> Laid:
@@ -86,7 +83,7 @@ class Explanation:
         """The share of the ink about the likeliest drawing that is its own."""
         box = self.scorer.box
         every = float(self.ink.mm[box.holds(self.ink.points)].sum()) if box else 0.0
-        return 1 - self.best.parts[1] / every if every and self.best.parts else 0.0
+        return 1 - self.best.strange / every if every else 0.0
 
     def exchanged(self) -> list[SignFault]:
         """Two letters each by the other's mark alone, of a plan that is right."""
@@ -110,8 +107,8 @@ class Explanation:
         if h.mirrored:
             return [SignFault("plan_mirrored", self.plan.labels[0], POLE, 1 - self.doubt)]
         angle = math.degrees(math.atan2(h.turn.imag, h.turn.real))
-        turned = abs(h.turn) > 0 and h.kind == "turned_whole"
-        return [SignFault("plan_turned", self.plan.labels[0], POLE, 1 - self.doubt, angle)] if turned else []
+        fault = SignFault("plan_turned", self.plan.labels[0], POLE, 1 - self.doubt, angle)
+        return [fault] if h.kind == "turned_whole" else []
 
     def _undone(self, z: complex) -> complex:
         """A place of a plan that is mirrored or turned as a whole, as if it were not."""
@@ -186,8 +183,6 @@ class Explanation:
     def faint(self) -> list[str]:
         """Lines of the likeliest drawing that are hardly there, and those whose heads seem to be at their starts, by
         the names of the vectors."""
-        if not self.best.places:
-            return []
         places = numpy.array([[self.best.places[n] for n in self.plan.names]])
         a, b = (z + self.pole for z in self.plan.laid(places, self.best.hypothesis.order))
         length, needed = abs(b - a)[0], self.plan.needed

@@ -1,7 +1,5 @@
 """Marks where the lines drawn to them meet: each line fitted to its ink, each mark to its lines (least squares)."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy
@@ -40,5 +38,4 @@ def fitted_marks(
     x = (rows[:, 2] * right.real - rows[:, 1] * right.imag) / determinant
     y = (rows[:, 0] * right.imag - rows[:, 1] * right.real) / determinant
     moved = x + 1j * y
-    fitted: Complexes = places + numpy.where(abs(moved) < w.NEAR_MM * 2, moved, 0j)
-    return fitted
+    return places + numpy.where(abs(moved) < w.NEAR_MM * 2, moved, 0j)

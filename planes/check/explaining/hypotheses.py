@@ -1,7 +1,5 @@
 """What may have been drawn: the catalogue's mistakes, each step with a size of its own, the whole plan otherwise."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 
@@ -30,7 +28,6 @@ SMALLEST_PLAN_MM = 30.0
 SCALES = 1.7, 1.2  # of a whole plan: the logarithm of the largest, steps in mm at its rim
 PRINTERS = 0.9, 1.06  # a plan larger or smaller by so much may be its printer's doing
 WAYS_DIFFER = 0.17  # sine of the angle between ways that differ
-SHOWN_MM = 3.5  # what turns or scales a plan moves at the least
 
 
 def catalogue(plan: PlanLines) -> list[Hypothesis]:

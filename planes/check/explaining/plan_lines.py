@@ -1,7 +1,5 @@
 """A plan's lines as they lie on paper under any hypothesis, many drawings at once by one run of the program."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -13,18 +11,17 @@ from planes.check.explaining.weights import SHORT_MM
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.variants import Variant
-from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point
 from planes.geometry.arrays import Array, Booleans, Complexes
-from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
 from planes.words.names import POLE, at, kind_of, label_of
 
 END = "end"  # of a force polygon's last side: at the pole, if the polygon is closed
 HINGE_MM, SUPPORT_MM = 3.0, 9.5  # about a point of a scheme, and a support or slider, ink is their signs'
 HIDDEN_MM, RUNS_ON_MM = 0.8, 30.0  # of a link's line, under the signs at its ends; guides are drawn so far past sliders
+UPON_MM = 0.6  # lines upon each other are no farther apart
 Line = tuple[str, str]
 
 
@@ -141,13 +138,8 @@ class PlanLines:
         they cannot be drawn, None where none can."""
         both = {n: hypothesis.nudges.get(n, 0j) + nudges.get(n, 0j) for n in {*hypothesis.nudges, *nudges}}
         moved = {at(self.bench.asked.plan, n): v for n, v in both.items() if n not in (END, POLE)}
-        variant, begun = hypothesis.variant, self.bench.begun(hypothesis.variant)
-        things = {**begun.things, **(variant.givens if variant else {})}
-        steps = self.bench.program.steps[begun.step :]
-        try:
-            with numpy.errstate(all="ignore"):
-                draw_steps(steps, things, _Nudging(moved, count), variant.swaps if variant else {})
-        except (PlanesError, ZeroDivisionError):
+        things = self.bench.drawn(hypothesis.variant, _Nudging(moved, count))
+        if things is None:
             return None
         own = [numpy.broadcast_to(numpy.asarray(things[m], complex), (count,)) for m in self.bench.marks]
         rest = [numpy.broadcast_to(numpy.asarray(both.get(n, 0j)), (count,)) for n in self.names[len(own) :]]
@@ -187,10 +179,10 @@ def longest_round(sides: Sequence[Side], way: tuple[Side, ...] = ()) -> list[Sid
     return longest
 
 
-def upon_others(a: Complexes, b: Complexes, near_mm: float = 0.6) -> Booleans:
+def upon_others(a: Complexes, b: Complexes) -> Booleans:
     """Lines of each row that lie upon an earlier one, either way."""
     apart = numpy.maximum(abs(a[:, :, None] - a[:, None, :]), abs(b[:, :, None] - b[:, None, :]))
-    return numpy.asarray(numpy.tril(apart < near_mm, -1).any(axis=2))
+    return numpy.asarray(numpy.tril(apart < UPON_MM, -1).any(axis=2))
 
 
 def to_be_seen(a: Complexes, b: Complexes) -> Booleans:

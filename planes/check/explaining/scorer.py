@@ -4,8 +4,6 @@ First all of them roughly, then the best of each kind by all ink, then the best 
 be a little off where the steps before it lead, and what follows is drawn from there.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -40,9 +38,8 @@ class Laid:
     cover: float = 0.0
     places: dict[str, complex] = field(default_factory=dict)
     sigmas: dict[str, float] = field(default_factory=dict)
-    parts: tuple[float, ...] = ()  # missing and strange mm, heads, hand, cost
+    strange: float = 0.0  # ink that none of its lines explains, mm
     moved: dict[str, float] = field(default_factory=dict)  # by how much from where steps lead, mm
-    letters: float = 0.0  # what names that stand elsewhere cost
 
     @property
     def evidence(self) -> float:
@@ -89,7 +86,7 @@ class Scorer:
     def _by_names(self, laid: list[Laid]) -> list[Laid]:
         """The same with what the names written beside the lines tell, of a force polygon its order, too."""
         best = laid[0]
-        if self.ink.source is None or not best.places:
+        if self.ink.source is None:
             return laid
         a, b = (z[0] for z in self._lines(best.hypothesis, self._row(best)))
         seen, force = abs(b - a) > w.SHORT_MM, self.plan.kind == "force"
@@ -103,8 +100,7 @@ class Scorer:
             start, end = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
             places = [self.pole + one.places[n] for n in self.plan.labels]
             ways = zip(names, *((start, end) if force else (places, places)), strict=False)
-            one.letters = sum(self.words.price(n, rounded(a), rounded(b)) for n, a, b in ways)
-            one.score -= w.LETTERS * one.letters
+            one.score -= w.LETTERS * sum(self.words.price(n, rounded(a), rounded(b)) for n, a, b in ways)
         return sorted(laid, key=lambda one: -one.score)
 
     def _row(self, one: Laid) -> Complexes:
@@ -220,14 +216,10 @@ class Scorer:
         if drawn is None:
             return Laid(h, LOST)
         a, b = self._lines(h, drawn)
-        score, cover, strange = self.scored(h, drawn)
-        hand = float(self.erred(held))
-        missing = (self.covered(a, b, 1, 0.0)[0] / -w.MISSING).item()
-        parts = (missing, float(strange[0]), (self.heads(a, b) / w.HEAD).item(), hand / w.HAND, h.cost)
-        left_out = omitted(self.plan, self.ink, a[0], b[0])
-        places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
-        moved, score_ = {n: abs(z) for n, z in held.items()}, float(score[0]) + left_out - hand - h.cost
-        return Laid(h, score_, float(cover[0]), places, self._sigmas(scores), parts, moved)
+        score, cover, strange = (float(row[0]) for row in self.scored(h, drawn))
+        score += omitted(self.plan, self.ink, a[0], b[0]) - float(self.erred(held)) - h.cost
+        places, moved = dict(zip(self.plan.names, drawn[0].tolist(), strict=True)), {n: abs(z) for n, z in held.items()}
+        return Laid(h, score, cover, places, self._sigmas(scores), strange, moved)
 
     def _sigmas(self, scores: Array) -> dict[str, float]:
         """How surely ink tells each mark where it settled, by how much worse it is elsewhere: a parabola's σ."""

@@ -1,7 +1,5 @@
 """Where a plan's pole is that nobody told of: where its lines, laid from there, find the most ink."""
 
-from __future__ import annotations
-
 import numpy
 
 from planes.check.evidence.sheet_ink import SheetInk
@@ -16,11 +14,9 @@ PLAINLY = 0.9  # the share of its lines by which the right plan is plainly there
 AT_ONCE = 2000
 
 
-def sought_pole(plan: PlanLines, ink: SheetInk) -> complex | None:
-    """The likeliest pole of the right plan; where that is not plainly there, of a mistake's. None without ink."""
+def sought_pole(plan: PlanLines, ink: SheetInk) -> complex:
+    """The likeliest pole of the right plan; where that is not plainly there, of a mistake's; there must be ink."""
     cells = numpy.unique(numpy.round(ink.points / CELL_MM)) * CELL_MM
-    if not cells.size:
-        return None
     best, most = complex(cells[0]), -numpy.inf
     for h in (Hypothesis(), *catalogue(plan)):
         drawn = plan.draw(h, {}, 1)

@@ -134,11 +134,16 @@ def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> f
     named = math.log(SLIP) + float(numpy.logaddexp.reduce([-math.inf, *mistakes]))
     slipped = math.log(-math.expm1(right)) if right < 0 else -math.inf
     good = float(numpy.logaddexp(right, otherwise))
-    return float(1 / (1 + numpy.exp(min(good - numpy.logaddexp(named, slipped), 700.0))))
+    return logistic(float(numpy.logaddexp(named, slipped)) - good)
 
 
 def chance_off(off: float, sigma: float, size: float) -> float:
     """How likely a number of a known size is wrong that is so far off, and not only measured with an error σ."""
     drawn = -0.5 * (off / sigma) ** 2 - math.log(sigma * math.sqrt(2 * math.pi)) if sigma else -math.inf
     slipped = math.log(SLIP) - math.log(2 * max(size, off, sigma))
-    return 1 / (1 + math.exp(min(drawn - slipped, 700.0)))
+    return logistic(slipped - drawn)
+
+
+def logistic(odds: float) -> float:
+    """How likely something is, by the logarithm of its odds."""
+    return (1 + math.tanh(odds / 2)) / 2

@@ -141,7 +141,8 @@ class Grading:
         that a mistake explains as well as a hand's error, and names that mean nothing here."""
         read = self.judgement.misses.keys()
         hidden = [label_of(m) for m, ways in self.shown_by.items() if not any(read >= {*way} for way in ways)]
-        return [*hidden, *(self._unseen_mm if self._gap_past > 0 else ()), *self.judgement.doubted, *self.unknown]
+        doubted = [self.judgement.as_well.blames] if self.judgement.as_well else []
+        return [*hidden, *(self._unseen_mm if self._gap_past > 0 else ()), *doubted, *self.unknown]
 
     @cached_property
     def shown_by(self) -> dict[str, Showing]:
@@ -199,20 +200,18 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     if not spots:
         return None
     taken = {at(bench.asked.plan, n): s for n, s in spots.items()} | earlier(bench)
-    best, most = None, -math.inf
+    tried: list[tuple[float, Grading]] = []
     for mu, share in own_scales(bench, taken):
         grading = _grade_at(bench, mu, share, taken, rebuilt)
-        score = grading.judgement.score + (0.0 if grading.said_mu else OWN_SCALE)
-        if best is None or score > most + 1e-9:
-            best, most = grading, score
+        tried.append((round(grading.judgement.score, 9) + OWN_SCALE * (not grading.said_mu), grading))
         if grading.said_mu and not _rescaled(grading):
             break
-    named = [name for name in unknown if not name.startswith(NAMELESS)]
-    if best and named:
-        best.unknown = named
-        best.notes.append(Phrase("check_unknown", names=", ".join(named)))
-    if best and len(named) < len(unknown):
-        best.notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
+    best = max(tried, key=lambda one: one[0])[1]
+    best.unknown = [name for name in unknown if not name.startswith(NAMELESS)]
+    if best.unknown:
+        best.notes.append(Phrase("check_unknown", names=", ".join(best.unknown)))
+    if len(best.unknown) < len(unknown):
+        best.notes.append(Phrase("check_nameless", count=len(unknown) - len(best.unknown)))
     return best
 
 

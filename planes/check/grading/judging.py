@@ -59,11 +59,6 @@ class Judgement:
         own = self.misses.get(mark)
         return self.explained.get(mark, own) if verdict == "follows" else own
 
-    @property
-    def doubted(self) -> list[str]:
-        """The label of a mark within limits where a mistake explains the drawing as well."""
-        return [self.as_well.blames] if self.as_well else []
-
 
 def judge(
     hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()

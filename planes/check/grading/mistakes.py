@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from planes.check.grading.plan_steps import PlanSteps
+from planes.check.grading.plan_steps import PlanSteps, along_another
 from planes.check.grading.variants import Variant
 from planes.drafting.steps import Carry, Image, LayOff, Read, Same, Similar, Step
 from planes.drafting.steps.crossings import Cross
@@ -58,26 +58,22 @@ def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
         if line and guide_of(line) is None:
             about: dict[str, Told] = {"line": line}
             mistake = "tangential_along_link" if quick else "along_link"
-            yield w.variant(mistake, step, _with(step, side, line), about=about)
+            yield w.variant(mistake, step, along_another(step, side, line), about=about)
             others = [d for d in w.perpendiculars() if d not in (step.along, step.across) and w.before(d, step)]
             others += [d for _, d in sides if d != direction and not quick]
             for other in others if not quick else []:
-                variant_step = _with(step, side, other)
+                variant_step = along_another(step, side, other)
                 yield w.variant(
                     "wrong_link", step, variant_step, weight=1 / len(others), about={"line": line, "other": other}
                 )
         elif guide is not None:
             turned = f"⊥{direction}~{step.makes}"
-            swap = w.square(direction, turned), _with(step, side, turned)
+            swap = w.square(direction, turned), along_another(step, side, turned)
             from_pole = (step.start if side == "along" else step.other) == w.pole
             about = {"guide": guide, "vector": Phrase(f"absolute_{w.plan}" if from_pole else f"relative_{w.plan}")}
             yield w.variant("across_guide", step, *swap, about=about)
     if not quick:
         yield from _displaced(w, step)
-
-
-def _with(step: Cross, side: str, direction: str) -> Cross:
-    return replace(step, along=direction) if side == "along" else replace(step, across=direction)
 
 
 def _displaced(w: PlanSteps, step: Cross) -> Iterator[Variant]:

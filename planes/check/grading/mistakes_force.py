@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from planes.check.grading.plan_steps import PlanSteps
+from planes.check.grading.plan_steps import PlanSteps, along_another
 from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Same, Step, Through
 from planes.drafting.steps.crossings import Cross
@@ -135,7 +135,7 @@ def _reaction(w: PlanSteps, step: Cross) -> Iterator[Variant]:
         if guide and (named := guide_of(guide)) is not None:
             others = [guide, *(s.makes for s in rays if s.makes not in own.values())]
             for i, other in enumerate(others):
-                swap = replace(step, along=other) if side == "along" else replace(step, across=other)
+                swap = along_another(step, side, other)
                 weight = 0.7 if i == 0 else 0.3 / (len(others) - 1)
                 yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, about={"guide": named})
 

@@ -4,8 +4,6 @@ Column 0 of every mark, direction and value is without error; column k has the k
 deviation. So the differences of a run's columns are its first-order derivatives times the errors' sizes.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from planes.check.grading.variants import Variant
 from planes.drafting.program import Program
 from planes.drafting.steps import LayOff, Step, Turn
+from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.plans import Plans
 from planes.words import Told
@@ -65,3 +66,8 @@ class PlanSteps:
         """A mistake made at one step."""
         label = label_of(step.makes)
         return Variant(mistake, label, {step.makes: swap}, {}, weight, {"mark": label, **(about or {})})
+
+
+def along_another(step: Cross, side: str, direction: str) -> Cross:
+    """A mark where two lines cross, one of them in another direction."""
+    return replace(step, along=direction) if side == "along" else replace(step, across=direction)

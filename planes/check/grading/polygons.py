@@ -67,11 +67,6 @@ class Rebuilt:
         return [n for n, mm in long.items() if mm > SEEN_MM and not (seen and n in self.closers)]
 
 
-def between(bench: PreparedPlan) -> list[Side]:
-    """The vectors between marks of a plan."""
-    return [Side(f"{a} {b}", a, b) for a, b in bench.vectors]
-
-
 def sides_of(plans: Plans, plan: str) -> list[Side]:
     """All vectors of a force plan as the program draws them, the closing ones last."""
     sides: dict[str, Side] = {}

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import NamedTuple
 
 from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
@@ -16,9 +15,8 @@ from planes.check.grading.variants import Variant
 from planes.drafting.drawing import draw_steps, run
 from planes.drafting.program import Program
 from planes.drafting.skill import HAND, Skill
-from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
-from planes.geometry.arithmetic import Arithmetic, Point
+from planes.geometry.arithmetic import Arithmetic
 from planes.plans import Plans
 from planes.plans.measuring import lettering
 from planes.plans.other_leads import fitting
@@ -51,17 +49,6 @@ class Asked:
         words += ["--variant", self.scene.variant] if self.scene.variant else []
         drive = self.scene.mechanism.drive if self.scene.mechanism and self.value is not None else None
         return [*words, f"--{drive.kind}={self.value:g}"] if drive else words
-
-
-class Begun(NamedTuple):
-    """How far a program was drawn: the number of the step that comes next, and what is there."""
-
-    step: int
-    things: Env
-
-    def copied(self, step: int | None = None) -> Begun:
-        """The same, to draw on, or come to another step."""
-        return Begun(self.step if step is None else step, dict(self.things))
 
 
 @dataclass
@@ -103,37 +90,34 @@ class PreparedPlan:
         return {(s.start, s.end): s.name for s in own}
 
     @cached_property
-    def _before_marks(self) -> Begun:
-        """The program drawn up to the plan's first mark."""
-        own = (k for k, step in enumerate(self.program.steps) if step.makes in self.marks)
-        begun = Begun(next(own, 0), dict(self.given))
+    def _before_marks(self) -> tuple[int, Env]:
+        """The number of the first step that makes a mark of the plan, and what is drawn before it."""
+        own = next((k for k, step in enumerate(self.program.steps) if step.makes in self.marks), 0)
+        things = dict(self.given)
         try:
-            draw_steps(self.program.steps[: begun.step], begun.things, Tool(Arithmetic()))
+            draw_steps(self.program.steps[:own], things, Tool(Arithmetic()))
         except PlanesError:
-            return Begun(0, dict(self.given))
-        return begun
-
-    def begun(self, variant: Variant | None) -> Begun:
-        """The program drawn as far as neither the plan's marks nor what a mistake touches is reached."""
-        return self._before_marks.copied(min(self._before_marks.step, self.touched(variant)))
-
-    def touched(self, variant: Variant | None) -> int:
-        """The number of the first step that a mistake touches; that of all steps, if none does."""
-        swaps, givens = (variant.swaps, variant.givens) if variant else ({}, {})
-        first = [self.number[n] for n in swaps if n in self.number]
-        first += [self._first_read[n] for n in givens if n in self._first_read]
-        return min(first, default=len(self.program.steps))
+            return 0, dict(self.given)
+        return own, things
 
     @cached_property
-    def number(self) -> dict[str, int]:
-        """Which step makes a thing, from 0."""
-        return {step.makes: k for k, step in enumerate(self.program.steps)}
-
-    @cached_property
-    def _first_read(self) -> dict[str, int]:
-        """By thing the first step that reads it."""
+    def _first_use(self) -> dict[str, int]:
+        """By thing the number of the first step that makes or reads it."""
         steps = [*enumerate(self.program.steps)]
-        return {name: k for k, step in reversed(steps) for name, _ in step.reads()}
+        return {name: k for k, step in reversed(steps) for name in (step.makes, *(n for n, _ in step.reads()))}
+
+    def drawn(self, variant: Variant | None, tool: Tool) -> Env | None:
+        """The program drawn by a tool, rightly or with a mistake; None where that cannot be done. What comes before the
+        plan's marks, and before all that the mistake touches, is not drawn anew."""
+        swaps, givens = (variant.swaps, variant.givens) if variant else ({}, {})
+        first, before = self._before_marks
+        first = min([first, *(self._first_use[n] for n in (*swaps, *givens) if n in self._first_use)])
+        things = {**before, **givens}
+        try:
+            draw_steps(self.program.steps[first:], things, tool, swaps)
+        except PlanesError:
+            return None
+        return things
 
     def mu_said(self, mu: float) -> Written:
         """A scale of the plan as a sentence has it."""
@@ -202,40 +186,7 @@ def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float, p
     return list(catalogue(PlanSteps(there, bench.program, plan or bench.asked.plan), taken, mu))
 
 
-class GivenUp(Exception):
-    """It is not worth drawing on."""
-
-
-@dataclass
-class _Snapping(Tool):
-    """Draws exactly, but goes on from where things are on the picture."""
-
-    snap: Callable[[Step, Point], Point] = lambda _, made: made
-
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
-        made = super().make(step, way, things)
-        things[step.makes] = self.snap(step, made)
-        return made
-
-
-def redrawn(
-    bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Point], Point], begun: Begun | None = None
-) -> Env | None:
-    """The program drawn exactly, each thing passed through ``snap``, which leaves all but the plan's marks as they are;
-    None where that cannot be done, or is given up. What nothing changes is not drawn anew; what was ``begun`` is gone
-    on with."""
-    begun = begun or bench.begun(variant)
-    things = begun.things
-    things |= variant.givens if variant else {}
-    tool, swaps = _Snapping(Arithmetic(), snap=snap), variant.swaps if variant else {}
-    try:
-        draw_steps(bench.program.steps[begun.step :], things, tool, swaps)
-    except (PlanesError, GivenUp):
-        return None
-    return things
-
-
 def drawn_at(bench: PreparedPlan, variant: Variant | None, label: str) -> complex | None:
     """Where a mark is, mm from the pole, in the plan drawn so; None where that cannot be drawn."""
-    things = redrawn(bench, variant, lambda step, made: made)
+    things = bench.drawn(variant, Tool(Arithmetic()))
     return complex(things[at(bench.asked.plan, label)]) if things else None

@@ -59,13 +59,13 @@ def _vectors(all_: Iterable[Vector]) -> list[list[float]]:
 
 def _near(strokes: Iterable[Vector], box: Box) -> list[Vector]:
     """Strokes that may show in a window."""
-    low, high = complex(*box[:2]), complex(*box[2:])
+    left, lower, right, upper = box
 
-    def beside(a: complex, b: complex) -> bool:
-        across = max(a.real, b.real) < low.real or min(a.real, b.real) > high.real
-        return across or max(a.imag, b.imag) < low.imag or min(a.imag, b.imag) > high.imag
+    def shows(stroke: Vector) -> bool:
+        low, high = corners(stroke)
+        return low.real <= right and high.real >= left and low.imag <= upper and high.imag >= lower
 
-    return [(a, b) for a, b in strokes if not beside(a, b)]
+    return [*filter(shows, strokes)]
 
 
 def address(data: bytes) -> str:

@@ -1,21 +1,17 @@
 """One flat picture looked at: the pole of a plan found on it, and its marks."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field
 
 from planes.check.blank import blank_pole
-from planes.check.evidence.ink import ink_of
 from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import PlanLines
 from planes.check.explaining.sought_pole import sought_pole
 from planes.check.explaining.weights import LEAST_COVER, STRANGE_MM
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading.paper import Box, ReadMark
+from planes.check.grading.paper import Box, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.grading.sign_faults import SignFault
 from planes.check.vision.image.picture import Flat
 from planes.check.vision.page_parts import A2_MM2, parts_of
 from planes.check.vision.print_scale import measured_by, resized_by
@@ -33,24 +29,19 @@ class Look:
 
     flat: Flat
     pole: complex
-    spots: list[ReadMark] = field(default_factory=list)
+    paper: ReadPaper = field(default_factory=ReadPaper)  # its μ, if it was found at another scale than the stated one
     cover: float = 0.0  # the share of the plan's lines that is there
     explained: float = 0.0  # of the ink about them, the share that is theirs
-    untold: list[str] = field(default_factory=list)  # marks that may as well be elsewhere, with a mistake
-    named: list[str] = field(default_factory=list)  # marks that but their names tell
-    signs: list[SignFault] = field(default_factory=list)  # letters that are wrong
-    in_doubt: list[str] = field(default_factory=list)  # vectors hardly drawn, or with their heads at the wrong end
     bare: bool = False  # whether there are no lines at all
-    mu: float | None = None  # the scale it was found at, where that is not the stated one
 
     @property
     def seen(self) -> bool:
         """Whether the plan, or a mistake's, is there."""
-        return bool(self.spots)
+        return bool(self.paper.spots)
 
     def box(self, bench: PreparedPlan) -> Box:
         """Where the flat picture lies."""
-        printed = not self.spots and self.flat.by == "marks"
+        printed = not self.seen and self.flat.by == "marks"
         low = self.flat.corner - (self.flat.pole or blank_pole(bench) if printed else self.pole)
         h, w = self.flat.grey.shape[:2]
         high = low + complex(w, h) / self.flat.scale
@@ -67,7 +58,7 @@ def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple
     page, looks = parts_of(flat), [Look(flat, 0j)]
     for k, mu in page.likely(bench):
         look = looked(bench.at(mu, fixed=True) if mu else bench, page.cut(k), None)
-        look.mu = mu
+        look.paper.mu = mu
         looks.append(look)
         if look.cover * look.explained > LEAST_COVER:
             break
@@ -78,24 +69,21 @@ def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple
 
 def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[str, complex] | None = None) -> Look:
     """What a flat picture shows of a plan, by drawing it again from its pole: about a place, or looked for."""
-    ink = SheetInk.of_picture(flat, ink_of(flat, near))
+    ink = SheetInk.of_picture(flat)
     if not ink.points.size:
         return Look(flat, 0j, bare=True)
     plan = PlanLines(bench, flat.printed, held, flat.by == "marks")
     pole = sought_pole(plan, ink) if near is None else near
-    seen = Explanation(plan, ink, pole) if pole is not None else None
-    if seen is None or pole is None:
-        return Look(flat, 0j)
+    seen = Explanation(plan, ink, pole)
     look = Look(flat, 0j if near is None else pole, cover=seen.best.cover, explained=seen.explained)
     least = LEAST_EXPLAINED[near is None]
     if seen.best.cover < LEAST_COVER or seen.best.cover * seen.explained < least:
         return look
-    look.pole = pole
-    spots = measured_by(flat, pole, seen.spots(), bench)
-    look.spots, look.untold, look.in_doubt = resized_by(flat, pole, seen.share, spots), seen.untold(), seen.faint()
-    look.named = seen.named()
-    if seen.best.hypothesis.right and seen.best.parts[1] > STRANGE_MM:
-        flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.best.parts[1]:.0f}")))
+    look.pole, paper = pole, look.paper
+    paper.spots = resized_by(flat, pole, seen.share, measured_by(flat, pole, seen.spots(), bench))
+    paper.untold, paper.left, paper.named = seen.untold(), seen.faint(), seen.named()
+    if seen.best.hypothesis.right and seen.best.strange > STRANGE_MM:
+        flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.best.strange:.0f}")))
     motion = kind_of(bench.asked.plan) not in ("position", "force")
-    look.signs = seen.whole_fault() or (seen.exchanged() if motion else [])
+    paper.signs = seen.whole_fault() or (seen.exchanged() if motion else [])
     return look

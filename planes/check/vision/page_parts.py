@@ -8,7 +8,8 @@ import numpy
 from planes.check.evidence.ink import ink_of, light_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.parts import TOGETHER_MM
-from planes.check.vision.image.picture import Flat, cv
+from planes.check.vision.image.opencv import cv, pieces
+from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Greys, Indices
 from planes.words.frozen import frozen
 from planes.words.names import kind_of
@@ -77,5 +78,5 @@ def parts_of(flat: Flat) -> PageParts:
     small = cv2.resize(ink_of(flat.as_if(A3_MM2)).mask * 255, size, interpolation=cv2.INTER_AREA)
     near = round(TOGETHER_MM / 2 * PX_PER_MM) * 2 + 1
     spread = cv2.dilate((small > INK).astype(numpy.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (near, near)))
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(spread, connectivity=8)
+    labels, stats = pieces(spread)
     return PageParts(flat, light_of(flat), labels, stats[:, :4].tolist())

@@ -13,7 +13,8 @@ from planes.check.vision.from_aside import strange, tilt_told
 from planes.check.vision.image.decoding import DecodedPicture, load
 from planes.check.vision.image.frame import by_frame
 from planes.check.vision.image.lens import CameraTilt
-from planes.check.vision.image.picture import LARGEST_PX, Flat, by_scale, cv, find_marks, fits, flatten, smaller
+from planes.check.vision.image.opencv import cv, shrunk, smaller
+from planes.check.vision.image.picture import LARGEST_PX, Flat, by_scale, find_marks, fits, flatten
 from planes.check.vision.image.two_points import by_points
 from planes.check.vision.looking import Look, seen_best
 from planes.check.vision.print_scale import printed_share
@@ -31,22 +32,23 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     """
     known = known or Known()
     picture = load(file, known.page)
-    paper, best, pole, code = ReadPaper(file, whole=False, look=picture.look), None, known.pole, None
+    best, by, pole, code = None, None, known.pole, None
     for flat, named in _flats(bench, picture, known):
         code = mark_of(flat) if flat.by == "marks" else None
         bench = _as_printed(bench, flat, code)
         held = _held(bench, flat, known)
         look = seen_best(bench, flat, 0j if named else None if pole is None else flat.place(pole), held)
         if best is None or (look.seen, look.cover) > (best.seen, best.cover):
-            best, paper.scale_mark = look, None if flat.by_file else named
+            best, by = look, None if flat.by_file else named
         if best.flat.by in ("scale", "part") and best.seen:
             break
     best = best and _from_aside(bench, picture, known, best)
     has_scale = best and (best.flat.by not in ("scale", "part") or pole is not None)
     if best is None or not (has_scale or best.seen):
         raise _nothing_to_measure_by(picture.grey)
-    paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
-    paper.picture, paper.box, paper.mu = shown(best.flat), best.box(bench), best.mu or bench.asked.mu
+    paper = replace(best.paper, file=file, whole=False, look=picture.look, scale_mark=by, notes=list(best.flat.notes))
+    paper.pole_told, paper.mu = pole is not None or best.flat.by == "marks", best.paper.mu or bench.asked.mu
+    paper.picture, paper.box = shown(best.flat), best.box(bench)
     if code and code.plan != bench.asked.plan and code.plan in known_plans(bench.plans):
         plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
         paper.notes.append(Phrase("check_code_says", **plans))
@@ -56,11 +58,10 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         paper.reason = asking("check_no_plan_seen", share=f"{100 * best.cover:.0f}")
     else:
         pointed = bench.pointed(known.marks, best.flat.place)
-        paper.spots = with_told(best.spots, pointed)
-        if best.mu and best.mu != bench.said_mu:
-            paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
-        paper.untold = [n for n in best.untold if n not in pointed]
-        paper.signs, paper.left, paper.named = best.signs, best.in_doubt, best.named
+        paper.spots = with_told(paper.spots, pointed)
+        if best.paper.mu and best.paper.mu != bench.said_mu:
+            paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.paper.mu)))
+        paper.untold = [n for n in paper.untold if n not in pointed]
     return paper
 
 
@@ -76,14 +77,14 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
     """What a photograph of a plan by two points shows if it was taken from aside, by as much as its marks tell; as it
     was looked at before, if that explains them better."""
     lens, true = best.flat.lens, {label_of(m): z for m, z in bench.true_marks.items()}
-    tilt = tilt_told(lens, best.pole, best.spots, true) if lens and best.spots else None
+    tilt = tilt_told(lens, best.pole, best.paper.spots, true) if lens and best.seen else None
     if tilt is None or lens is None or known.pole is None:
         return best
     held = replace(lens.held, slopes=lens.held.slopes + tilt)
     flat, _ = _by_hand(bench, picture, known.pole, known.marks, held)
     other = seen_best(bench, flat, 0j, _held(bench, flat, known))
-    likelier = strange(lens, best.pole, best.spots, true) - strange(lens, other.pole, other.spots, true)
-    return other if other.spots and likelier > 0 else best
+    likelier = strange(lens, best.pole, best.paper.spots, true) - strange(lens, other.pole, other.paper.spots, true)
+    return other if other.seen and likelier > 0 else best
 
 
 def _as_printed(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> PreparedPlan:
@@ -117,9 +118,7 @@ def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterat
 
 def shown(flat: Flat) -> bytes:
     """The flat picture, small enough for a page."""
-    cv2 = cv()
-    small = cv2.resize(flat.grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
-    return bytes(cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, 75])[1])
+    return bytes(cv().imencode(".jpg", shrunk(flat.grey, 0.5), [cv().IMWRITE_JPEG_QUALITY, 75])[1])
 
 
 def _by_hand(
@@ -130,8 +129,7 @@ def _by_hand(
     held: CameraTilt | None = None,
 ) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
-    names = bench.naming.names([label_of(m) for m in bench.marks])
-    name, where = next(((n, z) for k, z in marks.items() if (n := names.find(k)) and n != POLE), (None, 0j))
+    name, where = next(((n, z) for k, z in marks.items() if (n := bench.names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
     vector = _vector(bench, picture, abs(where - pole), name)

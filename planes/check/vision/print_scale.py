@@ -7,7 +7,6 @@ than printers do.
 """
 
 import math
-from collections.abc import Iterable
 from dataclasses import replace
 
 from planes.check.grading.handwork import Hand
@@ -40,10 +39,14 @@ def printed_share(flat: Flat, grey: Greys, scale: float | None) -> float:
 
 
 def resized_by(flat: Flat, about: complex, share: float, spots: list[ReadMark]) -> list[ReadMark]:
-    """Marks of a sheet printed at a share of its size, in millimetres of a ruler; said only where a ruler shows it."""
+    """Marks of a sheet printed at a share of its size, and its picture from now on, in millimetres of a ruler, that are
+    so much longer; said only where a ruler shows it."""
     if share == 1:
         return spots
-    return _printed_at(flat, about, share, spots) if share == flat.printed else _resized(flat, about, share, spots)
+    if share == flat.printed:
+        flat.notes.append(Phrase("check_printed_at", share=Written(f"{100 * share:.1f}")))
+    flat.scale, flat.corner = flat.scale / share, about + (flat.corner - about) * share
+    return [replace(s, place=about + (s.place - about) * share) for s in spots]
 
 
 def measured_by(flat: Flat, about: complex, spots: list[ReadMark], bench: PreparedPlan) -> list[ReadMark]:
@@ -59,15 +62,3 @@ def measured_by(flat: Flat, about: complex, spots: list[ReadMark], bench: Prepar
     turned = ALONG if flat.by_paper else drawn / math.sqrt(2) if length > LONG_MM else LYING
     share = math.hypot(turned if flat.by_file else drawn, flat.aslant)
     return [as_sure(s, about, share, flat.lens) for s in spots]
-
-
-def _printed_at(flat: Flat, about: complex, share: float, spots: Iterable[ReadMark]) -> list[ReadMark]:
-    """The marks of a sheet printed at a share of its size, which is told."""
-    flat.notes.append(Phrase("check_printed_at", share=Written(f"{100 * share:.1f}")))
-    return _resized(flat, about, share, spots)
-
-
-def _resized(flat: Flat, about: complex, share: float, spots: Iterable[ReadMark]) -> list[ReadMark]:
-    """The marks, and the picture from now on, in millimetres that are so much longer."""
-    flat.scale, flat.corner = flat.scale / share, about + (flat.corner - about) * share
-    return [replace(s, place=about + (s.place - about) * share) for s in spots]

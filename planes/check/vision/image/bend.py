@@ -11,6 +11,7 @@ from typing import TypeVar
 import numpy
 
 from planes.check.fiducials import SHEET_MM
+from planes.check.vision.image.opencv import sampled
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 LEFT_MM, OTHER_MM = 20.0, 5.0  # of the frame from the sheet's edges
@@ -101,8 +102,8 @@ def add_paper(bend: Bend, grey: Greys, scale: float) -> None:
     steps, rows = numpy.linspace(0, 1, 41), []
     for (_, off), (a, b) in zip(seen, _ends(), strict=True) if seen else ():
         upright = abs((b - a).real) < 1
-        share = numpy.linspace(a.imag if upright else a.real, b.imag if upright else b.real, len(off))
-        share = 1 - share / SHEET_MM[1] if upright else share / SHEET_MM[0]
+        along = numpy.linspace(a, b, len(off))
+        share = 1 - along.imag / SHEET_MM[1] if upright else along.real / SHEET_MM[0]
         smooth = numpy.polynomial.Polynomial.fit(share, off, 4)
         rows.append(smooth(numpy.clip(steps, share.min(), share.max())) * scale)
     bend.sides = numpy.array(rows) if rows else None
@@ -128,24 +129,13 @@ def _sides(grey: Greys, bend: Bend, scale: float) -> list[tuple[Complexes, Array
         places = a + (b - a) * numpy.linspace(0.03, 0.97, int(abs(b - a) / ALONG_MM))
         across = 1.0 if abs((b - a).real) < 1 else -1j
         t = numpy.arange(-REACH_MM, REACH_MM + 1e-9, ACROSS_MM)
-        off, good = _line(_sampled(grey, px(places[:, None] + across * t[None, :])))
+        off, good = _line(sampled(grey, px(places[:, None] + across * t[None, :])))
         if good.mean() < SEEN:
             return []
         smooth = numpy.polynomial.Polynomial.fit(places[good].real + places[good].imag, off[good], 5)
         off = smooth(places.real + places.imag)
         out.append((px(places + across * off), off))
     return out if max(float(abs(off).max()) for _, off in out) >= BENT_MM else []
-
-
-def _sampled(grey: Greys, z: Complexes) -> Array:
-    """Grey at places between pixels."""
-    h, w = grey.shape
-    x, y = numpy.clip(z.real, 0, w - 1.001), numpy.clip(z.imag, 0, h - 1.001)
-    i, j = x.astype(int), y.astype(int)
-    u, v = x - i, y - j
-    upper, lower = (grey[k, i] * (1 - u) + grey[k, i + 1] * u for k in (j, j + 1))
-    seen: Array = upper * (1 - v) + lower * v
-    return seen
 
 
 def _line(rows: Array) -> tuple[Array, Booleans]:

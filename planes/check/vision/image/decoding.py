@@ -15,7 +15,8 @@ import numpy
 
 from planes.check.reading.opened import LARGEST, MB, contents, hash_of, hushed
 from planes.check.vision.image.no_paper import shows_paper, shows_text_only
-from planes.check.vision.image.picture import blanks_on, cv, sheet_alone
+from planes.check.vision.image.opencv import cv
+from planes.check.vision.image.picture import blanks_on, sheet_alone
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded

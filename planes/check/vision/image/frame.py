@@ -5,18 +5,20 @@ how the sheet lies and, less surely, its format; several formats may be worth tr
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy
 
 from planes.check.vision.image.bend import LEFT_MM, OTHER_MM
-from planes.check.vision.image.picture import LARGEST_PX, PX_PER_MM, Flat, cv, smaller
-from planes.geometry.arrays import Array, Greys
+from planes.check.vision.image.opencv import cv, sampled, smaller
+from planes.check.vision.image.picture import LARGEST_PX, PX_PER_MM, Flat
+from planes.geometry.arrays import Array, Complexes, Greys
 
 SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # lying
 LEAST_SHARE = 0.2  # of the picture that a frame takes up
 NEAR_RATIO = (0.004, 0.15)  # formats whose frames are so nearly of the shape seen, straight or askew, are worth trying
 LOOK_PX = 2000
+Line = tuple[complex, complex]  # a place of it, and its direction
 
 
 def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
@@ -40,7 +42,7 @@ def frame_corners(grey: Greys) -> Array | None:
     cv2 = cv()
     small, factor = smaller(grey, LOOK_PX)
     dark = cv2.adaptiveThreshold(small, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY_INV, 31, 7)
-    dark = cv2.morphologyEx(dark, cv2.MORPH_CLOSE, numpy.ones((3, 3), numpy.uint8))
+    dark = cv2.morphologyEx(dark, cv2.MORPH_CLOSE, None)
     contours, _ = cv2.findContours(dark, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
     quads = []
     for contour in contours:
@@ -64,25 +66,30 @@ def ordered(quad: Array) -> Array:
 
 def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
     """Corners where the middles of the frame's lines cross; None where a side is no line on both sides of paper."""
-    cv2 = cv()
-    sides = []
-    t = numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5)
-    for a, b in zip(quad, numpy.roll(quad, -1, axis=0), strict=True):
-        along = (b - a) / numpy.linalg.norm(b - a)
-        across = numpy.array([-along[1], along[0]])
-        places = a + numpy.linspace(0.03, 0.97, 200)[:, None] * (b - a)
-        grid = places[:, None, :] + t[None, :, None] * across
-        maps = (numpy.ascontiguousarray(grid[..., k], numpy.float32) for k in (0, 1))
-        seen = 255.0 - cv2.remap(grey, *maps, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE).astype(float)
+    sides, t, ends = [], numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5), quad @ [1, 1j]
+    for a, b in zip(ends, numpy.roll(ends, -1), strict=True):
+        across = 1j * (b - a) / abs(b - a)
+        places = a + numpy.linspace(0.03, 0.97, 200) * (b - a)
+        seen = 255.0 - sampled(grey, places[:, None] + across * t)
         base = numpy.maximum(seen[:, :4].mean(axis=1), seen[:, -4:].mean(axis=1))[:, None]
         line = numpy.maximum(seen - base - 0.35 * (seen.max(axis=1)[:, None] - base), 0)
         good = (seen.max(axis=1) - base[:, 0]) > 15
         if good.mean() < 0.5:
             return None
         middle = (line * t).sum(axis=1) / numpy.maximum(line.sum(axis=1), 1e-6)
-        points = (places + middle[:, None] * across)[good]
-        vx, vy, x, y = cv2.fitLine(points.astype(numpy.float32), cv2.DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
-        sides.append((complex(x, y), complex(vx, vy)))
+        sides.append(line_along((places + middle * across)[good]))
+    return meetings(sides)
+
+
+def line_along(places: Complexes) -> Line:
+    """The line along most of some places: one of it, and its direction."""
+    points = numpy.stack([places.real, places.imag], axis=1).astype(numpy.float32)
+    vx, vy, x, y = cv().fitLine(points, cv().DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
+    return complex(x, y), complex(vx, vy)
+
+
+def meetings(sides: Sequence[Line]) -> Array:
+    """Where each side of a figure meets the one before it."""
     pairs = zip([sides[-1], *sides[:-1]], sides, strict=True)
     corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
     return numpy.array([(z.real, z.imag) for z in corners])

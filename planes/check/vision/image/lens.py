@@ -59,8 +59,7 @@ class Lens:
             return z
         pole, mark = through(view, 0j), through(view, self.mark)
         way = self.mark / (mark - pole)
-        there: Place = (through(view, z) - pole) * (way if self.turned else abs(way))
-        return there
+        return (through(view, z) - pole) * (way if self.turned else abs(way))
 
 
 def level(middle: complex, far: float, tilt: complex) -> Array | None:

@@ -7,7 +7,7 @@ of it, and with what is thin and dark filled up, its light changes but slowly.
 
 import numpy
 
-from planes.check.vision.image.picture import cv, smaller
+from planes.check.vision.image.opencv import cv, pieces, smaller
 from planes.geometry.arrays import Booleans, Greys, Indices
 
 LOOK_PX, SQUARE_PX = 1000, 20
@@ -30,7 +30,7 @@ def shows_paper(grey: Greys) -> bool:
     if not h * w:
         return True
     small = small[: h * SQUARE_PX, : w * SQUARE_PX]
-    _, _, parts, _ = cv().connectedComponentsWithStats(_slow(small).astype(numpy.uint8), connectivity=4)
+    _, parts = pieces(_slow(small))
     even = max(parts[1:, 4].sum() / EVEN, parts[1:, 4].max(initial=0) / TOGETHER)
     return bool(even >= h * w) and float(_rough(small).mean()) < SHARE
 
@@ -75,6 +75,4 @@ def shows_text_only(grey: Greys) -> bool:
 
 def _parts(dark: Greys, least: float) -> Indices:
     """What hangs together that is so dark: how wide and high it is, and of how many pixels."""
-    _, _, parts, _ = cv().connectedComponentsWithStats((dark > least).astype(numpy.uint8), connectivity=8)
-    sizes: Indices = parts[1:, 2:5]
-    return sizes
+    return pieces(dark > least)[1][1:, 2:5]

@@ -3,13 +3,13 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from types import ModuleType
 
 import numpy
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.image.bend import Bend, add_paper, bend_of
 from planes.check.vision.image.lens import Lens
+from planes.check.vision.image.opencv import cv, shrunk, smaller
 from planes.check.vision.image.several import Found, SheetsSeen, leaves_more, sheets_apart
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
@@ -70,23 +70,7 @@ class Flat:
         share = math.sqrt(area / (width * height))
         if share >= 1:
             return self
-        return Flat(cv().resize(self.grey, None, fx=share, fy=share, interpolation=cv().INTER_AREA), self.scale)
-
-
-def cv() -> ModuleType:
-    """OpenCV, or a sentence that says how to get it."""
-    try:
-        import cv2
-    except ImportError:
-        raise PlanesError(Phrase("check_needs", what="opencv-python-headless")) from None
-    return cv2
-
-
-def smaller(grey: Greys, longest: float) -> tuple[Greys, float]:
-    """The picture with its longer side no longer than that, and by which it was made smaller."""
-    cv2, factor = cv(), min(1.0, longest / max(grey.shape))
-    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
-    return small, factor
+        return Flat(shrunk(self.grey, share), self.scale)
 
 
 def dictionary() -> object:
@@ -146,8 +130,7 @@ def sheet_alone(grey: Greys, marks: Mapping[int, Array]) -> Greys:
     inside = cv2.fillPoly(numpy.zeros(grey.shape, numpy.uint8), [quad.round().astype(numpy.int32)], 1)
     (left, top), (right, low) = quad.min(axis=0).clip(0).astype(int), quad.max(axis=0).astype(int)
     part = slice(top, low), slice(left, right)
-    alone: Greys = numpy.where(inside[part], grey[part], numpy.uint8(numpy.median(grey[inside > 0])))
-    return alone
+    return numpy.where(inside[part], grey[part], numpy.uint8(numpy.median(grey[inside > 0])))
 
 
 def _corners(number: int) -> list[complex]:

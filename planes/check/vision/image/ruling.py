@@ -10,7 +10,7 @@ import math
 
 import numpy
 
-from planes.check.vision.image.picture import cv
+from planes.check.vision.image.opencv import cv, shrunk
 from planes.geometry.arrays import Array, Complexes, Greys
 from planes.words.frozen import frozen
 
@@ -37,10 +37,9 @@ class Wave:
 def waves_of(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
     """The lines of about a period that run down a picture, counted to the right, and those that run across, counted
     downwards; None where there are none."""
-    cv2, factor = cv(), min(1.0, PERIOD_PX / period_px)
-    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
-    seen = small.astype(numpy.float32)
-    dark = numpy.clip(cv2.blur(seen, (AROUND_PX, AROUND_PX)) - seen, -LIGHT, DARK)
+    factor = min(1.0, PERIOD_PX / period_px)
+    seen = (shrunk(grey, factor) if factor < 1 else grey).astype(numpy.float32)
+    dark = numpy.clip(cv().blur(seen, (AROUND_PX, AROUND_PX)) - seen, -LIGHT, DARK)
     h, w = dark.shape
     at = [(y, x) for y in range(0, h - WINDOW_PX + 1, STEP_PX) for x in range(0, w - WINDOW_PX + 1, STEP_PX)]
     if len(at) < LEAST:

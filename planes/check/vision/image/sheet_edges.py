@@ -3,8 +3,8 @@
 import numpy
 
 from planes.check.vision.image.bend import Bend
-from planes.check.vision.image.frame import ordered
-from planes.check.vision.image.picture import cv, smaller
+from planes.check.vision.image.frame import line_along, meetings, ordered
+from planes.check.vision.image.opencv import cv, sampled, smaller
 from planes.geometry.arrays import Array, Complexes, Greys
 
 LOOK_PX = 1000
@@ -31,14 +31,11 @@ def edges_of(grey: Greys) -> tuple[Array, float] | None:
 
     def crooked(k: float) -> float:
         unbent.lens = (k, 0.0)
-        off = [float(abs(_line(unbent.straight(z))[1]).clip(0, STRAIGHT_PX * unit).mean()) for z in edges]
+        off = [float(_off_line(unbent.straight(z)).clip(0, STRAIGHT_PX * unit).mean()) for z in edges]
         return float(sum(off) / unit + (k / FAIRLY) ** 2 / 4)
 
     unbent.lens = (min(LENSES.tolist(), key=crooked), 0.0)
-    lines = [_line(unbent.straight(side))[0] for side in edges]
-    pairs = zip([lines[-1], *lines[:-1]], lines, strict=True)
-    corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
-    return numpy.array([(z.real, z.imag) for z in corners]), unbent.lens[0]
+    return meetings([line_along(unbent.straight(side)) for side in edges]), unbent.lens[0]
 
 
 def _outline(grey: Greys) -> Complexes | None:
@@ -50,7 +47,7 @@ def _outline(grey: Greys) -> Complexes | None:
     _, light = cv2.threshold(soft, 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
     quad = _quad(light)
     if quad is None:
-        quad = _quad(255 - cv2.dilate(cv2.Canny(soft, *SHARP), numpy.ones((3, 3), numpy.uint8)))
+        quad = _quad(255 - cv2.dilate(cv2.Canny(soft, *SHARP), None))
     if quad is None:
         return None
     x, y = ordered((quad + 0.5) / factor - 0.5).T
@@ -72,13 +69,11 @@ def _quad(inside: Greys) -> Array | None:
 
 def _edge(grey: Greys, a: complex, b: complex) -> Complexes | None:
     """Places of an edge between two corners, where the picture grows lighter inwards; None where few are seen."""
-    cv2, reach = cv(), REACH * max(grey.shape)
+    reach = REACH * max(grey.shape)
     inwards = (b - a) / abs(b - a) * -1j  # counter-clockwise as one sees it, y down
     t = numpy.arange(-reach, reach + 0.1, 0.5)
     places = (a + (b - a) * numpy.linspace(0.03, 0.97, PROFILES))[:, None] + inwards * t[None, :]
-    maps = (numpy.ascontiguousarray(part, numpy.float32) for part in (places.real, places.imag))
-    seen = cv2.remap(grey, *maps, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE).astype(numpy.float32)
-    soft = cv2.GaussianBlur(seen, (7, 1), 1.5)
+    soft = cv().GaussianBlur(sampled(grey, places), (7, 1), 1.5)
     rise = soft[:, 4:] - soft[:, :-4]
     best = rise.argmax(axis=1).clip(1, rise.shape[1] - 2)
     n = numpy.arange(PROFILES)
@@ -88,13 +83,12 @@ def _edge(grey: Greys, a: complex, b: complex) -> Complexes | None:
     edge = edge[top > STEP]
     if len(edge) < SEEN * PROFILES:
         return None
-    off = abs(_line(edge)[1])
+    off = _off_line(edge)
     near = edge[off < max(STRAIGHT_PX * max(grey.shape) / LOOK_PX, 2.5 * float(numpy.median(off)))]
     return near if len(near) >= SEEN * PROFILES else None
 
 
-def _line(places: Complexes) -> tuple[tuple[complex, complex], Array]:
-    """A line through places (one of it, and its direction), and how far they are off it."""
-    points = numpy.stack([places.real, places.imag], axis=1).astype(numpy.float32)
-    vx, vy, x, y = cv().fitLine(points, cv().DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
-    return (complex(x, y), complex(vx, vy)), ((places - complex(x, y)) * complex(vx, -vy)).imag
+def _off_line(places: Complexes) -> Array:
+    """How far places are off the line along most of them."""
+    place, way = line_along(places)
+    return abs(((places - place) * way.conjugate()).imag)

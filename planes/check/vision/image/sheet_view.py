@@ -14,7 +14,7 @@ import numpy
 from planes.check.vision.image.bend import Bend, through
 from planes.check.vision.image.frame import shape_of
 from planes.check.vision.image.lens import FOCAL, MOST_TILT_DEG, UNTOLD, CameraTilt, level
-from planes.check.vision.image.picture import cv
+from planes.check.vision.image.opencv import cv
 from planes.check.vision.image.ruling import CLEAR, LEAST, Wave, waves_of
 from planes.check.vision.image.sheet_edges import edges_of
 from planes.check.vision.image.text_view import tilt_by_text

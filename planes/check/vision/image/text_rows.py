@@ -8,7 +8,7 @@ import math
 
 import numpy
 
-from planes.check.vision.image.picture import cv, smaller
+from planes.check.vision.image.opencv import cv, pieces, shrunk, smaller
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen
 
@@ -25,12 +25,11 @@ STEEP = math.radians(40)  # a stroke that slants more from upright tells nothing
 
 @frozen
 class TextRow:
-    """The line that letters stand on: a place of it and its direction (radians), how far feet are off it (a share of
-    a letter's height), how sure its direction is, and its letters' numbers."""
+    """The line that letters stand on: a place of it and its direction (radians), how sure that is, and its letters'
+    numbers."""
 
     place: complex
     angle: float
-    off: float
     error: float
     letters: Indices
 
@@ -83,30 +82,24 @@ def text_on(grey: Greys) -> LetterRows | None:
     letter_of_edge, angles, weights = _edges(small, labels, new, way)
     middles = ((left + right) / 2 + 1j * (low + high) / 2) * numpy.exp(1j * way)
     there = (middles[kept] + 0.5 + 0.5j) / factor - 0.5 - 0.5j
-    text_rows = [
-        TextRow((r.place + 0.5 + 0.5j) / factor - 0.5 - 0.5j, r.angle, r.off, r.error, new[r.letters]) for r in rows
-    ]
+    text_rows = [TextRow((r.place + 0.5 + 0.5j) / factor - 0.5 - 0.5j, r.angle, r.error, new[r.letters]) for r in rows]
     return LetterRows(there, (high - low + 1)[kept], letter_of_edge, angles, weights, text_rows, way)
 
 
 def _letters(small: Greys) -> tuple[Indices, Indices]:
     """The pieces of ink that are as large as letters: each pixel's number (from 1, 0: none), and their boxes."""
     cv2 = cv()
-    quarter = cv2.resize(small, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
     wide = LIGHT_PX // 4 | 1
-    light = cv2.blur(cv2.dilate(quarter, numpy.ones((wide, wide), numpy.uint8)), (wide, wide))
+    light = cv2.blur(cv2.dilate(shrunk(small, 0.25), numpy.ones((wide, wide), numpy.uint8)), (wide, wide))
     dark = cv2.subtract(cv2.resize(light, small.shape[::-1]), cv2.GaussianBlur(small, (3, 3), 0))
     least = max(DARKER, PRINT * float(numpy.percentile(dark[::4, ::4], 99.7)))
-    _, labels, parts, _ = cv2.connectedComponentsWithStats((dark > least).astype(numpy.uint8), connectivity=8)
+    labels, parts = pieces(dark > least)
     w, h, area = parts[:, 2], parts[:, 3], parts[:, 4]
     tall = numpy.maximum(w, h)
     good = (tall >= LETTER_PX[0]) & (tall <= LETTER_PX[1]) & (area >= SPECKS) & (numpy.minimum(w, h) > 1)
     good[0] = False
-    if good.sum() > MOST:
-        good[numpy.flatnonzero(good)[MOST:]] = False
-    new = numpy.zeros(len(parts), numpy.int32)
-    new[good] = numpy.arange(1, int(good.sum()) + 1)
-    return new[labels], parts[good]
+    good[numpy.flatnonzero(good)[MOST:]] = False
+    return (good.cumsum() * good)[labels], parts[good]
 
 
 def _way(boxes: Indices) -> float | None:
@@ -180,7 +173,7 @@ def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> T
     middle = float(x[near].mean())
     error = off / math.sqrt(float(((x[near] - middle) ** 2).sum()))
     place = complex(middle, line[0] + line[1] * middle) * numpy.exp(1j * way)
-    return TextRow(complex(place), way + math.atan(line[1]), off / height, error, chain)
+    return TextRow(complex(place), way + math.atan(line[1]), error, chain)
 
 
 def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Indices, Array, Array]:
@@ -188,7 +181,7 @@ def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Ind
     cv2 = cv()
     soft = cv2.GaussianBlur(small, (0, 0), 1.0)
     dx, dy = (cv2.Scharr(soft, cv2.CV_32F, *d) for d in ((1, 0), (0, 1)))
-    wide = cv2.dilate(labels.astype(numpy.float32), numpy.ones((3, 3), numpy.uint8))
+    wide = cv2.dilate(labels.astype(numpy.float32), None)
     there = numpy.flatnonzero(wide)
     letter_of_edge = new[wide.ravel()[there].astype(int) - 1]
     gradient = dx.ravel()[there] + 1j * dy.ravel()[there]

@@ -125,8 +125,7 @@ class _TextSight:
         """How much each row's direction tells, by how much it is a hand's: a block of these runs like another but
         roughly."""
         alike = PARALLEL + (BY_HAND - PARALLEL) * hand
-        out: Array = 1 / (self.errors**2 + alike**2 + self.row_count * (hand * APART) ** 2)
-        return out
+        return 1 / (self.errors**2 + alike**2 + self.row_count * (hand * APART) ** 2)
 
 
 def _blocks(text: LetterRows) -> Indices:
@@ -155,8 +154,7 @@ def _cue(what: Callable[[Array], Array], view: Array, near: list[Array], weights
 
 def _means(values: Array, weights: Array, groups: Indices) -> Array:
     """Each group's mean."""
-    out: Array = numpy.bincount(groups, weights * values) / (numpy.bincount(groups, weights) + 1e-12)
-    return out
+    return numpy.bincount(groups, weights * values) / (numpy.bincount(groups, weights) + 1e-12)
 
 
 def _angles(view: Array, z: Complexes, angle: Array) -> Array:

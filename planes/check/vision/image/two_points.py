@@ -100,14 +100,7 @@ def _straight(grey: Greys, view: SheetView, pole: complex, scale: float, askew_d
 def _seen_box(grey: Greys, bend: Bend, pole: complex) -> tuple[complex, complex]:
     """The box of what a picture shows on its sheet, pixels of the flat one, no farther from the pole than a sheet."""
     height, width = grey.shape
-    share = numpy.linspace(0, 1, 9)
-    rim = numpy.concatenate(
-        [width * share, width * share + 1j * height, 1j * height * share, width + 1j * height * share]
-    )
-    seen, far = bend.flat(rim), FARTHEST_MM * PX_PER_MM * (1 + 1j)
-    low = complex(seen.real.min(), seen.imag.min()), pole - far
-    high = complex(seen.real.max(), seen.imag.max()), pole + far
-    return (
-        complex(max(z.real for z in low), max(z.imag for z in low)),
-        complex(min(z.real for z in high), min(z.imag for z in high)),
-    )
+    share, far = numpy.linspace(0, 1, 9), FARTHEST_MM * PX_PER_MM
+    seen = bend.flat(width * share[:, None] + 1j * height * share)
+    xs, ys = seen.real.clip(pole.real - far, pole.real + far), seen.imag.clip(pole.imag - far, pole.imag + far)
+    return complex(xs.min(), ys.min()), complex(xs.max(), ys.max())
